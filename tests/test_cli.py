@@ -1,7 +1,9 @@
 """The command line from raw files to report, and what it says when it refuses."""
 
 import json
+import pkgutil
 import shutil
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +11,7 @@ import laspy
 import numpy as np
 import pytest
 
+from lispac import scripting, workflow
 from lispac.cli.main import main
 from lispac.project import Project
 from tests.command_errors import codes_of, command_error
@@ -27,6 +30,16 @@ def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, s
         code = int(stop.code or 0)
     out, err = capsys.readouterr()
     return code, out, err
+
+
+def import_workflow() -> None:
+    """Import what the commands import when they run, before a test replaces a part of it.
+
+    A module that is imported while a function is replaced keeps the replacement.
+    """
+    for package in (workflow, scripting):
+        for each in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+            import_module(each.name)
 
 
 def answer(capsys: pytest.CaptureFixture[str], *words: object) -> dict[str, Any]:

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from lispac.cli import main as entry
-from lispac.cli import sensors
 from lispac.cli.console import ConsoleProgress, has_display
 from lispac.cli.main import main
+from lispac.cli.planning import sensors
 from lispac.errors import Cancelled
 
 
@@ -88,7 +88,7 @@ def test_what_stops_a_command_is_one_plain_line(
     def stop(_: object) -> None:
         raise error
 
-    monkeypatch.setattr(sensors, "sensors", stop)
+    monkeypatch.setattr(sensors, "run", stop)
     assert main(["sensors"]) == 1
     assert capsys.readouterr() == ("", said)
 

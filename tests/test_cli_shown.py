@@ -3,15 +3,14 @@
 import subprocess
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from lispac.cli import budget, demo, design, subsample, visibility
-from lispac.cli.pick import search_notes
-from lispac.cli.sighting_qualities import print_weak_sightings
-from lispac.cli.validate import print_validation
+from lispac.cli.calibration.pick import search_notes
+from lispac.cli.calibration.sighting_qualities import print_weak_sightings
+from lispac.cli.checking.validate import print_validation
+from lispac.cli.planning import demo
 from lispac.installation_paths import window_command
 from lispac.io.config.plan_file import read_plan
 from lispac.io.project.project_file import write_project
@@ -29,7 +28,9 @@ from lispac.workflow.planning import sensors
 from tests.narrow_site import narrow_site
 from tests.report_sample import sample_project
 from tests.surveys import TARGETS, planar_survey
-from tests.test_cli import answer, run
+from tests.test_cli import answer, import_workflow, run
+
+import_workflow()
 
 
 def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
@@ -179,8 +180,8 @@ def test_the_window_opens_at_the_end_of_the_demo_where_there_is_a_screen(
 ) -> None:
     project = replace(sample_project(tmp_path / "demo"), truth_deg=(0.27, -1.14, 0.36))
     started: list[list[str]] = []
-    monkeypatch.setattr(demo.demo_survey, "run_demo", lambda *_, **__: (project, None))
-    monkeypatch.setattr(demo, "write_report", lambda *_: None)
+    monkeypatch.setattr("lispac.workflow.planning.demo.run_demo", lambda *_, **__: (project, None))
+    monkeypatch.setattr("lispac.workflow.output.export.write_report", lambda *_: None)
     monkeypatch.setattr(demo, "rms_with_truth", lambda *_: {"V1": 0.0123})
     monkeypatch.setattr(subprocess, "run", lambda words, **_: started.append(words))
     monkeypatch.setattr(demo, "has_display", lambda: True)
@@ -201,8 +202,11 @@ def test_the_visibility_study_is_reported_beside_the_thesis(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     few = replace(MARINE, inclinations=tuple(np.radians([0.0, 30.0, 60.0, 90.0]).tolist()))
-    monkeypatch.setattr(visibility, "SITES", {"marine": few})
-    monkeypatch.setattr(visibility, "write_visibility", lambda *_, **__: [tmp_path / "a.csv"])
+    monkeypatch.setattr("lispac.simulation.thesis_site.SITES", {"marine": few})
+    monkeypatch.setattr(
+        "lispac.workflow.planning.visibility.write_visibility",
+        lambda *_, **__: [tmp_path / "a.csv"],
+    )
     words = ("visibility", "marine", "--output", tmp_path, "--error", "roll", "yaw")
     rows = printed_by(capsys, *words)[0].splitlines()
     assert rows[0].split()[0] == "Error"
@@ -254,9 +258,9 @@ def test_a_budget_shows_what_nobody_knows(
     unknown = ErrorSource("Lever arm", None)
     beam = BeamErrors("horizontal, to starboard", (known, unknown), known, known)
     found = ErrorBudgetValues((50.0,), (beam,), (note("budget.no_latency"),))
-    monkeypatch.setattr(budget, "load_survey", lambda *_, **__: None)
-    monkeypatch.setattr(budget, "error_budget_of", lambda *_, **__: None)
-    monkeypatch.setattr(budget, "ErrorBudgetValues", SimpleNamespace(of=lambda _: found))
+    monkeypatch.setattr("lispac.workflow.project.survey.load_survey", lambda *_, **__: None)
+    monkeypatch.setattr("lispac.workflow.checking.budget.error_budget_of", lambda *_, **__: None)
+    monkeypatch.setattr(ErrorBudgetValues, "of", lambda _: found)
     write_project(sample_project(tmp_path))
     rows = printed_by(capsys, "budget", tmp_path)[0].splitlines()
     assert rows[0].split() == ["beam", "horizontal,", "to", "starboard", "at", "50", "m"]
@@ -274,8 +278,10 @@ def test_a_row_for_each_distance_and_one_for_all_points(
         SubsamplingResult(0.0, 12_345, angles, sigma, 1.5),
         SubsamplingResult(0.1, 2_345, angles, sigma, 0.25),
     )
-    monkeypatch.setattr(subsample, "load_survey", lambda *_, **__: None)
-    monkeypatch.setattr(subsample, "subsampling_study", lambda *_, **__: rows)
+    monkeypatch.setattr("lispac.workflow.project.survey.load_survey", lambda *_, **__: None)
+    monkeypatch.setattr(
+        "lispac.workflow.checking.subsampling.subsampling_study", lambda *_, **__: rows
+    )
     write_project(sample_project(tmp_path))
     heads, every, some = (
         row.split() for row in printed_by(capsys, "subsample", tmp_path)[0].splitlines()
@@ -292,9 +298,12 @@ def test_a_design_is_reported_beside_a_usual_plan_that_leaves_an_angle_open(
     site, folder = tmp_path / "site.toml", tmp_path / "out"
     site.write_text(narrow_site({"up_m = [2, 5, 8]": "up_m = [5]"}))
     usual = read_plan(one_line(tmp_path / "plan.toml")).plan
-    monkeypatch.setattr(design, "thesis_plan", lambda _: usual)
+    monkeypatch.setattr("lispac.design.plan_choices.thesis_plan", lambda _: usual)
     written: list[Path] = []
-    monkeypatch.setattr(design, "write_design", lambda folder, *_: written.append(folder))
+    monkeypatch.setattr(
+        "lispac.workflow.planning.plan_checks.write_design",
+        lambda folder, *_: written.append(folder),
+    )
     out, _ = printed_by(capsys, "design", site, "--workers", 1, "--output", folder)
     rows = out.splitlines()
     assert rows[1].startswith("best plan   roll ")

@@ -20,7 +20,7 @@ from lispac.adjustment.result import (
 )
 from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.adjustment.warnings import RULES, result_warnings
-from lispac.cli.estimate import print_result, result_values
+from lispac.cli.calibration.result_output import print_result, result_values
 from lispac.cli.messages import message_values
 from lispac.gui.panels import result_texts
 from lispac.io.project.project_file import read_project, write_project

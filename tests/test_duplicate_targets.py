@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.warnings import result_warnings
-from lispac.cli.estimate import print_result, project_result_values
+from lispac.cli.calibration.result_output import print_result, project_result_values
 from lispac.duplicate_targets import (
     duplicate_warnings,
     find_overlap,

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
-from lispac.cli.estimate import parse_parameters
+from lispac.cli.calibration.estimate import parse_parameters
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, LispacError
 from lispac.gui.settings import AppSettings

@@ -11,7 +11,7 @@ import catalogues
 import numpy as np
 import pytest
 
-from lispac.cli.option_hints import OPTIONS, option_hint
+from lispac.cli.messages import OPTIONS, option_hint
 from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
 from lispac.io.project.project_file import FILE_NAME, read_project, write_project

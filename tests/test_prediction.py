@@ -9,7 +9,7 @@ import scipy.stats
 from lispac.adjustment.normal_equations import MAX_SURFACES
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import PosErrors, StochasticModel
-from lispac.cli.campaign import scatter_table
+from lispac.cli.planning.campaign import scatter_table
 from lispac.design.plan import Line, Plan, System, line_pattern
 from lispac.design.plan_simulation import simulate_plan
 from lispac.design.prediction import expected_point_count, predict, predicted_equations

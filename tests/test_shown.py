@@ -10,7 +10,7 @@ from lispac.adjustment.critical_values import critical_test_value
 from lispac.adjustment.display_text import OUTPUT_UNITS, QUANTITIES, variance_component_finding
 from lispac.adjustment.parameters import ParameterEstimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
-from lispac.cli.estimate import print_result, result_values
+from lispac.cli.calibration.result_output import print_result, result_values
 from lispac.gui.panels import result_texts
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_rows import (

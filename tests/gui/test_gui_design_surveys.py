@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF
 from PySide6.QtWidgets import QApplication
 
-from lispac.cli.campaign import scatter_table
+from lispac.cli.planning.campaign import scatter_table
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
 from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
