@@ -180,16 +180,6 @@ print(*sorted({name.partition(".")[0] for name in sys.modules}))
     assert not {"PySide6", "qtpy", "pyvistaqt", "vtkmodules"} & set(done.stdout.split())
 
 
-def test_no_module_outgrows_its_room() -> None:
-    folders = ("lispac", "installer", "tests")
-    modules = [path for folder in folders for path in (CHECKOUT / folder).rglob("*.py")]
-    lengths = {
-        str(path.relative_to(CHECKOUT)): path.read_text(encoding="utf-8").count("\n")
-        for path in modules
-    }
-    assert {name: count for name, count in lengths.items() if count > 800} == {}
-
-
 def test_continuous_integration_runs_the_command_of_the_readme() -> None:
     command = "python3 installer/bootstrap.py test"
     assert command in (CHECKOUT / "README.md").read_text(encoding="utf-8")
