@@ -151,6 +151,14 @@ sys.exit(code)
     assert not HEAVY & set(done.stderr.split())
 
 
+def test_no_command_imports_heavy_modules_before_it_runs() -> None:
+    done = run_python(
+        "import sys; from lispac.cli.parser import build_parser; build_parser();print(*sys.modules)"
+    )
+    assert done.returncode == 0, done.stderr
+    assert not HEAVY & set(done.stdout.split())
+
+
 def test_importing_the_package_imports_nothing_heavy() -> None:
     done = run_python("import lispac, sys; print(*sys.modules)")
     assert done.returncode == 0, done.stderr

@@ -238,7 +238,7 @@ OWN = {
     },
     "validation": {
         "absolute_check",
-        "footprint",
+        "line_overlap",
         "surface_layers",
         "cylinder_diameters",
         "plane_offset",
