@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from lispac.adjustment.parameters import Parameter as Parameter
+    from lispac.adjustment.model.parameters import Parameter as Parameter
     from lispac.errors import LispacError as LispacError
     from lispac.identity import Identity as Identity
     from lispac.messages import Message as Message
@@ -48,7 +48,7 @@ _WHERE = {
     "LispacError": "lispac.errors",
     "Message": "lispac.messages",
     "OpenProject": "lispac.scripting.open_project",
-    "Parameter": "lispac.adjustment.parameters",
+    "Parameter": "lispac.adjustment.model.parameters",
     "PickedSighting": "lispac.picked_targets",
     "Reading": "lispac.survey.line_source",
     "Settings": "lispac.project",

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.cause_warnings import SAME_ON_LINES, point_displacement
-from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.diagnostics.cause_warnings import SAME_ON_LINES, point_displacement
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.adjustment.warnings import result_warnings
 from lispac.messages import Level, Message, error, note, shortened_list, warning
 from lispac.picked_targets import PickedSighting, Target
 from lispac.project import Project, ProposalPrediction

@@ -178,6 +178,29 @@ def join_names(names: Sequence[str], *, choice: bool = False) -> str:
     return format_list(list(names), style="or" if choice else "standard", locale=locale)
 
 
+def number_with_noun(number: int, what: str) -> str:
+    """A number with its noun: ``1 target``, ``2,202 points``."""
+    return f"{number:,} {what}" if number == 1 else f"{number:,} {what}s"
+
+
+def capitalised(text: str) -> str:
+    """The text with a capital first letter, all others as they are."""
+    return text[:1].upper() + text[1:]
+
+
+ASCII_CHARACTERS = {
+    "\u2212": "-", "\u2013": "-", "\u03c3": "sigma", "\u00a0": " ", "\u00b1": "+/-", "\u00b2": "2",
+    "\u00b0": " deg",
+}  # fmt: skip
+
+
+def to_plain_text(text: str) -> str:
+    """Text without signs and fixed spaces that some terminals cannot show."""
+    for sign, words in ASCII_CHARACTERS.items():
+        text = text.replace(sign, words)
+    return text
+
+
 def short_datetime(when: datetime) -> str:
     """A date with the time of day, as the language writes it."""
     from babel.dates import format_datetime

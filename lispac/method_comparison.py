@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from lispac.adjustment.message_parts import mounting_value_names
+from lispac.adjustment.model.parameters import mounting_value_names
 from lispac.adjustment.result import ANGLES
 from lispac.alternative_methods import METHODS, Method
 from lispac.messages import Message, note

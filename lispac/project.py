@@ -13,10 +13,10 @@ from typing import Annotated, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.parameters import OPTIONAL_NAMES, PRIOR_SIGMAS, Parameter
+from lispac.adjustment.model.parameters import OPTIONAL_NAMES, PRIOR_SIGMAS, Parameter
+from lispac.adjustment.model.robust_loss import LOSSES, LossName
+from lispac.adjustment.model.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.robust_loss import LOSSES, LossName
-from lispac.adjustment.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
 from lispac.alternative_methods import METHODS, AlternativeResult, Method
 from lispac.errors import InputError, ProjectError
 from lispac.former_names import accept_script_names

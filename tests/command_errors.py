@@ -1,12 +1,14 @@
 """What stops a command, and the codes of its messages."""
 
 import re
+from typing import Any
 
 import pytest
 
 from lispac.cli.main import run
 from lispac.errors import LispacError
 from lispac.messages import Message
+from tests.error_codes import has_code
 
 
 def command_error(*words: object) -> LispacError:
@@ -14,6 +16,13 @@ def command_error(*words: object) -> LispacError:
     with pytest.raises(LispacError) as raised:
         run([str(word) for word in words])
     return raised.value
+
+
+def refused_with(code: str, *words: object, **params: Any) -> LispacError:
+    """The error that stops a command; it has this code, and these among its parameters."""
+    failure = command_error(*words)
+    assert has_code(code, **params)(failure)
+    return failure
 
 
 def codes_of(failure: LispacError) -> list[str]:

@@ -15,10 +15,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lispac.adjustment.observations import Observations
-from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Settings
 from lispac.simulation.closed_form_survey import (

@@ -20,11 +20,11 @@ from typing import cast
 
 import numpy as np
 
-from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.point_averaging import average_points_in_cells
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.warnings import result_warnings
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.message_texts import message_text
 from lispac.messages import Message

@@ -27,10 +27,10 @@ PAGES = ("tutorial",)
 
 def photograph(language: str) -> None:
     """Follow the pages of one language and take their pictures."""
-    from lispac.gui import controller
-    from lispac.gui.session import Session
-    from lispac.gui.settings import AppSettings
+    from lispac.gui.app.settings import AppSettings
+    from lispac.gui.project import controller
     from lispac.gui.viewport.vtk_viewport import VtkViewport
+    from lispac.gui.window.session import Session
     from tests.gui.reader import Reader, picture_file
 
     application = QApplication(sys.argv[:1])

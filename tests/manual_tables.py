@@ -10,6 +10,7 @@ import re
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from itertools import chain
 from pathlib import Path
 
 from PySide6.QtWidgets import (
@@ -23,21 +24,22 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui import actions
-from lispac.gui.dialogs.about import keys_text
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.dialogs.settings import SettingsDialog
-from lispac.gui.language import set_language
-from lispac.gui.panels.adjust import AdjustPanel
-from lispac.gui.panels.convention import ConventionPanel
-from lispac.gui.panels.data import DataPanel
-from lispac.gui.panels.histograms import HistogramsPanel
-from lispac.gui.panels.report import ReportPanel
-from lispac.gui.panels.targets import TargetsPanel
-from lispac.gui.panels.validate import ValidatePanel
-from lispac.gui.preferences import Preferences
-from lispac.gui.settings import AppSettings
-from lispac.gui.view_actions import KEYS, Menu
+from lispac.gui.app.actions import Keys, menu_groups
+from lispac.gui.app.language import set_language
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.conventions.convention_panel import ConventionPanel
+from lispac.gui.features.estimate.adjust_panel import AdjustPanel
+from lispac.gui.features.help.dialogs import KEYS, keys_text
+from lispac.gui.features.open_project.data_panel import DataPanel
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
+from lispac.gui.features.preferences.preferences import Preferences
+from lispac.gui.features.preferences.settings_dialog import SettingsDialog
+from lispac.gui.features.report.report_panel import ReportPanel
+from lispac.gui.features.validate.histograms_panel import HistogramsPanel
+from lispac.gui.features.validate.validate_panel import ValidatePanel
+from lispac.gui.window.actions import ALL_ACTIONS
+from lispac.gui.window.actions import MENUS as WINDOW_MENUS
 from lispac.installation_paths import resource_path
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
@@ -55,8 +57,8 @@ WORDS = {
            "habituel"),
 }  # fmt: skip
 STANDARD = {
-    actions.Keys.New: "Ctrl+N", actions.Keys.Open: "Ctrl+O", actions.Keys.Save: "Ctrl+S",
-    actions.Keys.SaveAs: "Ctrl+Shift+S", actions.Keys.Quit: "Ctrl+Q", actions.Keys.Undo: "Ctrl+Z",
+    Keys.New: "Ctrl+N", Keys.Open: "Ctrl+O", Keys.Save: "Ctrl+S",
+    Keys.SaveAs: "Ctrl+Shift+S", Keys.Quit: "Ctrl+Q", Keys.Undo: "Ctrl+Z",
 }  # fmt: skip
 """Keys that the desktop has a say in; these are the usual ones."""
 MENUS = {"en": ("Entry", "Keys", "What it does"), "fr": ("Entrée", "Touches", "Ce qu'elle fait")}
@@ -248,19 +250,20 @@ def _range(field: QWidget, language: str) -> str:
 
 def _menus(language: str) -> str:
     parts = []
-    for title, names in actions._MENUS.items():
-        rows = list(_entries(names, ""))
-        parts.append(f"### {_bare(gettext(title))}\n\n{_table(MENUS[language], rows)}")
+    for name, menu in WINDOW_MENUS.items():
+        if not menu.menu:
+            rows = list(_entries(name, ""))
+            parts.append(f"### {_bare(gettext(menu.title))}\n\n{_table(MENUS[language], rows)}")
     return "\n".join(parts)
 
 
-def _entries(names: Menu, under: str) -> Iterator[tuple[str, ...]]:
-    for name in names:
-        if isinstance(name, tuple):
-            yield from _entries(name[1], f"{under}{_bare(gettext(name[0]))} > ")
-        elif name in actions._ACTIONS:
-            keys = actions._ACTIONS[name][3]
-            text, tip = actions.action_texts(name)
+def _entries(menu: str, under: str) -> Iterator[tuple[str, ...]]:
+    for name in chain.from_iterable(menu_groups(menu, ALL_ACTIONS, WINDOW_MENUS)):
+        if name in WINDOW_MENUS:
+            yield from _entries(name, f"{under}{_bare(gettext(WINDOW_MENUS[name].title))} > ")
+        else:
+            keys = ALL_ACTIONS[name].keys
+            text, tip = ALL_ACTIONS[name].texts
             first = keys[0] if isinstance(keys, tuple) else keys
             shown = STANDARD.get(first, first)
             shown = shown.replace("Shift", "Maj") if current_language() == "fr" else shown

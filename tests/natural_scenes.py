@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.geometry.planes import fit_plane, plane_axes, rms_distance
 from lispac.messages import Message

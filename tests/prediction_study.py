@@ -9,7 +9,7 @@ does the same with any plan.
 
 import sys
 
-from lispac.cli.campaign import scatter_table
+from lispac.cli.planning.campaign import scatter_table
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
 from lispac.design.plan import Plan, line_pattern
 from lispac.simulation.closed_form_survey import Board

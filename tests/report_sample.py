@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.adjustment.message_parts import mounting_value_name
-from lispac.adjustment.observations import Sighting
-from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.model.observations import Sighting
+from lispac.adjustment.model.parameters import ParameterEstimate, mounting_value_name
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import (
     AdjustmentResult,
     ChiSquare,
@@ -18,11 +18,10 @@ from lispac.adjustment.result import (
     SightingResidual,
     TargetResidual,
 )
-from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.messages import error, note
+from lispac.present.trajectory import LineTrajectorySummary
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
-from lispac.report.trajectory_values import LineTrajectorySummary
 from lispac.survey.georeferencing import Mounting
 from lispac.validation.comparison_results import (
     DistanceStatistics,

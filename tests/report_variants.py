@@ -6,11 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from lispac.adjustment.message_parts import mounting_value_name
-from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.model.parameters import ParameterEstimate, mounting_value_name
+from lispac.adjustment.model.robust_loss import LOSSES
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import VarianceComponent
-from lispac.adjustment.robust_loss import LOSSES
-from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.io.formats import POINTS
 from lispac.messages import Message, error, note
 from lispac.project import Project
@@ -43,7 +42,7 @@ COMMENT_MARKS = (
     ),
     note("observability.no_main_line", angle=mounting_value_name("roll")),
 )
-"""As `lispac.adjustment.observability` makes them."""
+"""As `lispac.adjustment.diagnostics.observability` makes them."""
 NOTES = (
     note("trajectory.metres_assumed", file="a.txt", column="Alt"),
     note("assumed.column_unit", column="Alt", unit=note("unit.feet")),

@@ -4,15 +4,15 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from lispac.gui.dialogs.dialog_service import Dialogs
-from lispac.gui.dialogs.sensor_editor import NEW_POS, SensorEditor
-from lispac.gui.language import local_datetime
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.language import local_datetime
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.preferences.sensor_editor import NEW_POS, SensorEditor
+from lispac.gui.window.dialogs import Dialogs
 from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
+from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.error_budget import ErrorBudgetValues
 from lispac.project import Project
-from lispac.report.absolute_values import AbsoluteCheckValues
-from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
 from lispac.workflow.calibration.proposals import Proposal, propose_targets

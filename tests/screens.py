@@ -18,17 +18,17 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QWidget
 
 from lispac.errors import InputError
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.idle_tasks import IdleTask
-from lispac.gui.panels.clipping import TITLE as CLIPPING
-from lispac.gui.panels.diagnostics import TITLE as DIAGNOSTICS
-from lispac.gui.panels.section import TITLE as SECTION
-from lispac.gui.session import Session
-from lispac.gui.settings import AppSettings
-from lispac.gui.status import STEPS
-from lispac.gui.tasks import TaskRunner
-from lispac.gui.units import ANGLES, LENGTHS
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.appearance.units import ANGLES, LENGTHS
+from lispac.gui.features.estimate.diagnostics_panel import TITLE as DIAGNOSTICS
+from lispac.gui.features.inspect.clipping_panel import TITLE as CLIPPING
+from lispac.gui.features.inspect.section_panel import TITLE as SECTION
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.project.status import STEPS
 from lispac.gui.viewport.vtk_viewport import VtkViewport
+from lispac.gui.widgets.idle_tasks import IdleTask
+from lispac.gui.window.session import Session
 from lispac.workflow.planning.demo import run_demo
 from tests.screen_findings import Findings
 
@@ -36,8 +36,8 @@ SIZES = ("1600x1000", "1366x768")
 LOOKS, LANGUAGES = ("light", "dark"), ("en", "fr")
 SETTLING_S = 0.4
 ASKING = (
-    "about", "keys", "seed_at", "find_again", "lines", "targets", "trajectory", "check", "script",
-    "budget", "settings",
+    "about", "keys", "seed_coordinates", "find_again", "lines", "targets", "trajectory", "check",
+    "script", "budget", "settings",
 )  # fmt: skip
 """Actions that end in a dialogue."""
 SURVEYS = 100

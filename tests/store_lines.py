@@ -10,7 +10,7 @@ import pytest
 from lispac.errors import Cancelled, LispacError
 from lispac.messages import Message
 from lispac.progress import Progress, Step
-from lispac.survey.store import block_merge, column_files, column_writer, point_blocks, spool
+from lispac.survey.store import column_files, column_writer, point_blocks, spool
 from lispac.survey.store.layout import Manifest, SourceFile
 from lispac.survey.store.line_import import ImportRecipe, write_store
 from lispac.survey.store.point_blocks import PointPiece
@@ -117,8 +117,8 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Blocks, buckets and coarse level so small that a few thousand points are a big line."""
     for module in (point_blocks, spool):
         monkeypatch.setattr(module, "BLOCK", 1000)
-    monkeypatch.setattr(block_merge, "BUCKET", 700)
-    monkeypatch.setattr(block_merge, "STEP", 16)
+    monkeypatch.setattr(column_writer, "BUCKET", 700)
+    monkeypatch.setattr(column_writer, "STEP", 16)
     monkeypatch.setattr(column_writer, "COARSE", 1500)
     monkeypatch.setattr(column_files, "WINDOW", 2048)
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.georeferencing import Mounting, Poses, to_lidar
 

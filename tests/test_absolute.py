@@ -1,7 +1,7 @@
 """Lines against a static scan or surveyed points: known shifts and known POS errors come back."""
 
 import json
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import cast
 
@@ -15,13 +15,14 @@ from lispac.geometry.frames import LocalFrame
 from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note, warning
+from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.report.absolute_figure import reference_distance_figure
-from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Table
 from lispac.report.figures import svg_of
-from lispac.report.json_report import english_values, json_text
+from lispac.report.json_report import json_text
 from lispac.simulation.port_scene import ORIGIN
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import coordinate_system
@@ -29,11 +30,11 @@ from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.survey import Survey
 from tests.absolute_sample import checked, true_offsets, with_truth
-from tests.command_errors import is_refusal
+from tests.command_errors import is_refusal, refused_with
 from tests.report_sample import sample_content, sample_project
 from tests.report_schema import followed
 from tests.static_scans import on_plane, tripod_scan, write_pts
-from tests.test_cli import answer, refused, run
+from tests.test_cli import answer, run
 
 SHIFTS = (0.0, 0.005, 0.020)
 
@@ -287,9 +288,9 @@ def test_a_scan_on_the_map_without_time(
             "name,north,west,up,plane\na,1,2,3,P\nb,2,2,3,P\nc,3,2,3,P\n",
             "check.points_in_one_row",
         ),
-        ("p.csv", "name,north,west,up,sigma\na,1,2,3,-1\n", 'deviation is "-1"'),
-        ("p.csv", "a,1,2\n", "three coordinates are needed"),
-        ("p.ply", "ply\n", "cannot be read as a static scan"),
+        ("p.csv", "name,north,west,up,sigma\na,1,2,3,-1\n", "seeds.invalid_sigma"),
+        ("p.csv", "a,1,2\n", "seeds.too_few_numbers"),
+        ("p.ply", "ply\n", "static_scan.other_format"),
         ("p.csv", "a,90000,2,3\n", "coordinates.too_far_local"),
     ],
 )
@@ -379,13 +380,13 @@ def test_the_command(
     found = answer(capsys, "check", project.folder, "--reference", path)
     check = read_project(project.folder).absolute
     assert check is not None
-    assert found == json.loads(json.dumps(asdict(english_values(AbsoluteCheckValues.of(check)))))
+    assert found == json.loads(json.dumps(json_values(AbsoluteCheckValues.of(check))))
     code, out, err = run(capsys, "check", project.folder, "--reference", path)
     assert code == 0
     assert english_text(note("assumed.local_frame")) in err
     for sentence in found["messages"]:
         assert sentence in out
     assert read_project(project.folder).absolute == check
-    assert "none.laz: this static scan file does not exist" in refused(
-        capsys, "check", project.folder, "--reference", tmp_path / "none.laz"
-    )
+    none = tmp_path / "none.laz"
+    words = ("check", project.folder, "--reference", none)
+    refused_with("file.not_found", *words, file=str(none))

@@ -1,5 +1,6 @@
 """Warnings on page one about a check against a reference: lines, points and the RMS."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -7,8 +8,8 @@ import numpy as np
 import pytest
 
 from lispac.message_texts import message_text
-from lispac.messages import Level
-from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.messages import Level, Value
+from lispac.present.absolute import AbsoluteCheckValues
 from lispac.report.document import undrawn_document
 from lispac.report.document_blocks import Paragraph
 from lispac.report.options import ReportOptions
@@ -49,10 +50,13 @@ def check(
     )  # fmt: skip
 
 
-def shown_warnings(folder: Path, found: AbsoluteCheck) -> dict[str, tuple[Level, str]]:
+def shown_warnings(
+    folder: Path, found: AbsoluteCheck
+) -> dict[str, tuple[Level, str, Mapping[str, Value]]]:
+    """Level, text and parameters of each warning on the check, by code."""
     content = sample_content(sample_project(folder).with_absolute(found))
     return {
-        each.code: (each.level, message_text(each))
+        each.code: (each.level, message_text(each), each.params)
         for each in content.warnings
         if each.code.startswith("report.absolute")
     }
@@ -67,16 +71,16 @@ def test_a_single_line(tmp_path: Path, off: float, level: Level | None) -> None:
     if level is None:
         assert found == {}
         return
-    ((code, (how, text)),) = found.items()
+    ((code, (how, text, params)),) = found.items()
     by_chance = "_by_chance" if level is Level.NOTE else ""
     assert (code, how) == (f"report.absolute_line_off{by_chance}", level)
-    assert "1 of 6 lines deviates from the reference by more than its uncertainty" in text
+    assert (params["count"], params["total"]) == (1, 6)
     assert f"L3 ({1000 * off:+.1f} mm, ± 23.5 mm)" in text
 
 
 def test_several_lines_agree_in_number(tmp_path: Path) -> None:
-    (text,) = (t for _, t in shown_warnings(tmp_path, check({"L1": 0.03, "L2": 0.03})).values())
-    assert "2 of 6 lines deviate from the reference by more than their uncertainty" in text
+    (found,) = shown_warnings(tmp_path, check({"L1": 0.03, "L2": 0.03})).values()
+    assert (found[2]["count"], found[2]["total"]) == (2, 6)
 
 
 def test_surveyed_planes(tmp_path: Path) -> None:

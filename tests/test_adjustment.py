@@ -7,12 +7,17 @@ import pytest
 import scipy.linalg
 import scipy.stats
 
-from lispac.adjustment.condition_equations import CALIBRATION, POSE, SHAPE, linearise
-from lispac.adjustment.group_sums import AdjustmentState, PointWeights, group_points, sum_by_group
-from lispac.adjustment.observations import Observations
-from lispac.adjustment.robust_loss import Loss
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import KNOT_INTERVAL, PosErrorKnots, StochasticModel
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.condition_equations import CALIBRATION, POSE, SHAPE, linearise
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.robust_loss import Loss
+from lispac.adjustment.model.stochastic_model import KNOT_INTERVAL, PosErrorKnots, StochasticModel
+from lispac.adjustment.solve.group_sums import (
+    AdjustmentState,
+    PointWeights,
+    group_points,
+    sum_by_group,
+)
 from lispac.errors import AdjustmentError, Cancelled, RankDeficient
 from lispac.io.text.plane_file import read_plane_files
 from lispac.progress import Step

@@ -6,29 +6,32 @@ import numpy as np
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from lispac.adjustment import excess_scatter, iteration, solver
-from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
-from lispac.adjustment.blas_threads import single_blas_thread
-from lispac.adjustment.blunders import (
+from lispac.adjustment.diagnostics import excess_scatter
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.excess_scatter import excess_variance, raise_sigmas_by_scatter
+from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations, Sighting
+from lispac.adjustment.model.parameters import OPTIONAL_NAMES, Parameter
+from lispac.adjustment.model.robust_loss import Loss
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.model.target_shapes import fit_shapes
+from lispac.adjustment.model.threads import run_in_chunks, single_blas_thread
+from lispac.adjustment.solve import iteration, solver
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.solve.blunders import (
     Blunder,
     find_confirmed_blunders,
     find_restorable_blunder,
     worst_blunder,
 )
-from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.excess_scatter import excess_variance, raise_sigmas_by_scatter
-from lispac.adjustment.observability import require_determined
-from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.omitted_parameters import find_contradicted_parameters
-from lispac.adjustment.parallel_chunks import run_in_chunks
-from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter
-from lispac.adjustment.robust_loss import Loss
-from lispac.adjustment.solved_equations import SolvedEquations
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.target_shapes import fit_shapes
-from lispac.adjustment.variance_components import _RestrictedLikelihood, most_likely_surface_sigma
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.solve.determinability import require_determined
+from lispac.adjustment.solve.omitted_parameters import find_contradicted_parameters
+from lispac.adjustment.solve.variance_components import (
+    _RestrictedLikelihood,
+    most_likely_surface_sigma,
+)
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.messages import note
 from lispac.simulation.closed_form_survey import (

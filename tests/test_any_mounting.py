@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lispac.adjustment.condition_equations import linearise
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.condition_equations import linearise
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.survey.georeferencing import AXES, Mounting

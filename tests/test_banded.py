@@ -6,7 +6,7 @@ import pytest
 import scipy.linalg
 from hypothesis import given
 
-from lispac.adjustment.banded_cholesky import (
+from lispac.adjustment.solve.banded_cholesky import (
     back_substitution,
     cholesky_factor,
     forward_substitution,

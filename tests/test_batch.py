@@ -11,9 +11,12 @@ import pytest
 import lispac
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
+from lispac.message_texts import message_text
+from lispac.messages import error
 from lispac.project import Project
 from lispac.workflow.checking.batch import HEADS, BatchRow, write_table
 from lispac.workflow.planning.demo import demo_seeds
+from tests.message_codes import is_shown
 
 TRUTH = (0.27, -1.14, 0.36)
 
@@ -60,18 +63,17 @@ def test_every_project_has_a_row(
     assert main(["batch", str(projects), *map(str, words)]) == 1
     out, err = capsys.readouterr()
     assert on_disk(projects) == before
-    assert err == (
-        "lispac: 3 of 6 projects failed: broken, moved and unpicked. The table gives the reasons.\n"
-    )
+    failed = error("cli.projects_failed", count=3, total=6, names=("broken", "moved", "unpicked"))
+    assert err == f"lispac: {message_text(failed)}\n"
     rows = table(tmp_path / "table.csv")
     assert len(rows) == 6
-    for name, why in (
-        ("broken", "damaged"), ("moved", "L3.laz: this file does not exist"),
-        ("unpicked", "there is no target to adjust"),
+    for name, code in (
+        ("broken", "project.damaged"), ("moved", "project_files.one_missing"),
+        ("unpicked", "estimate.no_target"),
     ):  # fmt: skip
         row = rows[str(projects / name)]
         assert row["verdict"] == "refused"
-        assert why in row["messages"]
+        assert is_shown(code, row["messages"])
         assert row["roll_deg"] == row["sigma_0"] == row["rms_after_m"] == ""
         assert f"{name}: " in out
 

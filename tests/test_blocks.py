@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from lispac.survey import parallel_blocks
-from lispac.survey.parallel_blocks import run_in_blocks
+from lispac.survey import crs
+from lispac.survey.crs import run_in_blocks
 
 
 @pytest.mark.parametrize("count", [0, 1, 6, 7, 8, 14, 23])
 def test_blocks_are_put_together_as_they_were(count: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(parallel_blocks, "BLOCK", 7)
+    monkeypatch.setattr(crs, "BLOCK", 7)
     sizes: list[int] = []
 
     def run(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, ...]:

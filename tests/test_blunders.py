@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment import solver
-from lispac.adjustment.blunders import Blunder
-from lispac.adjustment.observations import Observations
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.target_shapes import fit_shapes
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.model.target_shapes import fit_shapes
+from lispac.adjustment.solve import sighting_rejection
+from lispac.adjustment.solve.blunders import Blunder
 from lispac.geometry.planes import plane_axes
 from lispac.survey.georeferencing import place_points
 from lispac.survey.trajectory import Poses
@@ -32,13 +32,13 @@ def turned(clean: Observations, sighting: int, degrees: float) -> Observations:
 @pytest.mark.parametrize(("change", "kind"), [(turned, "surface"), (shifted, "shift")])
 def test_it_is_called_what_it_is(change, kind, monkeypatch: pytest.MonkeyPatch) -> None:
     said: list[Blunder | None] = []
-    worst = solver.worst_blunder
+    worst = sighting_rejection.worst_blunder
 
     def find(*given: object) -> Blunder | None:
         said.append(worst(*given))  # type: ignore[arg-type]
         return said[-1]
 
-    monkeypatch.setattr(solver, "worst_blunder", find)
+    monkeypatch.setattr(sighting_rejection, "worst_blunder", find)
     amount = 3.0 if kind == "surface" else 0.1
     found = adjust(change(survey(24, 0.1), 4, amount), PRIOR, StochasticModel(loss="tukey"))
     first = said[0]

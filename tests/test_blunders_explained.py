@@ -6,20 +6,20 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from lispac.adjustment import crosscheck, solver
-from lispac.adjustment.adjustment_problem import FREE_SIGMA
-from lispac.adjustment.blunders import Blunder
-from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.parameters import Parameter
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.diagnostics import crosscheck
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.parameters import Parameter
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.solve import sighting_rejection
+from lispac.adjustment.solve.blunders import Blunder
 from lispac.errors import RankDeficient
 from lispac.messages import error
 from lispac.progress import no_progress
 from tests.test_robustness import PRIOR, survey
 
 STATED = np.full(4, 0.001)
-LET_GO = np.array([0.001, FREE_SIGMA, 0.002, FREE_SIGMA])
+REJECTED = np.array([False, True, False, True])
 
 
 @dataclass(frozen=True)
@@ -27,11 +27,15 @@ class Case:
     """What `_reject_unexplained_sightings` looks at of a problem."""
 
     parameters: tuple[Parameter, ...] = ()
+    rejected: np.ndarray = field(default_factory=lambda: np.zeros(4, dtype=bool))
     surface_sigma: np.ndarray = field(default_factory=lambda: STATED)
     default_surface_sigmas: np.ndarray = field(default_factory=lambda: STATED)
 
     def with_parameters(self, parameters: tuple[Parameter, ...]) -> "Case":
         return replace(self, parameters=parameters)
+
+    def with_surface_sigma(self, sigma: np.ndarray) -> "Case":
+        return replace(self, surface_sigma=np.where(self.rejected, np.inf, sigma))
 
 
 @dataclass(frozen=True)
@@ -64,7 +68,7 @@ def test_values_are_rejected_where_fewer_sightings_remain(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     """Four sightings without them; each value counts as one. What is hidden is passed over."""
-    start, rejected = Found(Case(), 0), Found(Case(surface_sigma=LET_GO), 4)
+    start, rejected = Found(Case(), 0), Found(Case(rejected=REJECTED), 4)
     names = dict(zip((id(start), id(rejected)), judged, strict=True))
 
     def iterated(problem: Case, *_rest: object, **_more: object) -> Found:
@@ -76,7 +80,7 @@ def test_values_are_rejected_where_fewer_sightings_remain(
         if solution is start:
             return rejected
         wanted = tuple(each.name for each in solution.problem.parameters)
-        return Found(replace(solution.problem, surface_sigma=LET_GO), remain[wanted])
+        return Found(replace(solution.problem, rejected=REJECTED), remain[wanted])
 
     for name, stand_in in {
         "find_contradicted_parameters": lambda here, **_: [
@@ -87,13 +91,14 @@ def test_values_are_rejected_where_fewer_sightings_remain(
         "_count_rejected_sightings": lambda solution: solution.let_go,
         "Parameter": lambda name: SimpleNamespace(name=name),
     }.items():
-        monkeypatch.setattr(solver, name, stand_in)
-    found = solver._reject_unexplained_sightings(start, [], no_progress)  # type: ignore[arg-type]
+        monkeypatch.setattr(sighting_rejection, name, stand_in)
+    found = sighting_rejection._reject_unexplained_sightings(start, [], no_progress)  # type: ignore[arg-type]
     assert (found is not rejected) == taken
     if taken:  # the values themselves stay as they were stated
         problem = found.linearised.problem
         assert problem.parameters == ()
-        assert problem.surface_sigma.tolist() == [0.001, FREE_SIGMA, 0.001, FREE_SIGMA]
+        assert problem.rejected.tolist() == REJECTED.tolist()
+        assert problem.surface_sigma.tolist() == [0.001, np.inf, 0.001, np.inf]
 
 
 def test_what_was_restored_is_not_rejected_again(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -104,9 +109,11 @@ def test_what_was_restored_is_not_rejected_again(monkeypatch: pytest.MonkeyPatch
         spared.append(set(known))
         return todo.pop() if todo else None
 
-    monkeypatch.setattr(solver, "worst_blunder", worst)
+    monkeypatch.setattr(sighting_rejection, "worst_blunder", worst)
     monkeypatch.setattr(
-        solver, "find_restorable_blunder", lambda _, gone: back.pop() if gone and back else None
+        sighting_rejection,
+        "find_restorable_blunder",
+        lambda _, gone: back.pop() if gone and back else None,
     )
     model = StochasticModel(loss="tukey")
     result = adjust(survey(2, 0.1), PRIOR, model)
@@ -122,7 +129,7 @@ def test_a_part_without_an_answer_says_why(monkeypatch: pytest.MonkeyPatch) -> N
     def refuse(*_given: object, **_more: object) -> None:
         raise RankDeficient(refused)
 
-    monkeypatch.setattr(crosscheck, "adjust", refuse)
+    monkeypatch.setattr(crosscheck, "estimate", refuse)
     parts = cross_checks(points, PRIOR, whole).parts
     assert {part.reason for part in parts} == {refused}
     assert all(part.boresight is None for part in parts)

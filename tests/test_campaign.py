@@ -20,10 +20,9 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
+from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo, simulate_plan
 from lispac.design.plan import System
 from lispac.design.plan_search import search
-from lispac.design.plan_simulation import simulate_plan
 from lispac.errors import Cancelled, LispacError, RankDeficient
 from lispac.io.config.plan_file import read_site
 from lispac.progress import Step

@@ -21,6 +21,7 @@ from lispac.workflow.calibration.picking import find_target
 from lispac.workflow.calibration.target_search import TargetSearch
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey, load_survey
+from tests.command_errors import codes_of
 from tests.report_sample import sample_project
 
 SEED = demo_seeds()["T1"][1]
@@ -115,15 +116,16 @@ def test_kept_in_the_project_where_they_are_not_the_usual_ones(tmp_path: Path) -
     ]  # fmt: skip
     read = read_project(tmp_path / "p")
     assert [t.choices for t in read.targets] == [CHOSEN, *(USUAL for _ in project.targets[1:])]
-    for wrong, said in (
-        ({"min_points": 2}, "min_points of the plane search cannot be 2"),
-        ({"surprise": 1}, "surprise"),
+    for wrong, code in (
+        ({"min_points": 2}, "finder.setting"),
+        ({"surprise": 1}, "content.unknown_fields"),
     ):
         damaged = json.loads(json.dumps(content))
         damaged["targets"][0]["choices"] |= wrong
         (tmp_path / "p" / FILE_NAME).write_text(json.dumps(damaged))
-        with pytest.raises(ProjectError, match=said):
+        with pytest.raises(ProjectError) as refused:
             read_project(tmp_path / "p")
+        assert code in codes_of(refused.value)
 
 
 def test_a_project_from_before_has_the_usual_ones(tmp_path: Path) -> None:

@@ -9,9 +9,12 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from lispac.cli.main import main
+from lispac.message_texts import message_text
+from lispac.messages import note
 from lispac.project import Project
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.workflow.project.survey import Survey
+from tests.command_errors import command_error, refused_with
 
 
 def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
@@ -216,13 +219,13 @@ def test_refusals(capsys, tmp_path: Path) -> None:
         file.write_text(text)
         assert words in refused(capsys, "--from-matrix", file)
     assert "No such file" in refused(capsys, "--from-matrix", tmp_path / "none.txt")
-    assert "There is no convention named posmv" in refused(capsys, 1, 2, 3, "--to", "posmv")
+    refused_with("survey.unknown_program", "angles", 1, 2, 3, "--to", "posmv", name="posmv")
     assert "only as a matrix" in refused(capsys, 1, 2, 3, "--to", "pdal", "--current", 1, 2, 3)
     assert "only as a matrix" in refused(capsys, 1, 2, 3, "--from", "riprocess")
     assert "left-handed" in refused(capsys, 1, 2, 3, "--to", "hypack", "--scanner", "kept")
     assert "not a direction" in refused(capsys, 1, 2, 3, "--to", "phoenix", "--body-axes",
                                         "ahead", "port", "up")  # fmt: skip
-    assert "does not contain a project" in refused(capsys, tmp_path)
+    assert command_error("angles", tmp_path).code == "project.not_found"
 
 
 def test_wrong_usage(capsys, tmp_path: Path) -> None:
@@ -294,7 +297,7 @@ def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path)
     text = printed_by(capsys, *words)
     assert "now X forward +0.1200 m, Y starboard -0.3400 m, Z down +2.5000 m" in text
     assert "new X forward +0.1200 m, Y starboard -0.3400 m, Z down +2.5000 m" in text
-    assert "No lever arm was entered" in " ".join(text.split())
+    assert message_text(note("convention.lever_arm_kept")) in " ".join(text.split())
     printed = text.splitlines()[-4:]
     np.testing.assert_allclose(np.loadtxt(printed), new, atol=1e-10)
     # Given: replaces the present one
@@ -305,10 +308,9 @@ def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path)
     )
     text = printed_by(capsys, *words, "--lever-arm", 0.1, 0.3, -2.4)
     assert "new X forward +0.1000 m, Y starboard -0.3000 m, Z down +2.4000 m" in text
-    assert "replaces the lever arm of the current matrix" in text
-    assert "shifted by the current 4x4" in " ".join(
-        printed_by(capsys, *words, "--current-applied").split()
-    )
+    assert message_text(note("convention.lever_arm_replaced")) in " ".join(text.split())
+    applied = " ".join(printed_by(capsys, *words, "--current-applied").split())
+    assert message_text(note("convention.lever_arm_turned")) in applied
 
 
 def test_a_present_matrix_that_is_none_is_refused(capsys, tmp_path: Path) -> None:

@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from lispac.cli import main as entry
-from lispac.cli import sensors
 from lispac.cli.console import ConsoleProgress, has_display
 from lispac.cli.main import main
+from lispac.cli.planning import sensors
 from lispac.errors import Cancelled
+from tests.command_errors import command_error
 
 
 class Terminal(io.StringIO):
@@ -88,7 +89,7 @@ def test_what_stops_a_command_is_one_plain_line(
     def stop(_: object) -> None:
         raise error
 
-    monkeypatch.setattr(sensors, "sensors", stop)
+    monkeypatch.setattr(sensors, "run", stop)
     assert main(["sensors"]) == 1
     assert capsys.readouterr() == ("", said)
 
@@ -96,8 +97,11 @@ def test_what_stops_a_command_is_one_plain_line(
 def test_the_module_is_a_program(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(sys, "argv", ["lispac", "compare", str(tmp_path / "none")])
+    none = tmp_path / "none"
+    monkeypatch.setattr(sys, "argv", ["lispac", "compare", str(none)])
     with pytest.raises(SystemExit) as ended:
         runpy.run_path(str(entry.__file__), run_name="__main__")
     assert ended.value.code == 1
-    assert "does not contain a project" in capsys.readouterr().err
+    refusal = command_error("compare", none)
+    assert refusal.code == "project.not_found"
+    assert capsys.readouterr().err == f"lispac: {refusal}\n"

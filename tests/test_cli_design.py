@@ -13,9 +13,12 @@ from lispac.design.plan_search import DesignResult, ReductionStep
 from lispac.design.prediction import predict
 from lispac.design.site import Site
 from lispac.io.config.plan_file import read_plan
+from lispac.message_texts import message_text
+from lispac.messages import error, note
 from lispac.project import Project
 from lispac.workflow.planning.plan_checks import write_design
 from lispac.workflow.project.survey import Survey
+from tests.command_errors import command_error
 from tests.narrow_site import narrow_site
 from tests.test_cli import answer, refused, run
 
@@ -47,15 +50,18 @@ def test_what_is_not_determined_is_reported(
     text = PORT.read_text()
     one_way = tmp_path / "one-way.toml"
     one_way.write_text(text.replace("inclination_deg = 45\n", ""))
-    assert "All targets have the same orientation" in printed_by(capsys, "predict", one_way)
+    assert message_text(note("plan_survey.one_orientation")) in printed_by(
+        capsys, "predict", one_way
+    )
     one_line = tmp_path / "one-line.toml"
     one_line.write_text(text[: text.index("[[lines]]", text.index("[[lines]]") + 1)])
     found = answer(capsys, "predict", one_line)
     assert found["sigma_deg"] is None
-    assert found["messages"] == [
-        "This survey plan does not determine the boresight. Add lines in other directions."
-    ]
-    assert "survey plan file does not exist" in refused(capsys, "predict", tmp_path / "none.toml")
+    assert found["messages"] == [message_text(note("design.undetermined"))]
+    missing = command_error("predict", tmp_path / "none.toml")
+    assert missing.message == error(
+        "file.not_found", file=str(tmp_path / "none.toml"), kind=note("file.kind_plan")
+    )
 
 
 def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -144,7 +150,6 @@ def test_replay_of_the_built_in_survey(
     strange = tmp_path / "strange.toml"
     text = PORT.read_text().replace('"T1"', '"A"').replace('"T2"', '"B"')
     strange.write_text(text)
-    assert "no target of this survey plan" in refused(
-        capsys, "compare-plan", folder, "--plan", strange
-    )
+    refusal = command_error("compare-plan", folder, "--plan", strange)
+    assert refusal.code == "plan_survey.no_target_measured"
     assert read_plan(strange).plan.targets[0].name == "A"

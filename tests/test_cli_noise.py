@@ -68,7 +68,7 @@ def test_noise_and_offsets_of_a_project(
     assert settings.scan_angle_offset_deg == 0
     assert np.abs(angles(longer) - angles(axis)).max() > 0.01
     # Estimated besides, the wrong prior is found to be wrong.
-    found = estimated("--estimate", "latency")["parameters"]["latency"]
+    found = estimated("--estimate", "latency")["parameters"][0]
     assert found["prior"] == -0.02
     assert abs(found["value"]) < 4 * found["sigma"] < 0.02
     assert found["significant"]

@@ -5,16 +5,16 @@ Where an answer takes long and is tested elsewhere, the command is given a small
 
 import json
 import shutil
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType, SimpleNamespace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import lispac
-from lispac.cli import check, patchtest, pick, propose, quality, targetless, warnings
+from lispac.cli.calibration import patchtest
 from lispac.errors import ProjectError
 from lispac.io.project.project_file import read_project, write_project
 from lispac.message_texts import english_text
@@ -35,7 +35,9 @@ from lispac.workflow.project.survey import Survey, load_survey
 from tests.report_sample import sample_project
 from tests.sharing import once
 from tests.test_absolute_warnings import check as against_reference
-from tests.test_cli import answer, refused, run
+from tests.test_cli import answer, import_workflow, refused, run
+
+import_workflow()
 
 SQUARE = ObjectBox(np.array([0.0, -15.0, 5.0]), np.array([2.0, 2.0, 2.0]))
 
@@ -64,17 +66,10 @@ def survey(small: Project) -> Survey:
     return load_survey(small)
 
 
-AtHand = Callable[[ModuleType], None]
-
-
 @pytest.fixture
-def at_hand(survey: Survey, monkeypatch: pytest.MonkeyPatch) -> AtHand:
+def loaded(survey: Survey, monkeypatch: pytest.MonkeyPatch) -> None:
     """Let a command have the survey that is loaded."""
-
-    def give(command: ModuleType) -> None:
-        monkeypatch.setattr(command, "load_survey", lambda *_, **__: survey)
-
-    return give
+    monkeypatch.setattr("lispac.workflow.project.survey.load_survey", lambda *_, **__: survey)
 
 
 def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
@@ -149,10 +144,10 @@ def test_objects_and_pairs_of_a_patch_test_are_those_asked_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     bench = Bench()
-    monkeypatch.setattr(patchtest, "workflow", bench)
+    monkeypatch.setattr("lispac.workflow.calibration.patch_test", bench)
     placed = SimpleNamespace(mounting=project.mounting("prior"))
     shown = SimpleNamespace(heading=survey.heading, clouds=survey.clouds, alignment=placed)
-    monkeypatch.setattr(patchtest, "load_survey", lambda *_, **__: shown)
+    monkeypatch.setattr("lispac.workflow.project.survey.load_survey", lambda *_, **__: shown)
 
     def objects(*words: object) -> list[str]:
         found = answer(capsys, "patchtest", project.folder, *words)
@@ -168,7 +163,7 @@ def test_objects_and_pairs_of_a_patch_test_are_those_asked_for(
     assert len(bench.pairs) == 3
     rows = printed_by(capsys, "patchtest", project.folder, *mine)[0].splitlines()
     assert [row.split()[0] for row in rows[5:7]] == ["pole", "edge"]
-    assert "The result is based on 2 objects and 3 lines." in rows
+    assert english_text(note("patch_test.basis", count=2, lines=3)) in rows
 
 
 def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) -> None:
@@ -205,7 +200,9 @@ def test_a_proposal_is_shown_with_its_reasons_and_added_on_request(
     }
     needed, flat = map(english_text, reasons.values())
     proposal = Proposal(targets, reasons, np.radians([0.01, 0.02, 0.03]))
-    monkeypatch.setattr(propose, "proposal_for", lambda *_, **__: proposal)
+    monkeypatch.setattr(
+        "lispac.workflow.calibration.proposals.propose_targets", lambda *_, **__: proposal
+    )
     out, err = printed_by(capsys, "propose", project.folder)
     assert out.splitlines() == [
         "T1   target     at 1.25 -15.00 5.00 m", f"     {needed}",
@@ -237,7 +234,7 @@ def test_the_result_of_the_scene_is_printed_and_kept_on_request(
     )
     write_project(project)
     found = TargetlessResult(sample_project(tmp_path / "sample"), 3, False, 40, ("L6",))
-    monkeypatch.setattr(targetless, "find", lambda *_, **__: found)
+    monkeypatch.setattr("lispac.workflow.calibration.targetless.targetless", lambda *_, **__: found)
     out, _ = printed_by(capsys, "targetless", project.folder)
     remarks = list(map(english_text, found.messages))
     assert out.splitlines()[-len(remarks) :] == remarks
@@ -256,30 +253,30 @@ def test_the_result_of_the_scene_is_printed_and_kept_on_request(
     np.testing.assert_allclose(kept.boresight, found.result.boresight)
 
 
+@pytest.mark.usefixtures("loaded")
 def test_lines_that_share_nothing_are_noted_by_their_names(
-    capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand
+    capsys: pytest.CaptureFixture[str], project: Project
 ) -> None:
-    at_hand(quality)
     out, err = printed_by(capsys, "quality", project.folder)
-    assert err == (
-        "note: Lines L1_000 and L4_225 have no flat area in common, so they cannot be compared.\n"
-    )
+    apart = note("validation.no_flat_place", line="L1_000", other="L4_225")
+    assert err == f"note: {english_text(apart)}\n"
     rows = [row.split()[:2] for row in out.splitlines()[2:]]
     compared = {(one, other) for one, other in rows if one != "all"}
     assert compared
     assert ("L1_000", "L4_225") not in compared
 
 
+@pytest.mark.usefixtures("loaded")
 def test_surveyed_points_stand_in_a_table_of_their_own(
-    capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand,
+    capsys: pytest.CaptureFixture[str], project: Project,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     points = (PointCheck("A1", 6, 0.003, -0.2, 0.0041, 0.025), PointCheck("OLD", 2, 0.01, 0.1, 0.1))
     found = against_reference({"L1": 0.004}, points=points)
     notes = (note("assumed.local_frame"),)
-    at_hand(check)
     monkeypatch.setattr(
-        check, "check_absolute", lambda project, *_, **__: (project.with_absolute(found), notes)
+        "lispac.workflow.checking.absolute_check.check_absolute",
+        lambda project, *_, **__: (project.with_absolute(found), notes),
     )
     out, err = printed_by(capsys, "check", project.folder, "--reference", "points.csv")
     assert err == f"note: {english_text(notes[0])}\n"
@@ -318,12 +315,14 @@ def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(
     manifest.write_text("{")
     out, err = printed_by(capsys, *words)
     assert "points/s" in out
-    assert err.startswith("note: L1_000 was imported again, because ")
+    beginning, _ = english_text(note("import.repeated", line="L1_000", reason="|")).split("|")
+    assert err.startswith(f"note: {beginning}")
     assert "imported already" in printed_by(capsys, *words)[0]
 
 
+@pytest.mark.usefixtures("loaded")
 def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
-    capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand, tmp_path: Path,
+    capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     seeds = tmp_path / "seeds.csv"
@@ -337,18 +336,20 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
         found = (SeedOutcome(there, target), SeedOutcome(none, None, note("finder.not_alike")))
         return project.with_target(target), found
 
-    at_hand(pick)
     seen = undetermined_quality(50, 0.003, note("quality.few_points", count=50))
     monkeypatch.setattr(
-        "lispac.cli.pick_list.assess_target", lambda *_: {"L1_000": seen, "L2_180": seen}
+        "lispac.workflow.calibration.sighting_assessment.assess_target",
+        lambda *_: {"L1_000": seen, "L2_180": seen},
     )
-    monkeypatch.setattr("lispac.cli.pick_list.pick_seeds", picked)
+    monkeypatch.setattr("lispac.workflow.calibration.seed_lists.pick_seeds", picked)
     code, out, err = run(capsys, "pick", project.folder, "--seeds", seeds, "--json")
     assert code == 1
     good, none = json.loads(out)["seeds"]
     assert (good["name"], good["found"], good["reason"]) == ("T1", True, "")
     assert set(good["lines"]) == {"L1_000", "L2_180"}
-    assert good["lines"]["L1_000"]["quality"]["reasons"] == ["The sighting has only 50 points."]
+    assert good["lines"]["L1_000"]["quality"]["reasons"] == [
+        english_text(note("quality.few_points", count=50))
+    ]
     assert none == {
         "row": 2, "name": "AIR", "role": "target", "seed_m": [0.0, -14.4, 60.0], "found": False,
         "reason": english_text(note("finder.not_alike")), "lines": {}, "missing": {},
@@ -357,13 +358,15 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
     assert [target.name for target in read_project(project.folder).targets] == ["T1"]
 
 
+@pytest.mark.usefixtures("loaded")
 def test_nothing_to_warn_of_is_reported(
-    capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand,
+    capsys: pytest.CaptureFixture[str], project: Project,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
-    at_hand(warnings)
-    monkeypatch.setattr(warnings, "sighting_qualities", lambda *_, **__: {})
-    monkeypatch.setattr(warnings, "warnings_of", lambda *_: ())
+    monkeypatch.setattr(
+        "lispac.workflow.calibration.sighting_assessment.sighting_qualities", lambda *_, **__: {}
+    )
+    monkeypatch.setattr("lispac.workflow.checking.warnings.warnings_of", lambda *_: ())
     assert printed_by(capsys, "warnings", project.folder) == ("No warnings.\n", "")
     assert answer(capsys, "warnings", project.folder) == {"warnings": []}
 
@@ -379,10 +382,11 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     assert out.splitlines()[1].startswith("targets ")
     notes = dict(row.removeprefix("note: ").split(": ", 1) for row in err.splitlines())
     assert set(notes) == {"natural planes", "targetless", "patch test"}
-    assert "the project has only one line" in notes["targetless"]
-    assert "no result of" not in err
+    alone = note("patch_test.single_line", project=project.name)
+    assert english_text(alone) in notes["targetless"]
+    assert "not run yet" not in err
     _, err = printed_by(capsys, "compare", project.folder)
-    assert err.count("no result of") == 3
+    assert err.count("not run yet") == 3
     bare = replace(project, result=None)
     write_project(bare)
     assert "use --compute" in refused(capsys, "compare", project.folder)

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.common_target_parts import find_common_parts
-from lispac.adjustment.observations import Observations
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.common_target_parts import find_common_parts
+from lispac.adjustment.model.observations import Observations
 from lispac.simulation.closed_form_survey import (
     BOARDS,
     Board,

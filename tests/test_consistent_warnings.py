@@ -8,23 +8,22 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from lispac.adjustment.critical_values import exceedance_limit
-from lispac.adjustment.display_text import to_plain_text
-from lispac.adjustment.excess_scatter import with_raised_sigmas
-from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.diagnostics.excess_scatter import with_raised_sigmas
+from lispac.adjustment.diagnostics.findings import exceedance_limit
+from lispac.adjustment.diagnostics.warnings import RULES, result_warnings
+from lispac.adjustment.model.parameters import ParameterEstimate
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import (
     CommonCoverage,
     ContradictedParameter,
     RadiusDiscrepancy,
     UncontrolledObservations,
 )
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.warnings import RULES, result_warnings
-from lispac.cli.estimate import print_result, result_values
+from lispac.cli.calibration.result_output import print_result, result_values
 from lispac.cli.messages import message_values
-from lispac.gui.panels import result_texts
+from lispac.gui.features.estimate import result_texts
 from lispac.io.project.project_file import read_project, write_project
-from lispac.language import in_language
+from lispac.language import in_language, to_plain_text
 from lispac.message_texts import message_text
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Level, Message, note
@@ -202,13 +201,13 @@ def _not_flat(project: Project) -> Project:
 
 
 CASES = [
-    ("contradicted_lever_x", True, _contradicted, "The data do not agree with the given lever arm "
-     "X. The best-fitting value is smaller by 0.0951 m (+/- 0.0041 m, test value w = -23.2), which "
-     "would change pitch by -"),
+    ("contradicted_lever_x", True, _contradicted, "The given lever arm X disagrees with the data: "
+     "the best-fitting value, smaller by 0.0951 m (+/- 0.0041 m, test value w = -23.2), would "
+     "change pitch by -"),
     ("surfaces_differ", False, _bent, "differ between lines by 7.1 mm (1 sigma)"),
     ("surfaces_displaced", False, _displaced, "displaced by 7.1 mm and tilted by 0.0 mm"),
     ("large_sigma", True, _wide, "(1 sigma): roll 0.49 deg. Add targets"),
-    ("large_sigma_unseen", True, _unseen, "do not determine: scan-angle offset. Give"),
+    ("large_sigma_unseen", True, _unseen, "given values: scan-angle offset. Give"),
     ("line_unchecked", True, _unchecked("line", lines=2), "any one of the lines L1 and L2 the"),
     ("target_unchecked", True, _unchecked("target", of_target=True), "Without target T1"),
     ("targets_clustered", True, _unchecked("clustered", size=0.031), "over only 3 % of"),
@@ -218,8 +217,8 @@ CASES = [
     ("target_cut", False, _cut(0.34), "34 % of the points of T1"),
     ("target_parts", False, _cut(0.0), "may not be flat: T1"),
     ("radii_differ", True, _radii(""), "from 170.0 to 300.0 mm, and no single error explains it"),
-    ("radii_pitch_sign", True, _radii("pitch_sign"), "opposite sign of pitch the radii agree"),
-    ("radii_parameter", True, _radii("latency", -0.02), "agree (latency smaller by 20.00 ms)"),
+    ("radii_pitch_sign", True, _radii("pitch_sign"), "but agrees with the opposite sign of pitch"),
+    ("radii_parameter", True, _radii("latency", -0.02), "parameter (latency smaller by 20.00 ms)"),
     ("radii_parameter", True, _radii("range_offset", 0.02), "range offset larger by 0.0200 m"),
     ("shorter_times", False, _shorter, "(position 300 s, attitude 600 s)"),
     ("sigmas_raised", False, _raised, "were increased: pitch from 0.0291 to 0.0728"),
@@ -235,12 +234,11 @@ CASES = [
      "L1 (displaced by 20.0 mm, test value w = +5.5)."),
     ("line_jumped", False, _line_gone, "All targets are displaced on line L3"),
     ("strays_full_weight", False, _sighting(outliers=60), "60 of"),
-    ("noise", False, _noise(1.0, 2.4), "on T2 are larger than the LiDAR noise or correlated over "
-     "the surface (2.4 times the given noise). The surface"),
-    ("noise", False, _noise(2.2, 2.4), "on T2 and T1 are larger than the LiDAR noise or correlated "
-     "over the surface (up to 2.4 times the given noise)."),
-    ("not_flat", True, _not_flat, "(2.4 times the given noise). The target is "
-     "probably"),
+    ("noise", False, _noise(1.0, 2.4), "on T2 indicate 2.4 times the given LiDAR noise: the "
+     "surface"),
+    ("noise", False, _noise(2.2, 2.4), "on T2 and T1 indicate up to 2.4 times the given LiDAR "
+     "noise: the surfaces"),
+    ("not_flat", True, _not_flat, "is probably not flat (residuals 2.4 times the given noise)"),
     ("another_surface", False, _noise(41.0, 1.0), "The points of target T1 deviate from its "
      "surface by 41.0 times the LiDAR noise"),
     ("one_facing", True, _facing(2), "All targets are nearly parallel"),

@@ -11,6 +11,7 @@ from matplotlib.dates import date2num
 
 from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
+from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.report.control_charts import control_chart_figure
 from lispac.validation.control_chart import CHANCE, control_chart, control_limits
@@ -141,10 +142,8 @@ def test_what_is_no_history_is_refused(capsys: pytest.CaptureFixture[str], tmp_p
     (tmp_path / "b").mkdir()
     (tmp_path / "b" / "project.json").write_text("{}")
     found = answer(capsys, "history", tmp_path)
-    assert any(
-        "b" in remark and remark.startswith("A project is not used: ")
-        for remark in found["messages"]
-    )
+    beginning, _ = message_text(note("history.excluded", reason="|")).split("|")
+    assert any("b" in remark and remark.startswith(beginning) for remark in found["messages"])
 
 
 def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:

@@ -3,17 +3,18 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.adjustment_problem import AdjustmentProblem
-from lispac.adjustment.noise_estimation import (
+from lispac.adjustment.model.robust_loss import LOSSES
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.model.target_shapes import fit_shapes, points_local, target_centroids
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
+from lispac.adjustment.solve.noise_estimation import (
     _design_effect,
     assign_surface_blocks,
     form_error_noise,
+    reestimate_noise,
     target_noise_factors,
+    with_noise_blocks,
 )
-from lispac.adjustment.noise_update import reestimate_noise
-from lispac.adjustment.robust_loss import LOSSES
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.target_shapes import fit_shapes, points_local, target_centroids
 from tests.test_robustness import TRUTH, survey, with_outliers
 
 BLOCKS = np.repeat(np.arange(400), 25)
@@ -55,9 +56,8 @@ def test_outliers_are_noise_unless_a_loss_takes_their_weight() -> None:
     outliers, _ = with_outliers(survey(1, 0.3), 3)
     noise, scale = {}, {}
     for loss in LOSSES:
-        problem = AdjustmentProblem.of(
-            outliers, TRUTH, StochasticModel(loss=loss)
-        ).with_noise_blocks()
+        problem = AdjustmentProblem.of(outliers, TRUTH, StochasticModel(loss=loss))
+        problem = with_noise_blocks(problem)
         state = problem.start(TRUTH, fit_shapes(survey(1, 0.3), TRUTH))
         told = reestimate_noise(problem, state)
         noise[loss], scale[loss] = told.noise, told.scale

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.observations import Observations
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.simulation.closed_form_survey import (
     BOARDS,
     Board,

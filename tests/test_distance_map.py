@@ -14,10 +14,10 @@ from matplotlib.figure import Figure
 from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import in_language
+from lispac.present.validation import ValidationPlane
 from lispac.report.csv_tables import write_tables
 from lispac.report.distance_maps import map_figure, map_figure_of
 from lispac.report.text_width import text_width
-from lispac.report.validation_values import ValidationPlane
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.plane_comparison import compare_plane

@@ -212,8 +212,8 @@ OWN = {
         "adjustment_problem",
         "solved_equations",
         "sphere_radii",
-        "result_assembly",
-        "attitude_trigonometry",
+        "solution",
+        "determinability",
     },
     "design": {"further_line_advice", "monte_carlo", "prediction", "site"},
     "geometry": {"radius_search"},
@@ -221,7 +221,7 @@ OWN = {
     "survey": {
         "axes",
         "correction",
-        "present_settings",
+        "mounting_replacement",
         "scanner_frame_recovery",
         "scanner_frame_recovery_check",
         "row_runs",
@@ -238,7 +238,7 @@ OWN = {
     },
     "validation": {
         "absolute_check",
-        "footprint",
+        "line_overlap",
         "surface_layers",
         "cylinder_diameters",
         "plane_offset",

@@ -14,12 +14,12 @@ import numpy as np
 import pytest
 from scipy.spatial import KDTree
 
-from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.point_averaging import average_points_in_cells
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations, Sighting
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.warnings import result_warnings
 from lispac.geometry.planes import fit_plane, plane_axes
 from lispac.project import LineSource, Settings
 from lispac.survey.cloud import place_clouds

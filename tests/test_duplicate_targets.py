@@ -9,19 +9,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.warnings import result_warnings
-from lispac.cli.estimate import print_result, project_result_values
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.cli.calibration.result_output import print_result, project_result_values
 from lispac.duplicate_targets import (
     duplicate_warnings,
     find_overlap,
     find_overlaps,
     overlap_warning,
 )
-from lispac.gui.panels import result_texts
-from lispac.gui.status import step_statuses
+from lispac.gui.features.estimate import result_texts
+from lispac.gui.project.status import step_statuses
 from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Role, Target
 from lispac.workflow.planning.demo import demo_seeds
+from tests.message_codes import is_shown
 from tests.report_sample import sample_content, sample_project
 from tests.test_cli import run
 
@@ -97,18 +98,16 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 @pytest.mark.parametrize(
-    ("second", "code", "serious", "words"),
+    ("second", "code", "serious", "pair"),
     [
-        (AGAIN, "counted_twice", True, "T2 with T6 (89 % on L1). These points count twice, "
-         "so the standard deviations of the angles are too small. Exclude one of the two."),
+        (AGAIN, "counted_twice", True, "T2 with T6 (89 % on L1)"),
         (replace(AGAIN, role="validation"), "no_independent_check", False,
-         "A validation plane has points in common with a target: T6 with T2 (89 % on L1). It "
-         "does not check the angles independently. Exclude one of the two."),
+         "T6 with T2 (89 % on L1)"),
     ],
 )  # fmt: skip
 def test_a_result_with_shared_points_has_a_warning_everywhere(
     capsys: pytest.CaptureFixture[str], project: Project, second: Target, code: str,
-    serious: bool, words: str,
+    serious: bool, pair: str,
 ) -> None:  # fmt: skip
     assert duplicate_warnings(project) == ()
     both = replace(project, targets=(BOARD, second))
@@ -117,7 +116,7 @@ def test_a_result_with_shared_points_has_a_warning_everywhere(
     (doubt,) = duplicate_warnings(both)
     assert (doubt.code, doubt.is_serious) == (f"targets.{code}", serious)
     text = message_text(doubt)
-    assert words in text
+    assert pair in text
     assert result_warnings(result, checks, duplicate_warnings(both))[0] == doubt
     print_result(result, checks, duplicate_warnings(both))
     assert f"- {text}\n" in capsys.readouterr().out
@@ -143,7 +142,7 @@ def test_many_pairs_are_counted(project: Project) -> None:
     text = message_text(doubt)
     assert "T0 with T1 (100 % on L1), " in text
     assert " and 2 more. These points" in text
-    assert "one target of each pair" in text
+    assert (doubt.code, doubt.params["count"]) == ("targets.counted_twice", 6)
 
 
 @pytest.mark.long
@@ -162,16 +161,16 @@ def test_at_the_command_line(
     assert "note: T3 is the surface of T2 already: " in err, "T3 is replaced, and T2 still there"
     words = ["pick", folder, "--name", "V1", "--role", "validation", "--seed", x, y, z, "--json"]
     code, out, err = run(capsys, *words)
-    assert "a validation plane on a target checks nothing" in err
+    assert "so the validation plane is no independent check" in err
     assert json.loads(out)["same_points_as"]["share_of_the_smaller"] > 0.9
     code, out, _ = run(capsys, "estimate", folder, "--no-cross-checks")
     assert code == 0
-    assert "\n- Targets have points in common: T2 with T3 (" in out
-    assert "\n- Validation planes have points in common with targets: V1 with T2 (" in out
+    assert is_shown("targets.counted_twice", out)
+    assert "T2 with T3 (" in out
+    assert is_shown("targets.no_independent_check", out)
+    assert "V1 with T2 (" in out
     code, out, _ = run(capsys, "validate", folder)
-    assert "\nnote: Validation planes have points in common with targets: V1 with T2 (" in out
-    said = json.loads(run(capsys, "validate", folder, "--json")[1])["warnings"]
-    assert [each.split(":")[0] for each in said] == [
-        "Targets have points in common",
-        "Validation planes have points in common with targets",
-    ]
+    assert is_shown("targets.no_independent_check", out)
+    twice, unchecked = json.loads(run(capsys, "validate", folder, "--json")[1])["warnings"]
+    assert is_shown("targets.counted_twice", twice)
+    assert is_shown("targets.no_independent_check", unchecked)

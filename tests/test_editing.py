@@ -17,6 +17,7 @@ from lispac.workflow.calibration.point_edits import (
 )
 from lispac.workflow.calibration.reselection import reselect_targets
 from lispac.workflow.project.survey import Survey
+from tests.error_codes import has_code
 from tests.few_lines import picked
 from tests.finder_scenes import WALL, site
 
@@ -135,9 +136,7 @@ def test_what_would_be_left_on_one_straight_line_is_no_surface() -> None:
     twice = replace(one, indices=np.repeat(one.indices[:1], 2 * MIN_POINTS))
     thin = replace(target, sightings=(twice,))
     first = iter([True])
-    with pytest.raises(
-        ProjectError, match="T1: the remaining points do not form a plane or a sphere"
-    ):
+    with pytest.raises(ProjectError, check=has_code("edit.no_surface_left", target="T1")):
         without_points(
             thin, survey.clouds, lambda p: np.arange(len(p)) < (1 if next(first, False) else 0)
         )

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.error_budget import (
+from lispac.adjustment.diagnostics.error_budget import (
     BEAMS,
     ErrorBudget,
     PointSigma,
@@ -18,11 +18,11 @@ from lispac.adjustment.error_budget import (
 from lispac.errors import InputError
 from lispac.geometry.rotations import rotation_matrix
 from lispac.message_texts import message_text
+from lispac.present.error_budget import ErrorBudgetValues
+from lispac.present.json_values import json_values
 from lispac.project import Project
-from lispac.report.budget_values import ErrorBudgetValues
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Bullets, Table
-from lispac.report.json_report import english_values
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.survey import load_survey
@@ -193,7 +193,7 @@ def test_the_command_and_the_report_say_the_same(
     write_project(project)
     found = answer(capsys, "budget", project.folder)
     budget = ErrorBudgetValues.of(error_budget_of(project, load_survey(project)))
-    assert found == json.loads(json.dumps(asdict(english_values(budget))))
+    assert found == json.loads(json.dumps(json_values(budget)))
     code, out, _ = run(capsys, "budget", project.folder, "--distance", 50)
     assert code == 0
     for sentence in found["messages"]:

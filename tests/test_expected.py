@@ -14,6 +14,7 @@ from lispac.workflow.calibration.picking import find_target
 from lispac.workflow.calibration.sighting_assessment import assess_target, unexpected_deviations
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey
+from tests.command_errors import command_error
 from tests.message_codes import codes
 
 BOARD = ExpectedTarget(1.23, 1.22, pi / 2)
@@ -48,8 +49,8 @@ def test_the_terminal_compares_and_keeps_it(
         assert "more than the expected 45.0 deg" in " ".join(values["quality"]["reasons"])
     expected = read_project(copy.folder).target("T1").expected
     assert expected == ExpectedTarget(1.23, 1.22, radians(45))
-    assert main([*place, "--expected", "0", "1.22", "45"]) == 1
-    assert "width and height must be above zero" in capsys.readouterr().err
+    refusal = command_error(*place, "--expected", "0", "1.22", "45")
+    assert refusal.code == "finder.expected_size"
     assert main([*place, "--shape", "sphere", "--expected", "1", "1", "45"]) != 0
     assert "--expected applies to planes only" in capsys.readouterr().err
 

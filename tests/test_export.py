@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from pyproj import CRS
 
-from lispac.adjustment.observations import Observations
+from lispac.adjustment.model.observations import Observations
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.io.formats import format_of, recognise_formats
@@ -28,6 +28,7 @@ from lispac.workflow.output.data_export import (
 )
 from lispac.workflow.output.export_request import ExportRequest, export, output_system_of
 from lispac.workflow.project.survey import Survey
+from tests.command_errors import refused_with
 from tests.few_lines import picked
 
 UTM = "EPSG:32619"
@@ -268,7 +269,6 @@ def test_from_the_command_line(
         code, _, err = run(*words)
         assert code == 2
         assert "export" in err
-    code, _, err = run("--what", "targets", "--crs", "EPSG:99999", "--output", tmp_path / "x")
-    assert code == 1
-    assert "PROJ does not know this coordinate system" in err
+    words = ("--what", "targets", "--crs", "EPSG:99999", "--output", tmp_path / "x")
+    refused_with("crs.unknown", "export", folder, *words, system="EPSG:99999")
     assert not (tmp_path / "x").exists()

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.observability import RankDeficient
+from lispac.errors import RankDeficient
 from lispac.project import PickedSighting, Project
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.orientation_check import do_targets_face_one_way

@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.failure_causes import adjust_or_explain, find_failure_causes
-from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.diagnostics.failure_causes import find_failure_causes
+from lispac.adjustment.least_squares import adjust_or_explain
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.errors import NotConverged
 from lispac.messages import note
 from tests.test_sphere_radii import TRUTH, changed, survey

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.model.parameters import Parameter
 from lispac.cli.argument_types import finite_number, number_within
 from lispac.cli.main import main
 from lispac.errors import InputError, LispacError, ProjectError

@@ -18,10 +18,10 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
-from lispac.cli.estimate import parse_parameters
+from lispac.cli.calibration.estimate import parse_parameters
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, LispacError
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.settings import AppSettings
 from lispac.io.config.plan_file import read_plan, read_site
 from lispac.io.config.scanner_file import read_scanner
 from lispac.io.config.scene_file import read_scene

@@ -9,10 +9,9 @@ from pyproj import CRS
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame, ecef_to_geodetic, geodetic_to_ecef
 from lispac.messages import note, warning
-from lispac.survey.crs import coordinate_system
+from lispac.survey.crs import coordinate_system, geoid_grid
 from lispac.survey.crs_area import area_of_use_elsewhere
 from lispac.survey.crs_operation import realizations
-from lispac.survey.geoid import geoid_grid
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.known_time_base import KnownTimeBase, known_base_notes
 from lispac.survey.point_mapping import ScannerPointConverter

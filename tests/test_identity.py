@@ -25,6 +25,7 @@ from lispac.report.document import report_document
 from lispac.report.html import html_text
 from lispac.report.pdf import write_pdf
 from lispac.workflow.project.survey_dates import survey_dates
+from tests.command_errors import command_error
 from tests.report_sample import sample_content, sample_project
 from tests.test_cli import run
 from tests.test_report import _page, _pdf_text
@@ -120,8 +121,8 @@ def test_the_command_sets_what_is_given_and_shows_all(
     assert main(["identity", str(folder), "--vessel", ""]) == 0
     assert read_project(folder).identity.vessel == ""
     capsys.readouterr()
-    assert main(["identity", str(folder), "--vessel", "a\tb"]) == 1
-    assert capsys.readouterr().err.startswith("lispac: Vessel: the text contains a character")
+    refusal = command_error("identity", folder, "--vessel", "a\tb")
+    assert refusal.message == error("identity.not_printable", field=note("identity_field.vessel"))
 
 
 def test_page_one_says_it_and_blanks_are_lines(tmp_path: Path) -> None:
@@ -206,11 +207,8 @@ def demo_folder(demo_project, tmp_path: Path) -> Path:
     return Path(shutil.copytree(demo_project.folder, tmp_path / "demo"))
 
 
-def test_auto_refuses_where_the_times_contain_no_day(
-    demo_folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert main(["identity", str(demo_folder), "--dates", "auto"]) == 1
-    assert "the survey dates are unknown" in capsys.readouterr().err
+def test_auto_refuses_where_the_times_contain_no_day(demo_folder: Path) -> None:
+    assert command_error("identity", demo_folder, "--dates", "auto").code == "cli.no_dates"
 
 
 def test_auto_takes_the_days_from_the_times(

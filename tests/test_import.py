@@ -33,7 +33,7 @@ from lispac.workflow.importing.line_import import (
 from lispac.workflow.importing.line_points import LinePoints, read_line
 from lispac.workflow.project.projects import create_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.command_errors import command_error
+from tests.command_errors import command_error, refused_with
 from tests.error_codes import has_code
 from tests.message_codes import codes
 from tests.store_lines import stop_at
@@ -194,8 +194,7 @@ def test_a_store_is_checked_when_its_file_is_gone(project: Project, survey: Surv
     refusal = command_error("import", project.folder, "--check", "--lines", "own")
     assert refusal.code == "import.file_missing"
     other.path.unlink()  # not imported: said before anything is read
-    assert main(["import", str(project.folder)]) == 1
-    assert "other.laz: this line file does not exist" in capsys.readouterr().err
+    refused_with("file.not_found", "import", project.folder, file=str(other.path))
 
 
 def test_command_prints_points_and_size(project: Project, capsys) -> None:
@@ -205,8 +204,7 @@ def test_command_prints_points_and_size(project: Project, capsys) -> None:
     assert "288,210 points" in out
     assert main(["import", str(project.folder), "--lines", "L1_000"]) == 0
     assert "imported already" in capsys.readouterr().out
-    assert main(["import", str(project.folder), "--lines", "L9"]) == 1
-    assert "there is no line L9" in capsys.readouterr().err
+    refused_with("project_line.not_found", "import", project.folder, "--lines", "L9", line="L9")
 
 
 def test_progress_shows_rate_and_time_remaining(project: Project, trajectory, monkeypatch) -> None:

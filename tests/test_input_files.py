@@ -11,7 +11,8 @@ from lispac.io.formats import format_of
 from lispac.io.points import line_times as times_module
 from lispac.io.points.line_times import read_line_times
 from lispac.io.project.project_file import read_project
-from lispac.messages import Action, Level, Message, note
+from lispac.message_texts import message_text
+from lispac.messages import Action, Level, Message, error, note
 from lispac.project import LineSource, Settings
 from lispac.survey.trajectory import LONGEST_GAP
 from lispac.workflow.importing.input_file import examine_file
@@ -96,7 +97,8 @@ def test_two_trajectories_are_one_too_many_until_one_is_skipped(
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
     input_files = taken_in(whole, second)
-    assert "more than one file has the role of trajectory" in input_files.import_problem("x")
+    several = error("import.several_trajectories", file="pos.sbet")
+    assert message_text(several) in input_files.import_problem("x")
     (leave_out,) = input_files.messages(named(input_files, "second.sbet"))[0].actions
     mended = input_files.with_action(second, leave_out)
     assert mended.state_of_file(mended.file(second)) == "out"

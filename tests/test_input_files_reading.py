@@ -8,7 +8,7 @@ import pytest
 
 from lispac.io.trajectory.sbet import read_sbet
 from lispac.language import LANGUAGES, in_language
-from lispac.messages import Level, note
+from lispac.messages import Level, Message, note
 from lispac.project import Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
@@ -159,7 +159,9 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     wrong = taken_in(input_files.with_option(bare, "crs", "EPSG:32617"))
     assert "km from the trajectory" in message_texts(wrong, "bare.laz")
     nonsense = taken_in(input_files.with_option(bare, "crs", "EPSG:1"))
-    assert "PROJ does not know this coordinate system" in message_texts(nonsense, "bare.laz")
+    unknown = nonsense.messages(nonsense.file(bare))[0].params["reason"]
+    assert isinstance(unknown, Message)
+    assert unknown.code == "crs.unknown"
     right = taken_in(wrong.with_option(bare, "crs", "32618"))
     assert right.files_problem_text() == ""
     request = right.request(tmp_path / "p", Settings(lever_arm=LEVER))

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.adjustment import parallel_chunks
-from lispac.adjustment.observations import Observations
-from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model import threads as kernel_threads
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from tests.test_robustness import PRIOR, shifted, survey, with_outliers
 
 MODEL = StochasticModel(loss="tukey")
@@ -47,12 +47,12 @@ def test_order_does_not_change_the_answer(spacing) -> None:
 
 def test_the_number_of_threads_does_not_change_the_answer(monkeypatch) -> None:
     points = survey(5, 0.025)
-    assert len(points) > parallel_chunks.MIN_PARALLEL_POINTS
+    assert len(points) > kernel_threads.MIN_PARALLEL_POINTS
     answers = []
     for threads in (1, 2, 7):
-        monkeypatch.setattr(parallel_chunks.os, "cpu_count", lambda threads=threads: threads)
+        monkeypatch.setattr(kernel_threads.os, "cpu_count", lambda threads=threads: threads)
         answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
-    monkeypatch.setattr(parallel_chunks, "MIN_PARALLEL_POINTS", 10**9)  # no threads at all
+    monkeypatch.setattr(kernel_threads, "MIN_PARALLEL_POINTS", 10**9)  # no threads at all
     answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
     for other in answers[1:]:
         assert np.abs(other - answers[0]).max() < SAME

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from lispac.message_texts import english_text
+from lispac.present.absolute import AbsoluteCheckValues
 from lispac.project import Project
-from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.validation.reference_places import measure_to_surface
 from lispac.workflow.checking.absolute_check import check_absolute

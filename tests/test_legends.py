@@ -9,8 +9,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
 
+from lispac.present.absolute import AbsoluteCheckValues
 from lispac.report.absolute_figure import reference_distance_figure
-from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.report.histograms import histogram_figure
 from lispac.validation.comparison_results import PlaneComparison
 from tests.report_sample import sample_project

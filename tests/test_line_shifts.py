@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.adjustment_problem import LinearisedProblem
-from lispac.adjustment.line_shifts import AXES, LineShiftScores
-from lispac.adjustment.solved_equations import SolvedEquations
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.diagnostics.line_shifts import AXES, LineShiftScores
+from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.solve.adjustment_problem import LinearisedProblem
 from lispac.project import Project
 from lispac.workflow.calibration.estimation import observations_of
 from lispac.workflow.project.survey import load_survey

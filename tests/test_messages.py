@@ -3,6 +3,7 @@
 import ast
 import json
 import pickle
+import re
 from pathlib import Path
 from string import Formatter
 from typing import cast
@@ -11,7 +12,7 @@ import catalogues
 import numpy as np
 import pytest
 
-from lispac.cli.option_hints import OPTIONS, option_hint
+from lispac.cli.messages import OPTIONS, option_hint
 from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
 from lispac.io.project.project_file import FILE_NAME, read_project, write_project
@@ -112,6 +113,32 @@ def test_every_message_can_be_shown_in_every_language(language: str) -> None:
 def text_of_english(template: Template) -> str:
     with in_language("en"):
         return format_text(template, sample_params(template))
+
+
+def sentences(text: str) -> list[str]:
+    """Sentences of an English text; a placeholder in the place of a sentence counts as one."""
+    ended = re.sub(r"((?:^|[.!?:] ){\w+(?::sentences)?})(?= [A-Z]| {action})", r"\1.", text)
+    return re.split(r"(?<=[.!?])[\")]?\s+(?=[A-Z{\d])", ended)
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("Up to 0.5 m (TIME, ..., X). Save as… {name} is kept.", 2),
+        ("Not saved: {reason}", 1), ("{file}: {reason} Copy it.", 2),
+        ("{x}: no. {reason} {action}", 3), ("{reasons:sentences} See.", 2),
+    ],
+)  # fmt: skip
+def test_sentences_are_counted(text: str, count: int) -> None:
+    assert len(sentences(text)) == count
+
+
+def test_a_text_has_at_most_two_sentences() -> None:
+    forms = {
+        code: [text] if isinstance(text, str) else [text.singular, text.plural]
+        for code, text in TEXTS.items()
+    }
+    assert [code for code, texts in forms.items() if max(map(len, map(sentences, texts))) > 2] == []
 
 
 def test_no_code_is_in_two_topics() -> None:
@@ -266,10 +293,27 @@ def test_the_level_of_every_code_is_known() -> None:
     assert levels["audit.several_scanners"] == {"warning"}  # of a formatted string
 
 
-def test_no_text_of_window_and_command_line_names_an_option() -> None:
+COMMAND_LINE = re.compile(r"(?<![\w-])--\w|\blispac \w|`")
+"""An option or a command in a text."""
+ONLY_OF_COMMANDS = {"cli", "cluster"}
+"""First words of codes whose messages only commands make."""
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_text_of_window_and_command_line_names_an_option(language: str) -> None:
     """The command line adds the options itself."""
+    with in_language(language):
+        naming = {
+            code
+            for code, template in (TEXTS | ACTIONS).items()
+            if COMMAND_LINE.search(format_text(template, sample_params(template)))
+        }
+    assert [code for code in naming if code.partition(".")[0] not in ONLY_OF_COMMANDS] == []
+
+
+def test_the_command_line_adds_options_to_messages() -> None:
     assert OPTIONS.keys() <= TEXTS.keys()
-    assert [code for code in OPTIONS if " --" in str(TEXTS[code])] == []
+    assert [code for code in OPTIONS if COMMAND_LINE.search(str(TEXTS[code]))] == []
     refused = error("project.refused", reason=error("adjustment.parallel_planes"))
     assert option_hint(refused) == "--accept-single-orientation"
     assert option_hint(note("history.no_date", project="May")) == "lispac identity May --dates"

@@ -11,6 +11,8 @@ import lispac
 from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.io.project.project_file import read_project, write_unsaved
+from lispac.message_texts import message_text
+from lispac.messages import note
 from lispac.project import Project
 from lispac.workflow.planning import demo
 from lispac.workflow.project import moved_files
@@ -152,12 +154,10 @@ def test_at_the_command_line_and_in_a_script(
     shutil.move(disk / "survey", usb / "quay")
     assert command_error("warnings", home).code == "project_files.many_missing"
     assert missing_files(lispac.open(home, files=usb).project) == ()
-    assert main(["locate", str(home), str(usb / "nowhere")]) == 1
-    assert "nowhere: the folder does not exist" in capsys.readouterr().err
-    assert main(["locate", str(home), str(usb / "quay" / "nav")]) == 1
-    out, err = capsys.readouterr()
-    assert out.count("was moved and is now read from") == 2
-    assert "this folder does not contain " in err
+    assert command_error("locate", home, usb / "nowhere").code == "cli.no_folder"
+    assert command_error("locate", home, usb / "quay" / "nav").code == "cli.files_not_found"
+    moved = message_text(note("project_files.moved", file="|", folder="|")).split("|")[1]
+    assert capsys.readouterr().out.count(moved) == 2
     assert main(["locate", str(home), str(usb)]) == 0
     capsys.readouterr()
     assert main(["locate", str(home), str(usb)]) == 0

@@ -6,7 +6,7 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.duplicate_targets import SIGMA_MARGIN, prediction_warnings
 from lispac.errors import RankDeficient, TargetNotFound
 from lispac.messages import error, note

@@ -8,7 +8,16 @@ import tomllib
 import pytest
 
 from tests.extras import nightly
-from tests.extras.nightly import CHECKOUT, COMPILED, PACKAGES, answered, drawn, noticed_afresh
+from tests.extras.nightly import (
+    CHECKOUT,
+    COMPILED,
+    PACKAGES,
+    Justifications,
+    drawn,
+    function_of,
+    functions_of_packages,
+    noticed_afresh,
+)
 from tests.extras.quick import SLOW
 
 
@@ -68,10 +77,52 @@ def test_of_each_module_the_same_changes_are_drawn() -> None:
         ("zip(a, b, strict=True)", "zip(b, strict=True)", False),
     ],
 )
-def test_a_survivor_is_answered_by_its_line_a_family_or_its_texts(ours, theirs, expected) -> None:
-    answers = {"lines": {"for _ in range(21):": "enough"}, "families": {"strict=False": "guard"}}
-    difference = f"--- a/b.py\n+++ a/b.py\n@@ -1,2 +1,2 @@\n     same\n-    {ours}\n+    {theirs}\n"
-    assert answered(difference, answers) is expected
+def test_a_survivor_is_justified_by_its_kind_a_family_or_its_texts(ours, theirs, expected) -> None:
+    reasons = Justifications.of(
+        {"functions": {"frames.f": {"20 -> 21": "enough"}}, "families": {"strict=False": "guard"}}
+    )
+    assert (reasons.missing_for(changed("f", 1, ours, theirs)) == []) is expected
+    assert (reasons.missing_for(changed("g", 1, ours, theirs)) == []) is (
+        expected and "range" not in ours
+    )
+
+
+def changed(function: str, number: int, ours: str, theirs: str) -> dict[str, str]:
+    """Difference of one change, as mutmut shows it."""
+    name = f"lispac.geometry.frames.x_{function}__mutmut_{number}"
+    return {
+        name: f"# {name}: survived\n--- a/b.py\n+++ a/b.py\n@@ -1,2 +1,2 @@\n"
+        f"     same\n-    {ours}\n+    {theirs}\n"
+    }
+
+
+def test_each_survivor_of_a_kind_needs_a_reason_of_its_own() -> None:
+    less, more = changed("f", 1, "a < b", "a <= b"), changed("f", 2, "c = d < e", "c = d <= e")
+    one = Justifications({"frames.f": {"< -> <=": ["the very number"]}}, {})
+    assert one.missing_for(less) == one.missing_for(more) == []
+    assert one.missing_for(less | more) == [*less, *more]
+    two = Justifications({"frames.f": {"< -> <=": ["the very number", "never equal"]}}, {})
+    assert two.missing_for(less | more) == []
+
+
+def test_entries_that_match_nothing_are_named() -> None:
+    (known, *_) = functions_of_packages()
+    reasons = Justifications({known: {"1 -> 2": ["why"]}, "frames.gone": {"1 -> 2": ["why"]}}, {})
+    assert reasons.unmatched(whole=False) == ["frames.gone: 1 -> 2"]
+    assert reasons.unmatched(whole=True) == [f"{known}: 1 -> 2", "frames.gone: 1 -> 2"]
+
+
+@pytest.mark.parametrize(
+    ("name", "function"),
+    [
+        ("lispac.geometry.frames.x_to_local__mutmut_12", "frames.to_local"),
+        ("lispac.geometry.frames.x__helper__mutmut_1", "frames._helper"),
+        ("lispac.survey.store.layout.xǁManifestǁread__mutmut_1", "layout.Manifest.read"),
+        ("lispac.geometry.planes.xǁPlaneǁ__init____mutmut_2", "planes.Plane.__init__"),
+    ],
+)
+def test_the_function_of_a_change_has_no_package(name: str, function: str) -> None:
+    assert function_of(name) == function
 
 
 def test_a_change_that_shows_only_where_it_is_imported_is_noticed_afresh(
@@ -95,11 +146,12 @@ def test_a_change_that_shows_only_where_it_is_imported_is_noticed_afresh(
     assert noticed_afresh([], tmp_path, []) == set()
 
 
-def test_every_answer_is_a_sentence_and_every_family_an_expression() -> None:
-    answers = tomllib.loads(nightly.ANSWERED.read_text(encoding="utf-8"))
-    assert set(answers) == {"lines", "families"}
-    assert all(each for kind in answers.values() for each in kind.values())
-    for each in answers["families"]:
+def test_every_justification_is_a_text_and_every_family_an_expression() -> None:
+    content = tomllib.loads(nightly.JUSTIFIED.read_text(encoding="utf-8"))
+    assert set(content) == {"functions", "families"}
+    reasons = Justifications.of(content)
+    assert all(all(each) for kinds in reasons.functions.values() for each in kinds.values())
+    for each in reasons.families:
         re.compile(each)
 
 

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.geometry.planes import fit_plane
-from lispac.gui.panels.sightings_table import quality_text
-from lispac.message_texts import message_text
+from lispac.gui.features.pick_targets.sightings_table import quality_text
 from lispac.project import Project
 from lispac.targets.occlusion import ObservedExtent, compare_observed_extents, does_plane_end_within
 from lispac.targets.sighting_quality import plane_quality
@@ -44,10 +43,9 @@ def test_what_all_lines_show_alike_is_whole():
 def test_half_a_board_is_half_whatever_the_line_lies_beside():
     half, whole = shares(seen(wide=(0.0, 0.6), beside=0.3), seen())
     assert half.share == pytest.approx(0.5, abs=0.01)
-    assert message_text(half.message) == (
-        "On this line only 50 % of the area found on the other lines is visible: 0.60 m of 1.20 m "
-        "in width."
-    )
+    assert half.message.code == "quality.shows_less"
+    assert half.message.params["share"] == pytest.approx(0.5, abs=0.01)
+    assert codes(half.message.params["sides"]) == ["quality.width_of"]
     assert whole.share > 0.999
 
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.stats import norm
 
-from lispac.adjustment.omitted_parameters import CRITICAL_VALUE, find_contradicted_parameters
-from lispac.adjustment.parameters import OPTIONAL_NAMES
-from lispac.adjustment.solved_equations import SolvedEquations
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.parameters import OPTIONAL_NAMES
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.solve.omitted_parameters import CRITICAL_VALUE, find_contradicted_parameters
 from tests.test_parameters import INSERTED, KNOWN, MODEL, PRIOR, survey
 
 
@@ -66,7 +66,7 @@ def test_a_shifted_sighting_is_named_beside_a_wrong_lever_arm() -> None:
 
 
 def test_estimating_it_settles_the_matter() -> None:
-    from lispac.adjustment.parameters import Parameter
+    from lispac.adjustment.model.parameters import Parameter
 
     data = survey(INSERTED["lever_x"], 0)
     held = adjust(data, PRIOR, MODEL)

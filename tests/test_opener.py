@@ -11,6 +11,7 @@ from lispac.installation_paths import window_command
 from lispac.io.project.project_file import OPENER, OPENER_TEXT, read_project, write_project
 from lispac.project import Project
 from lispac.workflow.importing.input_files import find_project
+from tests.error_codes import has_code
 
 
 @pytest.fixture
@@ -43,7 +44,8 @@ def test_the_file_is_a_project_when_it_is_dropped(saved: Project, tmp_path: Path
 
 def test_the_file_alone_is_refused(tmp_path: Path) -> None:
     (tmp_path / OPENER).write_text(OPENER_TEXT)
-    with pytest.raises(ProjectError, match=r"project\.lispac: this folder does not"):
+    folder = str(tmp_path / OPENER)
+    with pytest.raises(ProjectError, check=has_code("project.not_found", folder=folder)):
         read_project(tmp_path / OPENER)
 
 

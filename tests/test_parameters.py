@@ -5,12 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.message_parts import mounting_value_name
-from lispac.adjustment.observations import Observations
-from lispac.adjustment.parameters import Parameter
-from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.parameters import Parameter, mounting_value_name
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.errors import InputError
 from lispac.messages import note
 from lispac.project import Settings
@@ -90,7 +89,7 @@ def test_the_height_of_the_lever_arm_is_not_seen_on_level_lines() -> None:
     attitude = exact.attitude.copy()
     middle = exact.mean_by_sighting(attitude)
     attitude[:] = middle[exact.sighting] * [0, 0, 1]
-    from lispac.adjustment.target_shapes import points_local
+    from lispac.adjustment.model.target_shapes import points_local
     from lispac.survey.georeferencing import to_lidar
     from lispac.survey.trajectory import Poses
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.parallel_chunks import CHUNKS, MIN_PARALLEL_POINTS, run_in_chunks
+from lispac.adjustment.model.threads import CHUNKS, MIN_PARALLEL_POINTS, run_in_chunks
 
 
 @pytest.mark.parametrize(

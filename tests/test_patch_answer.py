@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.messages import Message, note
 from lispac.patchtest.bootstrap_precision import MIN_OBJECTS
 from lispac.patchtest.line_mismatch import SCALE

@@ -36,6 +36,7 @@ from lispac.workflow.calibration.patch_test import (
 from lispac.workflow.planning.simulate import RAW, as_triple, write_lines, write_trajectory
 from lispac.workflow.project.projects import create_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
+from tests.command_errors import refused_with
 from tests.error_codes import has_code
 from tests.message_codes import codes
 from tests.test_cli import answer
@@ -324,8 +325,9 @@ def test_the_command_line_says_the_same(
     assert "is not NAME=N,W,U,A,L,H" in capsys.readouterr().err
     assert main(["patchtest", str(folder), "--lines", "nobody"]) == 2
     assert "there is no line nobody" in capsys.readouterr().err
-    assert main(["patchtest", str(folder), "--object", "pole=9,-17,15,1,1,0"]) == 1
-    assert "pole: each side of the box" in capsys.readouterr().err
+    refused_with(
+        "patch_test.box_size", "patchtest", folder, "--object", "pole=9,-17,15,1,1,0", name="pole"
+    )
 
 
 def test_the_answer_is_kept_where_it_has_a_sigma(

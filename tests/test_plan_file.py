@@ -12,8 +12,10 @@ from lispac.design.prediction import predict
 from lispac.design.site import Site, Wall
 from lispac.errors import InputError
 from lispac.io.config.plan_file import TitledPlan, read_plan, read_site, write_plan
+from lispac.messages import note
 from lispac.simulation.closed_form_survey import Ball, Board
 from lispac.simulation.pos_errors import PosErrorModel
+from tests.error_codes import has_code
 
 SITES = Path(__file__).parents[1] / "resources" / "sites"
 PLAN = """
@@ -108,7 +110,7 @@ def test_a_plan_without_lines_or_boards_is_refused(tmp_path: Path) -> None:
         with pytest.raises(InputError) as refusal:
             read_plan(path)
         assert refusal.value.code == code
-    with pytest.raises(InputError, match="plan file does not exist"):
+    with pytest.raises(InputError, check=has_code("file.not_found", kind=note("file.kind_plan"))):
         read_plan(tmp_path / "none.toml")
 
 

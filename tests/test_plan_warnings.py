@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from lispac.adjustment.observability import RankDeficient
 from lispac.design.plan import Line, Plan
 from lispac.design.plan_choices import thesis_plan
 from lispac.design.site import Site, Wall
+from lispac.errors import RankDeficient
 from lispac.io.config.plan_file import TitledPlan
 from lispac.workflow.planning.plan_checks import (
     ONE_WAY,

@@ -6,11 +6,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from lispac.design.monte_carlo import run_monte_carlo
+from lispac.design.monte_carlo import run_monte_carlo, simulate_plan
 from lispac.design.objective import PlanObjective
 from lispac.design.plan import Line, Plan
 from lispac.design.plan_choices import DesignSpace, PlanChoice
-from lispac.design.plan_simulation import simulate_plan
 from lispac.design.site import clearance_from_wall, evenly_spaced
 from lispac.errors import LispacError, RankDeficient
 from lispac.simulation.closed_form_survey import Ball, Board

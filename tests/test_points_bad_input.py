@@ -166,7 +166,7 @@ def test_time_of_32_bits(tmp_path: Path) -> None:
     )
     rows = np.column_stack([files.XYZ, files.TIME]).astype("<f4")
     path = damaged(tmp_path, "a.ply", head.encode() + rows.tobytes())
-    assert "stored with 32 bits, with a resolution of only 0.0312 s" in refusal_text(path, "a.ply")
+    assert "file.time_32_bits" in refusal_text(path, "a.ply")
     path = files.e57(tmp_path / "a.e57", start=1.0, stamps=files.TIME, single=True)
     assert "file.time_32_bits" in refusal_text(path, "a.e57")
     las = laspy.read(files.las(tmp_path / "a.las"))

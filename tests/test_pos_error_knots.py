@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.stochastic_model import PosErrorKnots, StochasticModel
+from lispac.adjustment.model.stochastic_model import PosErrorKnots, StochasticModel
 from lispac.simulation.closed_form_survey import BOARDS, error_free_survey, six_courses
 from lispac.survey.georeferencing import Mounting
 

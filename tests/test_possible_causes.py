@@ -6,13 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.observations import Observations
-from lispac.adjustment.parameters import Parameter
-from lispac.adjustment.point_averaging import average_points_in_cells
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.parameters import Parameter
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, PossibleCause, UncontrolledObservations
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.warnings import result_warnings
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import note, warning

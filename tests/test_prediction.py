@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.adjustment.normal_equations import MAX_SURFACES
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import PosErrors, StochasticModel
-from lispac.cli.campaign import scatter_table
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.stochastic_model import PosErrors, StochasticModel
+from lispac.adjustment.solve.normal_equations import MAX_SURFACES
+from lispac.cli.planning.campaign import scatter_table
+from lispac.design.monte_carlo import simulate_plan
 from lispac.design.plan import Line, Plan, System, line_pattern
-from lispac.design.plan_simulation import simulate_plan
 from lispac.design.prediction import expected_point_count, predict, predicted_equations
 from lispac.errors import RankDeficient
 from lispac.simulation.closed_form_survey import Ball, Board, scanner_position_abeam

@@ -11,7 +11,7 @@ from typing import cast
 import numpy as np
 import pytest
 
-from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.cli.main import main
 from lispac.duplicate_targets import SIGMA_MARGIN, prediction_warnings

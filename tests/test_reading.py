@@ -149,10 +149,10 @@ def test_look_says_what_a_file_is(calibrated, clouds, capsys) -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (["--line-option", "frame=moon"], "frame cannot be moon"),
-        (["--line-format", "fax"], "There is no format fax"),
+        (["--line-option", "frame=moon"], "formats.invalid_choice"),
+        (["--line-format", "fax"], "formats.unknown"),
         (["--trajectory-format", "las"], "import.not_trajectory_format"),
-        (["--trajectory-option", "colour=red"], "has no option colour"),
+        (["--trajectory-option", "colour=red"], "formats.unknown_option"),
     ],
 )
 def test_what_makes_no_sense_is_refused(calibrated, tmp_path, options, said) -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.point_sensitivity import sensitivity
+from lispac.adjustment.model.point_sensitivity import sensitivity
 from lispac.errors import NotComparable
 from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.georeferencing import Mounting

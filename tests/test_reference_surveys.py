@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.robust_loss import LossName
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations, Sighting
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.model.robust_loss import LossName
+from lispac.adjustment.model.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
 from lispac.geometry.planes import fit_plane
 from lispac.io.las.las_format import read_scan
 from lispac.io.trajectory.sbet import read_sbet

@@ -6,13 +6,8 @@ import numpy as np
 import pytest
 from scipy.special import ndtri
 
-from lispac.adjustment.adjustment_problem import AdjustmentProblem
-from lispac.adjustment.blunders import Blunder
-from lispac.adjustment.condition_equations import lidar_variance
-from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.iteration import iterate
-from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.reliability import (
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.reliability import (
     CRITICAL_VALUE,
     NONCENTRALITY,
     _group_covariances,
@@ -20,10 +15,15 @@ from lispac.adjustment.reliability import (
     compute_reliability,
     sighting_tests,
 )
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.target_shapes import fit_shapes, relative_to_origins, target_centroids
-from lispac.adjustment.variance_components import estimate_variance_components
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.condition_equations import lidar_variance
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.model.target_shapes import fit_shapes, relative_to_origins, target_centroids
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
+from lispac.adjustment.solve.blunders import Blunder
+from lispac.adjustment.solve.iteration import iterate
+from lispac.adjustment.solve.variance_components import estimate_variance_components
 from lispac.progress import no_progress
 from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
@@ -68,7 +68,7 @@ def test_the_covariance_is_that_of_the_whole_normal_matrix(linearised) -> None:
 
 def test_redundancy_numbers_add_up(linearised) -> None:
     """Points' redundancies and what the priors contribute sum to the number of points."""
-    from lispac.adjustment.reliability import _knot_covariance
+    from lispac.adjustment.diagnostics.reliability import _knot_covariance
 
     normal, problem = linearised.normal, linearised.problem
     redundancy, w, _, _ = _point_reliability(
@@ -265,7 +265,7 @@ def test_positions_worse_than_given_are_found_with_surfaces_unknown_too() -> Non
 
 def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
     """Restricted likelihood by one dense covariance of all misclosures."""
-    from lispac.adjustment.variance_components import _RestrictedLikelihood
+    from lispac.adjustment.solve.variance_components import _RestrictedLikelihood
 
     likelihood = _RestrictedLikelihood(linearised)
     steps = [np.ones(4), [1.3, 1, 1, 1], [1, 0.7, 1, 1], [1, 1, 1.5, 1], [1, 1, 1, 0.6]]

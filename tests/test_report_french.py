@@ -15,13 +15,14 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
-from lispac.adjustment.error_budget import error_budget
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.diagnostics.error_budget import error_budget
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.alternative_methods import METHODS, AlternativeResult
 from lispac.language import in_language
 from lispac.messages import error, note
+from lispac.present.error_budget import ErrorBudgetValues
+from lispac.present.text_format import with_minus_signs
 from lispac.project import Project
-from lispac.report.budget_values import ErrorBudgetValues
 from lispac.report.content import ReportContent, report_content
 from lispac.report.csv_tables import write_tables
 from lispac.report.document import drawn_document, report_document, undrawn_document
@@ -29,7 +30,6 @@ from lispac.report.document_blocks import Bullets, Paragraph, SignatureLines, Ta
 from lispac.report.html import html_text
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.pdf import write_pdf
-from lispac.report.text_format import with_minus_signs
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.targets.occlusion import ObservedExtent
 from lispac.targets.sighting_quality import SightingQuality
@@ -309,7 +309,7 @@ def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None
     write_pdf(content, tmp_path / "r.pdf", {}, FRENCH)
     text = _pdf_text(tmp_path / "r.pdf")
     assert "Page 1 sur" in text
-    assert "Établi le 2025-06-04 14:03 UTC par LISPAC" in text
+    assert "Établi le 2025-06-04 14:03 UTC avec LISPAC" in text
     assert "roulis est positif quand bâbord monte" in re.sub(r"\s+", " ", text)
     page = html_text(content, {}, FRENCH)
     assert '<html lang="fr">' in page

@@ -33,7 +33,7 @@ from lispac.survey.conventions.mounting_texts import CHECK_FIRST, UNCORRELATED_W
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.output.report_options import KEYS, report_options
-from tests.command_errors import codes_of, is_refusal
+from tests.command_errors import codes_of, is_refusal, refused_with
 from tests.report_sample import sample_content, sample_project
 from tests.test_identity import FULL
 from tests.test_report import _page, _pdf_text
@@ -111,9 +111,9 @@ def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> Non
         ("page = 'a5'", "report_template.no_page"),
         ("page = 4", "report_template.not_text"),
         ("language = 'de'", "report_template.no_language"),
-        ("convention = 'lidarsoft'", "There is no convention named lidarsoft"),
+        ("convention = 'lidarsoft'", "survey.unknown_program"),
         ("company = Fleuve", "report_template.not_toml"),
-        ("logo = 'none.png'", r"none\.png: this logo file does not exist"),
+        ("logo = 'none.png'", "file.not_found"),
         ("logo = 'own.toml'", "report_template.logo_format"),
         ('heading = "a\\u0007b"', "report_template.long_text"),
     ],
@@ -145,11 +145,8 @@ def test_a_logo_that_cannot_be_drawn_is_named(
     logo.write_bytes(b"<svg><rect")
     output = tmp_path / "r.pdf"
     words = ["report", demo_project.folder, "--output", output, "--template", template]
-    assert main([str(word) for word in words]) == 1
-    said = capsys.readouterr().err
-    assert f"{logo}: the picture is damaged or not supported (" in said
-    assert "Save it again as PNG or SVG" in said
-    assert ".pdf" not in said
+    refusal = refused_with("report.picture_invalid", *words, file=str(logo))
+    assert ".pdf" not in str(refusal)
     assert not output.exists()
 
 
@@ -358,8 +355,9 @@ def test_the_command_takes_page_convention_and_template(
     with pytest.raises(SystemExit):
         main(words("r.html", "--page", "a5"))
     capsys.readouterr()
-    assert main(words("none.json", "--convention", "lidarsoft")) == 1
-    assert "There is no convention named lidarsoft" in capsys.readouterr().err
+    refused_with(
+        "survey.unknown_program", *words("none.json", "--convention", "lidarsoft"), name="lidarsoft"
+    )
     assert not (tmp_path / "none.json").exists()
     assert main(words("r.json", "--convention", "applanix")) == 0
     data = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))

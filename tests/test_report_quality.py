@@ -1,7 +1,7 @@
 """What the report says of the adjustment's own checks: parameters, reliability, cross-checks."""
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.model.parameters import ParameterEstimate
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, VarianceComponent
-from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.message_texts import message_text
-from lispac.messages import Level, note
+from lispac.messages import Level, error, note
 from lispac.project import Project
 from lispac.report import figures
 from lispac.report.content import ReportContent, report_content
@@ -50,10 +50,11 @@ def _result(project: Project) -> AdjustmentResult:
     return project.result
 
 
-def _warning(content: ReportContent, code: str) -> str:
-    texts = [message_text(each) for each in content.warnings if each.code == code]
-    assert len(texts) == 1, (code, [caution.code for caution in content.warnings])
-    return texts[0]
+def _warning(content: ReportContent, code: str) -> Mapping[str, Any]:
+    """Parameters of the only warning with this code."""
+    found = [each.params for each in content.warnings if each.code == code]
+    assert len(found) == 1, (code, [caution.code for caution in content.warnings])
+    return found[0]
 
 
 def _tables(document: Document) -> dict[str, Table]:
@@ -100,9 +101,8 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     assert said["Surface roughness (1 sigma)"].startswith("0.4\u00a0mm, as given")
     assert "beyond 4.7 standard deviations" in said["Outliers"]
     assert "adjustment.noise" not in {caution.code for caution in noisy.warnings}
-    assert "T2" in _warning(
-        changed(targets=(first, replace(second, noise=2.4))), "adjustment.noise"
-    )
+    noisier = _warning(changed(targets=(first, replace(second, noise=2.4))), "adjustment.noise")
+    assert (noisier["targets"], noisier["factor"]) == (("T2",), 2.4)
 
 
 @pytest.mark.parametrize(
@@ -139,12 +139,12 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
         "LiDAR",
         "0.82",
         "0.78 to 0.87",
-        "applied: smaller than the given value",
+        message_text(note("component.smaller")),
     )
-    assert table.rows[1][2:] == ("0.60 to 2.90", "applied: larger than the given value")
+    assert table.rows[1][2:] == ("0.60 to 2.90", message_text(note("component.larger")))
     assert table.rows[2][2:] == (
         "0.60 to 2.90",
-        "not applied: the given value lies within the interval",
+        message_text(note("component.as_given")),
     )
 
 
@@ -160,12 +160,12 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     late = ParameterEstimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
     turned = ParameterEstimate("scan_angle_offset", 0.0, None, reason=note("parameter.kept"))
     content = changed(parameters=(*_result(project).parameters, turned, late))
-    assert "The estimated change of the latency (+1.10 ms) is not significant." in _warning(
-        content, "report.parameter_not_significant"
-    )
-    assert "not estimated. The given value is used. Do not" in _warning(
-        content, "report.parameter_not_seen"
-    )
+    assert _warning(content, "report.parameter_not_significant") == {
+        "parameter": note("quantity.latency"), "change": note("change.ms", value=0.0011),
+    }  # fmt: skip
+    assert _warning(content, "report.parameter_not_seen") == {
+        "parameter": note("quantity.scan_angle_offset"), "reason": note("parameter.kept"),
+    }  # fmt: skip
     rows = _tables(report_document(content, {}))[
         "Parameters estimated together with the boresight"
     ].rows
@@ -186,9 +186,11 @@ def test_released_sighting_is_named_on_page_one(project: Project, changed: Chang
     first, second, *rest = _result(project).reliability
     gone = replace(first, rejected=True, shift=0.0483, w=9.34)
     content = changed(reliability=(gone, replace(second, w=-4.2), *rest))
-    text = _warning(content, "adjustment.released")
-    assert "was rejected: T1 on line L1 (displaced by 48.3 mm, test value w = +9.3)" in text
-    assert "T1 on line L2" in _warning(content, "adjustment.sighting_disagrees")
+    assert _warning(content, "adjustment.released")["sightings"] == (
+        note("item.sighting_shifted", target="T1", line="L1", shift=0.0483, w=9.34),
+    )
+    (other,) = _warning(content, "adjustment.sighting_disagrees")["sightings"]
+    assert (other.params["target"], other.params["line"]) == ("T1", "L2")
     rows = _tables(report_document(content, {}))["Agreement of the sightings"].rows
     assert [row[-1] for row in rows[:3]] == ["rejected", "disagrees", "agrees"]
 
@@ -210,10 +212,8 @@ def test_more_outliers_than_chance_explains(project: Project, changed: Changed) 
     codes = {caution.code for caution in changed(reliability=few).warnings}
     assert not any(code.startswith("adjustment.strays") for code in codes)
     many = (*reliability[:-1], replace(reliability[-1], outliers=60))
-    text = _warning(changed(reliability=many), "adjustment.strays_full_weight")
-    assert text.startswith("60 of")
-    assert "Most of them are on T2, line L6" in text
-    assert "Choose a robust loss" in text  # the sample has none
+    found = _warning(changed(reliability=many), "adjustment.strays_full_weight")
+    assert (found["count"], found["target"], found["line"]) == (60, "T2", "L6")
 
 
 def test_cross_checks_that_disagree(project: Project) -> None:
@@ -226,15 +226,18 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     ]  # fmt: skip
     assert rows[-3][-1] == "no result"
     words = _words(report_document(sample_content(project), {}), "Cross-checks")
-    assert "Without target T1: All targets are planes of the same orientation" in words
-    assert "The spread with one target omitted requires at least three targets" in words
+    reason = message_text(error("adjustment.parallel_planes"))
+    assert f"Without target T1: {reason}" in words
+    assert "The jackknife standard deviation with one target omitted at a time requires" in words
     sigma = np.array([-0.2, 4.1, 1.0])
     odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
     wide = replace(checks, parts=(checks.parts[0], odd, *checks.parts[2:]))
     content = sample_content(replace(project, cross_checks=wide))
-    assert "without line L2 (pitch +0.0512 deg, 4.1 times its standard deviation)" in _warning(
-        content, "adjustment.cross_check"
-    )
+    (part,) = _warning(content, "adjustment.cross_check")["parts"]
+    assert (part.code, part.params["name"]) == ("item.without_line", "L2")
+    assert part.params["angle"] == note("quantity.pitch")
+    assert np.degrees(part.params["difference"]) == pytest.approx(0.0512)
+    assert part.params["ratio"] == pytest.approx(4.1)
 
 
 def test_failed_chi_square_is_serious_in_thesis_mode_alone(
@@ -277,12 +280,11 @@ def test_thesis_mode_has_no_reliability(tmp_path: Path) -> None:
     assert "Sightings are not tested: in this stochastic model" in _words(
         document, "Reliability of the sightings"
     )
-    assert "The standard deviation of roll does not depend on any single line." in _words(
-        document, "Boresight and its uncertainty"
-    )
+    roll = note("observability.no_main_line", angle=note("quantity.roll"))
+    assert message_text(roll) in _words(document, "Boresight and its uncertainty")
     assert "not repeated with subsets" in _words(document, "Cross-checks")
     data = json.loads(json_text(content))
-    assert data["adjustment"]["reliability"] == []
+    assert {each["status"] for each in data["adjustment"]["sightings"]} == {"not tested"}
     assert data["cross_checks"] is None
     assert data["settings"]["surface_sigma_m"] is None
     write_pdf(content, tmp_path / "thesis.pdf", {})
@@ -303,11 +305,11 @@ def test_pos_error_figure_marks_what_lies_beyond_the_prior(
     error = np.array([0.03, 0, 0, 0, 0, 0])
     checks = changed(reliability=(replace(first, pos_error=error), *rest)).adjustment
     assert checks is not None
-    (figure,) = figures.pos_error_figures_of(checks.reliability)
+    (figure,) = figures.pos_error_figures_of(checks.sightings)
     assert [axes.get_title() for axes in figure.axes] == list(figures.POS_COMPONENTS)
     red = [line for line in figure.axes[0].lines if line.get_color() == "#bb2222"]
     assert [list(np.asarray(line.get_xdata())) for line in red] == [[pytest.approx(30.0)]]
-    assert len(figures.pos_error_figures_of(checks.reliability * 5)) == 3
+    assert len(figures.pos_error_figures_of(checks.sightings * 5)) == 3
 
 
 def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed: Changed) -> None:
@@ -317,9 +319,9 @@ def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed:
     reason = note("parameter.kept_uncertain")
     unseen = ParameterEstimate("scan_angle_offset", 0.0, np.radians(0.5), reason=reason)
     content = changed(covariance_all=large, parameters=(unseen,))
-    said = _warning(content, "adjustment.large_sigma_unseen")
-    assert "roll 0.50 deg" in said
-    assert "scan-angle offset" in said
+    (seen,) = [c for c in content.warnings if c.code == "adjustment.large_sigma_unseen"]
+    assert "roll 0.50 deg" in message_text(seen)
+    assert "scan-angle offset" in message_text(seen)
     assert not [c for c in changed().warnings if "large_sigma" in c.code]
 
 
@@ -331,14 +333,13 @@ def test_noise_is_only_spoken_of_where_some_was_found(project: Project, changed:
     model = StochasticModel("correlated")
     for targets, code in ((quiet, "chi_square_high"), (noisy, "chi_square_high_noise")):
         content = changed(chi_square=failed, targets=targets, model=model)
-        assert _warning(content, f"report.{code}")
+        assert f"report.{code}" in {each.code for each in content.warnings}
 
 
 def test_one_plane_alone_is_serious(project: Project, changed: Changed) -> None:
     result = _result(project)
     first = result.targets[0]
-    said = _warning(changed(targets=(first,)), "adjustment.one_target")
-    assert f"{first.target} is the only target" in said
+    assert _warning(changed(targets=(first,)), "adjustment.one_target") == {"target": first.target}
     assert not [
         c
         for c in changed().warnings
@@ -360,7 +361,7 @@ def test_accepting_one_facing_is_shown_where_it_is_on(project: Project) -> None:
         )
         content = sample_content(other)
         shown = dict(_tables(report_document(content, {}))["System and points"].rows)  # type: ignore[arg-type]
-        assert ("Targets that all face the same way" in shown) == accepted
+        assert ("Targets of a single orientation" in shown) == accepted
         assert json.loads(json_text(content))["settings"]["accept_single_orientation"] == accepted
 
 
@@ -409,16 +410,14 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     fine = content((first.name, one, good), (first.name, two, good))
     assert "report.sightings" not in {caution.code for caution in fine.warnings}
     some = (first.name, one, oblique[0]), (first.name, two, oblique[1]), (first.name, three, good)
-    said = _warning(content(*some), "report.sightings")
-    assert said.startswith("3 sightings are used, including 0 poor and 2 doubtful ones.")
-    assert f"{first.name} on {two}: The angle between the beams and" in said
+    assert _warning(content(*some), "report.sightings") == {
+        "total": 3, "poor": 0, "doubtful": 2, "target": first.name, "line": two,
+        "reasons": oblique[1].reasons,
+    }  # fmt: skip
     worse = content(*some, (second.name, one, rough))
-    said = _warning(worse, "report.sightings")
-    assert "4 sightings are used, including 1 poor and 2 doubtful ones." in said
-    assert (
-        f"{second.name} on {one}: The sighting has only 7 points. The surface is curved, by 4.0 "
-        "mm over its extent. See" in said
-    )
+    assert _warning(worse, "report.sightings") == {
+        "total": 4, "poor": 1, "doubtful": 2, "target": second.name, "line": one, "reasons": few,
+    }  # fmt: skip
     french = report_document(worse, {}, ReportOptions(language="fr")).notes
     assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
     # One that is left out is none of the answer's.

@@ -63,7 +63,7 @@ def _broken(content: ReportContent) -> list[dict[str, Any]]:
     found = []
     for change in (
         lambda data: data.pop("identity"),
-        lambda data: data["angles"][0].update(estimated_deg="0.4"),
+        lambda data: data["adjustment"]["boresight_deg"].update(roll="0.4"),
         lambda data: data["adjustment"].pop("s44"),
         lambda data: data["warnings"].append(
             {"code": "x", "former_code": "x", "level": "grave", "text": "", "params": {}}

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment import iteration, solver
-from lispac.adjustment.blunders import Blunder
-from lispac.adjustment.observations import Observations
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.robust_loss import LOSSES, Loss, loss_weight, robust_scale
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.model.target_shapes import fit_shapes
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.robust_loss import LOSSES, Loss, loss_weight, robust_scale
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.target_shapes import fit_shapes
+from lispac.adjustment.solve import iteration, sighting_rejection
+from lispac.adjustment.solve.blunders import Blunder
 from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
@@ -82,9 +82,11 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
     gone = [dirty.sightings.index(s) for s in found.rejected_sightings]
     with pytest.MonkeyPatch.context() as patch:
         todo = [Blunder("shift", (s,)) for s in gone]
-        patch.setattr(solver, "worst_blunder", lambda *_: todo.pop() if todo else None)
-        patch.setattr(solver, "find_restorable_blunder", lambda *_: None)
-        patch.setattr(solver, "find_displaced_sightings", lambda *_: np.zeros(0, dtype=np.int64))
+        patch.setattr(sighting_rejection, "worst_blunder", lambda *_: todo.pop() if todo else None)
+        patch.setattr(sighting_rejection, "find_restorable_blunder", lambda *_: None)
+        patch.setattr(
+            sighting_rejection, "find_displaced_sightings", lambda *_: np.zeros(0, dtype=np.int64)
+        )
         same = adjust(clean, PRIOR, model, diagnostics=False)
     return np.abs(found.boresight - same.boresight) / same.sigma, found
 
@@ -191,8 +193,10 @@ def test_what_was_rejected_by_mistake_is_restored() -> None:
     dirty = shifted(shifted(clean, 2, 0.05), 5, 0.05)
     todo = [Blunder("shift", (3,))]
     with pytest.MonkeyPatch.context() as patch:
-        own = solver.worst_blunder
-        patch.setattr(solver, "worst_blunder", lambda *given: todo.pop() if todo else own(*given))
+        own = sighting_rejection.worst_blunder
+        patch.setattr(
+            sighting_rejection, "worst_blunder", lambda *given: todo.pop() if todo else own(*given)
+        )
         found = adjust(dirty, PRIOR, StochasticModel(loss="tukey"))
     assert set(found.rejected_sightings) == {clean.sightings[2], clean.sightings[5]}
 

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.excess_scatter import sigmas_without
-from lispac.adjustment.observations import Observations
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.excess_scatter import sigmas_without
+from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.model.target_shapes import points_local
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.solved_equations import SolvedEquations
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.target_shapes import points_local
 from tests.test_robustness import PRIOR, TRUTH, survey
 
 MODEL = StochasticModel(loss="tukey")

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.adjustment_problem import LinearisedProblem
-from lispac.adjustment.excess_scatter import excess_variance, raise_sigmas_by_scatter
-from lispac.adjustment.observations import Observations
+from lispac.adjustment.diagnostics.excess_scatter import excess_variance, raise_sigmas_by_scatter
+from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.solved_equations import SolvedEquations
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.solve.adjustment_problem import LinearisedProblem
 from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting

@@ -11,6 +11,7 @@ from lispac.installation_paths import resource_path
 from lispac.io.config.scanner_file import read_scanner
 from lispac.io.config.scene_file import read_scene
 from lispac.io.config.vessel_file import read_vessel
+from lispac.messages import note
 from lispac.simulation.pos_error_models import (
     CombinedModel,
     GnssOutage,
@@ -32,6 +33,7 @@ from lispac.simulation.simulated_survey import (
 from lispac.simulation.vessel_motion import LAUNCH
 from lispac.workflow.planning.simulate import _surveyor_settings, require_replaceable
 from lispac.workflow.planning.simulated_setup import KINDS, read_simulation, supplied_titles
+from tests.error_codes import has_code
 from tests.test_meshes import as_mesh, write_mesh
 
 SCENE = """
@@ -163,7 +165,7 @@ def test_a_mesh_lies_beside_its_scene_and_hides_the_board(tmp_path: Path) -> Non
     )
     assert labels.tolist() == [1, 0]
     (tmp_path / "hut.stl").unlink()
-    with pytest.raises(InputError, match="mesh file does not exist"):
+    with pytest.raises(InputError, check=has_code("file.not_found", kind=note("file.kind_mesh"))):
         read_scene(path)
 
 

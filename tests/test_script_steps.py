@@ -14,8 +14,7 @@ from lispac.project import LineSource, PickedSighting, Project, Reading, Target
 from lispac.targets.expected_target import ExpectedTarget
 from lispac.targets.finder_settings import FinderChoices
 from lispac.workflow.checking.absolute_check import check_absolute
-from lispac.workflow.output.script import script_of
-from lispac.workflow.output.script_targets import target_steps
+from lispac.workflow.output.script import script_of, target_steps
 from lispac.workflow.output.script_text import call_text
 from lispac.workflow.project.survey import Survey
 from tests.few_lines import answered, on_board, picked

@@ -10,6 +10,8 @@ import pytest
 
 from lispac.errors import Cancelled, InputError, ProjectError
 from lispac.io.project.project_file import FILE_NAME, read_project
+from lispac.message_texts import message_text
+from lispac.messages import error, note
 from lispac.progress import Step
 from lispac.project import Project
 from lispac.survey.crs import coordinate_system
@@ -63,11 +65,12 @@ def test_a_list_gives_what_single_picks_give(
     path.write_text("# quay wall\nname;x;y;z\n" + rows("T1", "T2", "V1") + "Lost;20;4;3\n")
     code, out, err = run(capsys, "pick", folder, "--seeds", path)
     assert code == 1
-    assert err.splitlines()[-1] == (
-        f"lispac: {path}: no target was found at 1 of the 4 seeds: Lost (row 6). The table gives "
-        "the reason. The targets found at the other seeds are saved."
+    lost = error(
+        "pick.some_not_found", file=str(path), count=1, total=4, seeds=("Lost",), rows=("6",)
     )
-    assert "note: Columns identified by their names: name, north, west and up." in err
+    assert err.splitlines()[-1] == f"lispac: {message_text(lost)}"
+    named = note("assumed.columns_as_named", columns=("name", "north", "west", "up"))
+    assert f"note: {message_text(named)}" in err
     table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
     assert set(table) == {"T1", "T2", "V1", "Lost"}
     assert "6 of 6" in table["T1"]
@@ -132,7 +135,8 @@ def test_a_name_that_is_taken_is_refused_or_replaced(
     path.write_text(rows("T1", "V1"))
     assert run(capsys, "pick", folder, "--seeds", path)[0] == 0
     again = rows("T2", "T1", offset=0.05)
-    assert "row 2: the project already has a target named T1" in refused(capsys, folder, again)
+    taken = error("pick.name_taken", file=str(folder.parent / "targets.txt"), row=2, target="T1")
+    assert message_text(taken) in refused(capsys, folder, again)
     path.write_text(again)
     assert run(capsys, "pick", folder, "--seeds", path, "--replace")[0] == 0
     project = read_project(folder)

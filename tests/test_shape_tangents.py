@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from lispac.adjustment.target_shapes import orthogonal_vectors, plane_tangents
+from lispac.adjustment.model.target_shapes import orthogonal_vectors, plane_tangents
 
 
 def normals() -> np.ndarray:

@@ -6,25 +6,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.critical_values import critical_test_value
-from lispac.adjustment.display_text import OUTPUT_UNITS, QUANTITIES, variance_component_finding
-from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.diagnostics.findings import critical_test_value, variance_component_finding
+from lispac.adjustment.model.parameters import OUTPUT_UNITS, QUANTITIES, ParameterEstimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
-from lispac.cli.estimate import print_result, result_values
-from lispac.gui.panels import result_texts
-from lispac.gui.panels.adjust_parameters import KINDS
-from lispac.gui.panels.diagnostics_rows import (
-    check_rows,
-    parameter_rows,
-    sighting_columns,
-    sighting_rows,
-    spread_text,
-)
-from lispac.gui.panels.result_texts import variance_component_texts
+from lispac.cli.calibration.result_output import print_result, result_values
+from lispac.gui.features.estimate import result_texts
+from lispac.gui.features.estimate.adjust_parameters import KINDS
+from lispac.gui.features.estimate.result_texts import variance_component_texts
+from lispac.gui.widgets.result_tables import spread_text, window_columns, window_rows
 from lispac.message_texts import english_text
 from lispac.messages import note
+from lispac.present.cross_checks import cross_check_values, subset_rows
+from lispac.present.parameters import PARAMETERS, parameter_values
+from lispac.present.sightings import LARGEST_W, SIGHTINGS, sighting_values
+from lispac.present.text_format import quantity_text
 from lispac.report.document import report_document
-from lispac.report.text_format import quantity_text
 from tests.report_sample import sample_content, sample_project
 
 Sample = tuple[AdjustmentResult, CrossChecks]
@@ -52,7 +48,9 @@ def test_a_value_is_shown_alike_everywhere(
 ) -> None:
     result = replace(sample[0], parameters=(ParameterEstimate(name, 0.0, None, value, 0.1, 3.0),))
     print_result(result, None)
-    assert f"{QUANTITIES[name].title} {words}, sigma " in capsys.readouterr().out
+    printed = capsys.readouterr().out.splitlines()
+    (row,) = [line for line in printed if line.startswith(f"  {QUANTITIES[name].title} ")]
+    assert f"  {words}  " in row
     printed = words.replace("-", "−")
     in_window = printed.replace(" deg", "°").replace(" ", "\u00a0")
     assert KINDS[name].amount(value) == in_window
@@ -80,7 +78,7 @@ def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_pa
 
 def test_json_keeps_metres_degrees_and_seconds(sample: Sample) -> None:
     latency = ParameterEstimate("latency", 0.0, None, 0.0021, 0.0001, 21.0)
-    said = result_values(replace(sample[0], parameters=(latency,)), None)["parameters"]["latency"]
+    said = result_values(replace(sample[0], parameters=(latency,)), None)["parameters"][0]
     assert (said["unit"], said["value"], said["sigma"]) == ("s", 0.0021, 0.0001)
 
 
@@ -92,11 +90,12 @@ def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sa
     first, second, *rest = result.reliability
     near = replace(first, w=critical - 0.01, rejected=False, outliers=0)
     beyond = replace(second, w=-critical - 0.01, rejected=False, outliers=0)
-    rows = sighting_rows(replace(result, reliability=(near, beyond, *rest)))
-    assert sighting_columns()[-1].title == "Note"
+    values = sighting_values(replace(result, reliability=(near, beyond, *rest)))
+    assert [each.status for each in values[:2]] == ["agrees", "disagrees"]
+    rows = window_rows(SIGHTINGS, values, marked=lambda row: row.is_marked)
     assert [row.marked for row in rows[:2]] == [False, True]
-    assert [row.cells[-1].text for row in rows[:2]] == ["", f"w beyond {critical:.2f}"]
-    assert all(len(row.cells) == len(sighting_columns()) for row in rows)
+    assert [row.cells[-1].text for row in rows[:2]] == ["agrees", "disagrees"]
+    assert all(len(row.cells) == len(window_columns(SIGHTINGS)) for row in rows)
 
 
 def test_the_spread_has_one_name_and_the_halves_are_reported_once(
@@ -111,17 +110,17 @@ def test_the_spread_has_one_name_and_the_halves_are_reported_once(
     checks = replace(checks, parts=odd)
     print_result(result, checks)
     printed = capsys.readouterr().out
-    assert "\nSpread, one line omitted " in printed
+    assert "\n  Jackknife, one line omitted " in printed
     assert printed.count("half") == 1
     assert "second minus first half of the data (roll " in printed
-    assert "Spread,<br>one line omitted" in spread_text(checks)
-    names = [row.cells[0].text for row in check_rows(checks)]
+    assert "Jackknife,<br>one line omitted" in spread_text(cross_check_values(checks))
+    names = [row.name for row in subset_rows(cross_check_values(checks))]
     assert [name for name in names if "half" in name] == ["Second minus first half"]
     content = sample_content(sample_project(tmp_path / "report"))
     tables = [
         b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
     ]
-    assert any("Spread, one line omitted" in row[0] for t in tables for row in t.rows)
+    assert any("Jackknife, one line omitted" in row[0] for t in tables for row in t.rows)
 
 
 def test_halves_are_compared_only_where_both_have_an_answer(sample: Sample) -> None:
@@ -134,8 +133,8 @@ def test_halves_are_compared_only_where_both_have_an_answer(sample: Sample) -> N
         ((first, lone), ["First half of the lines only", "Second half of the lines only"]),
         ((), []),
     ):
-        rows = check_rows(replace(checks, parts=halves))
-        assert [row.cells[0].text for row in rows] == names
+        rows = subset_rows(cross_check_values(replace(checks, parts=halves)))
+        assert [row.name for row in rows] == names
 
 
 def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> None:
@@ -171,7 +170,7 @@ def test_a_variance_component_is_reported_alike_everywhere(
     finding = variance_component_finding(component)
     assert finding == note(code)
     print_result(result, None)
-    assert f"), {english_text(finding)}\n" in capsys.readouterr().out
+    assert f"  {english_text(finding)}\n" in capsys.readouterr().out
     (shown,) = variance_component_texts(result)
     assert shown.endswith(english_text(finding))
     content = sample_content(replace(project, result=result))
@@ -199,9 +198,10 @@ def test_a_value_is_significant_beyond_one_limit_everywhere(
     words = "significant" if significant else "not significant"
     assert estimate.significant is significant
     print_result(result, None)
-    assert f"prior +0.0000: {words}\n" in capsys.readouterr().out
-    assert result_values(result, None)["parameters"]["lever_x"]["significant"] is significant
-    assert parameter_rows(result)[-1].cells[-1].text.startswith(f"{words}: ")
+    assert f"  {words}\n" in capsys.readouterr().out
+    assert result_values(result, None)["parameters"][0]["significant"] is significant
+    (row,) = window_rows(PARAMETERS, parameter_values(result))
+    assert row.cells[-1].text == words
     assert f"prior +0.0000\u00a0m, {words}<" in result_texts.parameters_html(result)
     content = sample_content(replace(project, result=result))
     assert content.adjustment is not None
@@ -222,13 +222,18 @@ def test_the_point_farthest_off_is_reported_with_its_time_everywhere(
     far = replace(first, largest_w=12.34, largest_at=416012.5)
     old = replace(second, largest_at=None)  # a result of an earlier version
     result = replace(result, reliability=(far, old, *rest))
-    told = result_values(result, None)["reliability"]
+    told = result_values(result, None)["sightings"]
     assert (told[0]["largest_w"], told[0]["largest_w_time_s"]) == (12.34, 416012.5)
     assert told[1]["largest_w_time_s"] is None
-    place = [column.title for column in sighting_columns()].index("Largest w of a point")
-    cells = [row.cells[place] for row in sighting_rows(result)]
-    assert (cells[0].text, cells[0].value) == ("12.3 at 416012.500 s", 12.34)
-    assert cells[1].text == "2.9"
+    place = [column.title for column in SIGHTINGS.columns].index(LARGEST_W.title)
+    cells = [
+        row.cells[place : place + 2] for row in window_rows(SIGHTINGS, sighting_values(result))
+    ]
+    assert [(cell.text, cell.value) for cell in cells[0]] == [
+        ("12.3", 12.34),
+        ("416012.500", 416012.5),
+    ]
+    assert [cell.text for cell in cells[1]] == ["2.9", "\u2013"]
     content = sample_content(replace(sample_project(tmp_path / "report"), result=result))
     tables = [
         b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"

@@ -26,6 +26,7 @@ from lispac.workflow.project.projects import (
     with_lines_added,
 )
 from lispac.workflow.project.survey import load_survey
+from tests.error_codes import has_code
 from tests.input_file_samples import LEVER, START, fan, write_line, write_survey
 from tests.trajectory_files import write_records
 
@@ -200,7 +201,8 @@ def test_what_cannot_be_written_leaves_no_folder_of_its_own(
     out = tmp_path / "new" / "out"
     if there:
         out.mkdir(parents=True)
-    with pytest.raises(InputError, match="50 points was recorded during the trajectory"):
+    outside = has_code("export.outside_trajectory", line="late_prior", count=50)
+    with pytest.raises(InputError, check=outside):
         georeference_project(
             replace(project, lines=lines), out, "prior", system="local", ending="las"
         )

@@ -7,11 +7,13 @@ from lispac.errors import Cancelled, InputError, SphereNotFound
 from lispac.geometry.radius_search import PointGrid
 from lispac.geometry.rotations import rotation_matrix
 from lispac.geometry.spheres import Sphere
+from lispac.messages import Message
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sphere_finder import RadiusRange, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 from tests.balls import BALL, CENTRE, cast, front
 from tests.error_codes import has_code
+from tests.message_codes import codes
 
 SETTINGS = FinderSettings()
 ANY = RadiusRange()
@@ -190,17 +192,20 @@ def test_without_points_the_reason_is_given(points, seed, code, params):
 
 
 @pytest.mark.parametrize(
-    ("aside", "sought", "words"),
+    ("aside", "sought", "code"),
     [
-        (0.9, RadiusRange.of_known_radius(0.1), "Set the seed on the sphere"),
-        (0.0, RadiusRange(0.3, 0.5), r"sphere with a radius from 0\.300 to 0\.500 m"),
-        (0.0, RadiusRange.of_known_radius(0.14), r"sphere of radius 0\.140 m"),
+        (0.9, RadiusRange.of_known_radius(0.1), "finder.sphere_few_nearby"),
+        (0.0, RadiusRange(0.3, 0.5), "finder.sphere_of_radii"),
+        (0.0, RadiusRange.of_known_radius(0.14), "finder.sphere_of_radius"),
     ],
 )
-def test_a_ball_elsewhere_or_of_another_radius_is_refused(aside, sought, words):
+def test_a_ball_elsewhere_or_of_another_radius_is_refused(aside, sought, code):
     points, _ = cast(np.random.default_rng(7), [BALL])
-    with pytest.raises(SphereNotFound, match=words):
+    with pytest.raises(SphereNotFound) as refused:
         find_sphere(points, CENTRE + [aside, 0.0, 0.0], sought, SETTINGS)
+    message = refused.value.message
+    parts = [each for each in message.params.values() if isinstance(each, Message)]
+    assert code in codes([message, *parts])
 
 
 @pytest.mark.parametrize("span", [(0.0, 0.1), (0.2, 0.1), (0.1, np.nan), (0.1, np.inf)])

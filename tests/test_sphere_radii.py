@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.observations import Observations
-from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.sphere_radii import find_radius_discrepancies
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.diagnostics.sphere_radii import find_radius_discrepancies
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.simulation.closed_form_survey import Ball, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting

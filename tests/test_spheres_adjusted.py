@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import POS_ERRORS, StochasticModel
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.stochastic_model import POS_ERRORS, StochasticModel
 from lispac.cli.main import main
 from lispac.errors import ProjectError, SphereNotFound
 from lispac.geometry.spheres import visible_share

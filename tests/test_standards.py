@@ -8,11 +8,11 @@ import pytest
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.geometry.rotations import rotation_matrix
-from lispac.report.displacement import EFFECT_DISTANCES_M, s44_contributions
+from lispac.present.displacement import EFFECT_DISTANCES_M, s44_contributions
+from lispac.present.validation import swath_overlap
 from lispac.report.html import html_text
-from lispac.report.validation_values import swath_overlap
 from lispac.survey.georeferencing import Mounting
-from lispac.validation.signed_comparison import signed_distance_statistics
+from lispac.validation.plane_comparison import signed_distance_statistics
 from tests.report_sample import sample_content, sample_project
 from tests.test_report import _page
 

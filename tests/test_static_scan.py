@@ -9,6 +9,7 @@ import pytest
 from lispac.errors import InputError
 from lispac.io.points.static_scan import open_static_scan
 from tests import point_files
+from tests.error_codes import has_code
 from tests.point_files import XYZ
 
 
@@ -56,18 +57,18 @@ def test_text(tmp_path: Path, head: str, order: str, separator: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "code"),
     [
-        ("", "empty"),
-        ("# nothing\n", "no row of coordinates"),
-        ("1 2\n3 4\n", "row 1: three coordinates are needed"),
-        ("1,5 2,5 3,5\n2,5 3,5 4,5\n", "decimal points"),
-        ("1 2 3\n4 5\n", "cannot be read as static scan"),
-        ("1 2 3\n4 5 inf\n", "a coordinate of point 2 is not a usable number"),
+        ("", "file.empty"),
+        ("# nothing\n", "static_scan.no_coordinates"),
+        ("1 2\n3 4\n", "static_scan.too_few_coordinates"),
+        ("1,5 2,5 3,5\n2,5 3,5 4,5\n", "static_scan.decimal_commas"),
+        ("1 2 3\n4 5\n", "file.damaged"),
+        ("1 2 3\n4 5 inf\n", "static_scan.unusable_coordinate"),
     ],
 )
-def test_texts_that_are_refused(tmp_path: Path, text: str, said: str) -> None:
+def test_texts_that_are_refused(tmp_path: Path, text: str, code: str) -> None:
     path = tmp_path / "scan.txt"
     path.write_text(text)
-    with pytest.raises(InputError, match=said):
+    with pytest.raises(InputError, check=has_code(code)):
         places(path)

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from lispac.errors import Cancelled, ProjectError
 from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.scan import Scan
-from lispac.survey.store import block_merge, column_writer, point_blocks, spatial_cells, spool
+from lispac.survey.store import column_writer, point_blocks, spatial_cells, spool
 from lispac.survey.store.fingerprint import combine_crc32
 from lispac.survey.store.layout import Manifest, SourceFile, write_manifest
 from lispac.survey.store.line_import import ImportRecipe, write_store
@@ -212,7 +212,7 @@ def test_points_on_one_spot_are_never_in_memory_together(tmp_path: Path, monkeyp
     line.xyz[:] = [1.2, 2.2, 3.2] + np.random.default_rng(0).normal(0, 1e-3, line.xyz.shape)
     line.time[:] = np.linspace(0, 1e-3, len(line))
     sizes = []
-    merged = block_merge.merge_blocks
+    merged = column_writer.merge_blocks
 
     def watched(source: spool.Spool) -> Iterator:
         for keys, values in merged(source):
@@ -221,7 +221,7 @@ def test_points_on_one_spot_are_never_in_memory_together(tmp_path: Path, monkeyp
 
     monkeypatch.setattr(column_writer, "merge_blocks", watched)
     found = stored(tmp_path, line)
-    assert max(sizes) <= block_merge.BUCKET + point_blocks.BLOCK
+    assert max(sizes) <= column_writer.BUCKET + point_blocks.BLOCK
     assert len(np.unique(found._octaves >> np.uint64(4))) == 1
     np.testing.assert_array_equal(np.sort(found.numbers(np.arange(9_000))), np.arange(9_000))
     rows = rows_of_runs(found.near(np.zeros(3), 100.0, halvings=3))

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.errors import AdjustmentError
 from lispac.geometry.rotations import rotation_matrix
 from lispac.io.project.project_file import read_project, write_project

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.point_sensitivity import sensitivity
+from lispac.adjustment.model.point_sensitivity import sensitivity
 from lispac.errors import ProjectError
 from lispac.geometry.planes import fit_plane, plane_axes
 from lispac.project import Project, Target

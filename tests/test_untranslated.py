@@ -10,7 +10,7 @@ from tests.french_catalogue import FRENCH
 from tests.source_texts import displayed_texts
 
 ROOT = Path(__file__).resolve().parents[1] / "lispac"
-ENGLISH_ONLY = {"cli", "scripting", "gui/app.py", "workflow/checking/batch.py"}
+ENGLISH_ONLY = {"cli", "scripting", "gui/window/program.py", "workflow/checking/batch.py"}
 """Modules with English texts: the command line and the interface for scripts."""
 MODULES = sorted(
     path.relative_to(ROOT).as_posix()
@@ -89,7 +89,6 @@ NOT_SHOWN: dict[str, set[str]] = {
         "person responsible for the calibration",
     },
     "keys": {
-        "str | tuple[str, Menu]",
         "text of a static scan",
     },
     "errors of a programmer, and a label that is in French in every language": {

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import scipy.stats
 
-from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import PosErrorKnots, StochasticModel
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations, Sighting
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.model.stochastic_model import PosErrorKnots, StochasticModel
 from lispac.geometry.frames import LocalFrame
 from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.scene import Scene

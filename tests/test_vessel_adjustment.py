@@ -9,9 +9,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations, Sighting
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.geometry.spheres import fit_sphere, rms_from_sphere
 from tests.test_vessel_spheres import BALLS, VESSEL, Vessel
 

@@ -335,7 +335,7 @@ def test_the_command_writes_what_it_shows(
     assert float(row["Signed orthogonal distance (m)"]) == pytest.approx(
         orthogonal_distance(shape, board_plane(UPRIGHT)), abs=1e-6
     )
-    assert {r["Type I"] for r in rows if r["Points"] == "0"} == {"0.0000"}
+    assert {r["Type I criterion (0 to 1)"] for r in rows if r["Points"] == "0"} == {"0.0000"}
 
 
 def test_a_real_board_is_not_held_against_the_thesis(

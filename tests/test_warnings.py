@@ -7,11 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.display_text import to_plain_text
-from lispac.adjustment.outdated_result import outdated_result_warning
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.diagnostics.warnings import outdated_result_warning, result_warnings
 from lispac.cli.main import main
-from lispac.language import in_language
+from lispac.language import in_language, to_plain_text
 from lispac.message_texts import message_text
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Level, Message, error, note, plain_params, warning

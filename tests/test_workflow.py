@@ -8,9 +8,9 @@ import laspy
 import numpy as np
 import pytest
 
-from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.observations import Observations, Sighting
+from lispac.adjustment.model.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import LispacError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.value_conversion import encode_value

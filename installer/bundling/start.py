@@ -10,7 +10,7 @@ from importlib import import_module
 from multiprocessing import freeze_support
 from pathlib import Path
 
-MAIN = {"lispac": "lispac.cli.main", "lispac-gui": "lispac.gui.app"}
+MAIN = {"lispac": "lispac.cli.main", "lispac-gui": "lispac.gui.window.program"}
 
 # A worker process starts here as well, and does not come back from this
 freeze_support()

@@ -7,9 +7,9 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.observations import Sighting
-from lispac.adjustment.parameters import ParameterEstimate
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.model.observations import CommonCoverage, Sighting
+from lispac.adjustment.model.parameters import ParameterEstimate
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.former_names import accept_script_names
 from lispac.messages import Message
 from lispac.survey.georeferencing import Mounting
@@ -295,24 +295,6 @@ class PossibleCause:
     evidence: float
 
 
-@dataclass(frozen=True)
-class CommonCoverage:
-    """Share of a target that all its lines show; only this part is used.
-
-    Attributes
-    ----------
-    target : str
-    share : float
-        Of its points; 0 where it is excluded.
-    lines : tuple of str
-        Whose sightings are used.
-    """
-
-    target: str
-    share: float
-    lines: tuple[str, ...]
-
-
 @accept_script_names
 @dataclass(frozen=True, eq=False)
 class AdjustmentResult:
@@ -475,6 +457,19 @@ class AdjustmentResult:
             (c.used or c.factor) if c.applied else 1.0 for c in self.components
         )
         return lidar, position, attitude
+
+    def is_model_rejected(self, level: float = 0.025) -> bool:
+        """Whether the one-sided chi-square test rejects the model (Baarda 1968).
+
+        Parameters
+        ----------
+        level : float
+            Probability that it rejects a right model.
+        """
+        from scipy.special import chdtri
+
+        freedom = self.degrees_of_freedom
+        return freedom > 0 and bool(self.chi_square.statistic > chdtri(freedom, level))
 
     @property
     def rejected_sightings(self) -> tuple[Sighting, ...]:

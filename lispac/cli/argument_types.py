@@ -9,15 +9,6 @@ from pathlib import Path
 
 from lispac.untrusted_values import LARGEST_AMOUNT, LEAST_AMOUNT, is_possible_amount
 
-Commands = argparse._SubParsersAction  # the type argparse gives no public name
-
-
-def add_command(
-    commands: "Commands[argparse.ArgumentParser]", name: str, text: str
-) -> argparse.ArgumentParser:
-    """Add a command with its help text."""
-    return commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
-
 
 def without_exponents(words: Sequence[str]) -> list[str]:
     """Replace ``-1e-3`` by ``-0.001``, which argparse does not take for an option."""
@@ -39,11 +30,6 @@ def split_named_value(text: str) -> tuple[str, str]:
     if not (name and separator):
         raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
     return name.strip(), value.strip()
-
-
-def surface_sigma(text: str) -> float | str:
-    """Sigma of a surface in metres, or ``auto``."""
-    return text if text == "auto" else non_negative_number(text)
 
 
 def picture_file(text: str) -> Path:

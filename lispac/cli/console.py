@@ -4,13 +4,14 @@ import json
 import os
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from lispac.present.tables import Row, Table
     from lispac.progress import Step
     from lispac.project import Project
 
@@ -84,3 +85,30 @@ def has_display() -> bool:
 def print_json(content: dict[str, Any]) -> None:
     """Print plain values as JSON."""
     print(json.dumps(content, indent=1, allow_nan=False))
+
+
+def print_table(table: "Table[Row]", rows: "Sequence[Row]") -> None:
+    """Print a table of results as text: title, heads with units, rows, and a blank line."""
+    from lispac.language import to_plain_text
+    from lispac.present.tables import cell_text, title_text, unit_text
+
+    heads = [
+        " ".join(
+            [
+                *title_text(column.title).split(),
+                *([f"({unit_text(column.unit)})"] if column.unit else []),
+            ]
+        )
+        for column in table.columns
+    ]
+    lines = [heads, *([cell_text(column, row) for column in table.columns] for row in rows)]
+    lines = [[to_plain_text(cell) for cell in line] for line in lines]
+    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    print(title_text(table.title))
+    for line in lines:
+        cells = (
+            cell.ljust(width) if column.is_text else cell.rjust(width)
+            for cell, width, column in zip(line, widths, table.columns, strict=True)
+        )
+        print(f"  {'  '.join(cells).rstrip()}")
+    print()

@@ -7,14 +7,13 @@ import os
 import re
 import sys
 from collections.abc import Sequence
-from importlib import import_module
 from io import TextIOWrapper
 
 from lispac import caches
 from lispac.cli.argument_types import without_exponents
 from lispac.cli.console import UsageError
 from lispac.cli.former_options import with_new_names
-from lispac.cli.option_hints import option_hint
+from lispac.cli.messages import option_hint
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, LispacError
 from lispac.message_texts import message_text
@@ -33,15 +32,12 @@ def run(argv: Sequence[str] | None = None) -> None:
     UsageError
         Where options contradict each other.
     """
-    parser = build_parser()
-    words = with_new_names(sys.argv[1:] if argv is None else argv)
-    arguments = parser.parse_args(without_exponents(words))
-    # Its own module only, after parsing: --version and --help work without NumPy and Numba, and
-    # no command waits for what another needs.
+    words = without_exponents(with_new_names(sys.argv[1:] if argv is None else argv))
+    arguments = build_parser(words).parse_args(words)
+    # Before the command imports what it needs: the variables are read by Numba.
     if (message := caches.set_cache_variables(os.environ)) is not None:
         print(f"note: {message_text(message)}", file=sys.stderr)
-    module = import_module(f"lispac.cli.{arguments.command}")
-    getattr(module, arguments.command)(arguments)
+    arguments.run(arguments)
 
 
 def _escape_control_characters(stream: TextIOWrapper) -> None:

@@ -1,17 +1,48 @@
-"""Messages about files at the command line, as text and as JSON."""
+"""Messages at the command line, as text with the options that act on them, and as JSON."""
 
 import sys
 from collections.abc import Iterable
 from typing import Any, TextIO
 
-from lispac.adjustment.display_text import to_plain_text
-from lispac.cli.option_hints import option_hint
+from lispac.language import in_language
 from lispac.message_texts import action_text, message_text
+from lispac.message_texts.former_codes import former_code
 from lispac.messages import Action, Message, plain_params
+
+OPTIONS = {
+    "adjustment.only_plane": "--accept-single-orientation",
+    "adjustment.parallel_planes": "--accept-single-orientation",
+    "cluster.no_certificates": "--cluster-tls CA CERTIFICATE KEY",
+    "cluster.plain_tcp_refused": "--plain-tcp",
+    "history.no_date": "lispac identity {project} --dates",
+    "history.no_day": "lispac identity {project} --dates",
+    "import.points_without_time": "lispac check",
+    "import.unknown_accuracy_format": "lispac inspect FILE",
+    "import.unknown_line_format": "lispac inspect FILE",
+    "import.unknown_trajectory_format": "lispac inspect FILE",
+    "plan_survey.process_ended": "--workers",
+    "project_files.many_missing": "lispac locate PROJECT FOLDER",
+    "project_files.one_missing": "lispac locate PROJECT FOLDER",
+    "project_files.several_missing": "lispac locate PROJECT FOLDER",
+    "simulate.no_trajectory": "--trajectory",
+}
+"""Option or command by the code of a message, whose text also is for the window and scripts."""
+
+
+def option_hint(message: Message | None) -> str:
+    """Option that a message or a part of it suggests; empty if there is none."""
+    if message is None:
+        return ""
+    if message.code in OPTIONS:
+        return OPTIONS[message.code].format(**message.params)
+    parts = [each for each in message.params.values() if isinstance(each, Message)]
+    return next(filter(None, map(option_hint, parts)), "")
 
 
 def print_messages(messages: Iterable[Message], file: TextIO | None = None) -> None:
     """Print each message with its level and the options that act on it, on stderr by default."""
+    from lispac.language import to_plain_text
+
     file = file or sys.stderr
     for message in messages:
         print(f"{message.level}: {to_plain_text(message_text(message))}", file=file)
@@ -23,6 +54,8 @@ def print_messages(messages: Iterable[Message], file: TextIO | None = None) -> N
 
 def message_values(message: Message) -> dict[str, Any]:
     """A message for JSON: code, level, parameters in SI units, subject, actions and text."""
+    from lispac.language import to_plain_text
+
     subject = message.subject
     return {
         "code": message.code,
@@ -32,6 +65,12 @@ def message_values(message: Message) -> dict[str, Any]:
         "actions": [{"code": each.code, "params": plain_params(each)} for each in message.actions],
         "text": to_plain_text(message_text(message)),
     }
+
+
+def warnings_as_json(messages: Iterable[Message]) -> list[dict[str, Any]]:
+    """Values of each message with its text in English, and its former code."""
+    with in_language("en"):
+        return [message_values(each) | {"former_code": former_code(each)} for each in messages]
 
 
 def _action_text(action: Action) -> str:

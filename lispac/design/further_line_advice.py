@@ -7,13 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adjustment_problem import FREE_SIGMA, AdjustmentProblem
-from lispac.adjustment.blas_threads import single_blas_thread
-from lispac.adjustment.message_parts import mounting_value_name, mounting_value_names
-from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.model.observations import Observations, Sighting
+from lispac.adjustment.model.parameters import Parameter, mounting_value_name, mounting_value_names
+from lispac.adjustment.model.target_shapes import points_local
+from lispac.adjustment.model.threads import single_blas_thread
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.adjustment.target_shapes import points_local
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
 from lispac.messages import Message, note
 from lispac.simulation.closed_form_survey import STEEPEST
 from lispac.survey.georeferencing import to_lidar
@@ -87,7 +86,7 @@ def _predicted_sigmas(
     problem = AdjustmentProblem.of(observations, result.mounting, result.model, parameters)
     noise = np.array([target.noise for target in result.targets])
     problem = replace(problem, noise=noise).with_surface_sigma(np.maximum(result.surfaces, 1e-5))
-    problem = problem.with_sighting_surface_sigma(rejected, slice(0, 3), FREE_SIGMA)
+    problem = problem.with_rejected(rejected)
     state = problem.start(result.mounting, shapes)
     information = problem.linearised(state).normal.information(3)
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))

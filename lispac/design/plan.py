@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.stochastic_model import PosErrors
+from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.simulation.closed_form_survey import Ball, Board, Course
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
 from lispac.simulation.scanner import Scanner

@@ -9,7 +9,7 @@ from math import comb
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.observability import have_one_orientation
+from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.design.objective import PRIOR_SIGMA, PlanObjective
 from lispac.design.plan import SIX, Line, Plan, line_pattern
 from lispac.design.site import Site, are_boards_separate

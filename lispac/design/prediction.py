@@ -3,7 +3,7 @@
 No point is simulated: the sigmas of a least-squares adjustment follow from where the points lie,
 not from their errors. A few points stand for all that the scanner would measure on a target, each
 counting as many times as it stands for, and the adjustment's own equations
-(`lispac.adjustment.adjustment_problem`) are put together once, at the truth.
+(`lispac.adjustment.solve.adjustment_problem`) are put together once, at the truth.
 """
 
 from dataclasses import dataclass, replace
@@ -11,11 +11,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
-from lispac.adjustment.blas_threads import single_blas_thread
-from lispac.adjustment.observability import WORST_SIGMA
-from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.model.observations import Observations, Sighting
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.model.threads import single_blas_thread
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.solve.determinability import WORST_SIGMA
 from lispac.design.plan import Plan, System
 from lispac.errors import RankDeficient
 from lispac.messages import error
@@ -204,7 +204,7 @@ class _PlanSightings:
             own = [k for k, s in enumerate(self.sightings) if s.target == name]
             if own and target.flatness is not None:
                 flatness = max(target.flatness, FLATTEST)
-                problem = problem.with_sighting_surface_sigma(own, slice(0, 3), flatness)
+                problem = problem.with_sighting_surface_sigma(own, flatness)
         linearised = problem.linearised(problem.start(plan.system.mounting, shapes))
         stands_for = np.array(list(self.points.values())) / observations.counts
         weights = stands_for[problem.groups.sighting]

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.stochastic_model import PosErrors
+from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.design.plan import SIX, Plan, System, line_pattern
 from lispac.design.prediction import predict
 from lispac.language import N_, LazyText, Plural, gettext_lazy, in_english

@@ -1,8 +1,8 @@
 """Texts of messages: English by code here, translations in the catalogues of ``resources/i18n``.
 
-A text has up to three sentences: what is wrong (with the number and the object), what it means for
-the result, what to do. A module holds the texts of one topic; `lispac.language` explains the
-placeholders.
+A text has at most two short sentences: what is wrong (with the number and the object) with what it
+means for the result, and what to do. A module holds the texts of one topic; `lispac.language`
+explains the placeholders.
 """
 
 from collections.abc import Mapping

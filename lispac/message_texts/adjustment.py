@@ -50,8 +50,8 @@ TEXTS: Mapping[str, Template] = {
         "two directions."
     ),
     "adjustment.one_line": N_(
-        "All targets are observed on line {line} only. The boresight cannot be determined from a "
-        "single line. Add lines in other directions over the same targets."
+        "All targets are observed on line {line} only, and a single line does not determine the "
+        "boresight. Add lines in other directions over the same targets."
     ),
     "adjustment.undetermined": N_(
         "These lines and targets do not determine the boresight angles (not determined: "
@@ -59,7 +59,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.undetermined_because": N_(
         "These lines and targets do not determine the boresight angles (not determined: "
-        "{direction}). {reason} {action}"
+        "{direction}): {reason} {action}"
     ),
     "adjustment.angle_roll": N_("roll"),
     "adjustment.angle_pitch": N_("pitch"),
@@ -88,14 +88,14 @@ TEXTS: Mapping[str, Template] = {
         "and yaw."
     ),
     "adjustment.only_plane": N_(
-        "The plane {target} is the only target, so the angles are separated only by the different "
-        "headings of the lines. Add a target with a different orientation, or a sphere. If there "
-        "is none, tick Accept a single orientation under Advanced."
+        "The plane {target} is the only target, so only the different headings of the lines "
+        "separate the angles. Add a target with a different orientation or a sphere; if there is "
+        "none, tick Accept a single orientation under Advanced."
     ),
     "adjustment.parallel_planes": N_(
-        "All targets are planes of the same orientation, so the angles are separated only by the "
-        "different headings of the lines. Add a target with a different orientation, or a sphere. "
-        "If there is none, tick Accept a single orientation under Advanced."
+        "All targets are planes of the same orientation, so only the different headings of the "
+        "lines separate the angles. Add a target with a different orientation or a sphere; if "
+        "there is none, tick Accept a single orientation under Advanced."
     ),
     # -- iterations --------------------------------------------------------------------------------
     "adjustment.not_converged": N_(
@@ -113,24 +113,22 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- values that the data contradict -----------------------------------------------------------
     "adjustment.contradicts_lever_arm": N_(
-        "The data do not agree with the given {axis} component of the lever arm: the best-fitting "
-        "value differs by {change:m.4+} m. With the given value the boresight is not determined. "
-        "Measure the lever arm again, or estimate it."
+        "The best-fitting {axis} component of the lever arm differs by {change:m.4+} m from the "
+        "given one, with which the boresight is not determined. Measure the lever arm again, or "
+        "estimate it."
     ),
     "adjustment.contradicts_range_offset": N_(
-        "The data do not agree with the given range offset: the best-fitting value differs by "
-        "{change:m.4+} m. With the given value the boresight is not determined. Measure the range "
-        "offset again, or estimate it."
+        "The best-fitting range offset differs by {change:m.4+} m from the given one, with which "
+        "the boresight is not determined. Measure the range offset again, or estimate it."
     ),
     "adjustment.contradicts_scan_angle_offset": N_(
-        "The data do not agree with the given scan-angle offset: the best-fitting value differs by "
-        "{change:deg.4+} deg. With the given value the boresight is not determined. Measure the "
-        "scan-angle offset again, or estimate it."
+        "The best-fitting scan-angle offset differs by {change:deg.4+} deg from the given one, "
+        "with which the boresight is not determined. Measure the scan-angle offset again, or "
+        "estimate it."
     ),
     "adjustment.contradicts_latency": N_(
-        "The data do not agree with the given latency: the best-fitting value differs by "
-        "{change:ms.2+} ms. With the given value the boresight is not determined. Measure the "
-        "latency again, or estimate it."
+        "The best-fitting latency differs by {change:ms.2+} ms from the given one, with which the "
+        "boresight is not determined. Measure the latency again, or estimate it."
     ),
     # -- observability -----------------------------------------------------------------------------
     "observability.directions": N_(
@@ -171,9 +169,8 @@ TEXTS: Mapping[str, Template] = {
         "the angles."
     ),
     "parameter.not_classical": N_(
-        "The {parameter} is not estimated with uncorrelated POS errors: it would be wrong, and its "
-        "standard deviation far too small. The given value is used. To estimate it, choose "
-        "correlated POS errors."
+        "The {parameter} would be wrong if estimated with uncorrelated POS errors, so the given "
+        "value is used. To estimate it, choose correlated POS errors."
     ),
     # -- parts of the data -------------------------------------------------------------------------
     "cross_check.no_common_target": N_("None of the remaining targets is observed on two lines."),

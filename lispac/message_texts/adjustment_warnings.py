@@ -5,29 +5,29 @@ from collections.abc import Mapping
 from lispac.language import N_, Plural, Template
 
 _CONTRADICTED = N_(
-    "The data do not agree with the given {parameter}. The best-fitting value is {change} (± "
-    "{sigma}, test value w = {w:x.1+}), which would change {angles:names}. Measure the {parameter} "
-    "again, or estimate it."
+    "The given {parameter} disagrees with the data: the best-fitting value, {change} (± {sigma}, "
+    "test value w = {w:x.1+}), would change {angles:names}. Measure the {parameter} again, or "
+    "estimate it."
 )
 _CONTRADICTED_ALONE = N_(
-    "The data do not agree with the given {parameter}. The best-fitting value is {change} (± "
-    "{sigma}, test value w = {w:x.1+}). Measure the {parameter} again, or estimate it."
+    "The given {parameter} disagrees with the data: the best-fitting value is {change} (± {sigma}, "
+    "test value w = {w:x.1+}). Measure the {parameter} again, or estimate it."
 )
 _MOUNTING = ("lever_x", "lever_y", "lever_z", "range_offset", "scan_angle_offset", "latency")
 
 TEXTS: Mapping[str, Template] = {
     # -- targets and files -------------------------------------------------------------------
     "targets.counted_twice": Plural(
-        "Targets have points in common: {pairs:names}. These points count twice, so the standard "
-        "deviations of the angles are too small. Exclude one of the two.",
-        "Targets have points in common: {pairs:names}. These points count twice, so the standard "
-        "deviations of the angles are too small. Exclude one target of each pair.",
+        "Targets have points in common: {pairs:names}. These points count twice and make the "
+        "standard deviations of the angles too small, so exclude one of the two.",
+        "Targets have points in common: {pairs:names}. These points count twice and make the "
+        "standard deviations of the angles too small, so exclude one target of each pair.",
     ),
     "targets.no_independent_check": Plural(
         "A validation plane has points in common with a target: {pairs:names}. It does not check "
-        "the angles independently. Exclude one of the two.",
+        "the angles independently, so exclude one of the two.",
         "Validation planes have points in common with targets: {pairs:names}. They do not check "
-        "the angles independently. Exclude one of each pair.",
+        "the angles independently, so exclude one of each pair.",
     ),
     "targets.single_line_targets": N_(
         "Targets observed on one line only are excluded: {sightings:names}. Set seeds for them on "
@@ -48,29 +48,26 @@ TEXTS: Mapping[str, Template] = {
     ),
     "targets.sigma_above_prediction": N_(
         "Standard deviations are more than {limit:percent.0} % larger than predicted when the "
-        "targets were proposed: {angles:names}. The lines agree less on the targets than expected. "
-        "For a higher precision, use more targets or lines."
+        "targets were proposed: {angles:names}. For a higher precision, use more targets or lines."
     ),
     "data.same_on_lines": N_("{reason} The same warning applies to {lines:names}."),
     # -- angles ------------------------------------------------------------------------------
     "adjustment.independent_pos_errors": N_(
-        "The adjustment assumes uncorrelated POS errors (classical), but the errors of "
-        "neighbouring points are nearly equal. The standard deviations of the angles are several "
-        "times too small. Choose correlated POS errors."
+        "The adjustment assumes uncorrelated POS errors (classical), which makes the standard "
+        "deviations of the angles several times too small. Choose correlated POS errors."
     ),
     "adjustment.large_sigma": N_(
         "Standard deviations are large (1 sigma): {angles:names}. Add targets with other "
         "orientations, or lines in other directions."
     ),
     "adjustment.large_sigma_unseen": N_(
-        "Standard deviations are large (1 sigma): {angles:names}. They include the uncertainty of "
-        "given values that these lines and targets do not determine: {parameters:names}. Give "
-        "smaller standard deviations for these values, or do not estimate them."
+        "Standard deviations are large (1 sigma: {angles:names}), because these lines and targets "
+        "do not determine some given values: {parameters:names}. Give smaller standard deviations "
+        "for these values, or do not estimate them."
     ),
     "adjustment.one_target": N_(
-        "{target} is the only target. The angles are separated only by the different headings of "
-        "the lines, and a bent or displaced target cannot be detected. Add a target with another "
-        "orientation."
+        "{target} is the only target, so only the headings of the lines separate the angles, and "
+        "its deformation or displacement cannot be detected. Add a target with another orientation."
     ),
     "adjustment.one_facing": N_(
         "All targets are nearly parallel, so the angles are separated only by the different "
@@ -85,9 +82,9 @@ TEXTS: Mapping[str, Template] = {
         "separated. Give the standard deviation of the prior {second}, or do not estimate it."
     ),
     "adjustment.steep_pitch": N_(
-        "The boresight pitch exceeds 60 deg, so roll and yaw can hardly be separated. The standard "
-        "deviations given are those of small rotations about the body axes. Use the rotation "
-        "matrix instead of the three angles."
+        "The boresight pitch exceeds 60 deg, so roll and yaw can hardly be separated; the standard "
+        "deviations are those of small rotations about the body axes. Use the rotation matrix "
+        "instead of the three angles."
     ),
     "adjustment.surface_held": N_(
         "The surface roughness is fixed at 0, so the sightings are not tested against each other. "
@@ -95,14 +92,13 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.surfaces_differ": N_(
         "The shapes of the targets differ between lines by {sigma:mm.1} mm (1 sigma), more than "
-        "the given standard deviations explain. The chi-square test takes this into account. Check "
-        "for rough or bent targets, and for errors that are not in the error model."
+        "the given standard deviations explain. Check for rough or bent targets, and for errors "
+        "that are not in the error model."
     ),
     "adjustment.surfaces_displaced": N_(
         "The targets are displaced by {offset:mm.1} mm and tilted by {tilt:mm.1} mm between lines "
-        "(1 sigma), more than the given standard deviations explain. The chi-square test takes "
-        "this into account. Check whether targets moved, and check for errors that are not in the "
-        "error model."
+        "(1 sigma), more than the given standard deviations explain. Check whether targets moved, "
+        "and check for errors that are not in the error model."
     ),
     "adjustment.shorter_times": N_(
         "With the given correlation times of the POS errors (position {position:s} s, attitude "
@@ -136,9 +132,8 @@ TEXTS: Mapping[str, Template] = {
         "of these targets cannot be detected. Add targets.",
     ),
     "adjustment.targets_clustered": N_(
-        "The targets are too close together: they extend over only {size:percent.0} % of their "
-        "distance from the scanner. Errors of a line cannot be detected. Add targets at other "
-        "places."
+        "The targets extend over only {size:percent.0} % of their distance from the scanner, too "
+        "little to detect errors of a line. Add targets at other places."
     ),
     "adjustment.carried_by_one": N_(
         "The angles depend on one sighting whose errors cannot be detected: {sightings:names}. Add "
@@ -147,11 +142,10 @@ TEXTS: Mapping[str, Template] = {
     # -- sightings, targets and points -------------------------------------------------------
     "adjustment.released": Plural(
         "A sighting disagrees with the others and was rejected: {sightings:names}. Check its "
-        "points and the trajectory at that time. Exclude the sighting if its points are on "
-        "another surface.",
-        "Some sightings disagree with the others and were rejected: {sightings:names}. Check "
-        "their points and the trajectory at these times. Exclude the sightings whose points are "
-        "on another surface.",
+        "points and the trajectory at that time, or exclude the sighting if it is on another "
+        "surface.",
+        "Some sightings disagree with the others and were rejected: {sightings:names}. Check their "
+        "points and the trajectory at these times, or exclude sightings on another surface.",
     ),
     "adjustment.sighting_disagrees": Plural(
         "A sighting disagrees with the others but is used: {sightings:names}. Check its points "
@@ -164,27 +158,27 @@ TEXTS: Mapping[str, Template] = {
         "lines: {targets:names}. Pick these targets again, or remove them."
     ),
     "adjustment.target_cut": N_(
-        "The lines cover different areas of these targets, which may not be flat: {targets:names}. "
-        "Only the area that the lines have in common is used. Pick smaller targets."
+        "The lines cover different areas of these targets, which may not be flat, so only the "
+        "common area is used: {targets:names}. Pick smaller targets."
     ),
     "adjustment.target_parts": N_(
         "Targets were excluded because the lines cover different areas of them, and they may not "
         "be flat: {targets:names}. Pick an area that two lines cover."
     ),
     "adjustment.strays_full_weight": N_(
-        "{count:n} of {points:n} points are outliers; about {expected:n} are expected by chance. "
-        "Most of them are on {target}, line {line} ({here:n} of {sighting_points:n}), with full "
-        "weight. Choose a robust loss function."
+        "{count:n} of {points:n} points are outliers ({expected:n} expected by chance), most of "
+        "them on {target}, line {line} ({here:n} of {sighting_points:n}), with full weight. Choose "
+        "a robust loss function."
     ),
     "adjustment.strays_reduced_weight": N_(
-        "{count:n} of {points:n} points are outliers; about {expected:n} are expected by chance. "
-        "Most of them are on {target}, line {line} ({here:n} of {sighting_points:n}). They have "
-        "less weight than other points."
+        "{count:n} of {points:n} points are outliers ({expected:n} expected by chance), most of "
+        "them on {target}, line {line} ({here:n} of {sighting_points:n}). They have less weight "
+        "than other points."
     ),
     "adjustment.strays_no_weight": N_(
-        "{count:n} of {points:n} points are outliers; about {expected:n} are expected by chance. "
-        "Most of them are on {target}, line {line} ({here:n} of {sighting_points:n}). They have "
-        "little or no weight."
+        "{count:n} of {points:n} points are outliers ({expected:n} expected by chance), most of "
+        "them on {target}, line {line} ({here:n} of {sighting_points:n}). They have little or no "
+        "weight."
     ),
     "adjustment.another_surface": Plural(
         "The points of target {targets:names} deviate from its surface by {factor:x.1} times the "
@@ -195,24 +189,20 @@ TEXTS: Mapping[str, Template] = {
         "surface on all lines.",
     ),
     "adjustment.noise": Plural(
-        "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface ({factor:x.1} times the given noise). The surface is rough or curved, or the "
-        "given LiDAR sigma is too small. The standard deviations of the angles are computed with "
-        "the larger noise.",
-        "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface (up to {factor:x.1} times the given noise). The surfaces are rough or curved, or "
-        "the given LiDAR sigma is too small. The standard deviations of the angles are computed "
-        "with the larger noise.",
+        "The residuals on {targets:names} indicate {factor:x.1} times the given LiDAR noise: the "
+        "surface is rough or curved, or the given LiDAR sigma is too small. The standard "
+        "deviations of the angles are computed with the larger noise.",
+        "The residuals on {targets:names} indicate up to {factor:x.1} times the given LiDAR noise: "
+        "the surfaces are rough or curved, or the given LiDAR sigma is too small. The standard "
+        "deviations of the angles are computed with the larger noise.",
     ),
     "adjustment.not_flat": Plural(
-        "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface ({factor:x.1} times the given noise). The target is probably not flat, and with "
-        "so few lines its effect cannot be detected: the errors of the angles may exceed their "
-        "standard deviations. Add lines, or use flat targets.",
-        "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface (up to {factor:x.1} times the given noise). The targets are probably not flat, "
-        "and with so few lines their effect cannot be detected: the errors of the angles may "
-        "exceed their standard deviations. Add lines, or use flat targets.",
+        "Target {targets:names} is probably not flat (residuals {factor:x.1} times the given "
+        "noise), so the errors of the angles may exceed their standard deviations. Add lines, or "
+        "use flat targets.",
+        "Targets {targets:names} are probably not flat (residuals up to {factor:x.1} times the "
+        "given noise), so the errors of the angles may exceed their standard deviations. Add "
+        "lines, or use flat targets.",
     ),
     "adjustment.radii_differ": N_(
         "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
@@ -221,40 +211,40 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.radii_roll_sign": N_(
         "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
-        "{largest:mm.1} mm. With the opposite sign of roll the radii agree. Check the sign "
-        "convention of the file."
+        "{largest:mm.1} mm, but agrees with the opposite sign of roll. Check the sign convention "
+        "of the file."
     ),
     "adjustment.radii_pitch_sign": N_(
         "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
-        "{largest:mm.1} mm. With the opposite sign of pitch the radii agree. Check the sign "
-        "convention of the file."
+        "{largest:mm.1} mm, but agrees with the opposite sign of pitch. Check the sign convention "
+        "of the file."
     ),
     "adjustment.radii_roll_pitch_signs": N_(
         "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
-        "{largest:mm.1} mm. With the opposite signs of roll and pitch the radii agree. Check the "
-        "sign convention of the file."
+        "{largest:mm.1} mm, but agrees with the opposite signs of roll and pitch. Check the sign "
+        "convention of the file."
     ),
     "adjustment.radii_parameter": N_(
         "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
-        "{largest:mm.1} mm. With one changed mounting parameter the radii agree ({cause}). Measure "
-        "this parameter again."
+        "{largest:mm.1} mm, but agrees with one changed mounting parameter ({cause}). Measure this "
+        "parameter again."
     ),
     "cause.wrong_roll_sign": N_(
-        "Roll has the wrong sign. With the opposite sign the adjustment converges, and the "
+        "Roll has the wrong sign: with the opposite sign the adjustment converges, and the "
         "residuals agree with the error model. Check the sign convention of the trajectory file."
     ),
     "cause.wrong_pitch_sign": N_(
-        "Pitch has the wrong sign. With the opposite sign the adjustment converges, and the "
+        "Pitch has the wrong sign: with the opposite sign the adjustment converges, and the "
         "residuals agree with the error model. Check the sign convention of the trajectory file."
     ),
     "cause.wrong_roll_pitch_signs": N_(
-        "Roll and pitch have the wrong signs. With the opposite signs the adjustment converges, "
-        "and the residuals agree with the error model. Check the sign convention of the "
-        "trajectory file."
+        "Roll and pitch have the wrong signs: with the opposite signs the adjustment converges, "
+        "and the residuals agree with the error model. Check the sign convention of the trajectory "
+        "file."
     ),
     "cause.wrong_value": N_(
-        "{change}. With this change the adjustment converges, and the residuals agree with the "
-        "error model. Measure this parameter again."
+        "{change}, with which the adjustment converges and the residuals agree with the error "
+        "model. Measure this parameter again."
     ),
     # -- errors behind the residuals ---------------------------------------------------------
     **{f"adjustment.contradicted_{name}": _CONTRADICTED for name in _MOUNTING},
@@ -262,28 +252,28 @@ TEXTS: Mapping[str, Template] = {
     "change.larger": N_("larger by {amount}"),
     "change.smaller": N_("smaller by {amount}"),
     "adjustment.cause_not_located": N_(
-        "The residuals do not agree with the error model, and the lines are too few to identify "
-        "the cause. Possible causes: {causes:names}. Add lines."
+        "The residuals do not agree with the error model, and the lines are too few to separate "
+        "these possible causes: {causes:names}. Add lines."
     ),
     "adjustment.cause_not_identified": N_(
         "The residuals do not agree with the error model, and the lines are too few to identify "
         "the cause. Add lines."
     ),
     "adjustment.several_causes": N_(
-        "The residuals do not agree with the error model. Several causes explain them almost "
-        "equally well, the most likely first: {causes:names}. Check each of them."
+        "Several causes explain almost equally well why the residuals do not agree with the error "
+        "model, the most likely first: {causes:names}. Check each of them."
     ),
     "adjustment.known_cause": N_(
-        "The residuals do not agree with the error model. The imported data explain this: {cause} "
+        "The residuals do not agree with the error model because of the imported data: {cause} "
         "(see the warning about it). Correct the data first."
     ),
     "adjustment.known_cause_or_others": N_(
         "The residuals do not agree with the error model because of the imported data: {cause} "
-        "(see the warning about it). Other possible causes: {causes:names}. Correct the data first."
+        "(see the warning about it). Correct the data first; other possible causes: {causes:names}."
     ),
     "adjustment.line_boresight": N_(
         "The boresight angles of line {line} differ from those of the other lines "
-        "({differences:names}). The line may come from a second scanner, or the mounting moved. "
+        "({differences:names}); it may come from a second scanner, or the mounting moved. "
         "Calibrate the line separately, or exclude it."
     ),
     "adjustment.line_position": N_(
@@ -291,10 +281,10 @@ TEXTS: Mapping[str, Template] = {
         "this line, or exclude the line."
     ),
     "adjustment.line_jumped": Plural(
-        "All targets are displaced on line {lines:names}. Possible causes: a jump in the "
-        "position, confused targets, or a wrong mounting parameter. Check these first.",
-        "All targets are displaced on lines {lines:names}. Possible causes: a jump in the "
-        "position, confused targets, or a wrong mounting parameter. Check these first.",
+        "All targets are displaced on line {lines:names}. Check first for a jump in the position, "
+        "confused targets or a wrong mounting parameter.",
+        "All targets are displaced on lines {lines:names}. Check first for a jump in the position, "
+        "confused targets or a wrong mounting parameter.",
     ),
     "adjustment.line_times_early": N_(
         "The point times of line {line} are {offset:ms.2} ms early. Check the time base and the "
@@ -305,11 +295,11 @@ TEXTS: Mapping[str, Template] = {
         "time shift of the line, or exclude the line."
     ),
     "adjustment.target_not_flat": N_(
-        "The residuals do not agree with the error model. Most likely cause: target {target} is "
+        "The residuals do not agree with the error model, most likely because target {target} is "
         "not the same flat surface on all lines. Exclude the target, or pick a smaller area of it."
     ),
     "adjustment.sighting_cause": N_(
-        "The residuals do not agree with the error model. Most likely cause: {cause}. Check the "
+        "The residuals do not agree with the error model; most likely cause: {cause}. Check the "
         "points and the trajectory at that time."
     ),
 }

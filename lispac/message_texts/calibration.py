@@ -15,8 +15,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "estimate.no_target": N_("{project}: there is no target to adjust. Pick planar targets first."),
     "estimate.one_line": N_(
-        "All targets are observed on line {line} only. The boresight cannot be determined from a "
-        "single line. Add lines in other directions over the same targets."
+        "All targets are observed on line {line} only, and a single line does not determine the "
+        "boresight. Add lines in other directions over the same targets."
     ),
     "estimate.no_common_part": N_(
         "The lines cover different areas of every target ({targets:names}), and these areas are "
@@ -53,11 +53,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "targetless.undetermined": N_(
         "{project}: the surfaces of the scene and these lines do not determine the boresight "
-        "angles (not determined: {direction}). {reason} Add lines in other directions over the "
+        "angles (not determined: {direction}): {reason} Add lines in other directions over the "
         "same scene, or put up boards with other orientations."
     ),
     "targetless.no_result": N_(
-        "{project}: the adjustment of the surfaces of the scene has no result. {reason} Check the "
+        "{project}: the adjustment of the surfaces of the scene has no result: {reason} Check the "
         "prior boresight and the trajectory of each line, add lines in other directions, or put up "
         "boards."
     ),
@@ -126,12 +126,10 @@ TEXTS: Mapping[str, Template] = {
         "{reason}",
     ),
     "pick.some_not_found": Plural(
-        "{file}: no target was found at {count:n} of the {total:n} seeds: {seeds:names} (row "
-        "{rows:names}). The table gives the reason. The targets found at the other seeds are "
-        "saved.",
-        "{file}: no target was found at {count:n} of the {total:n} seeds: {seeds:names} (rows "
-        "{rows:names}). The table gives the reasons. The targets found at the other seeds are "
-        "saved.",
+        "{file}: no target was found at {count:n} of the {total:n} seeds (reason in the table): "
+        "{seeds:names} (row {rows:names}). The targets found at the other seeds are saved.",
+        "{file}: no target was found at {count:n} of the {total:n} seeds (reasons in the table): "
+        "{seeds:names} (rows {rows:names}). The targets found at the other seeds are saved.",
     ),
     "pick.too_many_numbers": N_(
         "The list of point numbers has more than {limit:n} points. Correct it."
@@ -168,11 +166,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "propose.undetermined": N_(
         "{project}: the flat surfaces found and these lines do not determine the boresight angles "
-        "(not determined: {direction}). {reason} Add lines in other directions, put up boards with "
-        "other orientations, or use the targetless method, which uses many more surfaces."
+        "(not determined: {direction}): {reason} Add lines in other directions, put up boards with "
+        "other orientations, or use the targetless method."
     ),
     "propose.no_result": N_(
-        "{project}: the adjustment of the flat surfaces found has no result. {reason} Set seeds on "
+        "{project}: the adjustment of the flat surfaces found has no result: {reason} Set seeds on "
         "the targets, put up boards, or use the targetless method."
     ),
     "propose.one_orientation": N_(
@@ -185,9 +183,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- error budget ------------------------------------------------------------------------------
     "budget.geometry": N_(
-        "The table gives standard deviations of a point for a level vessel heading north. "
-        "Distances are measured from the scanner. The horizontal error and the error across the "
-        "beam are root sums of squares over two directions."
+        "The table gives standard deviations of a point for a level vessel heading north, by "
+        "distance from the scanner. The horizontal error and the error across the beam are root "
+        "sums of squares over two directions."
     ),
     "budget.pos": N_(
         "POS errors are the median accuracies on the lines: {north:mm.1}, {east:mm.1}, {up:mm.1} "

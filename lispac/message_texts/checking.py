@@ -163,9 +163,9 @@ TEXTS: Mapping[str, Template] = {
         "above {limit:mm.0} mm have little influence."
     ),
     "patch_test.mismatch": N_(
-        "The mismatch between lines after the calibration is {after:mm.1} mm. It is a robust RMS "
-        "distance, on which distances above {limit:mm.0} mm have little influence. With the prior "
-        "boresight the lines do not overlap at the objects."
+        "The mismatch between lines after the calibration is {after:mm.1} mm (robust RMS, little "
+        "influence of distances above {limit:mm.0} mm). With the prior boresight the lines do not "
+        "overlap at the objects."
     ),
     "patch_test.no_sigma": Plural(
         "No standard deviations are computed, because the result is based on only {count:n} "
@@ -205,9 +205,9 @@ TEXTS: Mapping[str, Template] = {
         "natural surfaces are its targets.",
     ),
     "targetless.kept_beside": N_(
-        "The project has targets of its own. The result was saved beside theirs, as that of an "
-        "alternative method. To make it the boresight of the project, exclude the targets and run "
-        "the targetless method again."
+        "The project has targets of its own, so the result was saved as that of an alternative "
+        "method. To make it the boresight of the project, exclude the targets and run the "
+        "targetless method again."
     ),
     # -- methods -----------------------------------------------------------------------------------
     "method.targets": N_("targets"),
@@ -227,10 +227,9 @@ TEXTS: Mapping[str, Template] = {
         "point at {distance:m.0} m moves by {displacement:mm.0} mm."
     ),
     "methods.same_lines": N_(
-        "All methods use the same lines, so their comparison does not reveal trajectory errors "
-        "that affect all of them equally. Agreement is no proof of accuracy. The standard "
-        "deviations of the differences tend to be too large, so a significant difference does "
-        "indicate an error."
+        "All methods use the same lines and share their trajectory errors, so agreement is no "
+        "proof of accuracy. A significant difference does indicate an error, because its standard "
+        "deviation tends to be too large."
     ),
     # -- reference ---------------------------------------------------------------------------------
     "absolute.after_nearer": N_(
@@ -242,14 +241,14 @@ TEXTS: Mapping[str, Template] = {
         "%) farther from the vessel than the reference. {finding}"
     ),
     "absolute.before_nearer": N_(
-        "Before the calibration the lines were on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
-        "%) nearer to the vessel than the reference. The interval does not include the unknown "
-        "uncertainty of the prior boresight. {finding}"
+        "Before the calibration the lines were on average {mean:mm.1} mm nearer to the vessel than "
+        "the reference (± {interval:mm.1} mm, 95 %, without the uncertainty of the prior "
+        "boresight). {finding}"
     ),
     "absolute.before_farther": N_(
-        "Before the calibration the lines were on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
-        "%) farther from the vessel than the reference. The interval does not include the unknown "
-        "uncertainty of the prior boresight. {finding}"
+        "Before the calibration the lines were on average {mean:mm.1} mm farther from the vessel "
+        "than the reference (± {interval:mm.1} mm, 95 %, without the uncertainty of the prior "
+        "boresight). {finding}"
     ),
     "absolute.explained": N_(
         "The uncertainties of reference, POS and boresight explain this difference."
@@ -274,13 +273,13 @@ TEXTS: Mapping[str, Template] = {
         "POS and boresight together."
     ),
     "absolute.other_surface": N_(
-        "Another surface lies within {distance:m} m of the reference: {lines:names}. The surface "
-        "nearest to the reference is used. This is the wrong one for a line that is displaced by "
-        "more than half the distance between the two surfaces."
+        "Another surface lies within {distance:m} m of the reference: {lines:names}. The nearest "
+        "surface is used, which is the wrong one if a line is displaced by more than half the "
+        "distance between the two."
     ),
     "absolute.former_version": N_(
-        "This check was made by an earlier version, which averaged all surfaces within the search "
-        "distance. The result is wrong where a wall stands behind the reference. Repeat the check."
+        "This check was made by an earlier version, and its result is wrong where a wall stands "
+        "behind the reference. Repeat the check."
     ),
     "absolute.scan_error": N_(
         "The standard deviation of the reference is treated as one error common to all points of "

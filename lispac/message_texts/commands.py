@@ -6,6 +6,7 @@ from lispac.language import N_, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- command line --------------------------------------------------------------------------
+    # Only commands make these messages, so their texts may name options.
     "cli.projects_failed": Plural(
         "{count:n} of {total:n} projects failed: {names:names}. The table gives the reason.",
         "{count:n} of {total:n} projects failed: {names:names}. The table gives the reasons.",
@@ -88,7 +89,7 @@ TEXTS: Mapping[str, Template] = {
         "window. Save the project to keep your changes."
     ),
     "window.not_saved": N_(
-        "The project was not saved. {reason} Use File > Save as… to save to another folder."
+        "The project was not saved: {reason} Use File > Save as… to save to another folder."
     ),
     "window.picture_not_written": N_(
         "{file}: the picture cannot be written. Choose another folder."

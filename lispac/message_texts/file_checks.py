@@ -7,9 +7,8 @@ from lispac.language import N_, Plural, Template
 TEXTS: Mapping[str, Template] = {
     # -- times -------------------------------------------------------------------------------
     "times.coarse": N_(
-        "{file}: the times have a resolution of only {step:s} s, as if they had been stored with "
-        "32 bits. Points are assigned the position and attitude of another time. Export the file "
-        "with 64-bit times."
+        "{file}: the times have a resolution of only {step:s} s (32 bits), so points are assigned "
+        "the position and attitude of another time. Export the file with 64-bit times."
     ),
     "times.decreasing": N_(
         "{file}: {count:n} of {total:n} times are earlier than the preceding time. Sort the file "
@@ -31,8 +30,8 @@ TEXTS: Mapping[str, Template] = {
         "times. Check the time column."
     ),
     "times.several_bases": N_(
-        "{file}: the times are read as {base}. Their values also fit {bases:choices}. Check the "
-        "time base."
+        "{file}: the times are read as {base}, but their values also fit {bases:choices}. Check "
+        "the time base."
     ),
     "times.clock_without_base": N_(
         "{file}: the times are written as hh:mm:ss, and the file does not specify whether they are "
@@ -119,7 +118,7 @@ TEXTS: Mapping[str, Template] = {
         "coordinate system."
     ),
     "las.system_by_name": N_(
-        "{file}: the header specifies the coordinate system {name} without an EPSG code. It is "
+        "{file}: the header specifies the coordinate system {name} without an EPSG code; it is "
         "read as {system}. Check the coordinate system."
     ),
     "las.system_without_code": N_(
@@ -146,16 +145,16 @@ TEXTS: Mapping[str, Template] = {
         "{longest:s.1} s. Points recorded in the gaps cannot be used.",
     ),
     "trajectory.impossible_speed": N_(
-        "{file}: the positions move at {speed:m.0} m/s. Degrees may have been read as radians, or "
-        "the times may be in another unit. Check the units."
+        "{file}: the positions move at {speed:m.0} m/s, so angles or times may have been read in "
+        "the wrong unit. Check the units."
     ),
     "trajectory.fast": N_(
         "{file}: the positions move at {speed:m.0} m/s (median), faster than a vessel. Check the "
         "unit of the positions and of the times, and the coordinate system."
     ),
     "trajectory.jumps": N_(
-        "{file}: the positions jump. The speed reaches {largest:m.0} m/s, with a median of "
-        "{speed:m.1} m/s. Check the track and process the trajectory again."
+        "{file}: the positions jump, with speeds up to {largest:m.0} m/s (median {speed:m.1} m/s). "
+        "Check the track and process the trajectory again."
     ),
     "trajectory.too_slow": N_(
         "{file}: the vessel hardly moves in the part of the file that was checked. The heading and "
@@ -189,12 +188,12 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- trajectories of text ----------------------------------------------------------------
     "trajectory.last_rows": N_(
-        "{file}: the last rows do not continue the first ones. The file may be cut short, or its "
+        "{file}: the last rows do not continue the first ones; the file may be truncated, or its "
         "times may decrease. Only the first rows are described here."
     ),
     "trajectory.columns_assumed": N_(
-        "{file}: the file has no row of column names. The columns are read as {columns:names}. If "
-        "this is wrong, name the columns."
+        "{file}: the file has no row of column names, so the columns are read as {columns:names}. "
+        "If this is wrong, name the columns."
     ),
     "trajectory.position_in_radians": N_(
         "{file}: the first latitudes and longitudes are small enough to be radians, so they are "
@@ -237,13 +236,13 @@ TEXTS: Mapping[str, Template] = {
         "system is assumed, or metres for heights without a coordinate system."
     ),
     "trajectory.feet_not_specified": N_(
-        "{file}: column {column} is in feet of an unspecified kind, and {system} is in {unit}. "
-        "Feet of 0.3048 m are used; with US survey feet the positions would differ by metres. "
-        "Choose the unit."
+        "{file}: column {column} is in feet of an unspecified kind, read as feet of 0.3048 m, and "
+        "{system} is in {unit}. Choose the unit: with US survey feet the positions would differ by "
+        "metres."
     ),
     "trajectory.height_unit_not_stated": N_(
-        "{file}: the unit of the heights in column {column} is not specified; eastings and "
-        "northings are in {unit}. The heights are read in metres. If they are in feet, choose feet."
+        "{file}: the unit of the heights in column {column} is not specified; metres are used, but "
+        "eastings and northings are in {unit}. If the heights are in feet, choose feet."
     ),
     "accuracy.all_zero": N_(
         "{file}: all standard deviations are zero, so the file contains no accuracies. Choose "
@@ -314,9 +313,9 @@ TEXTS: Mapping[str, Template] = {
         "then agrees with the course within {used:deg.1} deg instead of {other:deg.1} deg."
     ),
     "sbet.heading_uncertain": N_(
-        "{file}: the wander angle is up to {wander:deg.2} deg, but the velocities refer to true "
-        "north, so the heading may refer to it too. The wander angle is subtracted from the "
-        "heading, as defined by Applanix. Ask the producer of the file whether this is right."
+        "{file}: the wander angle (up to {wander:deg.2} deg) is subtracted from the heading, as "
+        "defined by Applanix, but the velocities refer to true north. Ask the producer of the file "
+        "whether the heading does too."
     ),
     "sbet.zero_rates": N_(
         "{file}: all angular rates are zero, so the signs of roll and pitch could not be checked. "
@@ -328,9 +327,8 @@ TEXTS: Mapping[str, Template] = {
         "positive starboard down, pitch positive bow up."
     ),
     "sbet.other_signs": N_(
-        "{file}: according to the angular rates, the signs differ from those of Applanix: "
-        "{signs:names}. This is valid only if the rates refer to the axes of the vessel, x "
-        "forward. Ask the producer of the file."
+        "{file}: if the angular rates refer to the axes of the vessel (x forward), the signs "
+        "differ from those of Applanix: {signs:names}. Ask the producer of the file."
     ),
     "sign.roll_starboard_down": N_("roll positive starboard down"),
     "sign.roll_port_down": N_("roll positive port down"),
@@ -343,9 +341,9 @@ TEXTS: Mapping[str, Template] = {
     "axes.nwu": N_("north-west-up"),
     "axes.neu": N_("north-east-up"),
     "cidco.no_origin": N_(
-        "{file}: the file does not specify the origin of its local frame. Latitude 0 and longitude "
-        "0 are used; the boresight does not depend on them. Give the origin before you export "
-        "georeferenced clouds."
+        "{file}: the file does not specify the origin of its local frame, so latitude 0 and "
+        "longitude 0 are used. Give the origin before you export georeferenced clouds; the "
+        "boresight does not depend on it."
     ),
     "unit.metres": N_("metres"),
     "unit.millimetres": N_("millimetres"),

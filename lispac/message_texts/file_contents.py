@@ -58,13 +58,13 @@ TEXTS: Mapping[str, Template] = {
     "fact.fine_lengths": N_("{low:m.3} to {high:m.3} m"),
     "fact.speeds": N_("{low:m.2} to {high:m.2} m/s"),
     "fact.velocities_zero": N_("all zero"),
-    "fact.velocities_not_checked": N_("not checked"),
+    "fact.velocities_not_checked": N_("not checked (speed too low)"),
     "fact.velocities_in_no_frame": N_("do not agree with the positions in any known frame"),
     "fact.velocity_axes": N_(
         "{axes} (agree with the positions to {share:percent.1} % of the speed)"
     ),
     "fact.signs": N_("{signs:names} (from the angular rates)"),
-    "fact.signs_not_checked": N_("signs not checked"),
+    "fact.signs_not_checked": N_("signs could not be checked with the angular rates"),
     # -- assumptions about trajectories ------------------------------------------------------------
     "assumed.applanix": N_(
         "Conventions of Applanix: roll positive starboard down, pitch positive bow up (its sign is "

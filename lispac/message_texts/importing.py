@@ -8,19 +8,19 @@ TEXTS: Mapping[str, Template] = {
     # -- trajectory accuracy -----------------------------------------------------------------
     "accuracy.too_large": N_(
         "{file}: {count:n} records ({share:percent.2} %) have standard deviations over 10,000 m or "
-        "180 deg, which some programs write where there is no solution. Points at these times have "
-        "no weight in the adjustment. Export the file again, or check the solution at these times."
+        "180 deg, so points at these times have no weight in the adjustment. Export the file "
+        "again, or check the solution at these times."
     ),
     # -- points of a line --------------------------------------------------------------------
     "audit.time_resolution": N_(
-        "{line}: the point times have a resolution of only {step:ms} ms, so about {points:n} "
-        "points share one time. This causes systematic errors of up to {shift:mm} mm in position "
-        "and {turn:deg} deg in attitude. Export the line with exact times (64 bits)."
+        "{line}: the point times have a resolution of only {step:ms} ms, which causes systematic "
+        "errors of up to {shift:mm} mm and {turn:deg} deg (about {points:n} points share one "
+        "time). Export the line with exact times (64 bits)."
     ),
     "audit.time_steps": N_(
         "{line}: the point times have a resolution of only {step:ms} ms, so about {points:n} "
-        "points share one time. This causes systematic errors in position and attitude, up to the "
-        "motion within half a step. Export the line with exact times (64 bits)."
+        "points share one time, with systematic errors in position and attitude. Export the line "
+        "with exact times (64 bits)."
     ),
     "audit.first_points": N_(
         "{file}: only the first {count:n} points were checked. All points are checked at the "
@@ -57,87 +57,84 @@ TEXTS: Mapping[str, Template] = {
     ),
     "audit.beyond_range": N_(
         "{line}: imported points lie up to {distance:km.1} km from the scanner, beyond its maximum "
-        "range of {limit:km.1} km. Results computed from these points are wrong. Check the file of "
-        "the line, then import the line again."
+        "range of {limit:km.1} km, so results from them are wrong. Check the file of the line, "
+        "then import the line again."
     ),
     "audit.not_checked": N_(
         "{line} was imported by an earlier version, which did not check its points. "
         "Import the line again."
     ),
     "audit.noise_classes": N_(
-        "{line}: {count:n} points are classified as noise (class {classes:names}). They may not be "
+        "{line}: {count:n} points are classified as noise (class {classes:names}) and may not be "
         "on the surfaces of the targets. Exclude these classes."
     ),
     "audit.several_scanners": N_(
-        "{line}: the file contains points of {count:n} scanners ({attribute} {values:names}). Each "
-        "scanner has its own boresight and lever arm, so a common boresight is wrong. Split the "
-        "line, or use one scanner."
+        "{line}: the file contains points of {count:n} scanners ({attribute} {values:names}), for "
+        "which a common boresight is wrong. Split the line, or use one scanner."
     ),
     "audit.several_sources": N_(
-        "{line}: the file contains points of {count:n} sources ({attribute} {values:names}), that "
-        "is, several passes or several scanners. Passes in one line are not compared with each "
-        "other, and several scanners have no common boresight. Split the line, or use one source."
+        "{line}: the file contains several passes, which are not compared with each other, or "
+        "several scanners, for which a common boresight is wrong: {count:n} sources ({attribute} "
+        "{values:names}). Split the line, or use one source."
     ),
     "audit.several_passes": N_(
         "{line}: the file contains {count:n} passes, separated by pauses in which the vessel "
-        "turned. Passes in one line are not compared with each other. Split the line."
+        "turned, and these are not compared with each other. Split the line."
     ),
     "trajectory.rate_too_low": N_(
-        "{line}: the trajectory has {rate:hz} states per second, too few for its motion. The "
-        "interpolation between them has errors of up to {shift:mm} mm and {turn:deg} deg, which is "
-        "{share:percent} % of the given accuracy. Export the trajectory at a higher rate."
+        "{line}: the trajectory has only {rate:hz} states per second, so its interpolation has "
+        "errors of up to {shift:mm} mm and {turn:deg} deg ({share:percent} % of the given "
+        "accuracy). Export the trajectory at a higher rate."
     ),
     # -- recovery of georeferenced lines -----------------------------------------------------
     "recovery.height_offset": N_(
         "{line}: heights above sea level seem to be combined with an ellipsoidal trajectory "
-        "(difference {offset:m.1} m). The scanner points recovered from the cloud deviate from the "
-        "scanner beams by {misfit:mm} mm, and the angles will be wrong. Give the vertical "
-        "reference, or a height offset of {value:m.1} m."
+        "(difference {offset:m.1} m, deviation from the beams {misfit:mm} mm), so the angles will "
+        "be wrong. Give the vertical reference, or a height offset of {value:m.1} m."
     ),
     "recovery.time_offset": N_(
-        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm, so the angles will be wrong. They agree if {value:s} s are added to the "
-        "times. Check the time base of the line."
+        "{line}: the scanner points recovered from the cloud deviate from the beams by {misfit:mm} "
+        "mm and agree only with {value:s} s added to the times, so the angles will be wrong. Check "
+        "the time base of the line."
     ),
     "recovery.lever_arm_x": N_(
-        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm. They agree if {value:m.2} m are added to the lever arm in the forward "
-        "direction, so the cloud was computed with another lever arm. Give that lever arm."
+        "{line}: the scanner points recovered from the cloud deviate from the beams by {misfit:mm} "
+        "mm, but agree if {value:m.2} m are added to the lever arm in the forward direction. Give "
+        "the lever arm with which the cloud was computed."
     ),
     "recovery.lever_arm_y": N_(
-        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm. They agree if {value:m.2} m are added to the lever arm to the left, so "
-        "the cloud was computed with another lever arm. Give that lever arm."
+        "{line}: the scanner points recovered from the cloud deviate from the beams by {misfit:mm} "
+        "mm, but agree if {value:m.2} m are added to the lever arm to the left. Give the lever arm "
+        "with which the cloud was computed."
     ),
     "recovery.lever_arm_z": N_(
-        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm. They agree if {value:m.2} m are added to the lever arm upwards, so the "
-        "cloud was computed with another lever arm. Give that lever arm."
+        "{line}: the scanner points recovered from the cloud deviate from the beams by {misfit:mm} "
+        "mm, but agree if {value:m.2} m are added to the lever arm upwards. Give the lever arm "
+        "with which the cloud was computed."
     ),
     "recovery.roll_sign": N_(
-        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm, so the angles will be wrong. They agree with the opposite sign of roll. "
-        "Check the signs of the trajectory."
+        "{line}: the scanner points recovered from the cloud deviate from the beams by {misfit:mm} "
+        "mm and agree only with the opposite sign of roll, so the angles will be wrong. Check the "
+        "signs of the trajectory."
     ),
     "recovery.pitch_sign": N_(
-        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm, so the angles will be wrong. They agree with the opposite sign of pitch. "
-        "Check the signs of the trajectory."
+        "{line}: the scanner points recovered from the cloud deviate from the beams by {misfit:mm} "
+        "mm and agree only with the opposite sign of pitch, so the angles will be wrong. Check the "
+        "signs of the trajectory."
     ),
     "recovery.roll_pitch_signs": N_(
-        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm, so the angles will be wrong. They agree with the opposite signs of roll "
-        "and pitch. Check the signs of the trajectory."
+        "{line}: the scanner points recovered from the cloud deviate from the beams by {misfit:mm} "
+        "mm and agree only with the opposite signs of roll and pitch, so the angles will be wrong. "
+        "Check the signs of the trajectory."
     ),
     "recovery.several_causes": N_(
-        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm, and the angles will be wrong. Possible causes: {causes:names}. Check them."
+        "{line}: the scanner points recovered from the cloud deviate from the beams by {misfit:mm} "
+        "mm, so the angles will be wrong. Check the possible causes: {causes:names}."
     ),
     "recovery.unexplained": N_(
-        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm, and the angles may be wrong. No single error of heights, time, lever arm "
-        "or signs explains this. Check whether the cloud was computed with another trajectory, or "
-        "adjusted."
+        "{line}: the scanner points recovered from the cloud deviate from the beams by {misfit:mm} "
+        "mm, which no single error explains, so the angles may be wrong. Check whether the cloud "
+        "was computed with another trajectory, or adjusted."
     ),
     "recovery.recorded_mounting": N_(
         "{line}: the file records the boresight with which the cloud was computed (roll "
@@ -145,58 +142,55 @@ TEXTS: Mapping[str, Template] = {
         "scanner points from the cloud."
     ),
     "recovery.other_lever_arm": N_(
-        "{line}: the cloud was computed with the lever arm {x:m.3}, {y:m.3}, {z:m.3} m, which "
-        "differs by {off:mm} mm from the prior lever arm. The scanner points are recovered with "
-        "the lever arm of the cloud, but the boresight is estimated with the prior one. If both "
-        "refer to the same scanner, correct the prior lever arm."
+        "{line}: the cloud was computed with the lever arm {x:m.3}, {y:m.3}, {z:m.3} m, but the "
+        "boresight is estimated with the prior one ({off:mm} mm away). If both refer to the same "
+        "scanner, correct the prior lever arm."
     ),
     "recovery.boresight_used": N_(
         "{line}: the beams recovered from the cloud lie in a plane that is rotated by {turn:deg.1} "
-        "deg from the scanner axes. If the scanner measures along its axes, the cloud was computed "
-        "with another boresight than the prior one. Give the boresight of the cloud as the prior "
-        "boresight."
+        "deg from the scanner axes. If the scanner measures along its axes, give the boresight of "
+        "the cloud as the prior boresight."
     ),
     "audit.shared_points": N_(
-        "{line} and {other} have points in common ({share:percent.1} % of the smaller line). These "
-        "points count twice, so the standard deviations are too small. Exclude {smaller}."
+        "{line} and {other} have points in common ({share:percent.1} % of the smaller line), which "
+        "count twice, so the standard deviations are too small. Exclude {smaller}."
     ),
     "audit.same_time": N_(
-        "{line} and {other} overlap in time by {seconds:n} s. Either one is a copy of the other, "
-        "so the standard deviations are too small, or they come from two scanners with different "
-        "boresight angles. Exclude one of the two lines."
+        "{line} and {other} overlap in time by {seconds:n} s: one is a copy of the other (standard "
+        "deviations too small), or they come from two scanners with different boresight angles. "
+        "Exclude one of the two lines."
     ),
     "text.unit_overridden": N_(
-        "{file}: the titles of the columns {stated:names} specify a unit, but the option {option} "
-        "is set to {given}. The values are read in the unit of the option, on which all results "
-        "depend. Check the option."
+        "{file}: the titles of the columns {stated:names} specify a unit, but the values are read "
+        "in that of the option {option}, {given}. Check the option."
     ),
     "text.two_columns": N_(
-        "{file}: the columns {columns:names} have the same meaning. Column {used} is used. If this "
+        "{file}: the columns {columns:names} have the same meaning; column {used} is used. If this "
         "is wrong, name the columns."
     ),
     "text.magnetic_heading": N_(
-        "{file}: according to its title, column {column} is a magnetic heading. All headings are "
-        "wrong by the magnetic declination. Export the true heading."
+        "{file}: according to its title, column {column} is a magnetic heading, so all headings "
+        "are wrong by the magnetic declination. Export the true heading."
     ),
     "text.unknown_unit": N_(
-        "{file}: the unit in the title of column {column} is not known. The values are read in "
+        "{file}: the unit in the title of column {column} is not known, so the values are read in "
         "{used}. Check the unit."
     ),
     "trajectory.angles_in_radians": N_(
-        "{file}: heading and course differ by {difference:deg.0} deg, but agree if the angles are "
-        "in radians. The angles are read as degrees, so all results will be wrong. Choose radians."
+        "{file}: the angles are read as degrees, but heading and course differ by "
+        "{difference:deg.0} deg and agree only in radians. Choose radians."
     ),
     "trajectory.angles_in_degrees": N_(
-        "{file}: heading and course differ by {difference:deg.0} deg, but agree if the angles are "
-        "in degrees. The angles are read as radians, so all results will be wrong. Choose degrees."
+        "{file}: the angles are read as radians, but heading and course differ by "
+        "{difference:deg.0} deg and agree only in degrees. Choose degrees."
     ),
     "trajectory.rates_not_used": N_(
-        "The velocities or angular rates of the trajectory do not agree with its {names:names}. "
-        "These components are interpolated linearly. Check the export of velocities and rates."
+        "The velocities or angular rates of the trajectory do not agree with its {names:names}, "
+        "for which linear interpolation is used. Check the export of velocities and rates."
     ),
     "trajectory.no_position": N_(
-        "{count:n} states of the trajectory have no position (latitude and longitude are 0, as "
-        "before the first GNSS fix). They are excluded. Start the export at the first fix."
+        "{count:n} states of the trajectory have no position (latitude and longitude 0, as before "
+        "the first GNSS fix) and are excluded. Start the export at the first fix."
     ),
     "las.scale": N_(
         "{file}: the scale factors of the coordinates, {scale:names}, are impossible. Export the "
@@ -213,24 +207,24 @@ TEXTS: Mapping[str, Template] = {
         "{line}: the stored results of the point checks are damaged. Import the line again."
     ),
     "file.header_count": N_(
-        "{file}: according to the header the file has {header:n} points, but it contains {held:n}. "
-        "All of them are read. Export the file again before you use it in another program."
+        "{file}: according to the header the file has {header:n} points, but it contains {held:n}, "
+        "which are all read. Export the file again before you use it in another program."
     ),
     "file.legacy_count": N_(
         "{file}: the two point counts in the header differ ({header:n} and {legacy:n}). The file "
         "contains {held:n} points, and all are read."
     ),
     "file.unread_bytes": N_(
-        "{file}: the {held:n} points are followed by {bytes:n} bytes that are not point records. "
-        "These bytes are not read. Export the file again if points are missing."
+        "{file}: the {held:n} points are followed by {bytes:n} bytes that are not point records "
+        "and are not read. Export the file again if points are missing."
     ),
     "file.two_systems": N_(
-        "{file}: the header specifies two coordinate systems, {used} and {other}. {used} is used, "
-        "as the WKT bit of the header requires. If the points are in {other}, set it as the "
-        "coordinate system (option crs)."
+        "{file}: the header specifies two coordinate systems, {used} (used, as the WKT bit "
+        "requires) and {other}. If the points are in {other}, set it as the coordinate system "
+        "(option crs)."
     ),
     "file.unusable_system": N_(
-        "{file}: the header specifies two coordinate systems. The one that the WKT bit requires "
+        "{file}: of the two coordinate systems in the header, the one that the WKT bit requires "
         "cannot be used, so {system} is used. Check the coordinate system."
     ),
     "file.invalid_points": N_(

@@ -7,8 +7,8 @@ from lispac.language import N_, Template
 TEXTS: Mapping[str, Template] = {
     # -- import --------------------------------------------------------------------------------
     "import.file_missing": N_(
-        "{file}: this line file does not exist, but line {line} must be imported again. Restore "
-        "the file. The earlier import cannot be used: {reason}"
+        "{file}: this line file does not exist, but the earlier import of {line} cannot be used: "
+        "{reason} Restore the file."
     ),
     "import.repeated": N_(
         "{line} was imported again, because the earlier import could not be used ({reason}). No "
@@ -74,9 +74,9 @@ TEXTS: Mapping[str, Template] = {
         "({start:s.1} to {end:s.1} s). Give the accuracy file that belongs to the trajectory."
     ),
     "import.points_without_time": N_(
-        "{file}: the points have no times, so the file cannot be used as a line. Export it with "
-        "the time of each point. Without times it can only serve as a reference cloud (Validate > "
-        "Check against a reference…, lispac check)."
+        "{file}: the points have no times, so the file can only serve as a reference cloud "
+        "(Validate > Check against a reference…). To use it as a line, export it with the time of "
+        "each point."
     ),
     "import.unknown_format": N_(
         "{file}: the format of this file is not recognised. Export it in a format that the "
@@ -86,22 +86,22 @@ TEXTS: Mapping[str, Template] = {
         "{file}: {format} is not a format of a trajectory file. Choose another format."
     ),
     "import.unknown_trajectory_format": N_(
-        "{file}: the file is not recognised as a trajectory file. Run `lispac inspect` to see "
-        "which format it may have, or give its format."
+        "{file}: the file is not recognised as a trajectory file. Check that it is one, or "
+        "choose its format."
     ),
     "import.not_accuracy_format": N_(
         "{file}: {format} is not a format of a trajectory accuracy file. Choose another format."
     ),
     "import.unknown_accuracy_format": N_(
-        "{file}: the file is not recognised as a trajectory accuracy file. Run `lispac inspect` to "
-        "see which format it may have, or give its format."
+        "{file}: the file is not recognised as a trajectory accuracy file. Check that it is "
+        "one, or choose its format."
     ),
     "import.not_line_format": N_(
         "{file}: {format} is not a format of a line file. Choose another format."
     ),
     "import.unknown_line_format": N_(
-        "{file}: the file is not recognised as a line file. Run `lispac inspect` to see which "
-        "format it may have, or give its format."
+        "{file}: the file is not recognised as a line file. Check that it is one, or choose "
+        "its format."
     ),
     "import.origin_too_far": N_(
         "{project}: the origin is {distance:km} km from the trajectory. Give its latitude and "
@@ -135,16 +135,16 @@ TEXTS: Mapping[str, Template] = {
     "time_base.of_file": N_("{base} (as read from the file)"),
     "time_base.not_possible": N_(
         "{file}: times from {first:s.3} to {last:s.3} s cannot be in the given time base, {base}. "
-        "Their values fit {keys:choices}. Give one of these time bases, or none."
+        "Give a time base that fits ({keys:choices}), or none."
     ),
     "time_base.no_base_possible": N_(
         "{file}: times from {first:s.3} to {last:s.3} s cannot be in the given time base, {base}, "
         "and fit no other known time base. Check which column or field contains the time."
     ),
     "time_base.other_trajectory_base": N_(
-        "{file}: in the time base {base} no point lies within the trajectory, whose times are "
-        "{trajectory_base}. The points lie within it if the time base of the trajectory is "
-        "{options:choices}. Check the time base of the trajectory."
+        "{file}: in the time base {base} no point lies within the trajectory ({trajectory_base}), "
+        "but points do if the time base of the trajectory is {options:choices}. Check the time "
+        "base of the trajectory."
     ),
     "time_base.no_overlap": N_(
         "{file}: in the time base {base} no point lies within the trajectory, whose times are "
@@ -264,26 +264,24 @@ TEXTS: Mapping[str, Template] = {
     ),
     "import.outside_without_shift": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
-        "{start:s.1} to {end:s.1} s). Without a time shift, {share:percent.1} % of the points lie "
-        "within it. Clear the shift."
+        "{start:s.1} to {end:s.1} s), but {share:percent.1} % do without a time shift. Clear the "
+        "shift."
     ),
     "import.before_trajectory": N_(
-        "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
-        "{start:s.1} to {end:s.1} s). The line ends {distance:s.0} s before the trajectory starts, "
-        "and no other known time base fits. Give the trajectory of the same survey, or exclude the "
-        "line."
+        "{file}: the line ({first:s.1} to {last:s.1} s) ends {distance:s.0} s before the "
+        "trajectory ({start:s.1} to {end:s.1} s) starts, and no other known time base fits. Give "
+        "the trajectory of the same survey, or exclude the line."
     ),
     "import.after_trajectory": N_(
-        "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
-        "{start:s.1} to {end:s.1} s). The line starts {distance:s.0} s after the trajectory ends, "
-        "and no other known time base fits. Give the trajectory of the same survey, or exclude the "
-        "line."
+        "{file}: the line ({first:s.1} to {last:s.1} s) starts {distance:s.0} s after the "
+        "trajectory ({start:s.1} to {end:s.1} s) ends, and no other known time base fits. Give the "
+        "trajectory of the same survey, or exclude the line."
     ),
     "import.outside_with_shifts": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
-        "{start:s.1} to {end:s.1} s). If the points are in {points} and the trajectory in "
-        "{trajectory}, add {shift:s.3+} s to the times: {share:percent.1} % of the points then lie "
-        "within it ({shifts:choices} is also possible). Give the time base of the points."
+        "{start:s.1} to {end:s.1} s). Give the time base of the points: with {shift:s.3+} s "
+        "(points in {points}, trajectory in {trajectory}), {share:percent.1} % lie within it; "
+        "{shifts:choices} is also possible."
     ),
     "import.nowhere_on_trajectory": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
@@ -321,9 +319,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- import --------------------------------------------------------------------------------
     "import.shift_not_needed": N_(
-        "{file}: with the time shift of {shift:s.3+} s, its points ({first:s.1} to {last:s.1} s) "
-        "lie outside the trajectory ({start:s.1} to {end:s.1} s). Without the shift they lie "
-        "inside. Check the shift."
+        "{file}: its points ({first:s.1} to {last:s.1} s with the time shift of {shift:s.3+} s) "
+        "lie outside the trajectory ({start:s.1} to {end:s.1} s), but inside without the shift. "
+        "Check the shift."
     ),
     "import.shift_wrong": N_(
         "{file}: with the time shift of {shift:s.3+} s, its points ({first:s.1} to {last:s.1} s) "

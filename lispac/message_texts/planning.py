@@ -22,9 +22,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "visibility.roll_facing": N_(
         "Table 3.2 of Shahraji's thesis chooses nearly the board that faces the beams (-20 deg "
-        "here), along which a roll error moves points. Appendix C.2.1 gives -40 and then 30 deg "
-        "for the same figure. It retains inclinations up to 30 deg, which is also the best value "
-        "here."
+        "here), along which a roll error moves points. Appendix C.2.1 gives -40 and then 30 deg; "
+        "it retains inclinations up to 30 deg, also the best value here."
     ),
     "visibility.offset_as_roll": N_(
         "With the scanner along the body axes, this offset has exactly the effect of a roll angle. "
@@ -88,9 +87,9 @@ TEXTS: Mapping[str, Template] = {
         "None of the simulated surveys could be adjusted. Add lines or targets."
     ),
     "design.no_plan": N_(
-        "No survey plan within these limits determines the boresight. Plans with overlapping "
-        "boards, with lines too close to the wall or with a single target orientation are "
-        "excluded. Allow more lines, other headings, or two boards with different tilts."
+        "No survey plan within these limits determines the boresight without overlapping boards, "
+        "lines too close to the wall or a single target orientation. Allow more lines, other "
+        "headings, or two boards with different tilts."
     ),
     "design.site_too_small": N_(
         "A survey plan needs at least two lines, and a board or an existing plane. Increase the "
@@ -120,7 +119,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "plan.targets_overlap": N_("Targets {first} and {second} overlap. Move one of them."),
     "design.steps": N_(
-        "The range from {low:x} to {high:x} in steps of {step:x} is not valid. The step must be "
-        "above zero, and the second value not less than the first. Correct them."
+        "The range from {low:x} to {high:x} in steps of {step:x} is not valid. Enter a step above "
+        "zero and a second value not less than the first."
     ),
 }

@@ -6,6 +6,7 @@ from lispac.language import N_, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- cluster -------------------------------------------------------------------------------
+    # Only a command uses a cluster, so these texts may name commands of Dask.
     "cluster.not_installed": N_(
         "Simulation campaigns on several computers need the Python package distributed. Run python "
         "-m pip install -e '.[cluster]' in the checkout, on this computer and on the workers."
@@ -39,11 +40,11 @@ TEXTS: Mapping[str, Template] = {
         "started with {expected}. Install the same version on all computers."
     ),
     "cluster.worker_lost_repeatedly": Plural(
-        "{address}: one calculation terminated its worker {times:n} times. The worker has too "
-        "little memory or was stopped by another program. Start the campaign with fewer processes.",
-        "{address}: the same {count:n} calculations terminated their worker {times:n} times. The "
-        "worker has too little memory or was stopped by another program. Start the campaign with "
-        "fewer processes.",
+        "{address}: one calculation terminated its worker {times:n} times, for lack of memory or "
+        "because another program stopped it. Start the campaign with fewer processes.",
+        "{address}: the same {count:n} calculations terminated their worker {times:n} times, for "
+        "lack of memory or because another program stopped it. Start the campaign with fewer "
+        "processes.",
     ),
     "cluster.no_workers_left": N_(
         "{address}: all workers have stopped. Start them and the campaign again."
@@ -59,11 +60,11 @@ TEXTS: Mapping[str, Template] = {
     "cluster.plain_tcp_refused": N_(
         "{address}: TCP is neither encrypted nor authenticated, so other users of the network "
         "could run programs on this computer and on the workers. Use TLS certificates and tls://, "
-        "or accept the risk with --plain-tcp."
+        "or accept the risk."
     ),
     "cluster.no_certificates": N_(
-        "{address}: TLS needs certificates. Give them with --cluster-tls CA CERTIFICATE KEY, or in "
-        "the configuration of Dask."
+        "{address}: TLS needs certificates. Give the files of the authority, the certificate and "
+        "the key, here or in the configuration of Dask."
     ),
     "cluster.unusable_certificates": N_(
         "{address}: the TLS certificates cannot be used ({reason}). Check the files of the "
@@ -110,8 +111,8 @@ TEXTS: Mapping[str, Template] = {
         "There is no scanner named {name}. Give one of {known:names}, or a file that ends in .toml."
     ),
     "simulate.no_trajectory": N_(
-        "{file}: the lines are defined by start_s, so a recorded trajectory is needed. Give it "
-        "with --trajectory, or as trajectory in the scene file."
+        "{file}: the lines are defined by start_s, so a recorded trajectory is needed. Give it, "
+        "or enter it as trajectory in the scene file."
     ),
     "simulate.no_origin": N_(
         "{file}: the table [origin] is missing. Add it with the position of the scene."

@@ -70,8 +70,8 @@ TEXTS: Mapping[str, Template] = {
     # -- records of numbers ------------------------------------------------------------------
     "file.partial_record": N_(
         "{file}: the file size, {size:n} bytes, is not a multiple of the {kind} record size, "
-        "{record:n} bytes (remainder: {rest:n}). The file is truncated or is not {kind}. Copy or "
-        "export it again."
+        "{record:n} bytes (remainder: {rest:n}), so the file is truncated or is not {kind}. Copy "
+        "or export it again."
     ),
     "file.record_too_large": N_(
         "{file}: {kind} record {record:n} contains an impossibly large number. Export the file "
@@ -92,23 +92,23 @@ TEXTS: Mapping[str, Template] = {
     ),
     "file.time_order_record": N_(
         "{file}: the times do not increase at {kind} record {record:n} ({before:s.6} s, then "
-        "{after:s.6} s). The file has {repeated:n} repeated and {backward:n} decreasing times "
-        "among {total:n}. Sort the file or export it again."
+        "{after:s.6} s), with {repeated:n} repeated and {backward:n} decreasing times among "
+        "{total:n}. Sort the file or export it again."
     ),
     "file.time_order_row": N_(
-        "{file}: the times do not increase at row {row:n} ({before:s.6} s, then {after:s.6} s). "
-        "The file has {repeated:n} repeated and {backward:n} decreasing times among {total:n}. "
-        "Sort the file or export it again."
+        "{file}: the times do not increase at row {row:n} ({before:s.6} s, then {after:s.6} s), "
+        "with {repeated:n} repeated and {backward:n} decreasing times among {total:n}. Sort the "
+        "file or export it again."
     ),
     # -- points of any format ----------------------------------------------------------------
     "file.no_points": N_("{file}: this file contains no points. Exclude it from the survey."),
     "file.points_missing": N_(
-        "{file}: according to the header the file has {header:n} points, but it ends after "
-        "{held:n}. The file is truncated. Copy or export it again."
+        "{file}: the file ends after {held:n} of the {header:n} points given in its header, so it "
+        "is truncated. Copy or export it again."
     ),
     "file.points_no_room": N_(
-        "{file}: according to the header the file has {header:n} points, but its size allows only "
-        "{room:n}. The file is truncated. Copy or export it again."
+        "{file}: the size of the file allows only {room:n} of the {header:n} points given in its "
+        "header, so it is truncated. Copy or export it again."
     ),
     "file.point_not_numbers": N_(
         '{file}: the row of point {point:n} is "{text}", but the header specifies {values:n} '
@@ -122,8 +122,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "file.points_byte_order": N_(
         "{file}: the coordinates or the time of point {point:n} are not usable numbers ({count:n} "
-        "such points so far). The byte order may differ from the one the file specifies. Correct "
-        "the file or export it again."
+        "such points so far), perhaps because the specified byte order is wrong. Correct the file "
+        "or export it again."
     ),
     "file.no_coordinates": N_(
         "{file}: the points have no coordinates {axes:names} (fields: {fields:names}). Export them "
@@ -141,9 +141,9 @@ TEXTS: Mapping[str, Template] = {
         "assigned to the trajectory. Export the points with time, or name the field."
     ),
     "file.time_32_bits": N_(
-        "{file}: times around {time:s.0} s are stored with 32 bits, with a resolution of only "
-        "{step:s} s. This is too coarse to assign the points to the trajectory. Export them with "
-        "64-bit times."
+        "{file}: times around {time:s.0} s are stored with 32 bits, and their resolution of "
+        "{step:s} s is too coarse to assign the points to the trajectory. Export them with 64-bit "
+        "times."
     ),
     "file.one_time": N_(
         "{file}: {count:n} points have the same time, {time:s.6} s, so the file was written "
@@ -198,12 +198,12 @@ TEXTS: Mapping[str, Template] = {
         "the file again."
     ),
     "e57.size": N_(
-        "{file}: according to the E57 header the file has {header:n} bytes, but it has {size:n}. "
-        "It is truncated or damaged. Copy or export it again."
+        "{file}: the file has {size:n} bytes instead of the {header:n} given in its E57 header, so "
+        "it is truncated or damaged. Copy or export it again."
     ),
     "e57.points_not_counted": N_(
-        "{file}: according to the header a scan has {header:n} points, but it contains {held:n}. "
-        "The additional points cannot be read. Export the file again."
+        "{file}: a scan contains {held:n} points, of which only the {header:n} given in the header "
+        "can be read. Export the file again."
     ),
     "e57.points_missing": N_(
         "{file}: according to the header a scan has {header:n} points, but it contains only "
@@ -292,8 +292,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- PTS ---------------------------------------------------------------------------------
     "pts.points_missing": N_(
-        "{file}: according to row {head:n} there are {points:n} points, but the file ends after "
-        "point {held:n}. The file is truncated. Copy or export it again."
+        "{file}: the file ends after point {held:n} of the {points:n} given in row {head:n}, so it "
+        "is truncated. Copy or export it again."
     ),
     "pts.count_expected": N_(
         "{file}, row {row:n}: a number of points is expected here, because the block that begins "

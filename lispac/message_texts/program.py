@@ -11,9 +11,9 @@ TEXTS: Mapping[str, Template] = {
         "tls://."
     ),
     "cache.not_writable": N_(
-        "{folder} cannot be written, so the cache is stored in {used}. Compiled code, window "
-        "settings and the list of recent projects may be lost when the computer restarts. Make the "
-        "folder writable, or choose another cache folder in the settings."
+        "{folder} cannot be written, so the cache (compiled code, window settings, recent "
+        "projects) is in {used} and may be lost when the computer restarts. Make the folder "
+        "writable, or choose another cache folder in the settings."
     ),
     "cache.folder_not_writable": N_(
         "{folder}: the cache cannot be written here ({reason}). Choose another folder."

@@ -12,16 +12,16 @@ TEXTS: Mapping[str, Template] = {
     ),
     "project.exists": N_("{folder}: the folder already contains a project. Choose another folder."),
     "project.changed_on_disk": N_(
-        "{folder}: another program has changed this project since it was opened. Nothing was "
-        "saved. Open it again and repeat your changes, or save to another folder."
+        "{folder}: nothing was saved, because another program has changed this project since it "
+        "was opened. Open it again and repeat your changes, or save to another folder."
     ),
     "project.locked": N_(
-        "{folder}: another program is changing this project. Nothing was saved. Wait until it has "
-        "finished, then try again."
+        "{folder}: nothing was saved, because another program is changing this project. Wait until "
+        "it has finished, then try again."
     ),
     "lock.not_a_file": N_(
-        "{file}: the lock file of the project is a link or a folder instead of a file. Nothing was "
-        "changed. Remove it, then try again."
+        "{file}: nothing was changed, because the lock file of the project is a link or a folder. "
+        "Remove it, then try again."
     ),
     "project.unreadable": N_(
         "{file}: the project file cannot be read ({reason}). Check the disk and the permissions."
@@ -32,14 +32,14 @@ TEXTS: Mapping[str, Template] = {
     ),
     "project.invalid_value": N_("{file}: a value of the project file cannot be used. {reason}"),
     "project.damaged": N_(
-        "{file}: the project file is damaged. {reason} Restore the file from a copy."
+        "{file}: the project file is damaged: {reason} Restore the file from a copy."
     ),
     "project.points_missing": N_(
         "{file}: the file with the points of target {target} is missing. Restore the file from a "
         "copy of the project, or create the project again."
     ),
     "project.points_damaged": N_(
-        "{file}: the points of target {target} are damaged. {reason} Restore the file from a copy "
+        "{file}: the points of target {target} are damaged: {reason} Restore the file from a copy "
         "of the project, or create the project again."
     ),
     "project.former_text": N_("{reason}"),

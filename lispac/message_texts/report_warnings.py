@@ -28,8 +28,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "report.chi_square_high_noise": N_(
         "The chi-square test failed: the residuals are larger than the given standard deviations "
-        "allow. The standard deviations of the angles are computed with the larger noise. Correct "
-        "the given standard deviations, or look for outliers."
+        "allow, so those of the angles are computed with the larger noise. Correct the given "
+        "standard deviations, or look for outliers."
     ),
     "report.chi_square_high_classical": N_(
         "The chi-square test failed: the residuals are larger than the given standard deviations "
@@ -42,7 +42,7 @@ TEXTS: Mapping[str, Template] = {
         "probably too large."
     ),
     "report.parameter_not_seen": N_(
-        "The {parameter} was not estimated. {reason} Do not estimate it."
+        "The {parameter} was not estimated: {reason} Turn off its estimation."
     ),
     "report.parameter_not_seen_uncertain": N_("The {parameter} was not estimated. {reason}"),
     "report.parameter_not_significant": N_(
@@ -85,9 +85,8 @@ TEXTS: Mapping[str, Template] = {
         "gives the reasons.",
     ),
     "report.sightings": N_(
-        "{total:n} sightings are used, including {poor:n} poor and {doubtful:n} doubtful ones. The "
-        "worst is {target} on {line}: {reasons:sentences} See the section on the quality of the "
-        "sightings."
+        "{total:n} sightings are used, including {poor:n} poor and {doubtful:n} doubtful ones (see "
+        "the section on their quality). The worst is {target} on {line}: {reasons:sentences}"
     ),
     # -- validation --------------------------------------------------------------------------
     "report.not_validated": N_(

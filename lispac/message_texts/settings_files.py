@@ -68,7 +68,7 @@ TEXTS: Mapping[str, Template] = {
     "content.too_few_points": N_("A stored array has {held:n} points instead of {count:n}."),
     "content.unreadable": N_("The file cannot be read ({reason})."),
     # -- keys of a TOML file -------------------------------------------------------------------
-    "toml.invalid": N_("{file}: the content of the file is not valid. {reason} Correct the file."),
+    "toml.invalid": N_("{file}: the content of the file is not valid: {reason} Correct the file."),
     "toml.control_character": N_(
         "{file}: {key} is {value}, which contains a line break or another control character. Write "
         "it on one line."
@@ -99,7 +99,7 @@ TEXTS: Mapping[str, Template] = {
         "{file}: {key} must be a list of tables. Write [[{table}]] above each of them."
     ),
     "toml.unknown_key_similar": N_(
-        "{file}: {key} is not a known key. Did you mean {similar}? Otherwise remove the key."
+        "{file}: {key} is not a known key. Use {similar} if you mean that, or remove the key."
     ),
     "toml.unknown_key": N_(
         "{file}: {key} is not a known key. Remove it, or use one of these: {known:names}."

@@ -7,10 +7,10 @@ from lispac.language import N_, Plural, Template
 TEXTS: Mapping[str, Template] = {
     # -- coordinate systems ------------------------------------------------------------------------
     "crs.points_outside": Plural(
-        "The point at ({x:x.3}; {y:x.3}; {z:x.3}) lies outside {system} or its geoid grid. Check "
-        "the coordinate system.",
-        "{count:n} points lie outside {system} or its geoid grid, the first at ({x:x.3}; {y:x.3}; "
-        "{z:x.3}). Check the coordinate system.",
+        "The point at ({x:x.3}; {y:x.3}; {z:x.3}) lies outside the area of use of {system} "
+        "or outside its geoid grid. Check the coordinate system.",
+        "{count:n} points lie outside the area of use of {system} or outside its geoid grid, the "
+        "first at ({x:x.3}; {y:x.3}; {z:x.3}). Check the coordinate system.",
     ),
     "crs.unusable": N_(
         "{system}: PROJ cannot use this coordinate system ({reason}). Give its EPSG code, for "
@@ -58,8 +58,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "crs.no_operation": N_(
         "PROJ knows no transformation from {source} to {target}, and no grid file provides one. "
-        "Give a system with a known transformation to {target} (see epsg.org) or another datum of "
-        "the trajectory. If both have the same datum, give none."
+        "Give a system with a known transformation (see epsg.org), another datum of the "
+        "trajectory, or no system if both have the same datum."
     ),
     "crs.datum_ensemble": N_(
         "PROJ knows no transformation from {source} to {target}, because {datum} comprises several "
@@ -69,9 +69,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     "crs.datum_ensemble_heights": N_(
         "PROJ knows no transformation from {source} to {target}, because {datum} comprises several "
-        "realizations, each with its own transformation to {target}. Give the system in the "
-        "realization of the survey (the latest: {systems:choices}) and the survey date as a "
-        "decimal year. Give the vertical reference separately."
+        "realizations. Give the system in the realization of the survey (the latest: "
+        "{systems:choices}), the survey date as a decimal year and, separately, the vertical "
+        "reference."
     ),
     "crs.grids_missing": Plural(
         "The transformation from {source} to {target} needs the grid file {grids:names}, which is "
@@ -146,8 +146,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "survey.not_scanner_frame": N_(
         "{file}: half of the points are more than {limit:m.0} m from the origin (up to "
-        "{farthest:m.0} m), so they are not in the scanner frame. Omit the option frame, or give "
-        "frame=georeferenced and the coordinate system. Check the unit."
+        "{farthest:m.0} m), so they are not in the scanner frame. Check the unit, omit the option "
+        "frame, or give frame=georeferenced and the coordinate system."
     ),
     "survey.not_a_condition": N_(
         "“{text}” is not a condition for selecting points. Give ATTRIBUTE=VALUE or "

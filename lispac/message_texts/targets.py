@@ -255,9 +255,9 @@ TEXTS: Mapping[str, Template] = {
         "points of {smaller} in common, which would count twice. Keep only one of them."
     ),
     "overlap.same_surface_unchecked": N_(
-        "{target} and {other} are the same surface: on {line} they have {share:percent.0} % of the "
-        "points of {smaller} in common. A validation plane on a target is no independent check. "
-        "Keep only one of them."
+        "{target} and {other} are the same surface ({share:percent.0} % of the points of {smaller} "
+        "in common on {line}), so the validation plane is no independent check. Keep only one of "
+        "them."
     ),
     "overlap.points_shared": N_(
         "{target} and {other} have points in common: on {line} {share:percent.0} % of the points "
@@ -268,8 +268,8 @@ TEXTS: Mapping[str, Template] = {
         "of {smaller}, which would count twice. Keep only one of them."
     ),
     "overlap.points_shared_unchecked": N_(
-        "{target} and {other} have points in common: on {line} {share:percent.0} % of the points "
-        "of {smaller}. A validation plane on a target is no independent check. Keep only one of "
+        "{target} and {other} have points in common ({share:percent.0} % of the points of "
+        "{smaller} on {line}), so the validation plane is no independent check. Keep only one of "
         "them."
     ),
 }

@@ -71,13 +71,12 @@ TEXTS: Mapping[str, Template] = {
     ),
     "text.row_too_short": N_(
         "{file}, row {row:n}: the row has {found:n} columns, but {needed:n} were named "
-        "({names:names}). If the row is truncated, copy or export the file again. Otherwise name "
-        "only the columns that the file has."
+        "({names:names}). Copy or export the file again if the row is truncated, or name only the "
+        "columns that the file has."
     ),
     "text.too_few_columns": N_(
         "{file}, row {row:n}: the row has {found:n} columns, but at least {needed:n} are needed. "
-        "If the row is truncated, copy or export the file again. Otherwise correct the given "
-        "column names."
+        "Copy or export the file again if the row is truncated, or correct the given column names."
     ),
     "text.uneven_row": N_(
         "{file}, row {row:n}: the row has {found:n} columns, but the header has {needed:n}. Export "

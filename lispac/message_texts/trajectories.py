@@ -47,7 +47,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "trajectory.exchanged_position": N_(
         "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3} deg are "
-        "impossible. They may be swapped. Check the order of the two columns."
+        "impossible and may be swapped. Check the order of the two columns."
     ),
     "trajectory.position_in_degrees": N_(
         "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3} deg are "
@@ -90,9 +90,9 @@ TEXTS: Mapping[str, Template] = {
         "column, in decimal degrees."
     ),
     "trajectory.unnamed_columns": N_(
-        "{file}: the rows have {found:n} columns, but the header names {named:n}. Degrees, minutes "
-        "and seconds separated by blanks count as three columns. Export decimal degrees, or name "
-        "the columns."
+        "{file}: the rows have {found:n} columns, but the header names {named:n}. Name the "
+        "columns, or export decimal degrees: degrees, minutes and seconds separated by blanks "
+        "count as three columns."
     ),
     "trajectory.letter_o": N_(
         "{file}: column {column:n} contains the letter O, which means west in French (ouest) and "
@@ -199,12 +199,12 @@ TEXTS: Mapping[str, Template] = {
     # -- CIDCO binary ------------------------------------------------------------------------
     "cidco.cut_short": N_(
         "{file}: the file size, {bytes:n} bytes, is not a multiple of the point size, {record:n} "
-        "bytes (remainder: {rest:n}). The file is truncated or is not a CIDCO file. Copy or export "
-        "it again."
+        "bytes (remainder: {rest:n}), so the file is truncated or is not a CIDCO file. Copy or "
+        "export it again."
     ),
     "cidco.inconsistent_point": N_(
         "{file}: point {point:n} has impossible values (distance to the POS, angles or standard "
-        "deviations). The file is not a CIDCO file or has another byte order. Export it again."
+        "deviations), so the file is not a CIDCO file or has another byte order. Export it again."
     ),
     "cidco.different_states": N_(
         "{file}: two points at the time {time:s.6} s have different POS states, so the points do "

@@ -72,11 +72,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "reference.large_sigma": Plural(
         "Point {name} has a standard deviation of {sigma:m} m, but more than {limit:m} m is rare "
-        "for surveyed points. The list is read in metres. If the values are in millimetres, "
-        "correct the list.",
+        "for surveyed points. If the values are in millimetres, correct the list, which is read in "
+        "metres.",
         "{count:n} points have standard deviations above {limit:m} m, which is rare for surveyed "
-        "points; {name} has {sigma:m} m. The list is read in metres. If the values are in "
-        "millimetres, correct the list.",
+        "points; {name} has {sigma:m} m. If the values are in millimetres, correct the list, which "
+        "is read in metres.",
     ),
     "reference.plane_off": N_(
         "A point of plane {plane} lies {distance:mm.1} mm from the plane fitted to all of its "
@@ -151,12 +151,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "project_files.moved": N_("{file} was moved and is now read from {folder}."),
     "project_files.one_missing": N_(
-        "{file}: this file does not exist. Restore it, or give its new location (run lispac "
-        "locate, or open the project in the window)."
+        "{file}: this file does not exist. Restore it, or give its new location."
     ),
     "project_files.several_missing": N_(
         "{file}: this file does not exist, and {others:names} are missing too. Restore them, or "
-        "give their new location (run lispac locate, or open the project in the window)."
+        "give their new location."
     ),
     # -- history -------------------------------------------------------------------------------
     "repeat.same_lines": N_(
@@ -225,7 +224,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "history.first": N_("{name} is the first calibration of the series."),
     "history.moved": N_(
-        "{name} differs significantly from the earlier calibrations, most in {difference}. The "
+        "{name} differs significantly from the earlier calibrations, most in {difference}: the "
         "mounting has moved, or one of the calibrations is wrong. A new series begins with {name}."
     ),
     "history.within_limits": N_(
@@ -288,8 +287,7 @@ TEXTS: Mapping[str, Template] = {
     # -- project_files -------------------------------------------------------------------------
     "project_files.many_missing": N_(
         "{file}: this file does not exist, and {count:n} other files are missing too "
-        "({others:names} among them). Restore them, or give their new location (run lispac locate, "
-        "or open the project in the window)."
+        "({others:names} among them). Restore them, or give their new location."
     ),
     "project_files.none_of_many_found": N_(
         "{folder}: none of the {count:n} missing files ({files:names} among them) is in this "

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.messages import Message, note
 from lispac.patchtest.block_equations import BlockEquations, linearise_blocks
 from lispac.patchtest.line_mismatch import Mismatch

@@ -5,10 +5,10 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from lispac.language import N_, gettext
-from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.text_format import grouped_number, signed_number
 from lispac.report.figures import AFTER, BEFORE, INK, TEXT, blank_figure, short_name, style_axes
 from lispac.report.legends import AXES_POSITION, top_below_legend
-from lispac.report.text_format import grouped_number, signed_number
 
 _BEFORE = N_("before: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
 _AFTER = N_("after: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")

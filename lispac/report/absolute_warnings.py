@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from statistics import NormalDist
 
 from lispac.messages import Message, note, warning
-from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.present.absolute import AbsoluteCheckValues
 from lispac.validation.absolute_messages import Off, list_items_with_means
 from lispac.warning_causes import Cause
 

@@ -1,7 +1,25 @@
 """The section on the boresight: fit, other estimated values, observability, displacements."""
 
-from lispac.adjustment.parameters import SIGNIFICANT
+from lispac.adjustment.model.parameters import SIGNIFICANT
 from lispac.language import N_, Plural, gettext
+from lispac.present.adjustment import (
+    SIGMAS_WITHOUT_LINE,
+    AdjustmentValues,
+    ObservabilityValues,
+    sigma_without_line_rows,
+)
+from lispac.present.parameters import PARAMETERS
+from lispac.present.text_format import (
+    UNKNOWN,
+    centimetres,
+    fixed_number,
+    format_known,
+    grouped_number,
+    sentence_text,
+    shortest_number,
+    signed_number,
+    title,
+)
 from lispac.report.budget_section import budget_blocks
 from lispac.report.document_blocks import (
     Block,
@@ -12,27 +30,9 @@ from lispac.report.document_blocks import (
     UndrawnPictures,
     as_rows,
     facts_table,
+    report_table,
 )
-from lispac.report.report_values import (
-    AdditionalParameterValues,
-    AdjustmentValues,
-    ObservabilityValues,
-    ReportContent,
-)
-from lispac.report.text_format import (
-    UNKNOWN,
-    centimetres,
-    degrees_unit,
-    fixed_number,
-    format_known,
-    grouped_number,
-    quantity_text,
-    sentence_text,
-    shortest_number,
-    signed_number,
-    title,
-    title_with_unit,
-)
+from lispac.report.report_values import ReportContent
 
 VARIANCE_FACTOR = N_("{factor}, computed with the given sigmas")
 VARIANCE_FACTOR_COMPONENTS = N_(
@@ -61,7 +61,7 @@ def boresight_blocks(content: ReportContent) -> list[Block]:
         blocks += _parameter_blocks(adjustment)
     blocks += _correlation_blocks(content, adjustment)
     if adjustment.observability is not None:
-        blocks += _observability_blocks(content, adjustment.observability)
+        blocks += _observability_blocks(adjustment, adjustment.observability)
     blocks.append(_displacement_table(adjustment))
     if content.budget is not None:
         blocks += budget_blocks(content.budget)
@@ -88,7 +88,7 @@ def _fit_table(content: ReportContent, adjustment: AdjustmentValues) -> Table:
             (gettext("Degrees of freedom"), grouped_number(adjustment.degrees_of_freedom)),
             (gettext("Variance factor"), _variance_factor_text(content, adjustment)),
             (gettext("Chi-square test at 95 %"), statistic),
-            ("", gettext(test.text)),
+            ("", str(test.text)),
             (
                 gettext("RMS before calibration"),
                 gettext("{rms:mm.1} mm", rms=adjustment.rms_before_m),
@@ -116,20 +116,7 @@ def _variance_factor_text(content: ReportContent, adjustment: AdjustmentValues) 
 
 
 def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
-    table = Table(
-        gettext("Parameters estimated together with the boresight"),
-        (
-            Column(gettext("Value"), "left"),
-            Column(gettext("Prior")),
-            Column(gettext("Prior\n1 sigma")),
-            Column(gettext("Estimated")),
-            Column(gettext("1 sigma")),
-            Column(gettext("Change /\nsigma")),
-            Column(gettext("Finding"), "left"),
-        ),
-        as_rows(_parameter_row(p) for p in adjustment.parameters),
-    )
-    blocks: list[Block] = [table]
+    blocks: list[Block] = [report_table(PARAMETERS, adjustment.parameters)]
     reasons = tuple(sentence_text(p.reason) for p in adjustment.parameters if p.reason)
     if reasons:
         blocks.append(Bullets(reasons))
@@ -145,32 +132,6 @@ def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
             )
         )
     return blocks
-
-
-def _parameter_row(parameter: AdditionalParameterValues) -> list[str]:
-    def shown(value: float | None, *, sign: bool) -> str:
-        return format_known(value, lambda v: quantity_text(parameter.name, v, sign=sign))
-
-    no_prior = parameter.prior_sigma is None
-    return [
-        title(parameter.name),
-        shown(parameter.prior, sign=True),
-        gettext("not given") if no_prior else shown(parameter.prior_sigma, sign=False),
-        shown(parameter.value, sign=True),
-        shown(parameter.sigma, sign=False),
-        format_known(parameter.significance, lambda v: signed_number(v, 1)),
-        _significance_text(parameter),
-    ]
-
-
-def _significance_text(parameter: AdditionalParameterValues) -> str:
-    if parameter.significant is not None:
-        return gettext("significant") if parameter.significant else gettext("not significant")
-    if parameter.value is not None:
-        return gettext("not tested (uncorrelated POS errors)")
-    if parameter.prior_sigma is None:
-        return gettext("not estimated, given value used")
-    return gettext("not determined")
 
 
 def _correlation_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Block]:
@@ -195,7 +156,7 @@ def _correlation_blocks(content: ReportContent, adjustment: AdjustmentValues) ->
 
 
 def _observability_blocks(
-    content: ReportContent, observability: ObservabilityValues
+    adjustment: AdjustmentValues, observability: ObservabilityValues
 ) -> list[Block]:
     condition = gettext(
         "Condition number of the normal matrix of the angles: {number} (1 means that all "
@@ -207,23 +168,7 @@ def _observability_blocks(
         Bullets((*map(sentence_text, observability.messages), condition)),
     ]
     if observability.sigma_without_line_deg:
-        deg = degrees_unit()
-        columns = (
-            Column("", "left"),
-            *(Column(title_with_unit(title(angle.name), deg)) for angle in content.angles),
-        )
-        all_lines = [
-            format_known(angle.sigma_deg, lambda v: fixed_number(v, 4)) for angle in content.angles
-        ]
-        without = [
-            [
-                gettext("Without line {name}", name=line),
-                *([UNKNOWN] * 3 if sigma is None else [fixed_number(v, 4) for v in sigma]),
-            ]
-            for line, sigma in observability.sigma_without_line_deg.items()
-        ]
-        cells = as_rows([[gettext("All lines"), *all_lines], *without])
-        blocks.append(Table(gettext("1 sigma of the angles with one line omitted"), columns, cells))
+        blocks.append(report_table(SIGMAS_WITHOUT_LINE, sigma_without_line_rows(adjustment)))
     return blocks
 
 

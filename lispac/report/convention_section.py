@@ -2,13 +2,10 @@
 
 from collections.abc import Mapping
 
-from lispac.adjustment.display_text import capitalised
-from lispac.language import N_, gettext
+from lispac.language import N_, capitalised, gettext
 from lispac.message_texts import message_text
-from lispac.report.convention_values import ConventionValues, ScannerToBodyMatrix
-from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows, facts_table
-from lispac.report.report_values import ReportContent
-from lispac.report.text_format import (
+from lispac.present.conventions import ConventionValues, ScannerToBodyMatrix
+from lispac.present.text_format import (
     MINUS,
     degrees_unit,
     fixed_number,
@@ -16,6 +13,8 @@ from lispac.report.text_format import (
     signed_number,
     title_with_unit,
 )
+from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows, facts_table
+from lispac.report.report_values import ReportContent
 
 DIRECTIONS: Mapping[str, str] = {
     "LiDAR to body": N_("{formula}, LiDAR to body"),

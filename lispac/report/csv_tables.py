@@ -13,12 +13,12 @@ from io import StringIO
 from pathlib import Path
 
 from lispac.language import N_, gettext, in_language
+from lispac.present.text_format import decimal_sign, group_sign
+from lispac.present.validation import DistancesBySteps
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Block, Column, Table, as_rows
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.report_values import ReportContent
-from lispac.report.text_format import decimal_sign, group_sign
-from lispac.report.validation_values import DistancesBySteps
 from lispac.untrusted_values import as_csv_cell
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)

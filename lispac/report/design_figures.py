@@ -11,9 +11,9 @@ from lispac.design.monte_carlo import MonteCarloResult
 from lispac.design.plan_search import ReductionStep
 from lispac.design.scenarios import ScenarioOutcome
 from lispac.language import N_, gettext
+from lispac.present.text_format import fixed_number, parameter_name
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank_figure, style_axes
 from lispac.report.stochastic_model_names import NAMES
-from lispac.report.text_format import fixed_number, parameter_name
 
 MAX_SIGMAS = 4.0
 """Predicted sigmas to either side that errors are drawn to; larger ones count at the border."""

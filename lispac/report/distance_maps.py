@@ -9,6 +9,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
+from lispac.present.validation import DistanceMapValues, ValidationPlane
 from lispac.report.figures import (
     INK,
     SMALL,
@@ -19,7 +20,6 @@ from lispac.report.figures import (
     style_axes,
 )
 from lispac.report.text_width import cut_to_width, largest_fitting_font_size
-from lispac.report.validation_values import DistanceMapValues, ValidationPlane
 from lispac.validation.comparison_results import PlaneComparison
 
 Array = NDArray[np.float64]

@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from lispac.language import N_, gettext
+from lispac.present.validation import DistancesBySteps, ValidationPlane
 from lispac.report.figures import (
     AFTER,
     BEFORE,
@@ -17,7 +18,6 @@ from lispac.report.figures import (
     short_name,
     style_axes,
 )
-from lispac.report.validation_values import DistancesBySteps, ValidationPlane
 from lispac.validation.comparison_results import PlaneComparison
 
 CURVES: Mapping[tuple[str, str], str] = {

@@ -8,6 +8,7 @@ from lispac.errors import InputError, system_reason
 from lispac.language import gettext, in_language
 from lispac.message_texts import message_text
 from lispac.messages import error
+from lispac.present.text_format import HYPHEN, time_text, with_minus_signs
 from lispac.report import sections
 from lispac.report.absolute_section import absolute_check_blocks
 from lispac.report.boresight_section import boresight_blocks
@@ -31,7 +32,6 @@ from lispac.report.quality_section import quality_blocks
 from lispac.report.report_values import ReportContent
 from lispac.report.settings_section import settings_blocks
 from lispac.report.standards_section import standards_blocks
-from lispac.report.text_format import HYPHEN, time_text, with_minus_signs
 from lispac.report.validation_section import validation_blocks
 
 TWO_ON_A_PAGE = 92.0
@@ -106,7 +106,7 @@ def undrawn_document(
         ),
         language=options.language,
         furniture=PageTexts(
-            made=gettext("Made {when} by {program}"),
+            made=gettext("Created {when} with {program}"),
             page=gettext("Page {page} of {pages}"),
             warnings=gettext("Errors and warnings"),
             notes=gettext("Notes"),

@@ -4,6 +4,9 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
+from lispac.present.tables import Row, cell_text, title_text, unit_text
+from lispac.present.tables import Table as ResultTable
+from lispac.present.text_format import title_with_unit
 from lispac.report.options import Page
 
 Status = Literal["bad", "fair", "good"]
@@ -53,6 +56,22 @@ class Table:
 def as_rows(cells: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
     """Rows as a table holds them."""
     return tuple(tuple(row) for row in cells)
+
+
+def report_table(
+    table: ResultTable[Row], rows: Iterable[Row], further_rows: Iterable[Sequence[str]] = ()
+) -> Table:
+    """Table of results in the language in use; ``further_rows`` are texts below it."""
+    columns = []
+    for each in table.columns:
+        title = title_text(each.title)
+        if each.unit and "\n" in title:
+            title = f"{title} ({unit_text(each.unit)})"
+        elif each.unit:
+            title = title_with_unit(title, unit_text(each.unit))
+        columns.append(Column(title, "left" if each.is_text else "right", wide=each.is_wide))
+    cells = [[cell_text(each, row) for each in table.columns] for row in rows]
+    return Table(title_text(table.title), tuple(columns), as_rows([*cells, *further_rows]))
 
 
 def facts_table(title: str, values: Iterable[tuple[str, str]]) -> Table:
@@ -116,7 +135,7 @@ Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | SignatureLines
 class PageTexts:
     """Texts on every page, and titles that belong to no section."""
 
-    made: str = "Made {when} by {program}"
+    made: str = "Created {when} with {program}"
     page: str = "Page {page} of {pages}"
     warnings: str = "Errors and warnings"
     notes: str = "Notes"

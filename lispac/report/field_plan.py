@@ -12,8 +12,13 @@ from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
 from lispac.design.site import Wall, clearance_from_wall
 from lispac.language import N_, Plural, gettext
+from lispac.present.text_format import (
+    fixed_number,
+    localised_number,
+    shortest_number,
+    signed_number,
+)
 from lispac.report.figures import AFTER, BEFORE, GRID, INK, SMALL, TEXT, LocalisedFormatter
-from lispac.report.text_format import fixed_number, localised_number, shortest_number, signed_number
 from lispac.simulation.closed_form_survey import Ball, Board
 
 Array = NDArray[np.float64]
@@ -225,8 +230,8 @@ TARGET_HEADS = (
 AT = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
 """Left ends of the columns, as shares of the width of the page."""
 LINE_HEADS = (
-    N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("side of site"), N_("clearance (m)"),
-    N_("speed (m/s)"), N_("straight part (m)"),
+    N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("side facing site"),
+    N_("clearance (m)"), N_("speed (m/s)"), N_("straight part (m)"),
 )  # fmt: skip
 
 

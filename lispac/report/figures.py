@@ -22,19 +22,15 @@ from matplotlib.transforms import offset_copy
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
-from lispac.language import N_, current_language, gettext, in_language
-from lispac.report.report_values import (
-    LineValues,
-    PickedPlane,
-    SightingCheck,
-    SightingFit,
-)
-from lispac.report.text_format import (
+from lispac.language import current_language, gettext, in_language
+from lispac.present.sightings import POS_COMPONENTS, SightingValues
+from lispac.present.text_format import (
     fixed_number,
     localised_number,
     parameter_name,
     signed_number,
 )
+from lispac.report.report_values import LineValues, PickedPlane
 
 Array = NDArray[np.float64]
 
@@ -54,11 +50,6 @@ LONGEST_LABEL = 24
 
 LABEL_DISTANCE = 0.05, 0.09
 """Distance of marks on the site plan whose names would overlap; shares of the drawn extent."""
-
-POS_COMPONENTS = (
-    N_("North"), N_("West"), N_("Up"), N_("Roll"), N_("Pitch"), N_("Heading")
-)  # fmt: skip
-"""In the order of `SightingReliability.pos_error`."""
 
 
 def correlation_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
@@ -160,7 +151,7 @@ def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> F
     )
 
 
-def residual_figures_of(sightings: Sequence[SightingFit]) -> list[Figure]:
+def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
     """`residual_figure` of a report's content, in as many figures as fill a page each."""
     figures = []
     for start in range(0, len(sightings), PER_RESIDUAL_FIGURE):
@@ -171,7 +162,7 @@ def residual_figures_of(sightings: Sequence[SightingFit]) -> list[Figure]:
     return figures
 
 
-def pos_error_figures_of(sightings: Sequence[SightingCheck]) -> list[Figure]:
+def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
     """Estimated POS errors with their prior, in as many figures as fill a page each."""
     return [
         _pos_error_figure(sightings[start : start + PER_RESIDUAL_FIGURE])
@@ -179,16 +170,17 @@ def pos_error_figures_of(sightings: Sequence[SightingCheck]) -> list[Figure]:
     ]
 
 
-def _pos_error_figure(sightings: Sequence[SightingCheck]) -> Figure:
+def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
     """A row for each sighting, a panel for each component: error, 2 sigma, prior 2 sigma."""
     figure = blank_figure(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
+    errors = [each.pos_error for each in sightings if each.pos_error is not None]
     values, prior, after = (
         1000 * np.array([[*metres, *degrees] for metres, degrees in pairs])
         for pairs in (
-            [(s.pos_error_m, s.pos_error_deg) for s in sightings],
-            [(s.pos_sigma_m, s.pos_sigma_deg) for s in sightings],
-            [(s.pos_sigma_after_m, s.pos_sigma_after_deg) for s in sightings],
+            [(e.error_m, e.error_deg) for e in errors],
+            [(e.sigma_m, e.sigma_deg) for e in errors],
+            [(e.sigma_after_m, e.sigma_after_deg) for e in errors],
         )
     )
     at = np.arange(len(sightings))

@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
+from lispac.present.text_format import grouped_number, localised_number
+from lispac.present.validation import ValidationPlane
 from lispac.report.figures import (
     AFTER,
     BEFORE,
@@ -22,8 +24,6 @@ from lispac.report.figures import (
     style_axes,
 )
 from lispac.report.legends import AXES_POSITION, top_below_legend
-from lispac.report.text_format import grouped_number, localised_number
-from lispac.report.validation_values import ValidationPlane
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.distance_bins import merge_bins
 

@@ -2,19 +2,19 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields, is_dataclass, replace
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 from lispac.installation_paths import resource_path
-from lispac.language import LazyText, in_english
 from lispac.message_texts import english_text
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Level, Message, plain_params
+from lispac.present.json_values import json_values
 from lispac.report.report_values import ReportContent
 
 NAME = "lispac-report"
-SCHEMA_VERSION = 4
+SCHEMA_VERSION = 5
 SCHEMA_FILE = "report.schema.json"
 
 
@@ -37,26 +37,10 @@ def json_text(content: ReportContent) -> str:
     values = {
         "schema": NAME,
         "schema_version": SCHEMA_VERSION,
-        **asdict(english_values(content)),
+        **json_values(content),
         "warnings": [asdict(_json_warning(each)) for each in content.warnings],
     }
     return json.dumps(values, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-
-
-def english_values(value: Any) -> Any:
-    """Values with each message replaced by its English text."""
-    if isinstance(value, Message):
-        return english_text(value)
-    if isinstance(value, LazyText):
-        return in_english(value)
-    if is_dataclass(value) and not isinstance(value, type):
-        items = ((each.name, getattr(value, each.name)) for each in fields(value))
-        return replace(value, **{name: english_values(each) for name, each in items})
-    if isinstance(value, tuple):
-        return tuple(map(english_values, value))
-    if isinstance(value, Mapping):
-        return {name: english_values(each) for name, each in value.items()}
-    return value
 
 
 def _json_warning(message: Message) -> JsonWarning:

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from lispac.language import gettext
+from lispac.present.text_format import shortest_number
 from lispac.report.figures import INK, SMALL, TEXT, LocalisedFormatter, blank_figure, style_axes
-from lispac.report.text_format import shortest_number
 from lispac.validation.line_differences import LineDifference
 
 COLOURS = "viridis_r"

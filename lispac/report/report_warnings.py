@@ -6,17 +6,18 @@ content only. There is one function for each rule.
 
 from collections.abc import Iterator, Sequence
 
-from lispac.adjustment.display_text import OUTPUT_UNITS
-from lispac.adjustment.message_parts import mounting_value_name, mounting_value_names, signed_change
-from lispac.messages import Message, Value, note, sort_by_level, warning
-from lispac.report.absolute_warnings import absolute_check_warnings
-from lispac.report.report_values import (
-    AdditionalParameterValues,
-    PickedPlane,
-    ReportContent,
-    SightingQualityValues,
-    VarianceFactorTest,
+from lispac.adjustment.model.parameters import (
+    OUTPUT_UNITS,
+    mounting_value_name,
+    mounting_value_names,
+    signed_change,
 )
+from lispac.messages import Message, Value, note, sort_by_level, warning
+from lispac.present.adjustment import VarianceFactorTest
+from lispac.present.parameters import ParameterValues
+from lispac.present.sighting_quality import SightingQualityValues
+from lispac.report.absolute_warnings import absolute_check_warnings
+from lispac.report.report_values import PickedPlane, ReportContent
 from lispac.warning_causes import RESULT, Cause
 
 DATA, ADJUST, VALIDATE = (Cause.of_step(name) for name in ("Data", "Adjust", "Validate"))
@@ -78,7 +79,7 @@ def _fit_warnings(content: ReportContent) -> Iterator[Message]:
     if content.adjustment is None:
         return
     independent = content.settings.pos_errors == "independent"
-    noisy = any(target.noise_factor > 1 for target in content.adjustment.targets)
+    noisy = any((target.noise_factor or 1.0) > 1 for target in content.adjustment.targets)
     yield from _chi_square_warnings(content.adjustment.chi_square, independent, noisy)
 
 
@@ -87,7 +88,7 @@ def _parameter_warnings(content: ReportContent) -> Iterator[Message]:
         yield from _single_parameter_warnings(found)
 
 
-def _single_parameter_warnings(parameter: AdditionalParameterValues) -> Iterator[Message]:
+def _single_parameter_warnings(parameter: ParameterValues) -> Iterator[Message]:
     name, field = mounting_value_name(parameter.name), Cause.of_parameter(parameter.name)
     if parameter.value is None:
         yield note(

@@ -8,6 +8,24 @@ from collections.abc import Sequence
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import note
+from lispac.present.adjustment import AdjustmentValues, boresight_table
+from lispac.present.parameters import ParameterValues
+from lispac.present.sightings import SIGHTING_FIT
+from lispac.present.targets import TARGETS, shape_text
+from lispac.present.text_format import (
+    degrees_unit,
+    fixed_number,
+    format_known,
+    grouped_number,
+    heading_text,
+    millimetres,
+    parameter_name,
+    quantity_text,
+    sentence_text,
+    title_with_unit,
+)
+from lispac.present.trajectory import LineTrajectorySummary
+from lispac.present.validation import PLANE_DISTANCES
 from lispac.report.document_blocks import (
     Block,
     Bullets,
@@ -16,31 +34,9 @@ from lispac.report.document_blocks import (
     Table,
     UndrawnPictures,
     as_rows,
+    report_table,
 )
-from lispac.report.report_values import (
-    AdditionalParameterValues,
-    AdjustmentValues,
-    PickedPlane,
-    ReportContent,
-)
-from lispac.report.text_format import (
-    angle_text,
-    degrees_unit,
-    fixed_number,
-    format_known,
-    grouped_number,
-    heading_text,
-    interval_text,
-    millimetres,
-    parameter_name,
-    quantity_text,
-    sentence_text,
-    signed_number,
-    title,
-    title_with_unit,
-)
-from lispac.report.trajectory_values import LineTrajectorySummary
-from lispac.report.validation_section import distance_table
+from lispac.report.report_values import PickedPlane, ReportContent
 
 COMMON_SURFACE = N_(
     "RMS and mean are distances from the common surface of all lines. After the adjustment they "
@@ -59,7 +55,12 @@ TRAJECTORY_COLUMNS = N_(
 
 def summary_blocks(content: ReportContent) -> list[Block]:
     """Blocks on the results, for the first page."""
-    blocks: list[Block] = [_angle_table(content)]
+    blocks: list[Block] = [
+        report_table(
+            boresight_table(calibrated=content.calibrated, simulated=content.simulated),
+            content.angles,
+        )
+    ]
     adjustment = content.adjustment
     if adjustment is not None:
         if rotation := str(adjustment.rotation_text):
@@ -77,15 +78,7 @@ def summary_blocks(content: ReportContent) -> list[Block]:
                 )
             )
     if content.validation:
-        blocks.append(
-            distance_table(
-                gettext(
-                    "Validation: distances between lines on planes not used in the adjustment (mm)"
-                ),
-                [Column(gettext("Plane"), "left")],
-                [((plane.name,), plane.before, plane.after) for plane in content.validation],
-            )
-        )
+        blocks.append(report_table(PLANE_DISTANCES, content.validation))
     against = content.absolute
     if against is not None and not against.all_lines.after.mean_significant:
         finding = sentence_text(against.messages[0])
@@ -110,7 +103,7 @@ def _fit_text(adjustment: AdjustmentValues) -> str:
     )  # fmt: skip
 
 
-def _value_with_sigma(parameter: AdditionalParameterValues) -> str:
+def _value_with_sigma(parameter: ParameterValues) -> str:
     assert parameter.value is not None
     assert parameter.sigma is not None
     return gettext(
@@ -119,33 +112,6 @@ def _value_with_sigma(parameter: AdditionalParameterValues) -> str:
         value=quantity_text(parameter.name, parameter.value, sign=True),
         sigma=quantity_text(parameter.name, parameter.sigma),
     )
-
-
-def _angle_table(content: ReportContent) -> Table:
-    deg = degrees_unit()
-    columns = [Column(gettext("Angle"), "left"), Column(title_with_unit(gettext("Prior"), deg))]
-    cells = [[title(a.name), angle_text(a.prior_deg)] for a in content.angles]
-    if content.calibrated:
-        columns += [
-            Column(title_with_unit(gettext("Estimated"), deg)),
-            Column(title_with_unit(gettext("1 sigma"), deg)),
-            Column(title_with_unit(gettext("95 % interval"), deg)),
-        ]
-        for row, a in zip(cells, content.angles, strict=True):
-            row += [
-                format_known(a.estimated_deg, angle_text),
-                format_known(a.sigma_deg, lambda v: fixed_number(v, 4)),
-                format_known(a.interval95_deg, lambda v: interval_text(fixed_number(v, 4))),
-            ]
-    if content.simulated:
-        columns.append(Column(title_with_unit(gettext("True value"), deg)))
-        for row, a in zip(cells, content.angles, strict=True):
-            row.append(format_known(a.truth_deg, angle_text))
-        if content.calibrated:
-            columns.append(Column(title_with_unit(gettext("Error"), deg)))
-            for row, a in zip(cells, content.angles, strict=True):
-                row.append(format_known(a.error_deg, angle_text))
-    return Table(gettext("Boresight"), tuple(columns), as_rows(cells))
 
 
 def residual_blocks(content: ReportContent) -> list[Block]:
@@ -182,7 +148,7 @@ def _planes_table(content: ReportContent) -> Table:
             [
                 plane.name,
                 _role_text(plane),
-                _shape_text(plane.shape, plane.sphere_radius_m),
+                shape_text(plane.shape, plane.sphere_radius_m),
                 *(fixed_number(value, 2) for value in plane.seed_local_m),
                 millimetres(plane.threshold_m),
                 gettext("{count:n} of {total:n}", count=len(plane.lines), total=len(content.lines)),
@@ -198,65 +164,11 @@ def _role_text(plane: PickedPlane) -> str:
     return gettext("validation plane") if plane.used else gettext("validation plane, excluded")
 
 
-def _shape_text(shape: str, radius: float | None) -> str:
-    if shape != "sphere":
-        return gettext("plane")
-    if radius is None:
-        return gettext("sphere")
-    return gettext("sphere, radius\u00a0{radius:mm.1}\u00a0mm", radius=radius)
-
-
 def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
     from lispac.report.figures import residual_figures_of
 
-    targets = Table(
-        gettext("Fit of each target to one surface, all lines together"),
-        (
-            Column(gettext("Target"), "left"),
-            Column(gettext("Surface"), "left"),
-            Column(gettext("Sightings")),
-            Column(gettext("Points")),
-            Column(gettext("RMS\nbefore (mm)")),
-            Column(gettext("RMS\nafter (mm)")),
-            Column(gettext("Noise\nfactor")),
-        ),
-        as_rows(
-            [
-                t.target,
-                _shape_text(t.shape, t.radius_m),
-                fixed_number(t.sightings, 0),
-                grouped_number(t.points),
-                millimetres(t.rms_before_m),
-                millimetres(t.rms_after_m),
-                fixed_number(t.noise_factor, 2),
-            ]
-            for t in adjustment.targets
-        ),
-    )
-    sightings = Table(
-        gettext("Fit of each sighting to the surface of its target"),
-        (
-            Column(gettext("Target"), "left"),
-            Column(gettext("Line"), "left"),
-            Column(title_with_unit(gettext("Heading"), degrees_unit())),
-            Column(gettext("Points")),
-            Column(gettext("RMS\nbefore (mm)")),
-            Column(gettext("RMS\nafter (mm)")),
-            Column(gettext("Mean\nafter (mm)")),
-        ),
-        as_rows(
-            [
-                s.target,
-                s.line,
-                format_known(s.heading_deg, heading_text),
-                grouped_number(s.points),
-                millimetres(s.rms_before_m),
-                millimetres(s.rms_after_m),
-                signed_number(1000 * s.mean_after_m, 1),
-            ]
-            for s in adjustment.sightings
-        ),
-    )
+    targets = report_table(TARGETS, adjustment.targets)
+    sightings = report_table(SIGHTING_FIT, adjustment.sightings)
     bars = UndrawnPictures(
         gettext("RMS of each sighting, before and after the calibration."),
         residual_figures_of,

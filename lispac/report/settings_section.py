@@ -4,6 +4,19 @@ from collections.abc import Mapping
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
+from lispac.present.adjustment import AdjustmentValues
+from lispac.present.parameters import VARIANCE_COMPONENTS
+from lispac.present.text_format import (
+    fixed_number,
+    format_known,
+    grouped_number,
+    millimetres,
+    origin_text,
+    parameter_name,
+    quantity_text,
+    shortest_number,
+    triple_text,
+)
 from lispac.report.document_blocks import (
     Block,
     Bullets,
@@ -12,26 +25,10 @@ from lispac.report.document_blocks import (
     Table,
     as_rows,
     facts_table,
+    report_table,
 )
-from lispac.report.report_values import (
-    AdjustmentValues,
-    ReportContent,
-    SettingsUsed,
-    VarianceComponent,
-)
+from lispac.report.report_values import ReportContent, SettingsUsed
 from lispac.report.settings_used import FILE_ROLES, role_of_line
-from lispac.report.text_format import (
-    fixed_number,
-    format_known,
-    grouped_number,
-    millimetres,
-    origin_text,
-    parameter_name,
-    quantity_text,
-    sentence_text,
-    shortest_number,
-    triple_text,
-)
 
 NOTEWORTHY_NOISE = 1.05
 """Smallest factor on the given LiDAR noise that is written as more than 1.0."""
@@ -51,11 +48,6 @@ OFFSETS: Mapping[str, str] = {
     "latency": N_("Given latency"),
 }
 """Titles of the offsets, by the name of the value."""
-COMPONENTS: Mapping[str, str] = {
-    "LiDAR": N_("LiDAR"),
-    "POS position": N_("POS position"),
-    "POS attitude": N_("POS attitude"),
-}
 """Groups of errors, by the name of the variance component."""
 
 CORRELATION_TIMES = N_(
@@ -66,7 +58,7 @@ SURFACE_SIGMA = N_(
     "Surface roughness: standard deviation of the offset of a whole sighting from the common "
     "surface of all lines."
 )
-VARIANCE_COMPONENTS = N_(
+COMPONENT_METHOD = N_(
     "Variance components are estimated from the residuals and the estimated POS errors by "
     "restricted maximum likelihood. A sigma is increased if the data show a larger one, and "
     "decreased only if the whole interval is below the given value; otherwise the given value is "
@@ -119,7 +111,7 @@ def _system_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
             )
         )
     if used.accept_single_orientation:
-        values.append((gettext("Targets that all face the same way"), gettext("accepted")))
+        values.append((gettext("Targets of a single orientation"), gettext("accepted")))
     return [*values, (gettext("Point spacing"), _subsampling_text(used))]
 
 
@@ -188,7 +180,7 @@ def _lidar_noise_text(used: SettingsUsed) -> str:
 
 
 def _noise_factor_text(adjustment: AdjustmentValues) -> str:
-    larger = [t for t in adjustment.targets if t.noise_factor >= NOTEWORTHY_NOISE]
+    larger = [t for t in adjustment.targets if (t.noise_factor or 1.0) >= NOTEWORTHY_NOISE]
     applied = any(c.applied and c.name == "LiDAR" for c in adjustment.components)
     if not larger:
         if applied:
@@ -197,7 +189,7 @@ def _noise_factor_text(adjustment: AdjustmentValues) -> str:
     found = [
         gettext(
             "{target}: {factor}\u00a0times",
-            factor=fixed_number(t.noise_factor, 1),
+            factor=fixed_number(t.noise_factor or 1.0, 1),
             target=t.target,
         )
         for t in larger
@@ -240,28 +232,9 @@ def _tenths_of_millimetre(metres: float) -> str:
 
 def _component_tables(adjustment: AdjustmentValues) -> list[Block]:
     return [
-        Table(
-            gettext("Variance components: ratio of estimated to given sigmas"),
-            (
-                Column(gettext("Source"), "left"),
-                Column(gettext("Factor")),
-                Column(gettext("95 % interval")),
-                Column(gettext("Finding"), "left"),
-            ),
-            as_rows(_component_row(component) for component in adjustment.components),
-        ),
-        Paragraph(gettext(VARIANCE_COMPONENTS)),
+        report_table(VARIANCE_COMPONENTS, adjustment.components),
+        Paragraph(gettext(COMPONENT_METHOD)),
     ]
-
-
-def _component_row(component: VarianceComponent) -> tuple[str, str, str, str]:
-    interval = gettext(
-        "{lower} to {upper}",
-        lower=fixed_number(component.lower, 2),
-        upper=fixed_number(component.upper, 2),
-    )
-    name, factor = gettext(COMPONENTS[component.name]), fixed_number(component.factor, 2)
-    return name, factor, interval, sentence_text(component.text)
 
 
 def _files_table(content: ReportContent) -> Table:

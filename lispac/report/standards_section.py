@@ -1,16 +1,17 @@
 """The section on uncertainty in the terms of published standards, as far as they apply."""
 
 from lispac.language import N_, Plural, gettext
-from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows
-from lispac.report.report_values import ReportContent, S44Contribution
-from lispac.report.text_format import (
+from lispac.present.displacement import S44Contribution
+from lispac.present.text_format import (
     centimetres,
     fixed_number,
     grouped_number,
     millimetres,
     title_with_unit,
 )
-from lispac.report.validation_values import SwathDifference
+from lispac.present.validation import SwathDifference
+from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows
+from lispac.report.report_values import ReportContent
 
 S44 = N_(
     "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "

@@ -1,6 +1,6 @@
 """Names of the stochastic models in figures and forms of the survey design."""
 
-from lispac.adjustment.stochastic_model import PosErrors
+from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.language import N_
 
 NAMES: dict[PosErrors, str] = {

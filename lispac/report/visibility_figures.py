@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
+from lispac.present.text_format import fixed_number, title
 from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank_figure, style_axes
-from lispac.report.text_format import fixed_number, title
 from lispac.simulation.thesis_site import HEADINGS_DEG, SIZES
 from lispac.simulation.visibility_study import THRESHOLD, VisibilityStudy
 
@@ -44,8 +44,8 @@ class Criterion:
 
 CRITERIA: Mapping[str, Criterion] = {
     "type-one": Criterion(
-        N_("Type I criterion: planarity and position of the board"), N_("Type I criterion"), 3, 1.0,
-        lambda v: v.type_one,
+        N_("Type I criterion: planarity and position of the board"),
+        N_("Type I criterion (0 to 1)"), 3, 1.0, lambda v: v.type_one,
     ),
     "orthogonal-distance": Criterion(
         N_("Type II criterion: shift of the board"),
@@ -86,8 +86,8 @@ def visibility_figure(
 ) -> Figure:
     """One criterion of one error: six lines over the inclination of the board.
 
-    Shaded are the inclinations accepted by Type I, dashed is the best of them. The axis covers
-    the values at these: where beams graze the board, points may lie anywhere.
+    Shaded are the inclinations accepted by the type I criterion, dashed is the best of them. The
+    axis covers the values at these: where beams graze the board, points may lie anywhere.
 
     Parameters
     ----------

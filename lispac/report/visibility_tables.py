@@ -6,8 +6,8 @@ import numpy as np
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
+from lispac.present.text_format import fixed_number
 from lispac.report.document_blocks import Column, Table, as_rows
-from lispac.report.text_format import fixed_number
 from lispac.report.visibility_figures import CRITERIA, systematic_error_label
 from lispac.simulation.thesis_comparison import (
     ALL_ERRORS,
@@ -29,7 +29,7 @@ BEST_TITLES: Mapping[str, str] = {
 """Titles of the tables by the name of the site."""
 VALUES = (
     N_("Error"), N_("Line (deg)"), N_("Inclination (deg)"), N_("Points"), N_("Planarity"),
-    N_("Centroidal distance (m)"), N_("Type I"), N_("Accepted"),
+    N_("Centroidal distance (m)"), N_("Type I criterion (0 to 1)"), N_("Accepted"),
     N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
 )  # fmt: skip
 COMPARISON = (

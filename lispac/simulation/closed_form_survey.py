@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.compiled_code import njit
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
 from lispac.survey.georeferencing import Mounting, to_lidar

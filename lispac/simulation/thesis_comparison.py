@@ -28,7 +28,7 @@ class ThesisValue:
     inclination_deg : tuple of int
         Lowest and highest.
     suitable_inclinations_deg : tuple of int
-        Lowest and highest inclination that it keeps by Type I.
+        Lowest and highest inclination that it keeps by the type I criterion.
     """
 
     lines: tuple[int, ...]

@@ -13,7 +13,8 @@ Decided here, because the thesis shows it in figures only or not at all:
   inclinations fill the half circle above ground, the 28 the 270 deg about the edge of a quay.
 - All lines pass through one point abeam of the board, 5 m (terrestrial) or 15 m (marine) from the
   edge. The thesis gives no distance for the terrestrial site. From 5 m the boards at +60 run along
-  the beams and Type I keeps nearly the inclinations the appendix keeps; 2 or 10 m do not.
+  the beams and the type I criterion keeps nearly the inclinations the appendix keeps; 2 or 10 m
+  do not.
 - Beams are those that would meet the board if there were no error, and its plane has no end
   (``aimed``): only so do points fly far off where a board runs along the beams, as 3.4.4.1 says.
   On a real board (``struck``) no point moves farther than its range times the error.

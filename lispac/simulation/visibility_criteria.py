@@ -1,8 +1,8 @@
 """How visible a systematic error is on a board: the criteria of the thesis (section 3.4.4).
 
-Type I, planarity and centroidal distance, shows whether the points still form a board near its
-place: a first selection. Type II, angular deviation and signed orthogonal distance, shows how far
-their plane is turned and shifted: what is visible of the error.
+The criterion of type I, from planarity and centroidal distance, is 1 if the points form a board at
+its place, and 0 if they do not: a first selection. Those of type II, angular deviation and signed
+orthogonal distance, are the rotation and shift of their plane: what is visible of the error.
 
 Where the thesis leaves something open or is misprinted:
 

@@ -1,9 +1,10 @@
 """Visibility of every error on every line and inclination of a site; best configurations.
 
-The rule the thesis applies by eye (3.5.2), made exact: an inclination is kept where Type I reaches
-a threshold on every line, from the upright board outwards; of those kept it is best where the
-lines differ most in both numbers of Type II. Lines that show the same form a group, and a
-configuration takes one line of each: so the eight combinations of table 3.1 come about.
+The rule the thesis applies by eye (3.5.2), made exact: an inclination is kept where the type I
+criterion reaches a threshold on every line, from the upright board outwards; of those kept it is
+best where the lines differ most in both numbers of the type II criterion. Lines that show the same
+form a group, and a configuration takes one line of each: so the eight combinations of table 3.1
+come about.
 """
 
 from collections.abc import Sequence
@@ -36,7 +37,7 @@ from lispac.simulation.visibility_criteria import (
 Array = NDArray[np.float64]
 
 THRESHOLD = 0.75
-"""Threshold of Type I. The thesis gives no number, only "near 1"."""
+"""Threshold of the type I criterion. The thesis gives no number, only "near 1"."""
 ALIKE = 0.1
 """Lines show the same where they differ by less than this share of the largest value."""
 LEAST = 0.001, np.radians(0.02)
@@ -87,7 +88,7 @@ class VisibilityStudy:
         )
 
     def kept_inclinations(self, error: str) -> tuple[float, ...]:
-        """Inclinations that Type I keeps: next to each other, about the upright board, radians."""
+        """Inclinations that the type I criterion keeps, a run about the upright board, radians."""
         good = (self.type_one[self.site.errors.index(error)] >= THRESHOLD).all(axis=0)
         upright = int(np.argmin(np.abs(self.site.inclinations)))
         if not good[upright]:
@@ -147,7 +148,7 @@ class BestConfiguration:
     Attributes
     ----------
     kept : tuple of float, radians
-        Inclinations that Type I accepts.
+        Inclinations that the type I criterion accepts.
     inclination : float, radians
         None where no lines differ at any of them: the error is invisible.
     groups : tuple of tuple of int, degrees

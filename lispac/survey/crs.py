@@ -8,7 +8,10 @@ the sum, so unless the user says otherwise both are in the datum of the cloud an
 between datums: that is what makes the inverse exact. PROJ's network access stays off.
 """
 
+import os
 import re
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -32,12 +35,9 @@ from lispac.geometry.frames import (
 from lispac.language import gettext
 from lispac.messages import Message, error, note
 from lispac.survey.crs_operation import best_operation
-from lispac.survey.geoid import geoid_grid
-from lispac.survey.parallel_blocks import run_in_blocks
 
 Array = NDArray[np.float64]
 Geodetic = tuple[Array, Array, Array]
-
 UNITS = {"metre": 1.0, "foot": 0.3048, "us-survey-foot": 1200 / 3937}
 """Metres in each unit a length may be given in."""
 ELLIPSOID = "ellipsoid"
@@ -46,6 +46,9 @@ CHANGING = ("t_epoch=", "defmodel")
 GRID_ENDINGS = (".gtx", ".tif", ".tiff")
 HEIGHT_OFFSET = re.compile(r"[+-]\d+(\.\d+)?")
 """Metres that are added to heights; the sign distinguishes them from an EPSG code."""
+Columns = tuple[Array, Array, Array]
+BLOCK = 1 << 17
+"""Points per call, for example of PROJ, which releases Python's lock."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -421,3 +424,43 @@ def _ellipsoidal_system(horizontal: CRS, trajectory_datum: str) -> CRS:
             error("crs.other_ellipsoid", system=horizontal.name, ellipsoid=ellipsoid.name)
         )
     return GeographicCRS(name=own.name, datum=own).to_3d()
+
+
+def geoid_grid(grid: Path) -> Transformer:
+    """Grid from heights above the geoid to ellipsoidal heights; longitude, latitude in degrees.
+
+    Raises
+    ------
+    InputError
+        Where there is no such grid, or it cannot be read.
+    """
+    if not grid.is_file():
+        raise InputError(error("crs.geoid_not_found", file=str(grid)))
+    if "," in str(grid) or '"' in str(grid):
+        raise InputError(error("crs.geoid_path", file=str(grid)))
+    try:  # pyproj turns degrees into the radians of the shift, and back
+        return Transformer.from_pipeline(
+            f'+proj=vgridshift +grids="{grid.resolve()}" +multiplier=1'
+        )
+    except ProjError as reason:
+        raise InputError(error("crs.geoid_unreadable", file=str(grid))) from reason
+
+
+def run_in_blocks(run: Callable[[Array, Array, Array], Columns], *axes: Array) -> Columns:
+    """Run over blocks of three columns; returns three columns."""
+    count = len(axes[0])
+    if count <= BLOCK:
+        return run(*(np.ascontiguousarray(axis) for axis in axes))
+    result = tuple(np.empty(count) for _ in range(3))
+
+    def one(start: int) -> None:
+        rows = slice(start, start + BLOCK)
+        for whole, some in zip(
+            result, run(*(np.ascontiguousarray(axis[rows]) for axis in axes)), strict=True
+        ):
+            whole[rows] = some
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for _ in pool.map(one, range(0, count, BLOCK)):
+            pass
+    return result[0], result[1], result[2]

@@ -11,7 +11,7 @@ stand in both statistics, so n is the same and nothing but the boresight differs
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -27,16 +27,15 @@ from lispac.validation.comparison_results import (
     PairComparison,
     PairState,
     PlaneComparison,
+    SignedStatistics,
 )
 from lispac.validation.distance_bins import histogram_counts, shared_bin_edges
 from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.distance_profile import DistanceProfile
 from lispac.validation.line_overlap import Bools, LineOverlap
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
-from lispac.validation.signed_comparison import (
-    plane_offset_between_lines,
-    signed_distance_statistics,
-)
+from lispac.validation.normal_distance import distances_along_normal
+from lispac.validation.plane_offset import PlaneOffset, plane_offset
 
 __all__ = [
     "DistanceStatistics",
@@ -46,9 +45,7 @@ __all__ = [
     "compare_plane",
     "reciprocal",
 ]
-
 Array = NDArray[np.float64]
-
 RECIPROCAL_TOLERANCE = np.radians(20.0)
 MAX_POINTS_PER_LINE = 100_000
 MAX_MAPS = 4
@@ -56,6 +53,12 @@ MAX_MAPS = 4
 MIN_POINTS = 30
 """Points of a line in common with another one: fewer are no sample of a surface, and percentiles
 of fewer distances say nothing."""
+MAX_CORES = 200
+"""Places of each line that distances along the normal are measured at."""
+CYLINDER_SPACINGS = 4.0
+"""Diameter of a cylinder in spacings of the sparser line: a dozen points of it."""
+NORMAL_DIAMETERS = 2.0
+"""Diameter of the sphere that a normal comes from, in diameters of the cylinder."""
 
 
 def reciprocal(heading_a: float, heading_b: float) -> bool:
@@ -184,7 +187,7 @@ def compare_plane(
                 PairState(
                     DistanceStatistics.of(unsigned),
                     signed,
-                    plane_offset_between_lines(ours, theirs, facing),
+                    _plane_offset_between_lines(ours, theirs, facing),
                 )
             )
         both_ways = reciprocal(headings[a], headings[b])
@@ -323,3 +326,54 @@ def _require_same_points(
             )
         if line not in headings:
             raise InputError(error("validation.no_heading", line=line, plane=name))
+
+
+def signed_distance_statistics(
+    a: Array, b: Array, *, facing: Array, spacing: float, reach: float
+) -> SignedStatistics | None:
+    """Distances of the first line from the second along the normal, from places of both.
+
+    Parameters
+    ----------
+    a, b : ndarrays of shape (n, 3) and (m, 3), metres, local frame
+        Of the part that both lines saw.
+    facing : ndarray of shape (3,)
+        Towards the vessel.
+    spacing : float, metres
+        Of the sparser line's points, where they are sparse.
+    reach : float, metres
+        The farthest that the two lines are apart.
+
+    Returns
+    -------
+    SignedStatistics, or None where no place has enough points of both lines
+    """
+    diameter = CYLINDER_SPACINGS * spacing
+    parts = []
+    for compared, reference, sign in ((a, b, 1.0), (b, a, -1.0)):
+        step = -(-len(reference) // MAX_CORES)
+        try:
+            found = distances_along_normal(
+                compared, reference, reference[::step], facing=facing,
+                normal_scale=NORMAL_DIAMETERS * diameter, diameter=diameter, depth=reach + diameter,
+            )  # fmt: skip
+        except NotComparable:
+            continue
+        parts.append(replace(found, distance=sign * found.distance))
+    return SignedStatistics.of(parts) if parts else None
+
+
+def _plane_offset_between_lines(a: Array, b: Array, facing: Array) -> PlaneOffset | None:
+    """Offset of the first line's plane from the second's; None where one has no plane.
+
+    Parameters
+    ----------
+    a, b : ndarray of shape (n, 3) and (m, 3), metres, same frame
+        Points of the two lines.
+    facing : ndarray of shape (3,)
+        Towards the vessel.
+    """
+    try:
+        return plane_offset(a, b, facing)
+    except NotComparable:
+        return None

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from lispac.adjustment.banded_cholesky import (
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.solve.banded_cholesky import (
     back_substitution,
     cholesky_factor,
     forward_substitution,
 )
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.survey.georeferencing import Mounting
 from tests.surveys import disturbed, planar_survey
 

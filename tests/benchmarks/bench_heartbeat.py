@@ -148,10 +148,10 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
     """Import, pick, estimate, validate and preview the report; a summary of each step."""
     application = QApplication(sys.argv[:1])
     application.setQuitOnLastWindowClosed(False)
-    from lispac.gui.dialogs.import_files.dialog import ImportDialog
-    from lispac.gui.garbage_collection import GuiThreadGarbageCollector
-    from lispac.gui.session import Session
+    from lispac.gui.app.garbage_collection import GuiThreadGarbageCollector
+    from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
     from lispac.gui.viewport.base import PickedPoint
+    from lispac.gui.window.session import Session
     from lispac.workflow.planning.demo import demo_seeds
     from lispac.workflow.project.projects import open_project
 

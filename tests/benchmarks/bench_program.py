@@ -79,12 +79,12 @@ def start(began: float, words: list[str]) -> None:
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
-    from lispac.gui import app
+    from lispac.gui.window import program
 
     run, found = QApplication.exec, {}
 
     def inspect_window() -> None:
-        from lispac.gui.main_window import MainWindow
+        from lispac.gui.window.main_window import MainWindow
 
         window = next(w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow))
         handle = window.windowHandle()
@@ -115,7 +115,7 @@ def start(began: float, words: list[str]) -> None:
 
     QApplication.exec = staticmethod(exec_)
     sys.argv[1:] = words
-    app.main(words)
+    program.main(words)
     print(json.dumps(found))
 
 

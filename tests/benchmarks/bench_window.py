@@ -52,11 +52,11 @@ def report(folder: Path) -> None:
     from PySide6.QtWidgets import QApplication
 
     application = QApplication(sys.argv[:1])
-    from lispac.gui.main_window import MainWindow
-    from lispac.gui.seed_options import SeedOptions
-    from lispac.gui.settings import AppSettings
+    from lispac.gui.app.settings import AppSettings
+    from lispac.gui.project.seed_options import SeedOptions
     from lispac.gui.viewport.base import PickedPoint
     from lispac.gui.viewport.vtk_viewport import VtkViewport
+    from lispac.gui.window.main_window import MainWindow
 
     viewport = VtkViewport()
     settings = AppSettings(Path(tempfile.mkdtemp()) / "settings.ini")

@@ -11,6 +11,7 @@ and `readme` need root and debootstrap (`tests.extras.clean_root`). Exit 1 where
 from __future__ import annotations
 
 import argparse
+import ast
 import json
 import os
 import random
@@ -21,7 +22,7 @@ import sys
 import time
 import tomllib
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from tests.extras.quick import SLOW
@@ -71,11 +72,12 @@ HANGS = 1800.0
 """Seconds after which tests that have not ended have noticed a change."""
 SAMPLE = 10
 """Changes of a module that are tried in a night."""
-ANSWERED = Path(__file__).with_name("survivors.toml")
-"""By the line that a change puts in place of ours: why no test has to notice it."""
+JUSTIFIED = Path(__file__).with_name("survivors.toml")
+"""Why no test has to notice a change, by function and kind of change."""
+TOKENS = re.compile(r"""(["']).*?\1|\d(?:e[+-]|[\w.])*|\w+|\*\*|//|[<>=!:]=|->|\S""")
+"""Words, numbers and signs of a line of code."""
 
 Log = Path
-Answers = dict[str, dict[str, str]]
 Step = Callable[[Path, Log], str]
 """Does one thing in a folder, writes to a log, and says what it found; raises `Failed`."""
 
@@ -121,7 +123,7 @@ def coverage(folder: Path, log: Log) -> str:
 
 
 def mutation(folder: Path, log: Log) -> str:
-    """Changes of geometry, adjustment and survey that no test notices and nobody has answered.
+    """Changes of geometry, adjustment and survey that no test notices and that are not justified.
 
     Of each module the same `SAMPLE` every night, drawn by chance; `mutation-whole` takes all. Tests
     that need a whole survey or more than `LONGEST` are left out (`tests.extras.quick`). mutmut
@@ -137,7 +139,7 @@ def mutation_whole(folder: Path, log: Log) -> str:
 
 
 def _mutation(folder: Path, log: Log, most: int | None) -> str:
-    answers = tomllib.loads(ANSWERED.read_text(encoding="utf-8"))
+    justifications = Justifications.of(tomllib.loads(JUSTIFIED.read_text(encoding="utf-8")))
     told, open_ = [], []
     for package, tests in PACKAGES.items():
         place = folder / f"mutation-{package}"
@@ -153,21 +155,26 @@ def _mutation(folder: Path, log: Log, most: int | None) -> str:
         counts = Counter(found.values())
         if not counts["killed"]:
             raise Failed(f"{package}: mutmut did not come to an end; see {log}")
-        left = [name for name, what in found.items() if what == "survived"]
-        unanswered = [each for each in left if not answered(
-            _output([*mutmut, "show", each], place), answers)]  # fmt: skip
-        noticed = noticed_afresh(unanswered, place / "mutants", [*QUICK, *_files(tests)])
-        left = [each for each in left if each not in noticed]
-        unanswered = [each for each in unanswered if each not in noticed]
+        left = {
+            name: _output([*mutmut, "show", name], place)
+            for name, what in found.items()
+            if what == "survived"
+        }
+        unjustified = justifications.missing_for(left)
+        noticed = noticed_afresh(unjustified, place / "mutants", [*QUICK, *_files(tests)])
+        left = {name: difference for name, difference in left.items() if name not in noticed}
+        unjustified = [each for each in unjustified if each not in noticed]
         tried = sum(counts[what] for what in ("killed", "survived", "timeout", "suspicious"))
         told.append(
-            f"{package}: {len(left)} of {tried} survived, {len(unanswered)} of them not answered, "
+            f"{package}: {len(left)} of {tried} survived, {len(unjustified)} not justified, "
             f"{counts['no tests']} reached by no quick test"
         )
-        open_ += unanswered
+        open_ += unjustified
     said = "; ".join(told)
+    if unmatched := justifications.unmatched(whole=most is None):
+        said += f"; {JUSTIFIED.name} has entries that match nothing: {', '.join(unmatched)}"
     if open_:
-        raise Failed(f"{said}; to be answered in {ANSWERED.name}: {' '.join(open_)}")
+        raise Failed(f"{said}; to be justified in {JUSTIFIED.name}: {' '.join(open_)}")
     return said
 
 
@@ -233,15 +240,107 @@ def drawn(found: dict[str, str], most: int | None) -> list[str]:
     ]  # fmt: skip
 
 
-def answered(difference: str, answers: Answers) -> bool:
-    """Whether a change needs no test: it is answered, or nothing but texts differ."""
+class Justifications:
+    """Why changes need no test, and which of the reasons were of use.
+
+    Attributes
+    ----------
+    functions : dict of str to dict of str to list of str
+        By function (`function_of`) and kind of change (`kind_of`): one reason for each change of
+        this kind in the function that may survive.
+    families : dict of str to str
+        Reasons by a regular expression that is searched for in the changed lines.
+    """
+
+    def __init__(
+        self, functions: Mapping[str, Mapping[str, list[str]]], families: Mapping[str, str]
+    ) -> None:
+        self.functions = functions
+        self.families = families
+        self._used: set[str] = set()
+
+    @classmethod
+    def of(cls, content: Mapping[str, Mapping[str, object]]) -> Justifications:
+        """Justifications from the content of the file; a single reason is not in a list."""
+        functions = {
+            function: {
+                kind: [reasons] if isinstance(reasons, str) else list(reasons)
+                for kind, reasons in kinds.items()
+            }
+            for function, kinds in content["functions"].items()
+        }
+        return cls(functions, content["families"])
+
+    def missing_for(self, differences: Mapping[str, str]) -> list[str]:
+        """Names of the changes without a reason, of these differences by the name of the change.
+
+        Where more changes of a kind survive than there are reasons, all of them are named.
+        """
+        missing, by_kind = [], {}
+        for name, difference in differences.items():
+            ours, theirs = changed_lines(difference)
+            families = [each for each in self.families if re.search(each, theirs, re.MULTILINE)]
+            self._used.update(families)
+            if not families and _bare(ours) != _bare(theirs):
+                key = function_of(name), kind_of(ours, theirs)
+                by_kind.setdefault(key, []).append(name)
+        for (function, kind), names in by_kind.items():
+            self._used.add(f"{function}: {kind}")
+            if len(names) > len(self.functions.get(function, {}).get(kind, ())):
+                missing += names
+        return missing
+
+    def unmatched(self, *, whole: bool) -> list[str]:
+        """Entries whose function no longer exists, or with ``whole`` those that were of no use."""
+        functions = set(functions_of_packages())
+        entries = [(f, f"{f}: {kind}") for f, kinds in self.functions.items() for kind in kinds]
+        unused = [each for each in self.families if whole and each not in self._used]
+        return unused + [
+            entry
+            for function, entry in entries
+            if function not in functions or (whole and entry not in self._used)
+        ]
+
+
+def functions_of_packages() -> Iterator[str]:
+    """Functions and methods of the packages that are changed, named as by `function_of`."""
+    for package in PACKAGES:
+        for path in (CHECKOUT / "lispac" / package).rglob("*.py"):
+            for node in ast.parse(path.read_text(encoding="utf-8")).body:
+                if isinstance(node, ast.FunctionDef):
+                    yield f"{path.stem}.{node.name}"
+                elif isinstance(node, ast.ClassDef):
+                    yield from (
+                        f"{path.stem}.{node.name}.{each.name}"
+                        for each in node.body
+                        if isinstance(each, ast.FunctionDef)
+                    )
+
+
+def function_of(name: str) -> str:
+    """Function of a change, without its package: ``planes.Plane.facing``."""
+    module, _, function = name.partition("__mutmut_")[0].rpartition(".")
+    parts = function.removeprefix("x").removeprefix("_") if "ǁ" not in function else function[2:]
+    return f"{module.rpartition('.')[2]}.{parts.replace('ǁ', '.')}"
+
+
+def changed_lines(difference: str) -> tuple[str, str]:
+    """Our lines and those in their place, from a unified difference."""
     lines = re.findall(r"^([-+])(?![-+]{2} )(.*)", difference, re.MULTILINE)
     ours, theirs = (
         "\n".join(text.strip() for sign, text in lines if sign == wanted) for wanted in "-+"
     )
-    if theirs in answers["lines"] or any(re.search(each, theirs) for each in answers["families"]):
-        return True
-    return _bare(ours) == _bare(theirs)
+    return ours, theirs
+
+
+def kind_of(ours: str, theirs: str) -> str:
+    """Kind of a change: the words that differ, ``< -> <=``."""
+    before, after = ([each[0] for each in TOKENS.finditer(lines)] for lines in (ours, theirs))
+    while before and after and before[0] == after[0]:
+        del before[0], after[0]
+    while before and after and before[-1] == after[-1]:
+        del before[-1], after[-1]
+    return f"{' '.join(before)} -> {' '.join(after)}"
 
 
 def _bare(code: str) -> str:

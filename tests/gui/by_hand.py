@@ -24,12 +24,12 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.dialog_service import Dialogs
-from lispac.gui.language import set_language
-from lispac.gui.main_window import MainWindow
-from lispac.gui.session import Session
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.language import set_language
+from lispac.gui.app.settings import AppSettings
 from lispac.gui.viewport.base import Viewport
+from lispac.gui.window.dialogs import Dialogs
+from lispac.gui.window.main_window import MainWindow
+from lispac.gui.window.session import Session
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, in_front, press
 
 LOOK_MS = 50

@@ -11,13 +11,13 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication, QDialog
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import theme
-from lispac.gui.design.window import DesignWindow
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.recovery_copies import LOCK_NAME
-from lispac.gui.session import Session
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.appearance import theme
+from lispac.gui.features.design.window import DesignWindow
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.project.recovery_copies import LOCK_NAME
 from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.gui.window.session import Session
 from lispac.io.project.project_file import UNSAVED_NAME
 from lispac.project import Project
 from lispac.workflow.calibration.estimation import estimate

@@ -8,7 +8,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QLineEdit
 
 from lispac.design.prediction import predict
-from lispac.gui.design.window import DesignWindow
+from lispac.gui.features.design.window import DesignWindow
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
 
 Shift = Qt.KeyboardModifier.ShiftModifier

@@ -10,7 +10,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from tests.gui.support import WAIT_MS, Demo
 
 

@@ -317,11 +317,11 @@ def main() -> int:
     links = Links()
     for scheme in ("file", "http", "https"):
         QDesktopServices.setUrlHandler(scheme, links, "follow")
-    from lispac.gui import controller
-    from lispac.gui.garbage_collection import GuiThreadGarbageCollector
-    from lispac.gui.log_file import LOG, LogFile
-    from lispac.gui.session import Session
-    from lispac.gui.settings import AppSettings
+    from lispac.gui.app.garbage_collection import GuiThreadGarbageCollector
+    from lispac.gui.app.log_file import LOG, LogFile
+    from lispac.gui.app.settings import AppSettings
+    from lispac.gui.project import controller
+    from lispac.gui.window.session import Session
 
     controller.demo_folder = lambda: project
     draws = Draws()

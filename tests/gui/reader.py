@@ -32,7 +32,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui.main_window import MainWindow
+from lispac.gui.window.main_window import MainWindow
 from tests.tutorial_steps import Step
 
 BEAT_MS = 30

@@ -9,12 +9,12 @@ from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QFormLayout, QLabel, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.dialog_service import Dialogs
-from lispac.gui.dialogs.questions import CandidateChoice, DropChoice, SaveChoice
-from lispac.gui.idle_tasks import IdleTask
-from lispac.gui.main_window import MainWindow
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.questions import CandidateChoice, DropChoice, SaveChoice
+from lispac.gui.app.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint, Viewport
+from lispac.gui.widgets.idle_tasks import IdleTask
+from lispac.gui.window.dialogs import Dialogs
+from lispac.gui.window.main_window import MainWindow
 from lispac.project import LineSource, Project, Role
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.input_files import ImportRequest

@@ -10,13 +10,15 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox, QPushButton
 
 from lispac.errors import InputError, ProjectError
-from lispac.gui.dialogs.dialog_service import Dialogs
-from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
-from lispac.gui.dialogs.import_files.file_table import FORMAT, ROLE
+from lispac.gui.features.open_project.import_survey.file_table import FORMAT, ROLE
+from lispac.gui.features.open_project.import_survey.import_dialog import AddLinesDialog
+from lispac.gui.window.dialogs import Dialogs
 from lispac.project import LineSource, Project
 from lispac.workflow.project.projects import open_project, save_project, with_lines_added
+from tests.error_codes import has_code
 from tests.gui.import_support import drop, shifted
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press
+from tests.message_codes import is_shown
 
 
 @pytest.fixture
@@ -141,7 +143,8 @@ def test_what_cannot_be_added_is_reported_in_the_dialogue(
     short.window.actions_["add_lines"].trigger()
     short.bot.waitUntil(lambda: len(told) == 3, timeout=WAIT_MS)
     name = shorter.lines[0].name
-    assert f"this file is already line {name} of the project." in told[0]
+    assert is_shown("project_line.known", told[0])
+    assert name in told[0]
     assert "late.laz" in told[1]
     assert "trajectory" in told[1]
     assert told[2].startswith("No lines have been added yet.")
@@ -168,7 +171,7 @@ def test_a_line_that_cannot_be_read_leaves_project_and_folder_as_they_are(
     kept.write_text("mine")
     late = shifted(shorter.lines[1].path, tmp_path / "late.laz", 90_000.0)
     before = sorted(shorter.folder.rglob("*"))
-    with pytest.raises(InputError, match="no point lies within the trajectory"):
+    with pytest.raises(InputError, check=has_code("import.after_trajectory")):
         with_lines_added(shorter, [LineSource("late", late)])
     with pytest.raises(InputError) as raised:
         with_lines_added(shorter, [LineSource(shorter.lines[0].name, late)])

@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QWidget
 
-from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.model.parameters import Parameter
 from lispac.errors import InputError
-from lispac.gui.panels.fields import FoldableGroup
-from lispac.gui.panels.results import EMPTY
+from lispac.gui.features.estimate.results_panel import EMPTY
+from lispac.gui.widgets.foldable_group import FoldableGroup
+from lispac.message_texts import message_text
+from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
 from tests.gui.support import (
@@ -27,7 +29,7 @@ from tests.gui.support import (
     type_into,
     wait_until_idle,
 )
-from tests.message_codes import codes
+from tests.message_codes import codes, is_shown
 
 
 @pytest.fixture
@@ -87,14 +89,12 @@ def test_the_sentence_of_the_settings_is_shown(picked: Driver):
     panel = picked.window.adjust
     unfold(picked, panel.advanced)
     type_into(picked, panel.model.position_time.lineEdit(), "0")
-    assert panel.problem.text().startswith("A correlation time of the POS errors is zero")
+    assert is_shown("settings.zero_correlation_time", panel.problem.text())
     type_into(picked, panel.model.position_time.lineEdit(), "120")
     panel.model.noise.setFocus()
     picked.bot.keyClick(panel.model.noise, Key.Key_Down)
     picked.bot.keyClick(panel.model.noise, Key.Key_Down)
-    assert panel.problem.text().startswith(
-        "The standard deviations of the LiDAR in range and angle are incomplete"
-    )
+    assert is_shown("window.lidar_beam_incomplete", panel.problem.text())
     type_into(picked, panel.model.angle, "0.02")
     assert panel.settings().lidar_beam_sigma == (picked.project.settings.lidar_sigma, 0.02)
     assert panel.settings().position_time == 120
@@ -305,9 +305,11 @@ def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(
     first = estimated.lines[0].name
     refusal = driver.window.results.refusal
     assert refusal.isVisible()
-    assert "T2 is the only target" in refusal.text()
-    assert f"observed on one line only are excluded: T1 on line {first}" in refusal.text()
-    assert "T2 is the only target" in driver.window.task_bar.currentMessage()
+    only = message_text(error("adjustment.only_plane", target="T2"))
+    assert only in refusal.text()
+    assert is_shown("targets.single_line_targets", refusal.text())
+    assert f"T1 on line {first}" in refusal.text()
+    assert only in driver.window.task_bar.currentMessage()
     assert sentence(driver, 2) == "not estimated"
     assert driver.dialogs.errors == []
     assert driver.project.result is None

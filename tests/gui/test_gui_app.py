@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from lispac.gui.dialogs.import_files.dialog import survey_file_filters
+from lispac.gui.features.open_project.import_survey.import_dialog import survey_file_filters
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 
 ASKED = """
@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtGui import QFileOpenEvent
-from lispac.gui.app import Application
+from lispac.gui.window.program import Application
 
 application, asked = Application(sys.argv[:1]), []
 application.document_requested.connect(asked.append)
@@ -51,7 +51,7 @@ WINDOW = """
 import sys
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QMainWindow
-from lispac.gui import app
+from lispac.gui.window import program
 
 def inspect_window():
     (window,) = [w for w in QApplication.topLevelWidgets() if isinstance(w, QMainWindow)]
@@ -61,10 +61,10 @@ def inspect_window():
     print(window.settings.folder)
     QApplication.exit(0)
 
-app.IMPORT_AFTER_MS = 3_600_000
+program.IMPORT_AFTER_MS = 3_600_000
 application = QApplication(sys.argv[:1])
 QTimer.singleShot(0, inspect_window)
-sys.exit(app.main([]))
+sys.exit(program.main([]))
 """
 
 

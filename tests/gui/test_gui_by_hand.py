@@ -12,8 +12,8 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QPushButton
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.io.project.project_file import UNSAVED_NAME
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project
@@ -58,14 +58,14 @@ def open_from_start_page(hands: Hands, folder: Path) -> None:
 def type_seed(hands: Hands, name: str, end: Callable[[QDialog], None]) -> None:
     """F3, and the coordinates of a plane, a field after the other."""
 
-    def act(dialog: SeedDialog) -> bool:
+    def act(dialog: SeedCoordinatesDialog) -> bool:
         for value in demo_seeds()[name][1]:
             hands.bot.keyClicks(dialog.focusWidget(), f"{value:.3f}")
             strike(hands, Key.Key_Tab)
         end(dialog)
         return True
 
-    hands.answers.foresee(SeedDialog, act)
+    hands.answers.foresee(SeedCoordinatesDialog, act)
     press(hands, Key.Key_F3)
     hands.answered()
     hands.rest()

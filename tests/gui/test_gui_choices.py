@@ -6,10 +6,10 @@ from math import radians
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 
-from lispac.gui.main_window import TITLE_BAR_HEIGHT
+from lispac.gui.window.main_window import TITLE_BAR_HEIGHT
 from lispac.targets.finder_settings import USUAL, FinderChoices
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
-from tests.gui.test_gui_seed_at import hand
+from tests.gui.test_gui_seed_coordinates import hand
 
 
 def unfold(driver: Driver, parent: QWidget, name: str) -> None:

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QColor
 
-from lispac.gui.colour_schemes import DARK, LIGHT
-from lispac.gui.point_colours import COLOURINGS, SCALES, Scale, point_shading, set_colour_scale
-from lispac.gui.view_actions import COLOUR_ACTIONS
+from lispac.gui.app.point_colours import COLOURINGS, SCALES, Scale, point_shading, set_colour_scale
+from lispac.gui.appearance.colour_schemes import DARK, LIGHT
+from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from tests.gui.support import Demo, Driver, Key, press
 
 

@@ -7,9 +7,11 @@ from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QTabBar
 from pytestqt.qtbot import QtBot
 from scipy.spatial.transform import Rotation
 
-from lispac.gui import theme
-from lispac.gui.panels.convention import TITLE, ConventionPanel
-from lispac.gui.panels.scanner_axes_view import ScannerAxesView, exaggeration_factor
+from lispac.gui.appearance import theme
+from lispac.gui.features.conventions.convention_panel import TITLE, ConventionPanel
+from lispac.gui.widgets.scanner_axes_view import ScannerAxesView, exaggeration_factor
+from lispac.message_texts import message_text
+from lispac.messages import note
 from lispac.project import Project
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
@@ -183,13 +185,13 @@ def test_the_lever_arm_of_a_present_4x4_is_shown_and_kept(qtbot, panel: Conventi
     qtbot.keyClicks(current.matrix, "1 0 0 0.12; 0 1 0 -0.34; 0 0 1 2.5; 0 0 0 1")
     told = panel.lever.text().replace("&nbsp;", " ")
     assert told.count("X forward <b>+0.1200</b> m, Y starboard <b>−0.3400</b> m") == 2
-    assert "No lever arm was entered" in told
+    assert message_text(note("convention.lever_arm_kept")) in told
     assert "Correction of the 4x4 matrix" in panel.notes.text()
     # Typed here, it replaces the present one.
     type_in(qtbot, panel.inputs.lever_arm.fields[2], "-2.4")
     told = panel.lever.text().replace("&nbsp;", " ")
     assert "Z down <b>+2.4000</b> m" in told
-    assert "replaces the lever arm of the current matrix" in told
+    assert message_text(note("convention.lever_arm_replaced")) in told
     qtbot.mouseClick(panel.copy, Left)
     copied = np.array(QApplication.clipboard().text().split(), dtype=float).reshape(4, 4)
     np.testing.assert_allclose(copied[:3, 3], [0.0, 0.0, 2.4], atol=1e-12)

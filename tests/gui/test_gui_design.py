@@ -6,8 +6,8 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit
 
 from lispac.design.prediction import predict
-from lispac.gui.design import edits
-from lispac.gui.design.window import DesignWindow
+from lispac.gui.features.design import edits
+from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.viewport.base import PickedPoint
 from lispac.io.config.plan_file import read_plan
 from tests.gui.design_support import (
@@ -23,6 +23,7 @@ from tests.gui.design_support import (
     wait_for_plan,
 )
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, press
+from tests.message_codes import is_shown
 
 
 def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
@@ -160,7 +161,8 @@ def test_a_mistake_is_reported_while_it_is_typed_and_not_taken(
     table, before = design.lines.table, design.workspace.titled
     editor = type_cell(driver, table, 2, 2, "1e")
     assert editor.property("wrong")
-    assert "“1e” is not a number" in design.error_label.text()
+    assert is_shown("window.not_a_number_in", design.error_label.text())
+    assert "“1e”" in design.error_label.text()
     driver.bot.keyClick(editor, Key.Key_Return)
     assert table.findChild(QLineEdit) is editor, "it stays open until it is right"
     assert design.workspace.titled is before

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 
 from lispac.design.objective import PlanObjective
-from lispac.gui.design.search import SearchResult
-from lispac.gui.design.window import DesignWindow
+from lispac.gui.features.design.search import SearchResult
+from lispac.gui.features.design.window import DesignWindow
 from lispac.language import gettext, gettext_lazy
 from tests.gui.by_hand import Hands, choose, open_menu
 from tests.gui.design_support import opened_by_keys, plan, wait_for_plan

@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtWidgets import QApplication
 
-from lispac.gui.design import edits
-from lispac.gui.design.window import DesignWindow
+from lispac.gui.features.design import edits
+from lispac.gui.features.design.window import DesignWindow
 from lispac.io.config.plan_file import read_plan
 from tests.gui.design_support import (
     NoModifier,

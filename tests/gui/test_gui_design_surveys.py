@@ -8,10 +8,10 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF
 from PySide6.QtWidgets import QApplication
 
-from lispac.cli.campaign import scatter_table
+from lispac.cli.planning.campaign import scatter_table
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
-from lispac.gui.design import edits
-from lispac.gui.design.window import DesignWindow
+from lispac.gui.features.design import edits
+from lispac.gui.features.design.window import DesignWindow
 from lispac.io.config.plan_file import read_plan
 from lispac.language import gettext_lazy
 from lispac.workflow.planning.plan_comparison import compare_with_plan
@@ -23,6 +23,7 @@ from tests.gui.design_support import (
     wait_until_designed,
 )
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
+from tests.message_codes import is_shown
 from tests.test_campaign import PORT
 
 COARSE = 4000.0
@@ -150,11 +151,11 @@ def test_a_plan_that_cannot_be_adjusted_is_refused(driver: Driver, coarse: Desig
     driver.bot.keyClick(coarse.surveys.start, Key.Key_Space)
     wait_until_designed(driver)
     (error,) = driver.dialogs.errors
-    assert "does not determine the boresight" in str(error)
+    assert error.code == "design.undetermined"
     driver.dialogs.errors.clear()
     coarse.workspace.remove_line()
     driver.bot.keyClick(coarse.surveys.start, Key.Key_Space)
-    assert "at least one target and one line" in coarse.task_bar.currentMessage()
+    assert is_shown("window.plan_incomplete", coarse.task_bar.currentMessage())
 
 
 def test_closing_the_program_stops_the_surveys(driver: Driver, coarse: DesignWindow) -> None:

@@ -6,12 +6,14 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from lispac.errors import InputError
-from lispac.gui import units
-from lispac.gui.design import edits
-from lispac.gui.design.limits_form import LimitsForm, parse_numbers
-from lispac.gui.design.plan_tables import LINE_FIELDS, TARGET_FIELDS, LinesList
-from lispac.gui.design.system import SystemPanel
-from lispac.gui.design.workspace import Workspace
+from lispac.gui.appearance import units
+from lispac.gui.features.design import edits
+from lispac.gui.features.design.plan_tables import LINE_FIELDS, TARGET_FIELDS, LinesList
+from lispac.gui.features.design.search import LimitsForm, parse_numbers
+from lispac.gui.features.design.system import SystemPanel
+from lispac.gui.features.design.workspace import Workspace
+from tests.error_codes import has_code
+from tests.message_codes import is_shown
 
 FOOT = 0.3048
 """Metres, by definition."""
@@ -44,9 +46,8 @@ def test_a_table_takes_feet_and_keeps_headings_in_degrees(qapp: QApplication) ->
 def test_an_end_of_a_range_may_be_typed_as_it_is_shown(qapp: QApplication) -> None:
     assert LINE["distance"].limit(edits.FAR_M) == "656.2"
     assert LINE["distance"].read("656.2") == edits.FAR_M
-    with pytest.raises(
-        InputError, match=r"700 ft is out of range\. Enter a value from 3\.281 to 656\.2 ft"
-    ):
+    values = {"text": "700", "low": "3.281", "high": "656.2", "unit": "ft"}
+    with pytest.raises(InputError, check=has_code("window.out_of_range", **values)):
         LINE["distance"].read("700")
 
 
@@ -58,7 +59,8 @@ def test_limits_that_are_not_typed_over_stay_to_the_last_digit(qapp: QApplicatio
     assert vars(site) == vars(metric)
     form.lists["heights"].setText("10, 20")
     assert form.site(titled)[1].heights == pytest.approx((10 * FOOT, 20 * FOOT))
-    assert "700 ft is out of range. Enter a value from −164 to 656.2 ft" in refusal("700")
+    assert is_shown("window.out_of_range", refusal("700"))
+    assert "−164 to 656.2 ft" in refusal("700")
 
 
 def refusal(text: str) -> str:

@@ -5,12 +5,13 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog
 
-from lispac.gui.design import plan_computations
-from lispac.gui.design.window import DesignWindow
-from lispac.gui.dialogs.sensors_of_plan import PlanSensorsDialog
+from lispac.gui.features.design import controller
+from lispac.gui.features.design.system import PlanSensorsDialog
+from lispac.gui.features.design.window import DesignWindow
 from lispac.workflow.planning.sensors import read_library
 from tests.gui.design_support import plan, wait_until_designed
 from tests.gui.support import WAIT_MS, Control, Driver, Key, click
+from tests.message_codes import is_shown
 
 SITE = """
 title = "Pier"
@@ -46,7 +47,8 @@ def test_the_best_plan_is_one_undo_step(driver: Driver, design: DesignWindow, tm
     field.selectAll()
     driver.bot.keyClicks(field, "10, x")
     assert not search.find.isEnabled()
-    assert "“x” is not a number" in search.error_label.text()
+    assert is_shown("window.not_a_number_in", search.error_label.text())
+    assert "“x”" in search.error_label.text()
     field.selectAll()
     driver.bot.keyClicks(field, "10, 15")
     click(driver, search.find)
@@ -82,7 +84,7 @@ def test_a_search_can_be_cancelled_and_changes_nothing(
 
 
 def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch) -> None:
-    monkeypatch.setattr(plan_computations, "SCENARIOS", ("size", "POS"))
+    monkeypatch.setattr(controller, "SCENARIOS", ("size", "POS"))
     driver.bot.keyClick(design, Key.Key_F9)
     wait_until_designed(driver)
     pictures = design.pictures

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QTableWidget
 
 from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
-from lispac.gui import theme
-from lispac.gui.panels.diagnostics_pages import PAGES
+from lispac.gui.appearance import theme
+from lispac.gui.features.estimate.diagnostics_pages import PAGES
 from lispac.gui.viewport.base import SELECTED_COLOUR, UNSELECTED_COLOUR
 from lispac.message_texts import message_text
 from lispac.messages import note
@@ -179,13 +179,13 @@ def test_what_is_to_be_checked_is_marked_with_text_and_colour(shown: Driver, est
     marked = estimated.with_result(doubtful).with_cross_checks(replace(checks, parts=(odd, none)))
     shown.window.document.edit("estimate", marked)
     table = turn_to(shown, "Sightings").table
-    assert texts(table, "Note")[1] == "rejected: disagrees with other sightings"
+    assert texts(table, "Finding")[1] == "rejected"
     assert table.item(1, 0).background().color().name() == theme.WARNING_GROUND
     assert table.item(0, 0).background().color().name() != theme.WARNING_GROUND
-    assert texts(turn_to(shown, "Targets").table, "Note")[0] == f"rejected in {line}"
+    assert texts(turn_to(shown, "Targets").table, "Finding")[0] == f"rejected in {line}"
     table = turn_to(shown, "Cross-checks").table
-    assert texts(table, "Agreement") == ["disagrees", "no result"]
-    assert texts(table, "Reason")[1] == "None of the remaining targets is observed on two lines."
+    assert texts(table, "Finding") == ["disagrees", "no result"]
+    assert texts(table, "Reason")[1] == message_text(note("cross_check.no_common_target"))
     assert table.item(0, 0).background().color().name() == theme.WARNING_GROUND
     told = shown.window.results.warnings.text()
     assert f"T1 on line {line} (displaced by " in told
@@ -249,7 +249,7 @@ def test_thesis_mode_says_what_it_does_not_work_out(shown: Driver, estimated: Pr
     thesis = replace(result, model=replace(result.model, pos_errors="independent"), reliability=())
     shown.window.document.edit("estimate", estimated.with_result(thesis))
     assert turn_to(shown, "POS error").advice.startswith("Not available with uncorrelated")
-    assert set(texts(turn_to(shown, "Sightings").table, "Note")) == {"not tested"}
+    assert set(texts(turn_to(shown, "Sightings").table, "Finding")) == {"not tested"}
 
 
 def test_a_table_filled_again_is_as_wide_as_its_words(shown: Driver) -> None:

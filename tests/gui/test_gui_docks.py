@@ -6,8 +6,8 @@ from PySide6.QtCore import QRect, Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QToolBar
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.main_window import MainWindow
 from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.gui.window.main_window import MainWindow
 from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import Driver, click
 

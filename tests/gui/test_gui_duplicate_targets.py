@@ -3,6 +3,7 @@
 from lispac.gui.viewport.base import PickedPoint
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import Driver, click, open_step, wait_until_idle
+from tests.message_codes import is_shown
 
 
 def click_on(driver: Driver, name: str, aside: float = 0.0) -> None:
@@ -30,7 +31,8 @@ def test_a_surface_clicked_twice_is_reported(opened: Driver) -> None:
     open_step(opened, 2)
     click(opened, window.adjust.estimate)
     wait_until_idle(opened)
-    assert "Targets have points in common: T2 with T3 (" in window.results.warnings.text()
+    assert is_shown("targets.counted_twice", window.results.warnings.text())
+    assert "T2 with T3 (" in window.results.warnings.text()
     assert "with warnings" in window.workflow.headers[2].sentence.text()
     window.controller.use_target("T3", False)
     wait_until_idle(opened)

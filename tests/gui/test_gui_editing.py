@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from lispac.gui.residuals import GREY, residuals, validation_distances
+from lispac.gui.project.residuals import GREY, residuals, validation_distances
 from tests.gui.support import Control, Driver, Key, press, seed, wait_until_idle
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -9,13 +9,15 @@ import pytest
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.actions import dialog_title
-from lispac.gui.dialogs.export import CONTENTS, DELAY_MS, ExportDialog
+from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.export.actions import ACTIONS
+from lispac.gui.features.export.export_dialog import CONTENTS, DELAY_MS, ExportDialog
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.output.export_request import ENDINGS, ExportRequest
 from lispac.workflow.output.output_crs import utm_zone
 from tests.cloud_files import track
 from tests.gui.support import Control, Demo, Driver, Key, Left, press
+from tests.message_codes import is_shown
 from tests.test_target_systems import ITRF, NAD83, on_map
 
 Shift = Control.__class__.ShiftModifier
@@ -38,7 +40,7 @@ def ok(dialog: ExportDialog):
 
 def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: Demo) -> None:
     asked = dialog.request()
-    assert dialog.windowTitle() == dialog_title("lines")
+    assert dialog.windowTitle() == dialog_title(ACTIONS["lines"])
     assert asked.system == utm_zone(demo.survey.trajectory)
     assert (asked.what, asked.which, asked.form) == ("lines", "estimated", "laz")
     assert asked.output == dialog._project.folder / "export"
@@ -47,11 +49,11 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     assert dialog.request().system == "local"
     assert "north, west and up" in dialog.message_label.text()
     dialog.system.setCurrentIndex(0)
-    assert "No datum transformation is applied" in dialog.message_label.text()
-    assert "at the epoch of the trajectory" in dialog.message_label.text()
+    assert is_shown("assumed.datum", dialog.message_label.text())
+    assert is_shown("export.epoch", dialog.message_label.text())
     dialog.what.setCurrentIndex(list(CONTENTS).index("trajectory"))
     assert dialog.message_label.isVisible()
-    assert "in the datum and at the epoch of" in dialog.message_label.text()
+    assert is_shown("export.trajectory_datum", dialog.message_label.text())
 
 
 def test_a_wrong_system_is_reported_while_it_is_typed(dialog: ExportDialog, qtbot: QtBot) -> None:
@@ -78,10 +80,11 @@ def test_a_system_of_another_part_of_the_world_gives_a_warning(
     dialog.system.lineEdit().setText("EPSG:32660")
     dialog._check_input()
     assert dialog.message_label.property("role") == "error"
-    assert "the UTM zone of the trajectory is EPSG:32618" in dialog.message_label.text()
+    assert is_shown("crs.meant_elsewhere", dialog.message_label.text())
+    assert "EPSG:32618" in dialog.message_label.text()
     dialog.system.lineEdit().setText("EPSG:32619")  # the next zone, as a survey near its edge has
     dialog._check_input()
-    assert "the UTM zone of the trajectory" not in dialog.message_label.text()
+    assert not is_shown("crs.meant_elsewhere", dialog.message_label.text())
     dialog.height.setText("5703")
     dialog.system.setCurrentIndex(dialog.system.count() - 1)
     qtbot.waitUntil(lambda: not dialog.height.isEnabled(), timeout=5000)
@@ -140,7 +143,8 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
     assert (asked.system, asked.trajectory_datum, asked.epoch) == ("", None, None)
     assert not dialog.datum.isEnabled()
     own = dialog.message_label.text()
-    assert "The trajectory is in ITRF2014" in own
+    assert is_shown("assumed.datum_shift", own)
+    assert "ITRF2014" in own
     dialog.system.lineEdit().setText(NAD83)
     dialog._check_input()
     asked = dialog.request()
@@ -163,11 +167,11 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
         assert ok(dialog).isEnabled()
     dialog.datum.clear()
     dialog._check_input()
-    assert "has no effect without the datum" in dialog.message_label.text()
+    assert is_shown("export.epoch_without_datum", dialog.message_label.text())
     dialog.epoch.clear()
     dialog._check_input()
     assert dialog.request().trajectory_datum == ""
-    assert "No datum transformation is applied" in dialog.message_label.text()
+    assert is_shown("assumed.datum", dialog.message_label.text())
 
 
 def test_lines_of_two_epochs_leave_the_choice_to_the_user(qtbot: QtBot, tmp_path: Path) -> None:

@@ -19,19 +19,19 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import theme
-from lispac.gui.design.number_table import NumberTable
-from lispac.gui.design.window import DesignWindow
-from lispac.gui.dialogs.error import error_box
-from lispac.gui.dialogs.identity import IdentityDialog
-from lispac.gui.dialogs.visibility import VisibilityDialog
-from lispac.gui.language import set_language
-from lispac.gui.panels import widgets
-from lispac.gui.panels.clipping import ClippingPanel
-from lispac.gui.panels.mounting_sketch import MountingSketch
-from lispac.gui.panels.patch_test import PatchTestPanel
+from lispac.gui import widgets
+from lispac.gui.app.language import set_language
+from lispac.gui.appearance import theme
+from lispac.gui.features.design.number_table import NumberTable
+from lispac.gui.features.design.window import DesignWindow
+from lispac.gui.features.inspect.clipping_panel import ClippingPanel
+from lispac.gui.features.patch_test.panel import PatchTestPanel
+from lispac.gui.features.report.identity_dialog import IdentityDialog
+from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.overlay import free_label_place, has_right_neighbour
+from lispac.gui.widgets.error_box import error_box
+from lispac.gui.widgets.mounting_sketch import MountingSketch
 from lispac.identity import Identity
 from lispac.language import LANGUAGES
 from lispac.project import Project

@@ -9,28 +9,30 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import theme
-from lispac.gui.design import edits
-from lispac.gui.dialogs.about import about_box, shortcuts_box
-from lispac.gui.dialogs.budget import BudgetDialog
-from lispac.gui.dialogs.check import CheckDialog
-from lispac.gui.dialogs.error import error_box
-from lispac.gui.dialogs.export import ExportDialog
-from lispac.gui.dialogs.find_again import FindAgainDialog
-from lispac.gui.dialogs.identity import IdentityDialog
-from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.dialogs.import_files.file_preview import FilePreview
-from lispac.gui.dialogs.seed_at import SeedDialog
-from lispac.gui.dialogs.visibility import VisibilityDialog
-from lispac.gui.language import set_language
-from lispac.gui.settings import AppSettings
-from lispac.gui.studies import SITES
+from lispac.gui.app.language import set_language
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.appearance import theme
+from lispac.gui.features.design import edits
+from lispac.gui.features.export.export_dialog import ExportDialog
+from lispac.gui.features.help.dialogs import about_box, shortcuts_box
+from lispac.gui.features.open_project.import_survey.file_page import FilePreview
+from lispac.gui.features.open_project.import_survey.import_dialog import (
+    AddLinesDialog,
+    ImportDialog,
+)
+from lispac.gui.features.pick_targets.dialogs import FindAgainDialog
+from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
+from lispac.gui.features.report.identity_dialog import IdentityDialog
+from lispac.gui.features.studies.budget_dialog import BudgetDialog
+from lispac.gui.features.studies.check_dialog import CheckDialog
+from lispac.gui.features.studies.studies import SITES
+from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
 from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.gui.widgets.error_box import error_box
 from lispac.io.project.project_file import write_project
 from lispac.language import gettext
+from lispac.present.error_budget import ErrorBudgetValues
 from lispac.project import Project
-from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.visibility_study import study_visibility
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.checking.validation import validate
@@ -115,7 +117,7 @@ def test_dialogues(french: Driver, demo: Demo, estimated: Project) -> None:
         CheckDialog(estimated, track, window),
         FindAgainDialog(estimated.target("T1"), window),
         IdentityDialog(estimated.identity, str, window),
-        SeedDialog(estimated, track, window.targets.seed_options, "T9", window),
+        SeedCoordinatesDialog(estimated, track, window.targets.seed_options, "T9", window),
         *(
             ExportDialog(what, "estimated", estimated, track, window)
             for what in ("lines", "targets", "planes", "trajectory")

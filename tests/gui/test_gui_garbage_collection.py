@@ -17,7 +17,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.garbage_collection import (
+from lispac.gui.app.garbage_collection import (
     FULL_INTERVAL_S,
     MIN_NEW_MODULES,
     MIN_YOUNG,

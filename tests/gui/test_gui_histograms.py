@@ -10,8 +10,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from lispac.gui import units
-from lispac.gui.panels.histograms import PROFILE_PLOT, ZOOM_HINT, HistogramsPanel
+from lispac.gui.appearance import units
+from lispac.gui.features.validate.histograms_panel import PROFILE_PLOT, ZOOM_HINT, HistogramsPanel
 from lispac.project import Project
 from tests.gui.support import Demo, Driver
 

@@ -9,14 +9,19 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.import_files.dialog import MOUNTING, TIMELINE, ImportDialog
-from lispac.gui.dialogs.import_files.file_table import ROLE, STATE
-from lispac.gui.dialogs.import_files.timeline import timeline_bars
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.open_project.import_survey.file_table import ROLE, STATE
+from lispac.gui.features.open_project.import_survey.import_dialog import (
+    MOUNTING,
+    TIMELINE,
+    ImportDialog,
+)
+from lispac.gui.features.open_project.import_survey.timeline import timeline_bars
 from lispac.messages import Action
 from lispac.workflow.project.projects import create_project
 from tests.gui.import_support import drop, raw, rest, shifted, texts
 from tests.gui.support import WAIT_MS, Demo, Key, Left
+from tests.message_codes import is_shown
 
 # -- files in --------------------------------------------------------------------------------------
 
@@ -73,7 +78,7 @@ def test_a_folder_is_searched_and_a_stranger_listed_with_the_reason(
     dialog.table.selectRow(1)
     shown = [label.text() for label in dialog.file_page.messages.findChildren(QWidget)
              if hasattr(label, "text")]  # fmt: skip
-    assert any("the format of this file is not recognised" in text for text in shown)
+    assert any(is_shown("import.unknown_format", text) for text in shown)
     assert "The trajectory is missing" in dialog.reason.text()
 
 
@@ -182,10 +187,8 @@ def test_columns_are_chosen_over_the_preview_and_remembered(
     drop(dialog, [demo.project.trajectory, text])
     rest(qtbot, dialog)
     dialog.table.selectRow(1)
-    assert (
-        "no column is assigned to time, X coordinate, Y coordinate and Z coordinate"
-        in dialog.reason.text()
-    )
+    assert is_shown("import.columns_not_chosen", dialog.reason.text())
+    assert "time, X coordinate, Y coordinate and Z coordinate" in dialog.reason.text()
     for column, letter in enumerate("txyz"):
         combo = dialog.file_page.preview.combos[column]
         combo.setFocus()
@@ -231,7 +234,7 @@ def test_a_coordinate_system_is_typed_and_its_name_shown(
     qtbot.keyClick(field, Key.Key_Return)
     rest(qtbot, dialog)
     system = dialog.file_page.options.system
-    assert "PROJ does not know this" in system.text()
+    assert is_shown("crs.unknown", system.text())
     field.selectAll()
     qtbot.keyClicks(field, "32618")
     qtbot.keyClick(field, Key.Key_Return)

@@ -9,11 +9,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.dialog_service import Dialogs
-from lispac.gui.dialogs.import_files.dialog import QUALITY, ImportDialog
-from lispac.gui.dialogs.import_files.envelope import envelope
-from lispac.gui.dialogs.import_files.timeline import round_ticks
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.open_project.import_survey.import_dialog import QUALITY, ImportDialog
+from lispac.gui.features.open_project.import_survey.quality_figures import envelope
+from lispac.gui.features.open_project.import_survey.timeline import round_ticks
+from lispac.gui.window.dialogs import Dialogs
 from lispac.workflow.project.projects import open_project
 from tests.gui.import_support import drop, raw
 from tests.gui.support import WAIT_MS, Demo, Driver, Left

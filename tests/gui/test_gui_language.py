@@ -10,13 +10,13 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.language import set_language
-from lispac.gui.main_window import MainWindow
-from lispac.gui.panels.fields import OptionalNumber
-from lispac.gui.panels.widgets import VerticalScrollArea
-from lispac.gui.session import Session
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.language import set_language
+from lispac.gui.app.settings import AppSettings
 from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.gui.widgets import VerticalScrollArea
+from lispac.gui.widgets.optional_number import OptionalNumber
+from lispac.gui.window.main_window import MainWindow
+from lispac.gui.window.session import Session
 from lispac.language import current_language, gettext
 from lispac.progress import Progress
 from lispac.project import Project
@@ -44,7 +44,7 @@ def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path):
 def test_the_tour_goes_on_in_another_language(
     session: Session, qtbot: QtBot, demo_copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
+    monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: demo_copy)
     english = session.window
     qtbot.mouseClick(english.central_widget.start.links["tour"], Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: english.tour.is_running and not english.runner.active, timeout=SOON_MS)

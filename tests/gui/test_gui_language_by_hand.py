@@ -14,8 +14,8 @@ from PySide6.QtWidgets import (
     QTreeView,
 )
 
-from lispac.gui.dialogs.settings import SettingsDialog
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.preferences.settings_dialog import SettingsDialog
 from tests.gui.by_hand import Hands, choose, open_by_keys, open_menu, rename, shows_something
 from tests.gui.support import Control, Demo, Key, Left, click, press
 

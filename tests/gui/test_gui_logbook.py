@@ -11,10 +11,10 @@ from PySide6.QtCore import qWarning
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import desktop_notifications
-from lispac.gui.desktop_notifications import DesktopNotifications
-from lispac.gui.log_file import LogFile
-from lispac.gui.tasks import Task
+from lispac.gui.app.log_file import LogFile
+from lispac.gui.app.tasks import Task
+from lispac.gui.window import desktop_notifications
+from lispac.gui.window.desktop_notifications import DesktopNotifications
 from tests.gui.support import WAIT_MS, Driver
 
 

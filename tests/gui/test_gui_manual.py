@@ -25,7 +25,7 @@ def test_it_is_opened_in_the_language_of_the_window(
     opened: list[QUrl] = []
     monkeypatch.setattr(caches, "default_folder", lambda: cache)
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url) or True)
-    monkeypatch.setattr("lispac.gui.manual.current_language", lambda: spoken)
+    monkeypatch.setattr("lispac.gui.features.help.manual.current_language", lambda: spoken)
     press(driver, Key.Key_F1, Qt.KeyboardModifier.ShiftModifier)
     driver.rest()
     for step in range(5):

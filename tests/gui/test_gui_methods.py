@@ -8,7 +8,7 @@ from PySide6.QtCore import QTimer
 
 from lispac.alternative_methods import AlternativeResult
 from lispac.errors import AdjustmentError
-from lispac.gui.dialogs.methods import MethodsDialog
+from lispac.gui.features.studies.methods_dialog import MethodsDialog
 from lispac.messages import note
 from lispac.workflow.calibration import method_runs
 from lispac.workflow.calibration.method_runs import adjust_natural_planes

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtWidgets import QMenu, QMenuBar
 
-from lispac.gui.language import set_language
+from lispac.gui.app.language import set_language
 from lispac.language import LANGUAGES
 from tests.gui.design_support import opened_by_keys
 from tests.gui.support import Demo, Driver

@@ -6,9 +6,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
-from lispac.gui import theme, units
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.panels.mounting_sketch import HEIGHT, VIEWS, MountingSketch, length_with_unit
+from lispac.gui.appearance import theme, units
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.widgets.mounting_sketch import HEIGHT, VIEWS, MountingSketch, length_with_unit
+from lispac.message_texts import message_text
+from lispac.messages import warning
 from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
 from tests.gui.support import Driver, open_step, type_into
@@ -150,7 +152,8 @@ def test_a_scanner_far_below_is_a_warning(opened: Driver) -> None:
     view = opened.window.data.mounting
     typed(opened, ("1.2", "0.35", "-2.1"))
     assert view.file_warnings.isVisible()
-    assert "2.10 m below the POS centre" in view.file_warnings.text()
+    below = warning("mounting.lever_arm_below", below=2.10)
+    assert message_text(below) in view.file_warnings.text()
     typed(opened, ("1.2", "0.35", "2.1"))
     assert not view.file_warnings.isVisible()
 

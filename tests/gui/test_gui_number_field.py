@@ -7,10 +7,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolTip, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import units
-from lispac.gui.language import set_language
-from lispac.gui.panels import widgets
-from lispac.gui.panels.number_field import NumberField
+from lispac.gui import widgets
+from lispac.gui.app.language import set_language
+from lispac.gui.appearance import units
+from lispac.gui.widgets.number_field import NumberField
 from tests.gui.support import in_front
 
 Key, SOON_MS = Qt.Key, 20_000

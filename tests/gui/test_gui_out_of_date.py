@@ -5,9 +5,9 @@ from dataclasses import replace
 from html import unescape
 from pathlib import Path
 
-from lispac.adjustment.outdated_result import outdated_result_warning
-from lispac.gui.language import set_language
-from lispac.gui.report_export import ReportExport
+from lispac.adjustment.diagnostics.warnings import outdated_result_warning
+from lispac.gui.app.language import set_language
+from lispac.gui.features.report.report_export import ReportExport
 from lispac.message_texts import message_text
 from tests.gui.support import Driver
 

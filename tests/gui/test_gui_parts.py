@@ -16,12 +16,12 @@ from pytestqt.qtbot import QtBot
 
 from lispac.adjustment.result import PossibleCause
 from lispac.errors import Cancelled, InputError
-from lispac.gui import status
-from lispac.gui.dialogs.error import error_box, error_text_and_details
-from lispac.gui.language import set_language
-from lispac.gui.settings import AppSettings
-from lispac.gui.statusbar import TaskStatusBar
-from lispac.gui.tasks import Task, TaskRunner
+from lispac.gui.app.language import set_language
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.status_bar import TaskStatusBar
+from lispac.gui.app.tasks import Task, TaskRunner
+from lispac.gui.project import status
+from lispac.gui.widgets.error_box import error_box, error_text_and_details
 from lispac.language import gettext_lazy
 from lispac.progress import PointProgress, Progress
 from lispac.project import Project

@@ -5,9 +5,10 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QListWidget, QSlider, QStyle, QStyleOptionSlider
 
-from lispac.gui.panels.patch_angles import STEP_DEG
-from lispac.gui.panels.patch_test import EMPTY, PatchTestPanel
+from lispac.gui.features.patch_test.angles import STEP_DEG
+from lispac.gui.features.patch_test.panel import EMPTY, PatchTestPanel
 from tests.gui.support import Control, Driver, Key, Left, click, press, type_into
+from tests.message_codes import is_shown
 
 ROLL, PITCH, YAW = range(3)
 
@@ -76,7 +77,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     assert answer is not None
     assert answer.sigma is not None
     assert "result" in shown.angles.result_labels[PITCH].text()
-    assert shown.message_label.text().startswith("The result is based on")
+    assert is_shown("patch_test.basis", shown.message_label.text())
     truth = np.radians(opened.project.truth_deg)
     assert (np.abs(answer.boresight - truth) < 3 * answer.sigma).all()
 
@@ -192,4 +193,4 @@ def test_what_was_found_is_forgotten_with_another_choice(opened: Driver) -> None
     assert not shown.ticked_pairs
     click(opened, shown.all)
     opened.rest()
-    assert "No object is covered by two of the selected lines" in str(opened.dialogs.errors[-1])
+    assert opened.dialogs.errors[-1].code == "patch_test.no_pairs"

@@ -10,10 +10,10 @@ from PySide6.QtGui import QFontMetricsF, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from lispac.gui import units
-from lispac.gui.dialogs.about import shortcuts_box
-from lispac.gui.panels.sightings_table import EDITED
-from lispac.gui.picture_export import NO_SECTION
+from lispac.gui.appearance import units
+from lispac.gui.features.help.dialogs import shortcuts_box
+from lispac.gui.features.inspect.picture_export import NO_SECTION
+from lispac.gui.features.pick_targets.sightings_table import EDITED
 from lispac.gui.viewport.base import PointColouring
 from lispac.gui.viewport.overlay import OverlaidView, free_label_place
 from tests.gui.support import Control, Driver, Key, click, press, wait_until_idle

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QLabel, QMessageBox
 from pytestqt.qtbot import QtBot
 
 from lispac.errors import InputError
-from lispac.gui.dialogs.error import error_box
-from lispac.gui.panels import widgets
+from lispac.gui import widgets
+from lispac.gui.widgets.error_box import error_box
 from tests.gui.support import Driver, labels_that_guess
 
 PICTURE = '<img src="https://example.org/x.png"> line'

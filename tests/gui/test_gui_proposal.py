@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QTableWidget,
 )
 
-from lispac.gui.dialogs.proposal import ProposedTargetsDialog
+from lispac.gui.features.pick_targets.proposal_dialog import ProposedTargetsDialog
 from lispac.project import Project
 from lispac.workflow.calibration.proposal_acceptance import with_accepted, without_picked
 from lispac.workflow.calibration.proposals import Proposal, propose_targets

@@ -5,8 +5,11 @@ from dataclasses import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
+from lispac.message_texts import message_text
+from lispac.messages import note
 from lispac.project import Project
 from tests.gui.support import Demo, Driver, Key, open_step, press, seed, wait_until_idle
+from tests.message_codes import is_shown
 
 Role = Qt.ItemDataRole
 
@@ -42,8 +45,9 @@ def test_a_poor_one_is_reported_and_can_be_excluded_and_undone(picked: Driver) -
     picked.window.document.edit("less", with_few_points(picked.project))
     picked.rest()
     assert shown(picked, "T1", line).endswith("poor")
-    assert "The sighting has only 40 points." in shown(picked, "T1", line, Role.ToolTipRole)
-    assert " on the other lines is visible: 0." in shown(picked, "T1", line, Role.ToolTipRole)
+    tip = shown(picked, "T1", line, Role.ToolTipRole)
+    assert message_text(note("quality.few_points", count=40)) in tip
+    assert is_shown("quality.shows_less", tip)
     picked.window.controller.use_sighting("T1", line, False)
     picked.rest()
     assert shown(picked, "T1", line).endswith("poor")

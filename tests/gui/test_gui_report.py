@@ -16,13 +16,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui.panels.report import ReportPanel
-from lispac.gui.panels.widgets import ChoiceBox
+from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.viewport.frame_times import FrameTimes
+from lispac.gui.widgets import ChoiceBox
 from lispac.identity import NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
-from tests.gui.test_gui_seed_at import hand
+from tests.gui.test_gui_seed_coordinates import hand
+from tests.message_codes import is_shown
 
 REPORT = 4
 
@@ -133,11 +134,11 @@ def test_a_bad_template_is_reported_at_once_and_refused(adjusted: Driver, tmp_pa
     adjusted.dialogs.path = tmp_path / "own.toml"
     adjusted.dialogs.path.write_text("colour = 'red'")
     click(adjusted, panel.findChild(QPushButton, "report_template_choose"))
-    assert "colour is not a key" in panel.template_error.text()
+    assert is_shown("report_template.unknown_key", panel.template_error.text())
     assert panel.template_error.isVisible()
     click(adjusted, panel.report)
     (error,) = adjusted.dialogs.errors
-    assert "colour is not a key" in str(error)
+    assert (error.code, error.message.params["key"]) == ("report_template.unknown_key", "colour")
     assert not adjusted.window.runner.active
 
 
@@ -380,7 +381,7 @@ def test_no_report_is_proposed_into_the_cache(
     """It may be emptied at any time; a project elsewhere keeps its report beside it."""
     folder = adjusted.project.folder
     place = folder.parent if cached else folder / "cache"
-    monkeypatch.setattr("lispac.gui.proposed_folders.usable_cache_folder", lambda: place)
+    monkeypatch.setattr("lispac.gui.app.settings.usable_cache_folder", lambda: place)
     adjusted.window.actions_["report"].trigger()
     proposed = adjusted.dialogs.proposed
     assert proposed.name == f"{adjusted.project.name}.pdf"

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.recovery_copies import LOCK_NAME, LOCKED_ELSEWHERE
+from lispac.gui.project.recovery_copies import LOCK_NAME, LOCKED_ELSEWHERE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.project.project_file import (
     FILE_NAME,

@@ -10,8 +10,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import theme
-from lispac.gui.language import set_language
+from lispac.gui.app.language import set_language
+from lispac.gui.appearance import theme
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.message_texts import message_text
 from lispac.messages import Message

@@ -14,13 +14,16 @@ from PySide6.QtWidgets import (
     QTableWidget,
 )
 
+from lispac.message_texts import message_text
+from lispac.messages import note
 from lispac.progress import Progress, Step
 from lispac.workflow.calibration import seed_lists
 from lispac.workflow.calibration.seed_lists import pick_seeds
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.import_support import drop
 from tests.gui.support import WAIT_MS, Driver, Key, Left, click, open_step, press
-from tests.gui.test_gui_seed_at import hand
+from tests.gui.test_gui_seed_coordinates import hand
+from tests.message_codes import is_shown
 
 SEEDS = demo_seeds()
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -76,7 +79,8 @@ def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -
     names = [*list(SEEDS)[:3], "Lost"]
     assert [row[0] for row in read] == [row[0] for row in found] == names
     assert read[0][2:5] == [f"{value:.3f}" for value in SEEDS[names[0]][1]]
-    assert "Columns identified by their order: name, north, west and up." in said
+    ordered = note("assumed.columns_by_order", columns=("name", "north", "west", "up"))
+    assert message_text(ordered) in said
     assert [row[2] for row in found][3] == "none"
     assert found[0][2] == "6 of 6"
     assert found[3][4]
@@ -103,7 +107,7 @@ def test_taken_names_are_not_ticked_and_columns_can_be_given(picked: Driver, lis
         assert table.rowCount() == 0
         picked.bot.keyClicks(columns, ",z")
         message = dialog.findChild(QLabel, "list_message")
-        assert "Columns identified by their names" in message.text()
+        assert is_shown("assumed.columns_as_named", message.text())
         box = dialog.findChild(QComboBox, "list_system")
         box.setFocus()
         picked.bot.keyClick(box, Key.Key_Down)

@@ -8,13 +8,13 @@ from PySide6.QtCore import QLocale, QLockFile, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import theme
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
-from lispac.gui.dialogs.settings import SettingsDialog
-from lispac.gui.preferences import Preferences
-from lispac.gui.recovery_copies import LOCK_NAME
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.appearance import theme
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.preferences.preferences import Preferences
+from lispac.gui.features.preferences.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
+from lispac.gui.features.preferences.settings_dialog import SettingsDialog
+from lispac.gui.project.recovery_copies import LOCK_NAME
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.config.sensor_file import PosSpecification, ScannerSpecification
@@ -22,6 +22,7 @@ from lispac.project import Settings
 from lispac.workflow.planning.sensors import read_library, store_sensor
 from lispac.workflow.project.projects import new_project
 from tests.gui.support import Driver, Key, Left, in_front, press
+from tests.message_codes import is_shown
 
 OTHERS = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
                      theme="dark", scale="turbo")  # fmt: skip
@@ -233,7 +234,7 @@ def test_what_cannot_be_kept_is_reported_while_it_is_typed(qtbot: QtBot, tmp_pat
     qtbot.mouseClick(pos.keep, Left)
     assert "source of the specifications" in pos.message_label.text()
     pos.parts[1].is_specified.setChecked(False)
-    assert "at least one GNSS solution" in pos.message_label.text()
+    assert is_shown("sensor.no_sigmas", pos.message_label.text())
 
 
 def test_a_broken_file_is_named_above_the_buttons(
@@ -308,14 +309,14 @@ def test_a_cache_is_shown_and_emptied_after_a_question(
     (place / "numba" / "kernel").write_bytes(bytes(2_500_000))
     (tmp_path / "file").write_text("")
     page.cache.choose_folder(tmp_path / "file")
-    assert "the cache cannot be written here" in page.cache.message_label.text()
+    assert is_shown("cache.folder_not_writable", page.cache.message_label.text())
     page.cache.choose_folder(tmp_path / "disk")
     assert page.preferences.cache == tmp_path / "disk"
     assert page.cache.place.text() == str(place)
     assert page.cache.size.text() == "2.5 MB"
     assert page.cache.message_label.text() == ""
 
-    for button, left in (("Cancel", True), ("Empty cache", False)):
+    for button, left in (("Cancel", True), ("Clear cache", False)):
         QTimer.singleShot(200, lambda button=button: answer_box(qtbot, button))
         qtbot.mouseClick(page.cache.empty, Left)
         assert (place / "numba").exists() is left

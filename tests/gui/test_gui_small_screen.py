@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QApplication, QComboBox, QPushButton, QScrollArea,
 from PySide6.QtWidgets import QStyleOptionComboBox as ComboOption
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import theme
-from lispac.gui.language import set_language
-from lispac.gui.panels.convention import TITLE as CONVENTION
+from lispac.gui.app.language import set_language
+from lispac.gui.appearance import theme
+from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.language import LANGUAGES
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press

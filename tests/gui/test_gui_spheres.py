@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QLabel
 
-from lispac.gui import units
+from lispac.gui.appearance import units
 from lispac.gui.viewport.base import PickedPoint
 from lispac.project import Project
 from tests.ball_survey import BallSurvey, make_ball_survey

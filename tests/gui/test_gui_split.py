@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from lispac.cli.main import main
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.project import Settings
 from lispac.workflow.project.projects import new_project
 from tests.gui.import_support import drop, rest

@@ -9,10 +9,10 @@ import pytest
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QCommandLinkButton
 
-from lispac.gui.language import set_language
-from lispac.gui.main_window import TITLE_BAR_HEIGHT, MainWindow
-from lispac.gui.start_page import StartPage
-from lispac.gui.tour import SAME_ORIENTATION, STEPS
+from lispac.gui.app.language import set_language
+from lispac.gui.features.help.tour import SAME_ORIENTATION, STEPS
+from lispac.gui.features.open_project.start_page import StartPage
+from lispac.gui.window.main_window import TITLE_BAR_HEIGHT, MainWindow
 from lispac.io.project.project_file import FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
@@ -88,7 +88,7 @@ def test_every_way_to_begin_is_in_sight_on_a_low_screen(
 
 @pytest.fixture
 def at_the_demo(monkeypatch: pytest.MonkeyPatch, demo_copy: Path) -> Path:
-    monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
+    monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: demo_copy)
     return demo_copy
 
 

@@ -6,8 +6,8 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QListWidget, QScrollArea, QWidget
 
-from lispac.gui import theme
-from lispac.gui.panels.convention import TITLE as CONVENTION
+from lispac.gui.appearance import theme
+from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
 from tests.gui.support import WAIT_MS, Driver, Key, open_step
 
 MOST = 200

@@ -10,15 +10,14 @@ from PySide6.QtGui import QColor, QGuiApplication, QImage, QPalette, QPixmap
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import theme
-from lispac.gui.colour_schemes import DARK, LIGHT, ColourScheme, luminance
-from lispac.gui.design import edits
-from lispac.gui.dialogs.about import about_box
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.panels.chart import Chart
-from lispac.gui.panels.dark_pictures import with_inverted_lightness
-from lispac.gui.session import THEME_DELAY_MS, Session
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.appearance import theme
+from lispac.gui.appearance.colour_schemes import DARK, LIGHT, ColourScheme, luminance
+from lispac.gui.features.design import edits
+from lispac.gui.features.help.dialogs import about_box
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.widgets.chart import Chart, with_inverted_lightness
+from lispac.gui.window.session import THEME_DELAY_MS, Session
 from lispac.project import Project
 from tests.gui.support import Demo, in_front
 from tests.gui.test_gui_language import SOON_MS, choose, open_menu
@@ -110,7 +109,7 @@ def seen(colour: tuple[int, int, int], blind: str) -> np.ndarray:
 
 @BOTH
 def test_a_palette_leaves_nothing_to_the_system(scheme: ColourScheme) -> None:
-    from lispac.gui.style import palette
+    from lispac.gui.appearance.style import palette
 
     made = palette(scheme)
     roles = [role for role in QPalette.ColorRole if role.name not in ("NoRole", "NColorRoles")]

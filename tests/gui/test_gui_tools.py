@@ -8,8 +8,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from lispac.gui.panels.section import EMPTY
-from lispac.gui.sections import section_box_sketch
+from lispac.gui.features.inspect.section_panel import EMPTY
+from lispac.gui.features.inspect.sections import section_box_sketch
 from lispac.gui.viewport.base import PickedPoint
 from lispac.warning_causes import Cause
 from tests.gui.support import Driver, Key, click, press, seed, type_into, wait_until_idle
@@ -250,7 +250,7 @@ def test_the_clip_box_goes_along_to_what_it_would_hide(picked: Driver) -> None:
         window.task_bar.currentMessage()
         == "T2 was outside the clip box. The clip box was moved around it."
     )
-    window.warning_list.show_cause(Cause.of_line(picked.project.lines[1].name))
+    window.cause_navigation.show_cause(Cause.of_line(picked.project.lines[1].name))
     sample = window.scene.clouds[picked.project.lines[1].name].sample[::50]
     assert len(view.box.inside(sample)) > 0.99 * len(sample)
 

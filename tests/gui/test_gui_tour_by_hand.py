@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint
 
-from lispac.gui.tour import STEPS
+from lispac.gui.features.help.tour import STEPS
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project
 from tests.gui.by_hand import Hands, ctrl_click, shows_something
@@ -25,7 +25,7 @@ def middle(hands: Hands) -> QPoint:
 def test_the_tour_from_the_start_page_to_its_end(
     hands: Hands, demo_copy: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
+    monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: demo_copy)
     start, card = hands.window.central_widget.start, hands.window.central_widget.card
 
     def at(step: int) -> None:

@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.idle_tasks import IdleTask
+from lispac.gui.widgets.idle_tasks import IdleTask
 from tests.gui.support import WAIT_MS
 
 

@@ -10,12 +10,12 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import actions
-from lispac.gui.language import set_language
-from lispac.gui.main_window import MainWindow
-from lispac.gui.session import Session
-from lispac.gui.settings import AppSettings
-from lispac.gui.status import STEPS
+from lispac.gui.app.language import set_language
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.project.status import STEPS
+from lispac.gui.window.actions import ALL_ACTIONS, MENUS
+from lispac.gui.window.main_window import MainWindow
+from lispac.gui.window.session import Session
 from lispac.language import gettext
 from lispac.workflow.project.projects import open_project
 from tests.french_catalogue import FRENCH
@@ -58,7 +58,7 @@ def test_the_tutorial_leads_to_a_report(
     program: MainWindow, demo_copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As for a user, but that the built-in survey is there already, with a third of the points."""
-    monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
+    monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: demo_copy)
     language = program.settings.language
     source = page(language, "tutorial")
     looked: list[str] = []
@@ -84,7 +84,8 @@ def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
         steps_of(page(language, "tutorial").read_text(encoding="utf-8")) for language in REPORTS
     )
     assert [step.kind for step in french] == [step.kind for step in english]
-    texts = [text for text, *_ in actions._ACTIONS.values()] + list(actions._MENUS)
+    texts = [each.text for each in ALL_ACTIONS.values()]
+    texts += [menu.title for menu in MENUS.values() if not menu.menu]
     numbered = [f"{k + 1} {name}" for k, name in enumerate(STEPS)]
     set_language("fr")
     try:

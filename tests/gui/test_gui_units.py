@@ -14,21 +14,21 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLineEdit
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import units
-from lispac.gui.language import set_language
-from lispac.gui.measurements import Measurements, distance_text
-from lispac.gui.panels import widgets
-from lispac.gui.panels.distances import histogram_text
-from lispac.gui.panels.fields import OptionalNumber
-from lispac.gui.panels.number_field import NumberField
-from lispac.gui.point_colours import point_shading
-from lispac.gui.residuals import residual_shading
-from lispac.gui.session import Session
-from lispac.gui.settings import AppSettings
+from lispac.gui import widgets
+from lispac.gui.app.language import set_language
+from lispac.gui.app.point_colours import point_shading
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.appearance import units
+from lispac.gui.features.inspect.measurements import Measurements, distance_text
+from lispac.gui.features.validate.histograms_panel import histogram_text
+from lispac.gui.project.residuals import residual_shading
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.viewport.overlay import legend_texts, length_text, scale_bar_length
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.viewport.sketches import label_text
+from lispac.gui.widgets.number_field import NumberField
+from lispac.gui.widgets.optional_number import OptionalNumber
+from lispac.gui.window.session import Session
 from lispac.project import Project
 from tests.gui.design_support import wait_for_plan
 from tests.gui.metric import METRIC, metric_words

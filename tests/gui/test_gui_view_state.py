@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.session import Session
+from lispac.gui.window.session import Session
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
 from tests.gui.support import Demo, Key

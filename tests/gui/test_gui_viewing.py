@@ -3,9 +3,9 @@
 import numpy as np
 from PySide6.QtWidgets import QLabel
 
-from lispac.gui.dialogs.about import shortcuts_box
-from lispac.gui.view_actions import VIEWS
-from lispac.gui.view_menu import NOTHING_SELECTED
+from lispac.gui.features.help.dialogs import shortcuts_box
+from lispac.gui.features.inspect.actions import VIEWS
+from lispac.gui.features.inspect.view_menu import NOTHING_SELECTED
 from tests.gui.support import Driver, Key, press
 
 SHIFT = Key.Key_Shift

@@ -8,9 +8,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
-from lispac.gui.panels.adjust import AdjustPanel
-from lispac.gui.panels.warnings import NO_PROJECT, NO_WARNINGS, TITLE, WAITING
-from lispac.gui.status import ADJUST, DATA, TARGETS
+from lispac.gui.features.estimate.adjust_panel import AdjustPanel
+from lispac.gui.features.warnings.warnings_panel import NO_PROJECT, NO_WARNINGS, TITLE, WAITING
+from lispac.gui.project.status import ADJUST, DATA, TARGETS
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note, warning
 from lispac.project import Project
@@ -41,7 +41,7 @@ def row_of(driver: Driver, wanted: str) -> int:
 
 
 def open_list(driver: Driver) -> None:
-    click(driver, driver.window.task_bar.warnings)
+    click(driver, driver.window.warnings_button)
     assert in_front(driver, TITLE)
 
 
@@ -78,7 +78,7 @@ def with_few_points(project: Project) -> Project:
 
 
 def test_without_a_project_it_says_what_will_be_there(driver: Driver) -> None:
-    assert not driver.window.task_bar.warnings.isVisible()
+    assert not driver.window.warnings_button.isVisible()
     press(driver, Key.Key_F12)
     assert in_front(driver, TITLE)
     assert driver.window.warnings.empty.text() == NO_PROJECT
@@ -88,10 +88,10 @@ def test_without_a_project_it_says_what_will_be_there(driver: Driver) -> None:
 def test_the_status_bar_counts_and_leads_to_the_list(adjusted: Driver) -> None:
     found = listed(adjusted)
     assert {each.level for each in found} == {Level.NOTE}
-    assert adjusted.window.task_bar.warnings.text() == f"{len(found)} notes"
+    assert adjusted.window.warnings_button.text() == f"{len(found)} notes"
     bad = (*found, warning("report.not_calibrated"))
-    adjusted.window.task_bar.warnings.show_warnings(bad)
-    assert adjusted.window.task_bar.warnings.text() == "1 warning"
+    adjusted.window.warnings_button.show_warnings(bad)
+    assert adjusted.window.warnings_button.text() == "1 warning"
     open_list(adjusted)
     assert has_focus(adjusted.window.warnings.list)
     icons = {
@@ -182,23 +182,23 @@ def test_what_is_folded_away_is_unfolded(
 ) -> None:
     panel = adjusted.window.adjust
     assert isinstance(panel, AdjustPanel)
-    adjusted.window.warning_list.show_cause(cause)
+    adjusted.window.cause_navigation.show_cause(cause)
     assert adjusted.window.workflow.opened == step
     assert has_focus(focused(panel))
 
 
 def test_pages_and_the_result_come_to_the_front(adjusted: Driver) -> None:
-    adjusted.window.warning_list.show_cause(Cause.of_page("Cross-checks"))
+    adjusted.window.cause_navigation.show_cause(Cause.of_page("Cross-checks"))
     assert in_front(adjusted, "Diagnostics")
     assert adjusted.window.diagnostics.current.title == "Cross-checks"
-    adjusted.window.warning_list.show_cause(Cause("result"))
+    adjusted.window.cause_navigation.show_cause(Cause("result"))
     assert in_front(adjusted, "Results")
     assert has_focus(adjusted.window.results.angles)
 
 
 def test_a_cause_that_is_gone_is_no_error(adjusted: Driver) -> None:
     before = QApplication.focusWidget()
-    adjusted.window.warning_list.show_cause(Cause.of_sighting("gone", "nowhere"))
+    adjusted.window.cause_navigation.show_cause(Cause.of_sighting("gone", "nowhere"))
     assert QApplication.focusWidget() is before
 
 
@@ -268,15 +268,15 @@ def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:
 def test_nothing_to_warn_of_is_reported(picked: Driver) -> None:
     listed(picked)
     picked.window.warnings.show_warnings(())
-    picked.window.task_bar.warnings.show_warnings(())
+    picked.window.warnings_button.show_warnings(())
     press(picked, Key.Key_F12)
     assert picked.window.warnings.empty.text() == NO_WARNINGS
-    assert picked.window.task_bar.warnings.text() == "No warnings"
+    assert picked.window.warnings_button.text() == "No warnings"
 
 
 def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) -> None:
     """A second of gathering, and no turn of the event loop that takes anything like it."""
-    from lispac.gui import warning_list
+    from lispac.gui.features.warnings import warning_list
 
     gather = warning_list.warnings_of
 
@@ -286,7 +286,7 @@ def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) ->
 
     listed(adjusted)
     monkeypatch.setattr(warning_list, "warnings_of", slow)
-    adjusted.window.warning_list._on_project_changed()
+    adjusted.window.warning_list.update()
     longest, started = 0.0, time.perf_counter()
     while not adjusted.window.warning_list.is_current:
         before = time.perf_counter()

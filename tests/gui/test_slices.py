@@ -11,9 +11,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from lispac.gui import sliced_calculation
-from lispac.gui.panels.chart import Chart
-from lispac.gui.sliced_calculation import SlicedCalculation
+from lispac.gui.widgets.chart import Chart, SlicedCalculation
 
 
 @pytest.fixture(autouse=True)
@@ -23,7 +21,7 @@ def _none_is_left() -> Iterator[None]:
 
 
 def test_it_rests_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sliced_calculation, "SLICE_S", 0.0)
+    monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
     steps, did = SlicedCalculation(), []
 
     def work() -> None:
@@ -50,7 +48,7 @@ def test_what_is_short_does_not_rest() -> None:
 
 
 def test_what_is_abandoned_ends_where_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sliced_calculation, "SLICE_S", 0.0)
+    monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
     steps, did = SlicedCalculation(), []
 
     def work() -> None:
@@ -83,7 +81,7 @@ def test_errors_come_to_the_caller() -> None:
 
 @pytest.fixture
 def chart(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> Iterator[Chart]:
-    monkeypatch.setattr(sliced_calculation, "SLICE_S", 0.0)
+    monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
     made = filled(3)
     yield made
     if isValid(made):

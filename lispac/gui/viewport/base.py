@@ -10,10 +10,10 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
+from lispac.gui.appearance.colour_schemes import Colour as Colour
 from lispac.gui.viewport.clipping import Box
 
 Array = NDArray[np.float64]
-Colour = tuple[int, int, int]
 
 
 @dataclass(frozen=True)

@@ -20,8 +20,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from lispac.gui import theme, units
-from lispac.gui.colour_schemes import LIGHT
+from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.colour_schemes import LIGHT
 from lispac.gui.viewport.base import Array, Marker, PointColouring
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.language import N_, gettext

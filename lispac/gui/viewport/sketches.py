@@ -7,7 +7,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
-from lispac.gui import theme, units
+from lispac.gui.appearance import theme, units
 from lispac.gui.viewport.base import Array, DragHandle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.navigation import SNAP_PX, Navigator

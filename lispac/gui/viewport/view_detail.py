@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 
 from PySide6.QtCore import QObject
 
-from lispac.gui.idle_tasks import IdleTask
+from lispac.gui.widgets.idle_tasks import IdleTask
 
 DETAIL_DELAY_MS = 180
 """Rest of the view after which the detail is drawn."""

@@ -11,7 +11,7 @@ import numpy as np
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 
-from lispac.gui import theme
+from lispac.gui.appearance import theme
 from lispac.gui.viewport.actors import half_space, set_half_space, set_renderer_camera
 from lispac.gui.viewport.base import (
     Array,

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.adjustment.stochastic_model import POS_ERRORS
+from lispac.adjustment.model.stochastic_model import POS_ERRORS
 from lispac.design.plan import Line, Plan, System
 from lispac.design.site import Site, Wall
 from lispac.io.config.toml_table import TomlTable, toml_string

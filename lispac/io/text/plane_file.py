@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.errors import InputError
 from lispac.io.files import atomic_write, require_file
 from lispac.io.points.compressed_files import require_uncompressed

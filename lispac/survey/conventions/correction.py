@@ -25,14 +25,14 @@ SUM_MATTERS = float(np.radians(0.0005))
 
 @dataclass(frozen=True, eq=False)
 class BoresightCorrection:
-    """Correction from the present to the new settings.
+    """Correction from the current to the new settings of another program.
 
     Attributes
     ----------
-    present : ndarray of shape (3, 3)
+    current_rotation : ndarray of shape (3, 3)
         Product of the current settings.
     rotation : ndarray of shape (3, 3)
-        ``rotation @ present`` is the product of the new settings.
+        ``rotation @ current_rotation`` is the product of the new settings.
     current, new : ndarray of shape (3,), radians, in the order the system types them
         None where it takes a matrix only.
     correction : ndarray of shape (3,), radians
@@ -41,7 +41,7 @@ class BoresightCorrection:
         Turn by which ``current + correction`` would miss the new settings; 0 likewise.
     """
 
-    present: Array
+    current_rotation: Array
     rotation: Array
     current: Array | None = None
     new: Array | None = None
@@ -66,17 +66,17 @@ def correct_boresight(
     InputError
         Where the system is not offered as angles and these are given.
     """
-    present = _angle_product(convention, current)
-    rotation = target_boresight @ present.T
+    current_rotation = _angle_product(convention, current)
+    rotation = target_boresight @ current_rotation.T
     if not convention.has_angles:
-        return BoresightCorrection(present, rotation)
+        return BoresightCorrection(current_rotation, rotation)
     if current.ndim == 2:
-        current, _ = angles_of_rotation(convention, present)
+        current, _ = angles_of_rotation(convention, current_rotation)
     new, _ = angles_of_rotation(convention, target_boresight)
     correction, _ = angles_of_rotation(convention, rotation)
     summed = rotation_of_angles(convention, current + correction)
     off = angle_between_rotations(summed, target_boresight)
-    return BoresightCorrection(present, rotation, current, new, correction, off)
+    return BoresightCorrection(current_rotation, rotation, current, new, correction, off)
 
 
 def _angle_product(convention: Convention, current: Array) -> Array:
@@ -109,8 +109,8 @@ def add_to_applied_boresight(
     ndarray of shape (3, 3), or None
         Covariance of its boresight.
     """
-    present = _angle_product(setup.convention, current)
-    old = convert_from_system(setup, present, np.zeros(3)).rotation_body_lidar
+    current_rotation = _angle_product(setup.convention, current)
+    old = convert_from_system(setup, current_rotation, np.zeros(3)).rotation_body_lidar
     remainder = estimated.rotation_body_lidar
     # The exported lines may use any axes along the body's, such as forward, starboard, down.
     rotation = remainder @ axes_matrix(nearest_axes(remainder)) @ old

@@ -376,6 +376,8 @@ SYSTEMS: tuple[Convention, ...] = (
         scanner="kept",
     ),
 )
+OTHER_SYSTEMS = tuple(each for each in SYSTEMS if each.key != LISPAC.key)
+"""The systems of other programs."""
 
 
 def convention_of_key(key: str) -> Convention:

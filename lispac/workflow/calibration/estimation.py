@@ -8,12 +8,12 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.common_target_parts import find_common_parts
-from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.failure_causes import adjust_or_explain
-from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.result import AdjustmentResult, CommonCoverage
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.least_squares import adjust_or_explain
+from lispac.adjustment.model.common_target_parts import find_common_parts
+from lispac.adjustment.model.observations import CommonCoverage, Observations, Sighting
+from lispac.adjustment.model.point_averaging import average_points_in_cells
+from lispac.adjustment.result import AdjustmentResult
 from lispac.design.further_line_advice import further_line_advice
 from lispac.duplicate_targets import single_line_notes
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from lispac.adjustment.observability import have_one_orientation
+from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.errors import PlaneNotFound
 from lispac.geometry.planes import fit_plane
 from lispac.project import Project

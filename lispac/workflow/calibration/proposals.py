@@ -9,13 +9,13 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
-from lispac.adjustment.blas_threads import single_blas_thread
-from lispac.adjustment.message_parts import mounting_value_name
-from lispac.adjustment.observability import have_one_orientation
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.parameters import mounting_value_name
+from lispac.adjustment.model.threads import single_blas_thread
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.geometry.planes import fit_plane
 from lispac.language import gettext_lazy
@@ -436,7 +436,7 @@ def _with_unevenness(linearised: LinearisedProblem, uneven: dict[str, float]) ->
         return linearised
     for k, sighting in enumerate(problem.observations.sightings):
         sigma = np.maximum(problem.surface_sigma[k], uneven[sighting.target])
-        problem = problem.with_sighting_surface_sigma([k], slice(0, 3), sigma)
+        problem = problem.with_sighting_surface_sigma([k], sigma)
     return problem.linearised(linearised.state)
 
 

@@ -12,10 +12,10 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adjustment_problem import LinearisedProblem
-from lispac.adjustment.blas_threads import single_blas_thread
-from lispac.adjustment.excess_scatter import expected_sigma_factors
-from lispac.adjustment.observability import CLUSTER_RATIO, MAX_SIGMA_RATIO
+from lispac.adjustment.diagnostics.excess_scatter import expected_sigma_factors
+from lispac.adjustment.diagnostics.observability import CLUSTER_RATIO, MAX_SIGMA_RATIO
+from lispac.adjustment.model.threads import single_blas_thread
+from lispac.adjustment.solve.adjustment_problem import LinearisedProblem
 from lispac.errors import AdjustmentError
 from lispac.messages import error
 

@@ -13,12 +13,12 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.excess_scatter import raise_sigmas_by_scatter
-from lispac.adjustment.line_shifts import LineShiftScores
-from lispac.adjustment.observability import assess_observability
+from lispac.adjustment.diagnostics.excess_scatter import raise_sigmas_by_scatter
+from lispac.adjustment.diagnostics.line_shifts import LineShiftScores
+from lispac.adjustment.diagnostics.observability import assess_observability
+from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
+from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.solved_equations import SolvedEquations
-from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.point_sensitivity import sensitivity
+from lispac.adjustment.model.point_sensitivity import sensitivity
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.nearest_neighbours import build_tree
 from lispac.language import gettext_lazy

@@ -11,12 +11,11 @@ from typing import Literal
 
 import numpy as np
 
-from lispac.adjustment.display_text import to_plain_text
 from lispac.adjustment.result import ANGLES
 from lispac.errors import InputError, LispacError, NotComparable
 from lispac.former_names import accept_script_names
 from lispac.io.files import atomic_write
-from lispac.language import gettext_lazy
+from lispac.language import gettext_lazy, to_plain_text
 from lispac.message_texts import english_text, message_text
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, sub_progress

@@ -5,7 +5,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.error_budget import DISTANCES, ErrorBudget, SystemErrors, error_budget
+from lispac.adjustment.diagnostics.error_budget import (
+    DISTANCES,
+    ErrorBudget,
+    SystemErrors,
+    error_budget,
+)
 from lispac.errors import InputError, ProjectError
 from lispac.messages import error
 from lispac.project import Project

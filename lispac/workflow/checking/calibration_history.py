@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError, ProjectError
 from lispac.io.project.project_file import FILE_NAME

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 
 import numpy as np
 
-from lispac.adjustment import outdated_result
+from lispac.adjustment.diagnostics.warnings import outdated_result_warning
 from lispac.duplicate_targets import all_warnings
 from lispac.messages import Level, Message, note, sort_by_level, warning
 from lispac.project import Project
@@ -65,7 +65,7 @@ def warnings_of(
         *_refusal_warning(refusal, outdated and project.result is None),
         *_result_warnings(
             project,
-            (outdated_result.outdated_result_warning(refused_since),) if refused_since else (),
+            (outdated_result_warning(refused_since),) if refused_since else (),
         ),
         *_planes_not_compared(project),
         *_reading_notes(project, survey),

@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.errors import InputError, ProjectError
 from lispac.geometry.planes import fit_plane
 from lispac.io.files import atomic_write

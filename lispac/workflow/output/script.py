@@ -10,11 +10,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from hashlib import file_digest
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 import lispac
-from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError
 from lispac.io.files import atomic_write
@@ -23,24 +24,34 @@ from lispac.language import gettext_lazy
 from lispac.message_texts import english_text
 from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress, sub_progress
-from lispac.project import LineSource, Project
+from lispac.project import LineSource, PickedSighting, Project, Target
 from lispac.survey.line_source import USUAL
 from lispac.survey.store.stored_line import StoredLine
+from lispac.targets.finder_settings import USUAL as USUAL_CHOICES
+from lispac.targets.line_search import CLICK_GAP
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.picking import find_target
+from lispac.workflow.calibration.point_numbers import numbers_text
+from lispac.workflow.calibration.target_search import TargetSearch
 from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE, check_absolute
-from lispac.workflow.output.script_targets import target_steps
 from lispac.workflow.output.script_text import (
     FilePaths,
     PythonCode,
     call_text,
     non_default_fields,
     rows,
+    split_text_code,
 )
 from lispac.workflow.project.projects import complete_readings
 from lispac.workflow.project.survey import Survey
 
 WIDTH = 98
+BY_HAND = "its points were edited manually"
+OTHERWISE = (
+    "the search from its seed now gives other points, because it was found with other lines or "
+    "another prior boresight, or proposed automatically"
+)
 
 
 @dataclass(frozen=True)
@@ -218,7 +229,7 @@ def _reference_check_steps(
     sigmas = (check.sigma,) if check.kind == "scan" else (DEFAULT_SIGMA, check.sigma)
     path = _find_reference(check, [files.folder, project.folder, project.folder.parent])
     if path is None:
-        step = _check_step(check.reference, sigmas[0], check.search_distance)
+        step = _reference_check_call(check.reference, sigmas[0], check.search_distance)
         return [f"# {row}" for row in step.splitlines()], [
             note("script.no_reference", file=check.reference)
         ]
@@ -230,13 +241,20 @@ def _reference_check_steps(
         except LispacError:
             continue
         if encode_value(again.absolute) == encode_value(check):
-            return [_check_step(files(path), sigma, check.search_distance)], []
-    return [_check_step(files(path), sigmas[0], check.search_distance)], [
+            return [_reference_check_call(files(path), sigma, check.search_distance)], []
+    return [_reference_check_call(files(path), sigmas[0], check.search_distance)], [
         note("script.other_check", file=check.reference, system=check.system)
     ]
 
 
-def _check_step(path: str, sigma: float, reach: float) -> str:
+def _reference_check_call(path: str, sigma: float, reach: float) -> str:
+    """Python call of `project.check` with the options that differ from their defaults.
+
+    Parameters
+    ----------
+    sigma, reach : float, metres
+        Standard deviation of the reference, and search distance.
+    """
     values = {"sigma": (sigma, DEFAULT_SIGMA), "search_distance": (reach, SEARCH_DISTANCE)}
     named = {name: value for name, (value, usual) in values.items() if value != usual}
     return call_text("project.check", path, **named)
@@ -250,3 +268,95 @@ def _find_reference(check: AbsoluteCheck, folders: list[Path]) -> Path | None:
                 if file_digest(file, "sha256").hexdigest() == check.sha256:
                     return path
     return None
+
+
+def target_steps(
+    project: Project, survey: Survey, target: Target, progress: Progress
+) -> Iterator[str]:
+    """Steps of a script that give a project this target."""
+    by_hand = any(sighting.by_hand for sighting in target.sightings)
+    seeded = None if by_hand else _seed_arguments(project, survey, target, progress)
+    if seeded is not None:
+        yield call_text("project.seed", target.name, target.seed, **seeded)
+    else:
+        yield f"# {target.name}: {BY_HAND if by_hand else OTHERWISE}."
+        yield call_text("project.put", _target_code(target))
+    for sighting in target.sightings:
+        if not sighting.used:
+            yield call_text("project.reject", target.name, sighting.line)
+    if not target.used:
+        yield call_text("project.reject", target.name)
+
+
+def _seed_arguments(
+    project: Project, survey: Survey, target: Target, progress: Progress
+) -> dict[str, Any] | None:
+    """Arguments with which the seed leads to the target; None where there are none."""
+    search = TargetSearch.for_target(target)
+    named: dict[str, Any] = {
+        "role": (target.role, "target"),
+        "shape": (target.shape, "plane"),
+        "sphere_radius": (target.sphere_radius, None),
+        "threshold": (target.threshold, search.threshold(project.settings.threshold)),
+        "radius": (target.radius, search.search_radii(target.role)[0]),
+        "expected": (target.expected, None),
+        "choices": (target.choices, USUAL_CHOICES),
+    }
+    given = {name: value for name, (value, usual) in named.items() if value != usual}
+    # Where lines meet at the seed, or none has a point there, it counts which of them was clicked.
+    place = np.array(target.seed)
+    clicked = [
+        line for line in survey.lines if len(survey.clouds[line].within(place, CLICK_GAP).points)
+    ]
+    for line in (None, *(clicked or [sighting.line for sighting in target.sightings])):
+        try:
+            found = find_target(
+                project, survey, target.seed, name=target.name, first_line=line,
+                progress=progress, **given,
+            )  # fmt: skip
+        except LispacError:
+            continue
+        if _is_same_target(found, target):
+            return given if line is None else {**given, "clicked_on": line}
+    return None
+
+
+def _is_same_target(picked: Target, target: Target) -> bool:
+    def properties(each: Target) -> tuple[object, ...]:
+        return each.threshold, each.radius, dict(each.missing), len(each.sightings)
+
+    return properties(picked) == properties(target) and all(
+        (one.line, one.rms, one.one_in) == (other.line, other.rms, other.one_in)
+        and np.array_equal(one.indices, other.indices)
+        for one, other in zip(picked.sightings, target.sightings, strict=True)
+    )
+
+
+def _target_code(target: Target) -> PythonCode:
+    """A target with all its points, all of which take part."""
+    named: dict[str, Any] = {
+        "name": target.name, "role": target.role, "seed": target.seed,
+        "threshold": target.threshold, "radius": target.radius,
+        "sightings": rows([_sighting_code(sighting) for sighting in target.sightings]),
+    }  # fmt: skip
+    if target.missing:
+        named["missing"] = dict(target.missing)
+    if target.shape != "plane":
+        named |= {"shape": target.shape, "sphere_radius": target.sphere_radius}
+    if target.expected is not None:
+        named["expected"] = target.expected
+    if target.choices != USUAL_CHOICES:
+        named["choices"] = target.choices
+    return PythonCode(call_text("lispac.Target", **named))
+
+
+def _sighting_code(sighting: PickedSighting) -> PythonCode:
+    points = PythonCode(
+        call_text("lispac.point_numbers", split_text_code(numbers_text(sighting.indices)))
+    )
+    named: dict[str, Any] = {"rms": sighting.rms, "fingerprint": sighting.fingerprint}
+    if sighting.one_in != 1:
+        named["one_in"] = sighting.one_in
+    if sighting.by_hand:
+        named["by_hand"] = True
+    return PythonCode(call_text("lispac.PickedSighting", sighting.line, points, **named))

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.adjustment.blas_threads import single_blas_thread
-from lispac.adjustment.observability import assess_observability
+from lispac.adjustment.diagnostics.observability import assess_observability
+from lispac.adjustment.model.threads import single_blas_thread
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
 from lispac.design.objective import CRITERIA, PlanObjective
 from lispac.design.plan import Plan

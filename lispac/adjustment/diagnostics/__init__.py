@@ -1,0 +1,1 @@
+"""What the solution is worth: reliability, observability, cross-checks, causes, warnings."""

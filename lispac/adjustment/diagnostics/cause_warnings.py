@@ -1,0 +1,326 @@
+"""Warnings that name the error that causes residuals that contradict the model."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from lispac.adjustment.diagnostics.findings import critical_test_value, sighting_status
+from lispac.adjustment.diagnostics.sighting_warnings import MAX_REJECTED_SHARE
+from lispac.adjustment.model.parameters import OPTIONAL_NAMES, amount_with_unit, mounting_value_name
+from lispac.adjustment.result import ANGLES, AdjustmentResult, ContradictedParameter, PossibleCause
+from lispac.adjustment.solve.omitted_parameters import MIN_ANGLE_CHANGE
+from lispac.messages import Message, note, warning
+from lispac.warning_causes import RESULT, Cause
+
+KNOWN_FROM_DATA = {
+    "audit.several_scanners": "cause.several_scanners",
+    "audit.several_sources": "cause.several_sources",
+    "audit.same_time": "cause.same_time",
+    "audit.time_resolution": "cause.time_resolution",
+    "recovery.height_offset": "cause.height_offset",
+    "recovery.time_offset": "cause.time_offset",
+    "recovery.lever_arm_x": "cause.lever_arm",
+    "recovery.lever_arm_y": "cause.lever_arm",
+    "recovery.lever_arm_z": "cause.lever_arm",
+    "recovery.roll_sign": "cause.attitude_sign",
+    "recovery.pitch_sign": "cause.attitude_sign",
+    "recovery.roll_pitch_signs": "cause.attitude_sign",
+    "recovery.several_causes": "cause.off_the_beams",
+    "recovery.unexplained": "cause.off_the_beams",
+    "trajectory.rate_too_low": "cause.rate_too_low",
+}
+"""Warnings about the imported data that explain residuals, and the code of the error."""
+SAME_ON_LINES = "data.same_on_lines"
+"""Code of a warning about the data of several lines: ``reason`` is that about the first one."""
+EFFECT_PARAMETERS = ("effect", "shift", "misfit")
+"""Parameters of warnings about the data: by how much points are displaced, metres."""
+SURFACES_DIFFER = ("adjustment.surfaces_differ", "adjustment.surfaces_displaced")
+MIN_EFFECT_RATIO = 0.5
+"""Effect of an error known from the data over that of a candidate from which it explains it."""
+
+
+@dataclass(frozen=True)
+class KnownError:
+    """An error known from the imported data.
+
+    Attributes
+    ----------
+    code : str
+        Of its name, ``cause.height_offset``.
+    effect : float, metres
+        By how much it displaces points; infinite where that is not known.
+    """
+
+    code: str
+    effect: float
+
+    @classmethod
+    def largest_among(cls, warnings: Iterable[Message]) -> Self | None:
+        """Return the error with the largest effect among warnings about the data."""
+        found = []
+        for each in warnings:
+            effect = point_displacement(each)
+            first = each.params["reason"] if each.code == SAME_ON_LINES else each
+            if isinstance(first, Message) and first.code in KNOWN_FROM_DATA:
+                code = KNOWN_FROM_DATA[first.code]
+                found.append(cls(code, np.inf if effect is None else effect))
+        return max(found, key=lambda each: each.effect, default=None)
+
+    def explains(self, effect: float) -> bool:
+        """Whether the error is large enough to cause residuals of ``effect`` metres."""
+        return self.effect >= MIN_EFFECT_RATIO * effect
+
+
+def point_displacement(message: Message) -> float | None:
+    """Displacement of points by the error that a message describes, metres, where known."""
+    known = (message.params[name] for name in EFFECT_PARAMETERS if name in message.params)
+    value = next(known, None)
+    return float(value) if isinstance(value, int | float) else None
+
+
+def warnings_about_causes(
+    result: AdjustmentResult, known: KnownError | None, others: Sequence[Message]
+) -> tuple[Message, ...]:
+    """Warnings about the causes of the residuals, and the remaining warnings.
+
+    Parameters
+    ----------
+    known : KnownError or None
+        What the imported data show.
+    others : sequence of Message
+        What else there is to warn of.
+    """
+    causes = _causes_of_earlier_version(result) if result.causes is None else result.causes
+    explained = [each for each in causes if known is not None and known.explains(each[0].effect)]
+    unexplained = [group for group in causes if group not in explained]
+    if any(each.code == "adjustment.not_flat" for each in others):
+        found = []  # the reason is known, and too few lines can separate it from another one
+    elif _has_too_few_lines(result):
+        found = list(_unlocated_cause_notes(unexplained))
+    else:
+        found = [
+            message
+            for group in unexplained
+            for message in (
+                _single_cause_warning(result, group[0])
+                if len(group) == 1
+                else _ambiguous_cause_warning(group)
+            )
+        ]
+    jumped = _line_jump_warnings(result, causes)
+    if any(len(group) == 1 and group[0].kind in OPTIONAL_NAMES for group in causes):
+        others = [each for each in others if each.code not in SURFACES_DIFFER]
+    if known is None:
+        return (*found, *jumped, *others)
+    # These blame the targets or the LiDAR for residuals, which such an error explains.
+    effects = {
+        **dict.fromkeys(SURFACES_DIFFER, float(result.surfaces.max())),
+        "adjustment.noise": result.rms_after,
+        "adjustment.not_flat": result.rms_after,
+        "adjustment.another_surface": result.rms_after,
+    }
+    kept = [
+        each for each in others
+        if each.code not in effects or not known.explains(effects[each.code])
+    ]  # fmt: skip
+    if explained or jumped or len(kept) < len(others):
+        found.append(_known_error_warning(known, explained))
+    return (*found, *kept)
+
+
+def _has_too_few_lines(result: AdjustmentResult) -> bool:
+    """Whether there are too few lines to detect or identify an error of one line."""
+    geometry = result.observability
+    return geometry is not None and any(each.kind == "line" for each in geometry.unchecked)
+
+
+def _unlocated_cause_notes(causes: Sequence[Sequence[PossibleCause]]) -> Iterator[Message]:
+    """Note on the causes where lines are too few to locate an error.
+
+    Of several that fit about equally well none is named: the POS error of a line, which no other
+    line checks, has the effect of a wrong lever arm.
+    """
+    clear = [group[0] for group in causes if len(group) == 1]
+    if clear:
+        yield note(
+            "adjustment.cause_not_located",
+            causes=_cause_phrases(clear),
+            subject=_cause_subject(clear[0]),
+        )
+    elif causes:
+        yield note("adjustment.cause_not_identified", subject=RESULT)
+
+
+def _single_cause_warning(result: AdjustmentResult, cause: PossibleCause) -> Iterator[Message]:
+    """Warning about a cause that is clearly more likely than all others."""
+    line, target = Cause.of_line(cause.line), Cause.of_target(cause.target)
+    of_line = warning if _are_many_lines_wrong(result, 1) else note
+    if cause.kind in OPTIONAL_NAMES:
+        yield _wrong_value_warning(result, cause)
+    elif cause.kind == "line_boresight":
+        differences = [
+            note("item.angle_difference", angle=mounting_value_name(angle), difference=float(size))
+            for angle, size in zip(ANGLES, cause.size, strict=True)
+        ]
+        yield warning(
+            "adjustment.line_boresight", line=cause.line, differences=differences, subject=line
+        )
+    elif cause.kind == "line_position":
+        yield of_line(
+            "adjustment.line_position", line=cause.line, shift=_error_magnitude(cause), subject=line
+        )
+    elif cause.kind == "line_time":
+        code = (
+            "adjustment.line_times_early"
+            if _are_point_times_early(cause)
+            else "adjustment.line_times_late"
+        )
+        yield of_line(code, line=cause.line, offset=_error_magnitude(cause), subject=line)
+    elif cause.kind == "target_surface":
+        yield note("adjustment.target_not_flat", target=cause.target, subject=target)
+    elif not _is_already_named(result, cause):
+        yield note(
+            "adjustment.sighting_cause", cause=_cause_phrase(cause), subject=_cause_subject(cause)
+        )
+
+
+def _wrong_value_warning(result: AdjustmentResult, cause: PossibleCause) -> Message:
+    size, sigma = float(cause.size[0]), float(cause.sigma[0])
+    moves = [
+        note(
+            "item.angle_changed",
+            angle=mounting_value_name(angle),
+            change=float(moved),
+            ratio=float(abs(moved) / its_sigma),
+        )
+        for angle, moved, its_sigma in zip(ANGLES, cause.angle_change, result.sigma, strict=True)
+        if abs(moved) > MIN_ANGLE_CHANGE * its_sigma
+    ]
+    code = f"adjustment.contradicted_{cause.kind}"
+    return warning(
+        code if moves else f"{code}_alone",
+        parameter=mounting_value_name(cause.kind),
+        change=note(
+            "change.larger" if size > 0 else "change.smaller",
+            amount=amount_with_unit(cause.kind, abs(size)),
+        ),
+        sigma=amount_with_unit(cause.kind, sigma),
+        w=size / sigma,
+        angles=moves,
+        subject=Cause.of_parameter(cause.kind),
+    )
+
+
+def _ambiguous_cause_warning(group: Sequence[PossibleCause]) -> Iterator[Message]:
+    """Warning about causes that are about equally likely."""
+    serious = any(each.kind in OPTIONAL_NAMES or each.kind == "line_boresight" for each in group)
+    yield (warning if serious else note)(
+        "adjustment.several_causes", causes=_cause_phrases(group), subject=_cause_subject(group[0])
+    )
+
+
+def _known_error_warning(
+    known: KnownError, explained: Sequence[Sequence[PossibleCause]]
+) -> Message:
+    """Warning that the residuals follow from a known error of the data."""
+    cause = note(known.code)
+    if not explained:
+        return note("adjustment.known_cause", cause=cause, subject=RESULT)
+    causes = _cause_phrases([group[0] for group in explained])
+    return note("adjustment.known_cause_or_others", cause=cause, causes=causes, subject=RESULT)
+
+
+def _line_jump_warnings(
+    result: AdjustmentResult, causes: Sequence[Sequence[PossibleCause]]
+) -> tuple[Message, ...]:
+    """Warning about lines whose sightings were all rejected and that no cause explains."""
+    named = {each.line for group in causes for each in group}
+    jumped = sorted(set(result.rejected_lines) - named)
+    if not jumped:
+        return ()
+    make = warning if _are_many_lines_wrong(result, len(jumped)) else note
+    return (
+        make(
+            "adjustment.line_jumped",
+            count=len(jumped), lines=jumped, subject=Cause.of_line(jumped[0]),
+        ),
+    )  # fmt: skip
+
+
+def _are_many_lines_wrong(result: AdjustmentResult, count: int) -> bool:
+    """Whether so many lines are wrong that the remaining ones are unreliable too."""
+    return count > MAX_REJECTED_SHARE * len({item.sighting.line for item in result.reliability})
+
+
+def _is_already_named(result: AdjustmentResult, cause: PossibleCause) -> bool:
+    """Whether another warning already names the sighting as rejected or as disagreeing."""
+    critical = critical_test_value(result)
+    return critical is not None and any(
+        (item.sighting.target, item.sighting.line) == (cause.target, cause.line)
+        and sighting_status(item, critical) in ("rejected", "disagrees")
+        for item in result.reliability
+    )
+
+
+def _cause_phrases(causes: Sequence[PossibleCause]) -> tuple[Message, ...]:
+    return tuple(dict.fromkeys(_cause_phrase(each) for each in causes))
+
+
+def _cause_phrase(cause: PossibleCause) -> Message:
+    """A cause in a list: ``lever arm X smaller by 0.0951 m``."""
+    if cause.kind in OPTIONAL_NAMES:
+        size = float(cause.size[0])
+        return note(
+            "cause.larger" if size > 0 else "cause.smaller",
+            parameter=mounting_value_name(cause.kind),
+            amount=amount_with_unit(cause.kind, abs(size)),
+        )
+    if cause.kind == "line_boresight":
+        return note("cause.line_boresight", line=cause.line)
+    if cause.kind == "line_position":
+        return note("cause.line_position", line=cause.line, shift=_error_magnitude(cause))
+    if cause.kind == "line_time":
+        code = "cause.times_early" if _are_point_times_early(cause) else "cause.times_late"
+        return note(code, line=cause.line, offset=_error_magnitude(cause))
+    if cause.kind == "sighting_surface":
+        return note("cause.sighting_surface", target=cause.target, line=cause.line)
+    if cause.kind == "target_surface":
+        return note("cause.target_surface", target=cause.target)
+    return note(
+        "cause.sighting_shift", target=cause.target, line=cause.line, shift=_error_magnitude(cause)
+    )
+
+
+def _are_point_times_early(cause: PossibleCause) -> bool:
+    """Whether point times are early; they are late where the latency would have to be smaller."""
+    return float(cause.size[0]) > 0
+
+
+def _error_magnitude(cause: PossibleCause) -> float:
+    return float(np.linalg.norm(cause.size))
+
+
+def _cause_subject(cause: PossibleCause) -> Cause:
+    if cause.kind in OPTIONAL_NAMES:
+        return Cause.of_parameter(cause.kind)
+    if not cause.line:
+        return Cause.of_target(cause.target)
+    return (
+        Cause.of_sighting(cause.target, cause.line) if cause.target else Cause.of_line(cause.line)
+    )
+
+
+def _causes_of_earlier_version(
+    result: AdjustmentResult,
+) -> tuple[tuple[PossibleCause, ...], ...]:
+    """Causes from the contradictions stored in the result of an earlier version."""
+
+    def cause(parameter: ContradictedParameter) -> PossibleCause:
+        size, sigma = np.array([parameter.change]), np.array([parameter.sigma])
+        return PossibleCause(
+            parameter.name, "", "", size, sigma, parameter.angle_change, 0.0, parameter.w**2
+        )
+
+    return tuple((cause(found),) for found in result.contradictions)

@@ -1,0 +1,187 @@
+"""Cross-checks: adjustments of parts of the data, compared with the adjustment of all."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.parameters import Parameter
+from lispac.adjustment.result import AdjustmentResult, CrossCheck, CrossChecks
+from lispac.adjustment.solve.solver import SolverSettings, estimate
+from lispac.errors import AdjustmentError
+from lispac.language import gettext_lazy
+from lispac.messages import as_message, note
+from lispac.progress import Progress, no_progress
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+MIN_SIGMA_SHARE = 1 / 6
+"""Share of the whole's sigma that a difference is measured against at least: one below half
+a sigma is of no consequence, however surprising."""
+
+Part = tuple[str, str, NDArray[np.bool_]]
+
+
+def cross_checks(
+    observations: Observations,
+    mounting: Mounting,
+    result: AdjustmentResult,
+    parameters: tuple[Parameter, ...] = (),
+    *,
+    progress: Progress = no_progress,
+) -> CrossChecks:
+    """Adjust again without each line, without each target, and each half of the survey in time.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        As it went into the adjustment of ``result``.
+    """
+    start = mounting.with_boresight(result.boresight)
+    observations, result = apply_rejections_and_surfaces(observations, result.with_formal_sigmas)
+    result, parameters = _fix_undetermined_parameters(observations, start, result, parameters)
+    parts = [*_leave_one_out_parts(observations), *_survey_halves(observations)]
+    found: list[CrossCheck] = []
+    for k, (kind, name, keep) in enumerate(parts):
+        progress(
+            k / len(parts),
+            gettext_lazy("Cross-check {number:n} of {count:n}", number=k + 1, count=len(parts)),
+        )
+        found.append(_cross_check_part(observations, start, result, parameters, kind, name, keep))
+    progress(1.0)
+    return CrossChecks(
+        tuple(_compare_halves(found)),
+        _jackknife_sigma([c.boresight for c in found if c.kind == "line"]),
+        _jackknife_sigma([c.boresight for c in found if c.kind == "target"]),
+        result.sigma,
+    )
+
+
+def apply_rejections_and_surfaces(
+    observations: Observations, result: AdjustmentResult
+) -> tuple[Observations, AdjustmentResult]:
+    """Apply the rejections and the surface sigmas of the whole adjustment to points and model.
+
+    With noise, surface sigmas and rejections estimated again from fewer sightings, parts would
+    differ by more than their angles do. The noise is known too: `AdjustmentResult.noise_factors`.
+    """
+    kept = np.array(
+        [
+            s not in result.rejected_sightings and s.target not in result.excluded_targets
+            for s in observations.sightings
+        ]
+    )
+    observations = observations.of_sightings(kept)
+    if result.model.correlated:
+        surface, _, offset = np.maximum(result.surfaces, 1e-5 if result.model.surface != 0 else 0.0)
+        model = replace(result.model, surface=float(surface), offset=float(offset))
+        result = replace(result, model=model)
+    return observations, result
+
+
+def _fix_undetermined_parameters(
+    observations: Observations,
+    start: Mounting,
+    result: AdjustmentResult,
+    parameters: tuple[Parameter, ...],
+) -> tuple[AdjustmentResult, tuple[Parameter, ...]]:
+    """Result with the values fixed that the geometry does not determine.
+
+    The given sigma of such a value goes into those of the angles, of every part alike: the parts
+    could differ by far more than the data allow and still seem to agree.
+    """
+    fixed = {each.name for each in result.parameters if each.value is None}
+    free = tuple(each for each in parameters if each.name not in fixed)
+    if not any(each.name in fixed and each.prior_sigma is not None for each in result.parameters):
+        return result, free
+    whole = estimate(observations, start, _settings_of_part(result, free))
+    return replace(result, covariance_all=whole.covariance_all, estimated=whole.estimated), free
+
+
+def _settings_of_part(
+    result: AdjustmentResult, parameters: tuple[Parameter, ...]
+) -> SolverSettings:
+    return SolverSettings(
+        result.model, parameters, noise=result.noise_factors, accept_single_orientation=True
+    )
+
+
+def _leave_one_out_parts(observations: Observations) -> Iterator[Part]:
+    for line in observations.lines:
+        yield "line", line, np.array([s.line != line for s in observations.sightings])
+    for target in observations.targets:
+        yield "target", target, np.array([s.target != target for s in observations.sightings])
+
+
+def _survey_halves(observations: Observations) -> Iterator[Part]:
+    """The two halves of the survey: lines in order of time, divided in the middle."""
+    times = observations.mean_by_sighting(observations.time)
+    sailed = sorted(
+        observations.lines,
+        key=lambda line: np.mean(
+            [t for t, s in zip(times, observations.sightings, strict=True) if s.line == line]
+        ),
+    )
+    middle = (len(sailed) + 1) // 2
+    for name, lines in (("first", sailed[:middle]), ("second", sailed[middle:])):
+        yield "half", name, np.array([s.line in lines for s in observations.sightings])
+
+
+def _cross_check_part(
+    observations: Observations, start: Mounting, result: AdjustmentResult,
+    parameters: tuple[Parameter, ...], kind: str, name: str, keep: NDArray[np.bool_],
+) -> CrossCheck:  # fmt: skip
+    keep = keep & _is_target_on_two_lines(observations, keep)
+    if not keep.any():
+        return CrossCheck(kind, name, reason=note("cross_check.no_common_target"))
+    try:
+        settings = _settings_of_part(result, parameters)
+        part = estimate(observations.of_sightings(keep), start, settings)
+    except AdjustmentError as failure:
+        return CrossCheck(kind, name, reason=as_message(failure.reason))
+    difference = part.boresight - result.boresight
+    # A part of the data has the larger variance, by that of the difference (Hausman 1978).
+    spread = np.sqrt(np.maximum(np.diag(part.covariance - result.covariance), 0))
+    floor = MIN_SIGMA_SHARE * result.sigma
+    return CrossCheck(
+        kind, name, part.boresight, part.sigma, difference, difference / np.maximum(spread, floor)
+    )
+
+
+def _is_target_on_two_lines(
+    observations: Observations, keep: NDArray[np.bool_]
+) -> NDArray[np.bool_]:
+    """Whether the target of each sighting is on two lines at least."""
+    owners = observations.target_of_sighting
+    counts = np.bincount(owners[keep], minlength=len(observations.targets))
+    return np.asarray(counts[owners] >= 2)
+
+
+def _compare_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
+    """Compare the two halves, which share no line, with each other."""
+    halves = [check for check in found if check.kind == "half"]
+    yield from (check for check in found if check.kind != "half")
+    first, second = halves
+    if first.boresight is None or first.sigma is None or second.boresight is None \
+            or second.sigma is None:  # fmt: skip
+        yield from halves
+        return
+    difference = first.boresight - second.boresight
+    significance = difference / np.hypot(first.sigma, second.sigma)
+    for half, sign in ((first, 1), (second, -1)):
+        yield CrossCheck(
+            "half", half.part, half.boresight, half.sigma, sign * difference, sign * significance
+        )
+
+
+def _jackknife_sigma(angles: list[Array | None]) -> Array | None:
+    """Standard deviation of the whole by the jackknife over the parts (Tukey 1958)."""
+    known = np.array([values for values in angles if values is not None])
+    if len(known) < 3 or len(known) < len(angles):
+        return None
+    count = len(known)
+    return np.asarray(
+        np.sqrt((count - 1) / count * ((known - known.mean(axis=0)) ** 2).sum(axis=0))
+    )

@@ -1,0 +1,290 @@
+"""Error budget of a point by source and distance for one system (thesis table 1.3).
+
+The derivatives are those of the adjustment (`adjustment.model.point_sensitivity`). A geometry is
+given, since what an angle does depends on where the beam goes: an error about the beam itself moves
+nothing.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.model.point_sensitivity import Sensitivity, sensitivity
+from lispac.errors import InputError
+from lispac.language import N_
+from lispac.messages import Message, error, note
+from lispac.survey.georeferencing import CALIBRATION, Mounting, place_points, to_lidar
+from lispac.survey.trajectory import Poses
+
+Array = NDArray[np.float64]
+
+DISTANCES = (10.0, 50.0, 100.0)
+"""Metres from the scanner."""
+BEAMS: Mapping[str, tuple[float, float, float]] = {
+    N_("horizontal, to starboard"): (0.0, -1.0, 0.0),
+    N_("45 deg upwards, to starboard"): (0.0, -float(np.sqrt(0.5)), float(np.sqrt(0.5))),
+}
+"""Directions in the body frame (forward, left, up) of a vessel that sails north, level."""
+POSITION, RANGE = N_("POS position"), N_("LiDAR range")
+BEAM, LIDAR = N_("LiDAR beam angle"), N_("LiDAR noise")
+ATTITUDE = (N_("POS roll"), N_("POS pitch"), N_("POS heading"))
+LEVER, LATENCY = N_("Lever arm"), N_("Latency")
+OFFSETS = {"range_offset": N_("Range offset"), "scan_angle_offset": N_("Scan-angle offset")}
+BEFORE, AFTER = N_("Boresight before calibration"), N_("Boresight after calibration")
+TOTAL_BEFORE, TOTAL_AFTER = N_("Total before calibration"), N_("Total after calibration")
+"""Sources of error, in English."""
+
+
+@dataclass(frozen=True, eq=False)
+class SystemErrors:
+    """Standard deviations of one system, with the boresight before and after calibration.
+
+    Attributes
+    ----------
+    position : ndarray of shape (3,), metres; north, west, up
+    attitude : ndarray of shape (3,), radians; roll, pitch, heading
+    lidar : float or pair of float
+        Metres on each axis of the LiDAR, or of range (metres) and direction of the beam (radians).
+    lever_arm : ndarray of shape (3,), metres, body frame, or None
+        None where it is not known. Not used where the lever arm was estimated.
+    mounting : Mounting
+        As estimated.
+    prior_boresight : ndarray of shape (3,), radians
+    estimated : tuple of str
+        Names among `CALIBRATION`.
+    covariance : ndarray of shape (e, e), radians, metres, seconds
+        Of ``estimated``.
+    speed : float, metres per second
+    rates : ndarray of shape (3,), radians per second
+        RMS of the turning of roll, pitch and heading; for the latency alone.
+    """
+
+    position: Array
+    attitude: Array
+    lidar: float | tuple[float, float]
+    lever_arm: Array | None
+    mounting: Mounting
+    prior_boresight: Array
+    estimated: tuple[str, ...]
+    covariance: Array
+    speed: float
+    rates: Array
+
+
+@dataclass(frozen=True)
+class PointSigma:
+    """Standard deviation of a point, metres: root of the sum of squares in each space.
+
+    Attributes
+    ----------
+    horizontal : in the plane of north and west
+    vertical : upwards
+    across : in the plane across the beam
+    total : in space
+    """
+
+    horizontal: float
+    vertical: float
+    across: float
+    total: float
+
+
+@dataclass(frozen=True)
+class SourceBudget:
+    """Effect of one source at each distance; ``spreads`` is None where the source is unknown."""
+
+    source: str
+    spreads: tuple[PointSigma, ...] | None
+
+
+@dataclass(frozen=True)
+class BeamBudget:
+    """All sources for one direction of the beam, and their sums before and after."""
+
+    beam: str
+    sources: tuple[SourceBudget, ...]
+    before: SourceBudget
+    after: SourceBudget
+
+
+@dataclass(frozen=True)
+class ErrorBudget:
+    """The budget of a system.
+
+    Attributes
+    ----------
+    distances : tuple of float, metres
+    beams : tuple of BeamBudget
+    assumptions : tuple of Message
+        What it is based on.
+    """
+
+    distances: tuple[float, ...]
+    beams: tuple[BeamBudget, ...]
+    assumptions: tuple[Message, ...]
+
+
+def error_budget(system: SystemErrors, distances: Sequence[float] = DISTANCES) -> ErrorBudget:
+    """The error of a point by source, at distances from the scanner.
+
+    Raises
+    ------
+    InputError
+        No distance, or one that is not positive.
+    """
+    if not distances or not all(0.0 < each < np.inf for each in distances):
+        raise InputError(error("adjustment.budget_distances"))
+    chosen = tuple(sorted(set(map(float, distances))))
+    beams = tuple(_beam_budget(name, np.array(way), system, chosen) for name, way in BEAMS.items())
+    return ErrorBudget(chosen, beams, tuple(_budget_assumptions(system)))
+
+
+def _beam_budget(
+    name: str, way: Array, system: SystemErrors, distances: Sequence[float]
+) -> BeamBudget:
+    found = [_covariance_by_source(way, system, distance) for distance in distances]
+    sources = tuple(
+        SourceBudget(source, _point_sigmas([each[source] for each in found], way))
+        for source in found[0]
+    )
+    known = [{k: c for k, c in each.items() if c is not None} for each in found]
+    totals = []
+    for out in (AFTER, BEFORE):
+        # What was estimated besides the boresight is correlated with it.
+        both = [
+            sum((c for source, c in each.items() if source != out), np.zeros((3, 3)))
+            + (_cross_covariance(way, system, far) if out == BEFORE else 0.0)
+            for each, far in zip(known, distances, strict=True)
+        ]
+        totals.append(_point_sigmas(both, way))
+    return BeamBudget(
+        name, sources, SourceBudget(TOTAL_BEFORE, totals[0]), SourceBudget(TOTAL_AFTER, totals[1])
+    )
+
+
+def _point_pose_derivatives(
+    way: Array, system: SystemErrors, distance: float
+) -> tuple[Array, Poses, Sensitivity]:
+    """Point in the LiDAR frame, pose, and derivatives of north, west and up of the point."""
+    poses = Poses(np.zeros((3, 3)), np.zeros((3, 3)))
+    local = np.tile(system.mounting.lever_arm + distance * way, (3, 1))
+    points_lidar = to_lidar(local, poses, system.mounting)
+    rate = np.tile([system.speed, 0.0, 0.0, *system.rates], (3, 1))
+    moved = sensitivity(points_lidar, poses, system.mounting, np.eye(3), pose_rate=rate)
+    return points_lidar, poses, moved
+
+
+def _covariance_by_source(
+    way: Array, system: SystemErrors, distance: float
+) -> dict[str, Array | None]:
+    """Covariance of the point by each source, shape (3, 3), square metres; None if unknown."""
+    points_lidar, poses, moved = _point_pose_derivatives(way, system, distance)
+    found: dict[str, Array | None] = {
+        POSITION: _propagate_sigmas(moved.by_position, system.position)
+    }
+    for k, name in enumerate(ATTITUDE):
+        found[name] = _propagate_sigmas(moved.by_attitude[:, [k]], system.attitude[[k]])
+    if isinstance(system.lidar, tuple):
+        reading = points_lidar[0]
+        beam = reading / np.linalg.norm(reading)
+        # The reading's own length, which an offset makes another one than the distance
+        across = system.lidar[1] * float(np.linalg.norm(reading))
+        along = np.outer(beam, beam)
+        jacobian = moved.by_lidar
+        found[RANGE] = system.lidar[0] ** 2 * (jacobian @ along @ jacobian.T)
+        found[BEAM] = across**2 * (jacobian @ (np.eye(3) - along) @ jacobian.T)
+    else:
+        found[LIDAR] = _propagate_sigmas(moved.by_lidar, np.full(3, system.lidar))
+    levers = [name for name in system.estimated if name.startswith("lever")]
+    if levers:
+        found[LEVER] = _estimated_covariance(moved, system, levers)
+    else:
+        lever = system.lever_arm
+        found[LEVER] = (
+            None if lever is None else _propagate_sigmas(moved.by_mounting[:, 3:6], lever)
+        )
+    for name, words in OFFSETS.items():
+        if name in system.estimated:
+            found[words] = _estimated_covariance(moved, system, [name])
+    if "latency" in system.estimated:
+        variance = system.covariance[(system.estimated.index("latency"),) * 2]
+        # Speed and turning do not belong together in a known way: their squares add up.
+        rates = np.array([system.speed, *system.rates])
+        moves = np.column_stack([moved.by_position[:, 0], moved.by_attitude])
+        found[LATENCY] = _propagate_sigmas(moves, np.sqrt(variance) * rates)
+    before = system.mounting.with_boresight(system.prior_boresight)
+    # Not a standard deviation but the one error there was; it may be too large for derivatives.
+    off = (
+        place_points(points_lidar, poses, before)
+        - place_points(points_lidar, poses, system.mounting)
+    )[0]
+    found[BEFORE] = np.outer(off, off)
+    found[AFTER] = _estimated_covariance(moved, system, ["roll", "pitch", "yaw"])
+    return found
+
+
+def _propagate_sigmas(jacobian: Array, sigma: Array) -> Array:
+    """Covariance propagated from independent errors."""
+    moves = jacobian * sigma
+    return moves @ moves.T
+
+
+def _estimated_covariance(
+    sensitivity: Sensitivity, system: SystemErrors, names: Sequence[str]
+) -> Array:
+    """Covariance of the point by some of the estimated values alone."""
+    chosen = [system.estimated.index(name) for name in names]
+    jacobian = sensitivity.by_mounting[:, [CALIBRATION.index(name) for name in names]]
+    return jacobian @ system.covariance[np.ix_(chosen, chosen)] @ jacobian.T
+
+
+def _cross_covariance(way: Array, system: SystemErrors, distance: float) -> Array:
+    """Covariance of the point by correlations between groups of estimated values."""
+    _, _, moved = _point_pose_derivatives(way, system, distance)
+    names = [name for name in system.estimated if name != "latency"]
+    groups = [["roll", "pitch", "yaw"], [n for n in names if n.startswith("lever")]]
+    groups += [[name] for name in names if name in OFFSETS]
+    alone = sum(_estimated_covariance(moved, system, group) for group in groups if group)
+    return _estimated_covariance(moved, system, names) - alone
+
+
+def _point_sigmas(covariances: Sequence[Array | None], way: Array) -> tuple[PointSigma, ...] | None:
+    spreads = []
+    for covariance in covariances:
+        if covariance is None:
+            return None
+        # Rounding may leave a variance that is nothing a little below zero.
+        north, west, up = np.maximum(np.diag(covariance), 0.0)
+        total = north + west + up
+        across = max(total - way @ covariance @ way, 0.0)
+        spreads.append(PointSigma(*(float(np.sqrt(v)) for v in (north + west, up, across, total))))
+    return tuple(spreads)
+
+
+def _budget_assumptions(system: SystemErrors) -> list[Message]:
+    north, east, up = map(float, system.position)
+    roll, pitch, heading = map(float, system.attitude)
+    found = [
+        note("budget.geometry"),
+        note(
+            "budget.pos",
+            north=north, east=east, up=up, roll=roll, pitch=pitch, heading=heading,
+        ),
+        note("budget.boresight"),
+    ]  # fmt: skip
+    if not isinstance(system.lidar, tuple):
+        found.append(note("budget.lidar_per_axis"))
+    if any(name.startswith("lever") for name in system.estimated):
+        found.append(note("budget.lever_arm_estimated"))
+    elif system.lever_arm is None:
+        found.append(note("budget.lever_arm_unknown"))
+    if "latency" in system.estimated:
+        roll, pitch, heading = map(float, system.rates)
+        found.append(
+            note("budget.latency", speed=system.speed, roll=roll, pitch=pitch, heading=heading)
+        )
+    else:
+        found.append(note("budget.no_latency"))
+    return found

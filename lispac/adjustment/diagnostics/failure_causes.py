@@ -1,0 +1,97 @@
+"""Search for the error that keeps an adjustment from converging.
+
+A wrong sign of the attitude, a latency or a range offset can make the targets of different lines so
+different that no boresight is found. Each candidate is corrected, or estimated, and the adjustment
+is repeated. One that converges, and whose residuals pass the global chi-square test (Baarda 1968),
+is a possible cause.
+"""
+
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.parameters import Parameter, amount_with_unit, mounting_value_name
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.solve.solver import SolverSettings, estimate
+from lispac.errors import AdjustmentError
+from lispac.messages import Message, note
+from lispac.survey.georeferencing import Mounting
+
+SIGN_CONVENTIONS = {
+    "cause.wrong_roll_sign": (-1.0, 1.0, 1.0),
+    "cause.wrong_pitch_sign": (1.0, -1.0, 1.0),
+    "cause.wrong_roll_pitch_signs": (-1.0, -1.0, 1.0),
+}
+"""Code of each wrong sign convention, and factors on roll, pitch and heading."""
+ESTIMATED_PARAMETERS = ("latency", "range_offset")
+"""Values of the mounting that are estimated if they are not already."""
+REJECTION_LEVEL = 1e-4
+"""Level of the chi-square test: probability that a right model is rejected."""
+
+
+def find_failure_causes(
+    observations: Observations,
+    mounting: Mounting,
+    model: StochasticModel,
+    *,
+    parameters: tuple[Parameter, ...] = (),
+) -> tuple[Message, ...]:
+    """Errors without which the adjustment converges and fits, the best fit first.
+
+    Parameters
+    ----------
+    mounting, model, parameters : as in `adjust`
+        The fit is judged with correlated POS errors: independent ones explain nearly everything.
+    """
+    model = replace(model, pos_errors="correlated", loss="tukey")
+    found: list[tuple[float, Message]] = []
+    for code, some, also in _candidates(observations, parameters):
+        with suppress(AdjustmentError, np.linalg.LinAlgError):
+            settings = SolverSettings(
+                model, parameters=(*parameters, *also), accept_single_orientation=True
+            )
+            result = estimate(some, mounting, settings)
+            determined = all(each.value is not None for each in result.parameters)
+            if determined and not result.is_model_rejected(REJECTION_LEVEL):
+                message = _value_message(result, also[0].name) if also else note(code)
+                found.append((result.variance_factor, message))
+    return tuple(message for _, message in sorted(found, key=lambda each: each[0]))
+
+
+def _candidates(
+    observations: Observations, parameters: tuple[Parameter, ...]
+) -> Iterator[tuple[str, Observations, tuple[Parameter, ...]]]:
+    """Code, corrected observations and further parameters of each candidate."""
+    for code, signs in SIGN_CONVENTIONS.items():
+        yield code, _with_attitude_signs(observations, np.array(signs)), ()
+    for name in ESTIMATED_PARAMETERS:
+        if name == "latency" and observations.pose_rate is None:
+            continue
+        if all(each.name != name for each in parameters):
+            yield "", observations, (Parameter(name),)
+
+
+def _with_attitude_signs(observations: Observations, signs: NDArray[np.float64]) -> Observations:
+    rate = observations.pose_rate
+    if rate is not None:
+        rate = np.column_stack([rate[:, :3], rate[:, 3:] * signs])
+    return replace(observations, attitude=observations.attitude * signs, pose_rate=rate)
+
+
+def _value_message(result: AdjustmentResult, name: str) -> Message:
+    """A value of the mounting that is wrong, with the change that was estimated."""
+    (estimate,) = (each for each in result.parameters if each.name == name)
+    change = (estimate.value or 0.0) - estimate.prior
+    return note(
+        "cause.wrong_value",
+        change=note(
+            "cause.larger" if change > 0 else "cause.smaller",
+            parameter=mounting_value_name(name),
+            amount=amount_with_unit(name, abs(change)),
+        ),
+    )

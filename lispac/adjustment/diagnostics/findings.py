@@ -1,0 +1,66 @@
+"""Findings of the statistical tests, shared by window, report and command line.
+
+Distributions come from scipy.special, where they are used: it takes a fifth of a second to import,
+and scipy.stats a whole one.
+"""
+
+from typing import Literal
+
+import numpy as np
+
+from lispac.adjustment.result import AdjustmentResult, SightingReliability, VarianceComponent
+from lispac.adjustment.solve.blunders import FAMILY_WISE_LEVEL
+from lispac.messages import Message, note
+
+UNCHECKED_SHIFT = 1.0
+"""Metres: a shift that has to be larger to be found is not checked by anything."""
+
+MAX_INTERVAL_RATIO = 10.0
+"""Ratio of the ends of a variance component's interval beyond which it is not determined."""
+
+SightingStatus = Literal["rejected", "not checked", "disagrees", "agrees"]
+
+
+def critical_test_value(result: AdjustmentResult) -> float | None:
+    """Critical test value of the sightings; None where no sighting is tested.
+
+    The more sightings are tested, the larger it is: the chance that any of them exceeds it without
+    a fault stays at most 1 % (Bonferroni's inequality).
+    """
+    from scipy.special import ndtri
+
+    if not result.reliability:
+        return None
+    return float(-ndtri(FAMILY_WISE_LEVEL / 2 / len(result.reliability)))
+
+
+def exceedance_limit(points: int, chance: float) -> int:
+    """Number of exceedances that is itself exceeded only with probability ``chance``.
+
+    More do so only with that chance again.
+    """
+    from scipy.special import bdtrc
+
+    mean = points * chance
+    counts = np.arange(int(mean + 10.0 * np.sqrt(mean)) + 20)
+    return int(np.argmax(bdtrc(np.minimum(counts, points), points, chance) <= chance))
+
+
+def sighting_status(item: SightingReliability, critical: float) -> SightingStatus:
+    """Status of a sighting; ``critical`` is the critical test value."""
+    if item.rejected:
+        return "rejected"
+    if not item.detectable < UNCHECKED_SHIFT:
+        return "not checked"
+    return "disagrees" if abs(item.w) > critical else "agrees"
+
+
+def variance_component_finding(component: VarianceComponent) -> Message:
+    """Whether a variance component changed the standard deviations, and why."""
+    if component.applied:
+        return note("component.larger" if component.factor > 1 else "component.smaller")
+    if component.upper > MAX_INTERVAL_RATIO * component.lower:
+        return note("component.not_determined")
+    if component.lower <= 1 <= component.upper:
+        return note("component.as_given")
+    return note("component.too_small")

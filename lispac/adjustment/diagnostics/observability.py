@@ -1,0 +1,163 @@
+"""Observability of the angles: eigenvalues, weak directions, unchecked parts of the data."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.diagnostics.excess_scatter import sigmas_without
+from lispac.adjustment.result import ANGLES, Observability, UncontrolledObservations
+from lispac.adjustment.solve.adjustment_problem import LinearisedProblem
+from lispac.adjustment.solve.determinability import (
+    ANGLE_CODES,
+    WORST_SIGMA,
+    angle_combination,
+    have_targets_one_orientation,
+)
+from lispac.adjustment.solve.normal_equations import scaled_inverse
+from lispac.messages import Message, note
+from lispac.progress import Progress, no_progress
+
+Array = NDArray[np.float64]
+
+MAX_SIGMA_RATIO = 4.0
+"""Factor by which a sigma grows without a sighting that carries the angle alone."""
+CLUSTER_RATIO = 0.05
+"""Distance of targets, over that from the scanner, below which they act as one: POS errors, the
+direction of the beams and what is wrong with a line are the same for all of them."""
+MAX_SIGHTINGS = 100
+"""Above this number, no single sighting determines an angle."""
+MIN_RATIO = 1.25
+"""Factor of increase of a sigma without a line, from which the line is reported."""
+
+
+def assess_observability(
+    linearised: LinearisedProblem,
+    *,
+    angle_sigma_factors: Array | None = None,
+    covariance: Array | None = None,
+    origins: Array | None = None,
+    progress: Progress = no_progress,
+) -> Observability:
+    """Assess how well lines and targets determine the three angles.
+
+    Parameters
+    ----------
+    angle_sigma_factors : ndarray of shape (3,), no unit, optional
+        Factors by which the sigmas of the angles are raised.
+    covariance : ndarray of shape (3, 3), radians squared, optional
+        Covariance of the estimated angles, if it is not that of ``linearised`` with the factors.
+    origins : ndarray of shape (targets, 3), metres, local, optional
+        Where the targets are.
+    """
+    factors = np.ones(3) if angle_sigma_factors is None else angle_sigma_factors
+    information = linearised.normal.information(3) / np.outer(factors, factors)
+    if covariance is not None:
+        information = scaled_inverse(covariance)
+    eigenvalues, directions = np.linalg.eigh(information)
+    sigma = np.sqrt(np.diag(np.linalg.inv(information)))
+    observations = linearised.problem.observations
+    without = {}
+    for k, line in enumerate(observations.lines):
+        progress(k / len(observations.lines))
+        omitted = np.array([sighting.line == line for sighting in observations.sightings])
+        own = _sigmas_without_groups(linearised, omitted)
+        without[line] = None if own is None else factors * own
+    notes = (
+        _extreme_directions_note(eigenvalues, directions), *_main_lines_by_angle(sigma, without),
+        *_one_orientation_notes(linearised),
+    )  # fmt: skip
+    condition = float(eigenvalues[2] / eigenvalues[0])
+    unchecked = (
+        tuple(_find_unchecked_parts(linearised, without, origins))
+        if linearised.problem.model.correlated
+        else ()
+    )
+    return Observability(eigenvalues, directions, condition, without, notes, unchecked)
+
+
+def _find_unchecked_parts(
+    linearised: LinearisedProblem, without: dict[str, Array | None], origins: Array | None
+) -> Iterator[UncontrolledObservations]:
+    """Find lines, targets and sightings whose errors the others would not reveal."""
+    observations = linearised.problem.observations
+    needed = [line for line, sigma in without.items() if sigma is None]
+    yield from (UncontrolledObservations("line", line=line) for line in needed)
+    targets = observations.targets
+    if len(targets) > 1:
+        for k, target in enumerate(targets):
+            sigma = sigmas_without(linearised, observations.target_of_sighting == k)
+            if sigma is None or sigma.max() > WORST_SIGMA:
+                yield UncontrolledObservations("target", target)
+        if (
+            origins is not None
+            and (reach := _relative_target_spacing(linearised, origins)) < CLUSTER_RATIO
+        ):
+            yield UncontrolledObservations("clustered", size=reach)
+    if needed or len(observations.sightings) > MAX_SIGHTINGS:
+        return
+    whole = sigmas_without(linearised, np.zeros(len(observations.sightings), dtype=bool))
+    for k, sighting in enumerate(observations.sightings):
+        own = sigmas_without(linearised, np.arange(len(observations.sightings)) == k)
+        if whole is None or own is None:
+            continue
+        carried = tuple(np.array(ANGLES)[own > MAX_SIGMA_RATIO * whole].tolist())
+        if carried:
+            yield UncontrolledObservations("sighting", sighting.target, sighting.line, carried)
+
+
+def _relative_target_spacing(linearised: LinearisedProblem, origins: Array) -> float:
+    """Largest distance between targets over their mean distance from the scanner."""
+    largest = np.linalg.norm(origins[:, None] - origins[None], axis=-1).max()
+    points = linearised.problem.observations.points_lidar
+    return float(largest / np.linalg.norm(points, axis=1).mean())
+
+
+def _one_orientation_notes(linearised: LinearisedProblem) -> Iterator[Message]:
+    """Notes on values that are determined but checked by nothing."""
+    observations = linearised.problem.observations
+    targets = observations.targets
+    if len(targets) == 1:
+        if observations.is_sphere[0]:
+            yield note("observability.one_sphere", target=targets[0])
+        else:
+            yield note("adjustment.one_target", target=targets[0])
+    elif have_targets_one_orientation(linearised):
+        yield note("adjustment.one_facing")
+
+
+def _sigmas_without_groups(linearised: LinearisedProblem, mask: NDArray[np.bool_]) -> Array | None:
+    if len({s.line for s, g in zip(linearised.problem.observations.sightings, mask, strict=True)
+            if not g}) < 2:  # fmt: skip
+        return None
+    information = linearised.normal_without_sightings(mask).information(3)
+    if np.linalg.eigvalsh(information)[0] < WORST_SIGMA**-2:
+        return None
+    return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
+
+
+def _extreme_directions_note(eigenvalues: Array, directions: Array) -> Message:
+    return note(
+        "observability.directions",
+        weakest=angle_combination(directions[:, 0]),
+        weakest_sigma=float(eigenvalues[0] ** -0.5),
+        strongest=angle_combination(directions[:, 2]),
+        strongest_sigma=float(eigenvalues[2] ** -0.5),
+    )
+
+
+def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iterator[Message]:
+    """Lines that each angle depends on most."""
+    for k, angle in enumerate(ANGLES):
+        name = note(ANGLE_CODES[angle])
+        grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}
+        lines = sorted((line for line in grown if grown[line] > MIN_RATIO), key=lambda x: -grown[x])
+        if lines:
+            now = float(sigma[k])
+            yield note(
+                "observability.main_lines",
+                count=len(lines), lines=lines, angle=name, line=lines[0],
+                without=float(grown[lines[0]]) * now, sigma=now,
+            )  # fmt: skip
+        elif len(grown) == len(without):
+            yield note("observability.no_main_line", angle=name)

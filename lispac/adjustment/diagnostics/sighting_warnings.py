@@ -1,0 +1,164 @@
+"""Warnings about sightings, lines and targets: contradictions, outliers, noise."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+from lispac.adjustment.diagnostics.findings import (
+    UNCHECKED_SHIFT,
+    critical_test_value,
+    exceedance_limit,
+    sighting_status,
+)
+from lispac.adjustment.model.observations import Sighting
+from lispac.adjustment.result import (
+    AdjustmentResult,
+    CrossChecks,
+    SightingReliability,
+    TargetResidual,
+)
+from lispac.messages import Message, note, shortened_list, warning
+from lispac.warning_causes import Cause
+
+NOISE_FACTOR_LIMIT = 2.0
+"""Factor on the given LiDAR noise from which the excess exceeds a few tenths of a millimetre."""
+
+FORM_FACTOR_LIMIT = 2**0.5
+"""Factor from which form errors have a larger variance than the LiDAR noise."""
+
+OTHER_SURFACE_FACTOR = 30.0
+"""Factor on the noise that rough ground never reaches; it reaches at most half of it."""
+
+OUTLIER_PROBABILITY = 0.001
+"""Share of points beyond the test's critical value by chance."""
+
+USUAL_OUTLIER_SHARE = 0.005
+"""Usual share of outliers; no warning is given below it."""
+
+MAX_REJECTED_SHARE = 0.2
+"""Share of lines rejected as a whole from which the other lines are questionable too."""
+
+MIN_SHIFT_TEST_VALUE = 2.0
+"""Test value below which a rejected sighting is not explained by a shift."""
+
+
+def contradicted_sighting_warnings(
+    result: AdjustmentResult, _: CrossChecks | None
+) -> Iterator[Message]:
+    """Warnings about sightings that the others contradict, rejected or not."""
+    critical = critical_test_value(result)
+    if critical is None:
+        return
+    tested = [(sighting_status(item, critical), item) for item in result.reliability]
+    rejected = [item for status, item in tested if status == "rejected"]
+    if rejected:
+        yield note(
+            "adjustment.released",
+            count=len(rejected),
+            sightings=_sorted_sighting_items(rejected),
+            subject=_worst_sighting_subject(rejected),
+        )
+    disagreeing = [item for status, item in tested if status == "disagrees"]
+    if disagreeing:
+        yield note(
+            "adjustment.sighting_disagrees",
+            count=len(disagreeing),
+            sightings=_sorted_sighting_items(disagreeing),
+            subject=_worst_sighting_subject(disagreeing),
+        )
+
+
+def _sorted_sighting_items(items: list[SightingReliability]) -> tuple[str | Message, ...]:
+    """Sightings for a message, the largest test value first."""
+    return shortened_list(
+        [_tested_sighting_item(item) for item in sorted(items, key=lambda item: -abs(item.w))]
+    )
+
+
+def _worst_sighting_subject(items: list[SightingReliability]) -> Cause:
+    return _sighting_subject(max(items, key=lambda item: abs(item.w)).sighting)
+
+
+def _sighting_subject(sighting: Sighting) -> Cause:
+    return Cause.of_sighting(sighting.target, sighting.line)
+
+
+def _tested_sighting_item(item: SightingReliability) -> Message:
+    if not item.detectable < UNCHECKED_SHIFT or abs(item.w) < MIN_SHIFT_TEST_VALUE:
+        return _sighting_item(item.sighting)  # not checked, or turned rather than shifted
+    return note(
+        "item.sighting_shifted",
+        target=item.sighting.target, line=item.sighting.line,
+        shift=float(abs(item.shift)), w=float(item.w),
+    )  # fmt: skip
+
+
+OUTLIER_CODES = {
+    "none": "adjustment.strays_full_weight",
+    "huber": "adjustment.strays_reduced_weight",
+    "tukey": "adjustment.strays_no_weight",
+}
+"""Code of the warning by the loss, which decides on the weight of outliers."""
+
+
+def outlier_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    """Warning about more outliers than chance explains."""
+    counts = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
+    tested = [
+        (item.sighting, item.outliers, counts[item.sighting.target, item.sighting.line])
+        for item in result.reliability
+    ]
+    many, points = sum(each[1] for each in tested), sum(each[2] for each in tested)
+    limit = exceedance_limit(points, OUTLIER_PROBABILITY)
+    if many <= max(float(limit), USUAL_OUTLIER_SHARE * points):
+        return
+    worst, here, of = max(tested, key=lambda each: each[1] / each[2])
+    yield note(
+        OUTLIER_CODES[result.model.loss],
+        count=many, points=points, expected=max(1, round(OUTLIER_PROBABILITY * points)),
+        target=worst.target, line=worst.line, here=here, sighting_points=of,
+        subject=_sighting_subject(worst),
+    )  # fmt: skip
+
+
+def noise_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    """Warning about targets whose points scatter more than the LiDAR noise explains."""
+    worst_first = sorted(result.targets, key=lambda target: -target.noise)
+    other = [t for t in worst_first if t.noise > OTHER_SURFACE_FACTOR]
+    if other:
+        yield note(
+            "adjustment.another_surface",
+            count=len(other), targets=shortened_list([t.target for t in other]),
+            factor=float(other[0].noise), subject=Cause.of_target(other[0].target),
+        )  # fmt: skip
+    rough = [t for t in worst_first if NOISE_FACTOR_LIMIT < t.noise <= OTHER_SURFACE_FACTOR]
+    if not rough:
+        return
+    geometry = result.observability
+    # With such lines the cross-checks, which enlarge the sigmas elsewhere, show nothing of it.
+    too_few = geometry is not None and any(each.kind == "line" for each in geometry.unchecked)
+    bent = [t for t in rough if too_few and form_error_factor(t) > FORM_FACTOR_LIMIT]
+    if bent:
+        yield _noise_message(warning, "adjustment.not_flat", bent, form_error_factor)
+    if others := [t for t in rough if t not in bent]:
+        yield _noise_message(note, "adjustment.noise", others, lambda target: target.noise)
+
+
+def form_error_factor(target: TargetResidual) -> float:
+    """Ratio of the noise by form errors to the given one; for earlier results, of all noise."""
+    return target.noise if target.noise_of_form is None else target.noise_of_form
+
+
+def _noise_message(
+    make: Callable[..., Message], code: str, targets: Sequence[TargetResidual],
+    factor_of: Callable[[TargetResidual], float],
+) -> Message:  # fmt: skip
+    worst = max(targets, key=factor_of)
+    return make(
+        code,
+        count=len(targets), targets=shortened_list([t.target for t in targets]),
+        factor=float(factor_of(worst)), subject=Cause.of_target(worst.target),
+    )  # fmt: skip
+
+
+def _sighting_item(sighting: Sighting) -> Message:
+    """A sighting as an item of a list."""
+    return note("item.sighting", target=sighting.target, line=sighting.line)

@@ -1,0 +1,123 @@
+"""Test whether a ball has the same radius on every line, and what may explain a difference.
+
+A ball is passed within a second or two. What the vessel does in this time is in the shape of its
+points: a sign of the attitude, the latency or a range offset that is wrong makes it larger or
+smaller, and by another amount on every line. No target that is a plane shows that.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.result import RadiusDiscrepancy
+from lispac.errors import SphereNotFound
+from lispac.geometry.spheres import fit_sphere
+from lispac.survey.georeferencing import Mounting, place_points
+from lispac.survey.trajectory import Poses
+
+Array = NDArray[np.float64]
+
+MIN_POINTS = 20
+"""Smallest number of points of a sighting that determines a radius."""
+TEST_LEVEL = 1e-3
+"""Probability that radii which agree seem to differ."""
+MIN_DIFFERENCE = 0.003
+"""Metres: differences below it are of no consequence."""
+LATENCIES = np.linspace(-0.3, 0.3, 61)
+"""Seconds that are tried."""
+RANGE_OFFSETS = np.linspace(-0.2, 0.2, 81)
+"""Metres that are tried."""
+
+
+def find_radius_discrepancies(
+    observations: Observations, mounting: Mounting
+) -> tuple[RadiusDiscrepancy, ...]:
+    """Balls whose radii differ between lines by more than the noise explains.
+
+    Parameters
+    ----------
+    observations : Observations
+        With places in the local frame.
+    mounting : Mounting
+        As adjusted.
+    """
+    found = []
+    for k, target in enumerate(observations.targets):
+        if not observations.is_sphere[k]:
+            continue
+        own = observations.where(observations.target_of_sighting[observations.sighting] == k)
+        radii = _radius_by_line(own, mounting)
+        if radii is None or not _do_radii_differ(*radii):
+            continue
+        names = [
+            (cause, value, other)
+            for cause, value, changed, way in _candidate_corrections(own, mounting)
+            if (other := _radius_by_line(changed, way)) is not None
+        ]
+        best = min(names, key=lambda each: _radius_chi_square(*each[2]), default=None)
+        smallest, largest = float(radii[0].min()), float(radii[0].max())
+        if best is None or _do_radii_differ(*best[2]):
+            found.append(RadiusDiscrepancy(target, smallest, largest))
+        else:
+            found.append(RadiusDiscrepancy(target, smallest, largest, best[0], best[1]))
+    return tuple(found)
+
+
+def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Array, Array] | None:
+    """Radius of one ball on each line, and its sigma, both (lines,), metres; None below two."""
+    points = place_points(
+        observations.points_lidar, Poses(observations.position, observations.attitude), mounting
+    )
+    radii, sigmas = [], []
+    for s in range(len(observations.sightings)):
+        own = points[observations.sighting == s]
+        if len(own) < MIN_POINTS:
+            continue
+        try:
+            sphere = fit_sphere(own)
+        except SphereNotFound:
+            continue
+        design = np.column_stack([sphere.directions(own), np.ones(len(own))])
+        residuals = sphere.distances(own)
+        variance = residuals @ residuals / (len(own) - 4)
+        radii.append(sphere.radius)
+        sigmas.append(np.sqrt(variance * np.linalg.inv(design.T @ design)[3, 3]))
+    return (np.array(radii), np.array(sigmas)) if len(radii) >= 2 else None
+
+
+def _radius_chi_square(radii: Array, sigmas: Array) -> float:
+    """Weighted sum of squares about the mean radius, dimensionless."""
+    weights = 1.0 / (sigmas**2 + MIN_DIFFERENCE**2)
+    mean = weights @ radii / weights.sum()
+    return float(weights @ (radii - mean) ** 2)
+
+
+def _do_radii_differ(radii: Array, sigmas: Array) -> bool:
+    from scipy.special import chdtri
+
+    return _radius_chi_square(radii, sigmas) > chdtri(len(radii) - 1, TEST_LEVEL)
+
+
+def _candidate_corrections(
+    observations: Observations, mounting: Mounting
+) -> Iterator[tuple[str, float, Observations, Mounting]]:
+    """Candidate causes with their value, and observations and mounting without the error."""
+    for cause, signs in (
+        ("roll_sign", (-1, 1, 1)), ("pitch_sign", (1, -1, 1)), ("roll_pitch_signs", (-1, -1, 1)),
+    ):  # fmt: skip
+        turned = observations.attitude * np.array(signs)
+        yield cause, 0.0, replace(observations, attitude=turned), mounting
+    if observations.pose_rate is not None:
+        for late in LATENCIES:
+            off = late * observations.pose_rate
+            moved = replace(
+                observations, position=observations.position + off[:, :3],
+                attitude=observations.attitude + off[:, 3:],
+            )  # fmt: skip
+            yield "latency", float(late), moved, mounting
+    for offset in RANGE_OFFSETS:
+        longer = replace(mounting, range_offset=mounting.range_offset + float(offset))
+        yield "range_offset", float(offset), observations, longer

@@ -1,0 +1,313 @@
+"""Warnings about the result of an adjustment that matter for the use of the angles.
+
+The command line, the window and the report show the same warnings. Each rule is a function in
+`RULES`.
+"""
+
+from collections.abc import Callable, Iterable, Iterator
+
+import numpy as np
+
+from lispac.adjustment.diagnostics.cause_warnings import KnownError, warnings_about_causes
+from lispac.adjustment.diagnostics.sighting_warnings import (
+    contradicted_sighting_warnings,
+    noise_warnings,
+    outlier_warnings,
+)
+from lispac.adjustment.model.parameters import (
+    amount_with_unit,
+    mounting_value_name,
+    mounting_value_names,
+)
+from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossCheck, CrossChecks
+from lispac.adjustment.solve.determinability import have_one_orientation
+from lispac.messages import Level, Message, Value, note, shortened_list, sort_by_level, warning
+from lispac.warning_causes import RESULT, Cause
+
+LARGE_SIGMA_DEG = 0.1
+"""An angle known no better puts a point at 100 m off by 17 cm: no boresight to work with."""
+
+MIN_INCREASE = 1.05
+"""Factor on a sigma from which a warning reports that it was raised."""
+
+HIGH_CORRELATION = 0.9
+"""Correlation beyond which mostly the sum or difference of two angles is determined."""
+
+MAX_FLAT_SIGMA = 0.005
+"""Metres: sigma of the surfaces that no flat board has."""
+
+
+def result_warnings(
+    result: AdjustmentResult, checks: CrossChecks | None, also: Iterable[Message] = ()
+) -> tuple[Message, ...]:
+    """All warnings about a result, then notes; ``also`` are those about its data."""
+    also = tuple(also)
+    found = [message for rule in RULES for message in rule(result, checks)]
+    return sort_by_level(
+        (*also, *warnings_about_causes(result, KnownError.largest_among(also), found))
+    )
+
+
+def _uncorrelated_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    if not result.model.correlated:
+        yield warning("adjustment.independent_pos_errors", subject=Cause.of_field("pos_errors"))
+
+
+def _steep_pitch_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    if result.mounting.axes is not None:
+        yield note("adjustment.steep_pitch", subject=RESULT)
+
+
+def _surface_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    largest = float(result.surfaces.max())
+    if result.model.surface is not None or largest <= MAX_FLAT_SIGMA:
+        return
+    page = Cause.of_page("Sightings")
+    if result.offset == largest:
+        tilt = float(result.surface)
+        yield note("adjustment.surfaces_displaced", offset=largest, tilt=tilt, subject=page)
+    else:
+        yield note("adjustment.surfaces_differ", sigma=largest, subject=page)
+
+
+def _large_sigma_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    large = [
+        note("item.angle_sigma", angle=mounting_value_name(angle), sigma=float(sigma))
+        for angle, sigma in zip(ANGLES, result.sigma, strict=True)
+        if np.degrees(sigma) > LARGE_SIGMA_DEG
+    ]
+    if not large:
+        return
+    unseen = [
+        each.name
+        for each in result.parameters
+        if each.value is None and each.prior_sigma is not None
+    ]
+    if unseen:
+        yield warning(
+            "adjustment.large_sigma_unseen",
+            angles=large, parameters=mounting_value_names(unseen), subject=RESULT,
+        )  # fmt: skip
+    else:
+        yield warning("adjustment.large_sigma", angles=large, subject=RESULT)
+
+
+def _one_orientation_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    targets = result.targets
+    if not have_one_orientation(
+        np.array([target.plane[:3] for target in targets]),
+        np.array([target.sphere for target in targets]),
+    ):
+        return
+    first = targets[0].target
+    if len(targets) == 1:
+        yield warning("adjustment.one_target", target=first, subject=Cause.of_target(first))
+    else:
+        yield warning("adjustment.one_facing", subject=Cause.of_target(first))
+
+
+def _correlation_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    matrix, names = result.correlation_all, result.estimated
+    for i, first in enumerate(names):
+        for j in range(i + 1, len(names)):
+            if abs(matrix[i, j]) > HIGH_CORRELATION:
+                of_angles = j < len(ANGLES)
+                yield note(
+                    "adjustment.high_correlation"
+                    if of_angles
+                    else "adjustment.high_correlation_parameter",
+                    first=mounting_value_name(first),
+                    second=mounting_value_name(names[j]),
+                    correlation=float(matrix[i, j]),
+                    subject=Cause.of_page("Correlations")
+                    if of_angles
+                    else Cause.of_parameter(names[j]),
+                )
+
+
+def _exact_surface_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    if result.model.correlated and result.model.surface == 0:
+        yield note("adjustment.surface_held", subject=Cause.of_field("surface"))
+
+
+def _cross_check_notes(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Message]:
+    parts = [part for part in checks.parts if part.disagrees] if checks else []
+    halves = [part for part in parts if part.kind == "half"]
+    disagreeing = [_disagreeing_part_item(part) for part in parts if part.kind != "half"]
+    # Two halves differ from each other: the first one gives the same message.
+    disagreeing += [_disagreeing_part_item(part) for part in halves[-1:]]
+    if disagreeing:
+        yield note(
+            "adjustment.cross_check",
+            parts=shortened_list(disagreeing), subject=Cause.of_page("Cross-checks"),
+        )  # fmt: skip
+
+
+PART_CODES = {
+    "line": "item.without_line", "target": "item.without_target", "half": "item.halves",
+}  # fmt: skip
+"""Code of a part of the data by its kind."""
+
+
+def _disagreeing_part_item(part: CrossCheck) -> Message:
+    """A cross-check with the angle that differs most, in its sigmas."""
+    assert part.significance is not None
+    assert part.difference is not None
+    k = int(np.abs(part.significance).argmax())
+    return note(
+        PART_CODES[part.kind],
+        name=part.part,
+        angle=mounting_value_name(ANGLES[k]),
+        difference=float(part.difference[k]),
+        ratio=float(abs(part.significance[k])),
+    )
+
+
+def _unchecked_part_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    """Lines, targets and sightings whose errors cannot be detected."""
+    if result.observability is None:
+        return
+    found = result.observability.unchecked
+    lines = [each.line for each in found if each.kind == "line"]
+    targets = [each.target for each in found if each.kind == "target"]
+    if lines:
+        yield warning(
+            "adjustment.line_unchecked",
+            count=len(lines), lines=lines, subject=Cause.of_line(lines[0]),
+        )  # fmt: skip
+    if targets:
+        yield warning(
+            "adjustment.target_unchecked",
+            count=len(targets), targets=targets, subject=Cause.of_target(targets[0]),
+        )  # fmt: skip
+    for each in found:
+        if each.kind == "clustered":
+            yield warning("adjustment.targets_clustered", size=float(each.size), subject=RESULT)
+    carried = [each for each in found if each.kind == "sighting"]
+    if carried:
+        sightings = [
+            note(
+                "item.sighting_angles",
+                target=each.target, line=each.line, angles=mounting_value_names(each.angles),
+            )
+            for each in carried
+        ]  # fmt: skip
+        yield warning(
+            "adjustment.carried_by_one",
+            sightings=shortened_list(sightings),
+            subject=Cause.of_sighting(carried[0].target, carried[0].line),
+        )
+
+
+def _excluded_target_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    if excluded := result.excluded_targets:
+        first = Cause.of_target(excluded[0])
+        yield note("adjustment.target_excluded", targets=shortened_list(excluded), subject=first)
+
+
+def _common_part_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    """Warnings about targets of which lines show different parts not shown to be one plane."""
+    cut = [each for each in result.common_parts if each.share > 0.0]
+    excluded = [each.target for each in result.common_parts if each.share == 0.0]
+    if cut:
+        shares = [
+            note("item.share_of_points", share=float(each.share), target=each.target)
+            for each in cut
+        ]
+        first = Cause.of_target(cut[0].target)
+        yield note("adjustment.target_cut", targets=shortened_list(shares), subject=first)
+    if excluded:
+        first = Cause.of_target(excluded[0])
+        yield note("adjustment.target_parts", targets=shortened_list(excluded), subject=first)
+
+
+RADII_CODES = {
+    "": "adjustment.radii_differ",
+    "roll_sign": "adjustment.radii_roll_sign",
+    "pitch_sign": "adjustment.radii_pitch_sign",
+    "roll_pitch_signs": "adjustment.radii_roll_pitch_signs",
+}
+"""Code by the cause of `RadiusDiscrepancy`; other causes are values of the mounting."""
+
+
+def _radius_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    for each in result.radius_discrepancies:
+        target = Cause.of_target(each.target)
+        code = RADII_CODES.get(each.cause, "adjustment.radii_parameter")
+        params: dict[str, Value] = {
+            "target": each.target, "smallest": float(each.smallest), "largest": float(each.largest)
+        }  # fmt: skip
+        if each.cause not in RADII_CODES:
+            params["cause"] = note(
+                "cause.larger" if each.value > 0 else "cause.smaller",
+                parameter=mounting_value_name(each.cause),
+                amount=amount_with_unit(each.cause, abs(each.value)),
+            )
+        yield Message(code, Level.WARNING, params, target)
+
+
+def _correlation_time_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    if result.given_correlation_times is not None:
+        position, attitude = result.given_correlation_times
+        yield note(
+            "adjustment.shorter_times",
+            position=float(position), attitude=float(attitude),
+            used_position=float(result.model.position_time),
+            used_attitude=float(result.model.attitude_time),
+            subject=Cause.of_field("position_time"),
+        )  # fmt: skip
+
+
+def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    if result.angle_sigma_factors is None:
+        return
+    raised = [
+        note(
+            "item.angle_raised",
+            angle=mounting_value_name(angle),
+            before=float(before),
+            after=float(after),
+        )
+        for angle, before, after, factor in zip(
+            ANGLES,
+            result.with_formal_sigmas.sigma,
+            result.sigma,
+            result.angle_sigma_factors,
+            strict=True,
+        )
+        if factor > MIN_INCREASE
+    ]
+    if raised:
+        page = Cause.of_page("Cross-checks")
+        yield note("adjustment.sigmas_raised", angles=raised, subject=page)
+
+
+def _method_messages(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    yield from result.messages
+
+
+RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]], ...] = (
+    _uncorrelated_warning,
+    _large_sigma_warnings,
+    _one_orientation_warning,
+    _correlation_notes,
+    _exact_surface_note,
+    _surface_notes,
+    _steep_pitch_note,
+    contradicted_sighting_warnings,
+    outlier_warnings,
+    noise_warnings,
+    _cross_check_notes,
+    _unchecked_part_warnings,
+    _excluded_target_notes,
+    _common_part_warnings,
+    _radius_warnings,
+    _correlation_time_note,
+    _raised_sigma_note,
+    _method_messages,
+)
+
+
+def outdated_result_warning(reason: Message | str) -> Message:
+    """Warning about a result after which another estimate was refused, with the reason."""
+    return warning("adjustment.refused_since", reason=reason, subject=RESULT)

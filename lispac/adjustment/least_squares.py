@@ -1,0 +1,210 @@
+"""The least-squares adjustment of mounting and targets, with its diagnostics (thesis B.3)."""
+
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.diagnostics.excess_scatter import leave_out_sigma_factors, with_raised_sigmas
+from lispac.adjustment.diagnostics.failure_causes import REJECTION_LEVEL, find_failure_causes
+from lispac.adjustment.diagnostics.observability import assess_observability
+from lispac.adjustment.diagnostics.possible_causes import find_possible_causes
+from lispac.adjustment.diagnostics.reliability import compute_reliability
+from lispac.adjustment.diagnostics.sphere_radii import find_radius_discrepancies
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.parameters import OPTIONAL_NAMES, Parameter
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.solve.omitted_parameters import find_contradicted_parameters
+from lispac.adjustment.solve.solution import Solution
+from lispac.adjustment.solve.solver import SolverSettings, estimate, solve, with_agreeing_targets
+from lispac.errors import AdjustmentError, NotConverged
+from lispac.language import gettext_lazy
+from lispac.messages import error
+from lispac.progress import Progress, no_progress
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+SHORTER_TIMES = (0.3, 0.1, 0.03)
+"""Factors on the correlation times that are tried where the residuals are too large."""
+
+
+def adjust(
+    observations: Observations,
+    mounting: Mounting,
+    model: StochasticModel,
+    *,
+    parameters: tuple[Parameter, ...] = (),
+    shapes: Array | None = None,
+    noise: Mapping[str, float] | None = None,
+    components: bool = False,
+    accept_single_orientation: bool = False,
+    diagnostics: bool = True,
+    test_model: bool = True,
+    progress: Progress = no_progress,
+) -> AdjustmentResult:
+    """Find the boresight that makes each target's points, over all lines, one surface.
+
+    Gauss-Helmert model with unit normals kept exactly: a plane moves by two turns of its normal
+    and its offset. The products summed over groups of points carry all the points say, so an
+    iteration costs one pass over them and a small solve. A target no point of which agrees with the
+    others is excluded, and named in the result.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        The prior boresight as the starting value; all other values as they are known.
+    parameters : tuple of Parameter
+        Values of the mounting to estimate besides the boresight. One that the geometry does not
+        determine is fixed, and the result reports it.
+    shapes : ndarray of shape (targets, 4), optional
+        Starting planes and spheres; fitted to the points placed with ``mounting`` where not given.
+    noise : mapping of str to float, optional
+        Noise of each target over the given one (correlated model), as known from an adjustment of
+        more of its points; estimated from the residuals where not given.
+    components : bool
+        Whether to take the sigmas of LiDAR and POS from the data (correlated model).
+    accept_single_orientation : bool
+        Whether to accept that all targets are planes that face one way.
+    diagnostics : bool
+        Whether to work out observability and reliability too.
+    test_model : bool
+        Whether, with diagnostics, the model of the errors follows the data where these contradict
+        it: shorter correlation times where the chi-square test asks for them, and sigmas raised
+        where results without single lines or targets scatter too much (`leave_out_sigma_factors`).
+
+    Raises
+    ------
+    AdjustmentError
+        Where a sighting has too few points.
+    RankDeficient
+        Where lines and targets do not determine the boresight, or nothing checks it.
+    TargetDisagrees
+        Where two targets are left at most, or starting shapes are given.
+    NotConverged
+        If the iteration diverges or does not converge.
+    """
+    settings = SolverSettings(
+        model, parameters, shapes, noise, components, accept_single_orientation
+    )
+    if not diagnostics:
+        return estimate(observations, mounting, settings, progress)
+
+    def diagnosed(some: Observations) -> AdjustmentResult:
+        found = _diagnose(solve(some, mounting, settings, progress), raise_sigmas=test_model)
+        radii = find_radius_discrepancies(some, found.mounting)
+        found = replace(found, radius_discrepancies=radii)
+        if not (test_model and model.correlated and found.is_model_rejected(REJECTION_LEVEL)):
+            return found
+        if _passes_without_cause(found, some, mounting, settings, progress):
+            return found
+        return _with_shorter_correlation_times(found, some, mounting, settings, progress)
+
+    return with_agreeing_targets(observations, diagnosed, may_exclude=shapes is None)
+
+
+def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:
+    """Result with diagnostics, and with sigmas raised where parts of the data scatter too much."""
+    linearised, correlated = solution.linearised, solution.linearised.problem.model.correlated
+    factors = leave_out_sigma_factors(linearised) if raise_sigmas and correlated else None
+    has_surfaces = correlated and bool(linearised.normal.layout.surfaces)
+    result = replace(
+        solution.result(),
+        observability=assess_observability(
+            linearised, angle_sigma_factors=factors, origins=solution.origins
+        ),
+        reliability=compute_reliability(linearised) if has_surfaces else (),
+        contradictions=find_contradicted_parameters(linearised) if correlated else (),
+        causes=find_possible_causes(linearised),
+    )
+    return result if factors is None else with_raised_sigmas(result, factors)
+
+
+def _with_shorter_correlation_times(
+    found: AdjustmentResult,
+    observations: Observations,
+    mounting: Mounting,
+    settings: SolverSettings,
+    progress: Progress,
+) -> AdjustmentResult:
+    """Result with the longest correlation times that pass the test; ``found`` if none does."""
+    given = settings.model.position_time, settings.model.attitude_time
+    for factor in SHORTER_TIMES:
+        model = replace(
+            settings.model, position_time=factor * given[0], attitude_time=factor * given[1]
+        )
+        with suppress(AdjustmentError, np.linalg.LinAlgError):
+            solution = solve(observations, mounting, replace(settings, model=model), progress)
+            if not solution.result().is_model_rejected():
+                return replace(
+                    _diagnose(solution, raise_sigmas=True),
+                    given_correlation_times=given,
+                    radius_discrepancies=found.radius_discrepancies,
+                )
+    return found
+
+
+def _passes_without_cause(
+    found: AdjustmentResult,
+    observations: Observations,
+    mounting: Mounting,
+    settings: SolverSettings,
+    progress: Progress,
+) -> bool:
+    """Whether the residuals pass the test without the error named as their cause.
+
+    Correlation times as short as a second or two explain nearly everything, a late line as well.
+    """
+    causes = [group[0] for group in found.causes or () if len(group) == 1]
+    values = [Parameter(each.kind) for each in causes if each.kind in OPTIONAL_NAMES]
+    lines = {each.line for each in causes if each.kind not in OPTIONAL_NAMES and not each.target}
+    places = {(each.target, each.line) for each in causes if each.target}
+    if not causes:
+        return False
+    kept = np.array(
+        [s.line not in lines and (s.target, s.line) not in places for s in observations.sightings]
+    )
+    with suppress(AdjustmentError, np.linalg.LinAlgError):
+        freed = replace(settings, parameters=(*settings.parameters, *values))
+        without = solve(observations.of_sightings(kept), mounting, freed, progress).result()
+        return not without.is_model_rejected()
+    return False
+
+
+def adjust_or_explain(
+    observations: Observations,
+    mounting: Mounting,
+    model: StochasticModel,
+    *,
+    parameters: tuple[Parameter, ...] = (),
+    components: bool = False,
+    accept_single_orientation: bool = False,
+    diagnostics: bool = True,
+    progress: Progress = no_progress,
+) -> AdjustmentResult:
+    """`adjust`, with the possible causes in the reason where it does not converge.
+
+    Raises
+    ------
+    AdjustmentError
+        If the observations determine no boresight, or the adjustment does not converge.
+    RankDeficient
+        If a parameter is not determined.
+    NotConverged
+        With the causes that were found, the one that fits best first.
+    """
+    try:
+        return adjust(
+            observations, mounting, model, parameters=parameters, components=components,
+            accept_single_orientation=accept_single_orientation, diagnostics=diagnostics,
+            progress=progress,
+        )  # fmt: skip
+    except NotConverged as failure:
+        reason = failure.reason
+        progress(0.9, gettext_lazy("Searching for the cause"))
+        for cause in find_failure_causes(observations, mounting, model, parameters=parameters):
+            reason = error("estimate.possible_cause", reason=reason, cause=cause)
+        raise NotConverged(reason) from None

@@ -1,0 +1,1 @@
+"""What is adjusted: observations, stochastic model, parameters, target shapes, conditions."""

@@ -1,0 +1,260 @@
+"""Observations of the adjustment: one row a point, grouped into sightings."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.model.threads import run_in_chunks
+from lispac.compiled_code import kernel
+from lispac.errors import AdjustmentError
+from lispac.messages import error
+
+Array = NDArray[np.float64]
+
+MIN_SAMPLE = 200  # points of a sighting that are all wanted in a sample
+
+
+@dataclass(frozen=True)
+class Sighting:
+    """Measurement of one target on one line."""
+
+    target: str
+    line: str
+
+
+@dataclass(frozen=True)
+class CommonCoverage:
+    """Share of a target that all its lines show; only this part is used.
+
+    Attributes
+    ----------
+    target : str
+    share : float
+        Of its points; 0 where it is excluded.
+    lines : tuple of str
+        Whose sightings are used.
+    """
+
+    target: str
+    share: float
+    lines: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Observations:
+    """Nine observations a point (thesis B.3): POS position, POS attitude, LiDAR x, y, z.
+
+    Attributes
+    ----------
+    points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+    position : ndarray of shape (n, 3), metres, local frame
+    attitude : ndarray of shape (n, 3), radians; roll, pitch, heading
+    sigma_lidar, sigma_position : ndarray of shape (n, 3), metres
+        Along x, y, z and north, west, up.
+    sigma_attitude : ndarray of shape (n, 3), radians
+    time : ndarray of shape (n,), seconds
+    sighting : ndarray of shape (n,), int
+        Index into ``sightings``.
+    sightings : tuple of Sighting
+    beam_sigmas : bool
+        Whether ``sigma_lidar`` is along the beam and twice across it instead of along x, y, z.
+    pose_rate : ndarray of shape (n, 6) or None, metres and radians per second
+        Derivative of position and attitude by time; without it no latency can be estimated.
+    latency : float, seconds
+        Already applied to the times at which position and attitude were read.
+    radii : mapping of str to float or None
+        The targets that are spheres, with their radius in metres, or None where it is unknown;
+        all others are planes.
+    time_separation : ndarray of shape (n,) or None, seconds
+        Mean time between two of the points that an average stands for; None for single points.
+    excluded_outliers : int
+        Points that stood out from their sighting and went into no average.
+    """
+
+    points_lidar: Array
+    position: Array
+    attitude: Array
+    sigma_lidar: Array
+    sigma_position: Array
+    sigma_attitude: Array
+    time: Array
+    sighting: NDArray[np.int64]
+    sightings: tuple[Sighting, ...]
+    beam_sigmas: bool = False
+    pose_rate: Array | None = None
+    latency: float = 0.0
+    radii: Mapping[str, float | None] = field(default_factory=dict)
+    excluded_outliers: int = 0
+    time_separation: Array | None = None
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    @cached_property
+    def targets(self) -> tuple[str, ...]:
+        """Names of the targets, in the order of their first sighting."""
+        return tuple(dict.fromkeys(sighting.target for sighting in self.sightings))
+
+    @cached_property
+    def target_of_sighting(self) -> NDArray[np.int64]:
+        """Index into ``targets`` for each sighting, shape (sightings,)."""
+        number = {target: k for k, target in enumerate(self.targets)}
+        return np.array([number[s.target] for s in self.sightings], dtype=np.int64)
+
+    @cached_property
+    def lines(self) -> tuple[str, ...]:
+        """Names of the lines, in the order of their first sighting."""
+        return tuple(dict.fromkeys(sighting.line for sighting in self.sightings))
+
+    @cached_property
+    def is_sphere(self) -> NDArray[np.bool_]:
+        """Whether each target is a sphere, shape (targets,)."""
+        return np.array([target in self.radii for target in self.targets], dtype=bool)
+
+    def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Observations":
+        """Observations with factors applied to the given sigmas.
+
+        Parameters
+        ----------
+        lidar, position, attitude : float
+            Factors, so without a unit.
+        """
+        return replace(
+            self,
+            sigma_lidar=lidar * self.sigma_lidar,
+            sigma_position=position * self.sigma_position,
+            sigma_attitude=attitude * self.sigma_attitude,
+        )
+
+    def as_planes(self) -> "Observations":
+        """Observations with every target treated as a plane."""
+        return replace(self, radii={}) if self.radii else self
+
+    def reordered(self, order: NDArray[np.int64]) -> "Observations":
+        """Points in another order (k,), or some of them; ``sightings`` is unchanged."""
+        columns: dict[str, Any] = {
+            column.name: values.take(order, axis=0)
+            for column in fields(self)
+            if isinstance(values := getattr(self, column.name), np.ndarray)
+        }
+        return replace(self, **columns)
+
+    def sample(self, share: float) -> NDArray[np.bool_]:
+        """Mask (n,) of about that share of the points, independent of their order."""
+        bits = np.ascontiguousarray(self.points_lidar).view(np.uint64)
+        mixed = bits[:, 0] ^ (bits[:, 1] << np.uint64(1)) ^ (bits[:, 2] << np.uint64(2))
+        mixed = (mixed ^ (mixed >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
+        mixed = (mixed ^ (mixed >> np.uint64(32))) * np.uint64(0x94D049BB133111EB)
+        chosen = (mixed >> np.uint64(40)).astype(np.float64) < share * 2**24
+        # A sighting of few points keeps them all.
+        scarce = np.bincount(self.sighting[chosen], minlength=len(self.sightings)) < MIN_SAMPLE
+        return np.asarray(chosen | scarce[self.sighting])
+
+    def where(self, keep: NDArray[np.bool_]) -> "Observations":
+        """Points selected by ``keep``, shape (n,); sightings without points are dropped."""
+        part = self.reordered(np.flatnonzero(keep))
+        kept = np.unique(part.sighting)
+        return replace(
+            part,
+            sighting=np.searchsorted(kept, part.sighting),
+            sightings=tuple(self.sightings[k] for k in kept),
+        )
+
+    def of_sightings(self, keep: NDArray[np.bool_]) -> "Observations":
+        """Points of the sightings selected by ``keep``, shape (sightings,)."""
+        return self.where(keep[self.sighting])
+
+    def without_targets(self, names: Collection[str]) -> "Observations":
+        """Points on all other targets."""
+        if not names:
+            return self
+        return self.of_sightings(np.array([s.target not in names for s in self.sightings]))
+
+    @cached_property
+    def turns(self) -> Array:
+        """Cosine and sine of roll, pitch and heading, shape (n, 6), computed once."""
+        return attitude_cosines_sines(self.attitude)
+
+    @cached_property
+    def counts(self) -> NDArray[np.int64]:
+        """Points of each sighting, shape (sightings,)."""
+        return np.bincount(self.sighting, minlength=len(self.sightings)).astype(np.int64)
+
+    def mean_by_sighting(self, values: Array) -> Array:
+        """Mean of per-point ``values``, shape (n,) or (n, m), over each sighting."""
+        columns = values.reshape(len(self), -1).T
+        sums = [np.bincount(self.sighting, column, len(self.sightings)) for column in columns]
+        means = np.stack(sums, axis=-1) / self.counts[:, None]
+        return means[:, 0] if values.ndim == 1 else means
+
+    def require_usable(self) -> None:
+        """Refuse observations that cannot determine a boresight, with the reason.
+
+        Raises
+        ------
+        AdjustmentError
+            If targets, points or lines are too few, or a value cannot be used.
+        """
+        if not self.sightings:
+            raise AdjustmentError(error("adjustment.no_targets"))
+        for sighting, count in zip(self.sightings, self.counts, strict=True):
+            if count < 3:
+                raise AdjustmentError(
+                    error(
+                        "adjustment.few_points",
+                        target=sighting.target,
+                        line=sighting.line,
+                        count=count,
+                    )
+                )
+        for code, values in (
+            ("adjustment.point_not_finite", self.points_lidar),
+            ("adjustment.position_not_finite", self.position),
+            ("adjustment.attitude_not_finite", self.attitude),
+            ("adjustment.time_not_finite", self.time),
+        ):
+            if not np.isfinite(values).all():
+                raise AdjustmentError(error(code))
+        x, y, z = self.points_lidar.T
+        if not ((x != 0) | (y != 0) | (z != 0)).all():
+            raise AdjustmentError(error("adjustment.point_in_scanner"))
+        for code, sigma in (
+            ("adjustment.sigma_lidar", self.sigma_lidar),
+            ("adjustment.sigma_position", self.sigma_position),
+            ("adjustment.sigma_attitude", self.sigma_attitude),
+        ):
+            if not (np.isfinite(sigma).all() and (sigma >= 0).all()):
+                raise AdjustmentError(error(code))
+        if not (self.sigma_lidar > 0).all():
+            raise AdjustmentError(error("adjustment.sigma_lidar_zero"))
+
+
+def attitude_cosines_sines(attitude: Array) -> Array:
+    """Cosine and sine of roll, pitch and heading.
+
+    Parameters
+    ----------
+    attitude : ndarray of shape (n, 3), radians
+
+    Returns
+    -------
+    ndarray of shape (n, 6)
+    """
+    turns = np.empty((len(attitude), 6))
+    run_in_chunks(
+        lambda first, last: _fill_cosines_sines(first, last, attitude, turns),
+        np.arange(1, len(attitude) + 1),
+    )
+    return turns
+
+
+@kernel()
+def _fill_cosines_sines(first, last, attitude, turns):  # type: ignore[no-untyped-def]
+    for i in range(first, last):
+        for k in range(3):
+            turns[i, 2 * k] = np.cos(attitude[i, k])
+            turns[i, 2 * k + 1] = np.sin(attitude[i, k])

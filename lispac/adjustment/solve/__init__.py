@@ -1,0 +1,1 @@
+"""Solution: normal equations, elimination of the POS error, iteration, rejection of blunders."""

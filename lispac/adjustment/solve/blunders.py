@@ -1,0 +1,218 @@
+"""Detection of blunders: other surface on one line, shifted sighting, GNSS jump.
+
+Alternatives stand against "all agree" (Teunissen 2000): one sighting is shifted as a whole, or is
+another surface altogether, or the position is shifted on all of one line. Each is tested with what
+it would leave of the data: a blunder makes the surfaces seem to differ by more than they do, and
+would hide behind that.
+"""
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.solve.adjustment_problem import (
+    EVERY_DIRECTION,
+    OFFSETS,
+    AdjustmentProblem,
+    LinearisedProblem,
+)
+from lispac.adjustment.solve.banded_cholesky import forward_substitution
+from lispac.adjustment.solve.normal_equations import unknown_directions
+from lispac.adjustment.solve.variance_components import reestimate_surface_sigma
+
+Array = NDArray[np.float64]
+
+FAMILY_WISE_LEVEL = 0.01
+"""Family-wise probability of a false rejection."""
+
+CANDIDATE_LEVEL = 0.05
+"""Significance level for the second test, with form errors estimated without the candidate."""
+
+MAX_CANDIDATES = 6
+"""Largest number of candidates, most significant first, for the second test."""
+
+RESTORATION_LEVEL = 0.05
+"""Significance level above which a rejected sighting is restored."""
+
+CONFIRMATION_LEVEL = 1e-6
+"""Significance level below which sightings excluded from the start values stay excluded."""
+
+MIN_OTHER_SIGHTINGS = 2
+"""Minimum number of other sightings of a target."""
+
+SHIFT_PREFERENCE = 100.0
+"""Ratio of the probabilities from which another surface is preferred to a shift."""
+
+
+@dataclass(frozen=True)
+class Blunder:
+    """A possible blunder: sightings and the kind of error.
+
+    Attributes
+    ----------
+    kind : {"shift", "surface", "line"}
+        One sighting shifted along its target's normal; one that is another surface; the position
+        shifted on all sightings of a line.
+    sightings : tuple of int
+    """
+
+    kind: Literal["shift", "surface", "line"]
+    sightings: tuple[int, ...]
+
+    def reject_in(self, problem: AdjustmentProblem) -> AdjustmentProblem:
+        """Return the problem with these sightings rejected."""
+        return problem.with_rejected(self.sightings, self._directions)
+
+    def restore_in(self, problem: AdjustmentProblem) -> AdjustmentProblem:
+        """Return the problem with these sightings used like all others."""
+        return problem.with_restored(self.sightings, self._directions)
+
+    @property
+    def _directions(self) -> slice:
+        return EVERY_DIRECTION if self.kind == "surface" else OFFSETS
+
+
+def worst_blunder(linearised: LinearisedProblem, spared: Collection[Blunder]) -> Blunder | None:
+    """Find the most significant blunder; None where all sightings agree.
+
+    Parameters
+    ----------
+    spared : collection of Blunder
+        Blunders that have already been restored.
+    """
+    candidates = [found for found in _candidate_blunders(linearised.problem) if found not in spared]
+    first = [(_score_test_p_value(linearised, found), found) for found in candidates]
+    promising = [item for item in first if item[0] < CANDIDATE_LEVEL]
+    promising.sort(key=_weighted_p_value)
+    again = [
+        (_weighted_p_value((chance, found)), k, found)
+        for k, (_, found) in enumerate(promising[:MAX_CANDIDATES])
+        for chance in [
+            _score_test_p_value(_surfaces_from_other_sightings(linearised, found), found)
+        ]
+        if chance < FAMILY_WISE_LEVEL / len(candidates)
+    ]
+    return min(again)[-1] if again else None
+
+
+def _weighted_p_value(item: tuple[float, Blunder]) -> float:
+    chance, found = item
+    return chance * (SHIFT_PREFERENCE if found.kind == "surface" else 1.0)
+
+
+def find_restorable_blunder(
+    linearised: LinearisedProblem, rejected: Collection[Blunder]
+) -> Blunder | None:
+    """Find the rejected blunder that agrees best, if it agrees well enough to be restored."""
+    chances = [(_p_value_if_restored(linearised, found), found) for found in rejected]
+    chance, best = max(chances, key=lambda item: item[0], default=(0.0, None))
+    return best if chance > RESTORATION_LEVEL else None
+
+
+def find_confirmed_blunders(
+    linearised: LinearisedProblem, rejected: Collection[Blunder]
+) -> list[Blunder]:
+    """Blunders excluded at the start that remain rejected, as a shift where that is enough."""
+    return [
+        _reduce_to_shift(linearised, found)
+        for found in rejected
+        if _p_value_if_restored(linearised, found) < CONFIRMATION_LEVEL
+    ]
+
+
+def _p_value_if_restored(linearised: LinearisedProblem, blunder: Blunder) -> float:
+    # Points without any weight left agree with nothing.
+    if not _blunder_equations(linearised, blunder)[0].any():
+        return 0.0
+    return _score_test_p_value(linearised.of(blunder.restore_in(linearised.problem)), blunder)
+
+
+def _reduce_to_shift(linearised: LinearisedProblem, blunder: Blunder) -> Blunder:
+    """Reduce a blunder to a shift alone where the tilts of its sighting agree with the others."""
+    if blunder.kind != "surface":
+        return blunder
+    shift = Blunder("shift", blunder.sightings)
+    without_shift = linearised.of(shift.reject_in(blunder.restore_in(linearised.problem)))
+    return shift if _score_test_p_value(without_shift, blunder) > FAMILY_WISE_LEVEL else blunder
+
+
+def _candidate_blunders(problem: AdjustmentProblem) -> Iterator[Blunder]:
+    """Sightings and lines whose rejection leaves every target with enough others."""
+    observations, is_used = problem.observations, ~problem.rejected_sightings
+    owners = observations.target_of_sighting
+    counts = np.bincount(owners[is_used], minlength=len(observations.targets))
+    spare = is_used & (counts[owners] > MIN_OTHER_SIGHTINGS)
+    for s in np.flatnonzero(spare):
+        yield Blunder("shift", (int(s),))
+        if not observations.is_sphere[owners[s]]:
+            yield Blunder("surface", (int(s),))
+    for line in observations.lines:
+        own = [s for s, x in enumerate(observations.sightings) if x.line == line and is_used[s]]
+        # For a line with one sighting the shift of that is sufficient.
+        if len(own) > 1 and spare[own].all():
+            yield Blunder("line", tuple(own))
+
+
+def _surfaces_from_other_sightings(
+    linearised: LinearisedProblem, found: Blunder
+) -> LinearisedProblem:
+    """Linearised problem with the surface sigma estimated from all other sightings."""
+    problem = linearised.problem
+    return linearised.of(reestimate_surface_sigma(problem, linearised.of(found.reject_in(problem))))
+
+
+def _score_test_p_value(linearised: LinearisedProblem, blunder: Blunder) -> float:
+    """P-value of a blunder by a score test of its unknowns (Rao 1948)."""
+    from scipy.special import chdtrc
+
+    normal = linearised.normal
+    own, by_unknowns, by_pos, right = _blunder_equations(linearised, blunder)
+    half = forward_substitution(normal.factor, by_pos.T)
+    mixed = by_unknowns - half.T @ normal.whitened_mixed
+    information = own - half.T @ half - mixed @ normal.covariance @ mixed.T
+    correction, change = normal.solve()
+    pull = right - by_unknowns @ correction - by_pos @ change.reshape(-1)
+    # What the data do not see (a shift along the boards) cannot be tested.
+    values, directions = np.linalg.eigh(information)
+    is_determined = values > MIN_INFORMATION_SHARE * np.diag(own).max()
+    if not is_determined.any():
+        return 1.0
+    statistic = float((((directions.T @ pull) ** 2)[is_determined] / values[is_determined]).sum())
+    return float(chdtrc(int(is_determined.sum()), statistic))
+
+
+MIN_INFORMATION_SHARE = 1e-6
+"""Share of the information that must be left when all else is eliminated."""
+
+
+def _blunder_equations(
+    linearised: LinearisedProblem, found: Blunder
+) -> tuple[Array, Array, Array, Array]:
+    """Normal equations of a blunder: own block, blocks with unknowns and POS error, right side.
+
+    The size of a line's is three shifts of position, of a sighting's what its own surface may do.
+    """
+    problem, layout, sums = linearised.problem, linearised.normal.layout, linearised.sums
+    groups, own = problem.groups, len(layout.active) + 4
+    basis = unknown_directions(layout, problem.observations.target_of_sighting, linearised.bases)
+    width, count = sums.shape[1], 1 if found.kind == "shift" else 3
+    among, right = np.zeros((count, count)), np.zeros(count)
+    by_unknowns = np.zeros((count, layout.size + 1))
+    by_pos = np.zeros((count, linearised.state.effects.size))
+    for g in np.flatnonzero(np.isin(groups.sighting, found.sightings)):
+        s, first = groups.sighting[g], 6 * groups.knot[g]
+        size = np.zeros((width, count))
+        if found.kind == "line":
+            # The POS position at the knot before and at the one after, both at once
+            size[own : own + 3] = size[own + 6 : own + 9] = np.eye(3)
+        else:
+            size[own - 4 : own] = linearised.bases.surfaces[s, :, 3 - count :]
+        products = size.T @ sums[g]
+        among += products @ size
+        by_unknowns[:, layout.index[s]] += products[:, :own] @ basis[s]
+        by_pos[:, first : first + 12] += products[:, own : own + 12]
+        right -= products[:, -1]
+    return among, by_unknowns[:, :-1], by_pos, right

@@ -1,0 +1,229 @@
+"""Determinability: parameters and angles that lines and targets leave undetermined."""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.model.parameters import LIMITS, ParameterEstimate, mounting_value_name
+from lispac.adjustment.result import ANGLES
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.errors import RankDeficient
+from lispac.messages import Message, error, note
+from lispac.survey.georeferencing import CALIBRATION
+
+Array = NDArray[np.float64]
+
+WORST_SIGMA = np.radians(1.0)
+"""Radians: an angle that the geometry determines no better is undetermined; an inspection of the
+mounting gives as much."""
+
+PARALLEL_LIMIT = np.radians(10.0)
+"""Lines, or normals, that differ by less count as one direction."""
+
+ANGLE_CODES = {
+    "roll": "adjustment.angle_roll",
+    "pitch": "adjustment.angle_pitch",
+    "yaw": "adjustment.angle_yaw",
+}
+"""Code of each angle's name as part of a message."""
+
+
+def find_undetermined_parameters(linearised: LinearisedProblem) -> tuple[ParameterEstimate, ...]:
+    """Find the parameters that the geometry does not determine, the worst first, with reasons.
+
+    One at a time: of two that cannot be separated from each other, one stays.
+    """
+    problem = linearised.problem
+    active = problem.active
+    information = linearised.normal.information(len(active))
+    limits = LIMITS[active]
+    own = {p.index: p.sigma**-2 if p.sigma else 0.0 for p in problem.parameters}
+    undetermined: list[ParameterEstimate] = []
+    left = {p.index: p for p in problem.parameters}
+    while left:
+        free = information.copy()
+        for index in left:
+            k = int(np.searchsorted(active, index))
+            free[k, k] -= own[index]
+        fixed = {each.name for each in undetermined if each.prior_sigma is None}
+        kept = np.array([CALIBRATION[i] not in fixed for i in active])
+        # Scaled to the limits; a trace of a prior keeps what is wholly unseen finite.
+        scaled = (free * np.outer(limits, limits))[np.ix_(kept, kept)] + 1e-4 * np.eye(kept.sum())
+        covariance = np.linalg.inv(scaled)
+        sigmas = dict(zip(active[kept], np.sqrt(np.diag(covariance)), strict=True))
+        worst = max(left, key=lambda index: sigmas[index])
+        if sigmas[worst] <= 1:
+            break
+        k = int(np.searchsorted(active[kept], worst))
+        undetermined.append(
+            _undetermined_estimate(
+                linearised, worst, covariance[k], active[kept], left[worst].sigma
+            )
+        )
+        del left[worst]
+    return tuple(undetermined)
+
+
+def _undetermined_estimate(
+    linearised: LinearisedProblem,
+    index: int,
+    row: Array,
+    active: NDArray[np.int64],
+    sigma: float | None,
+) -> ParameterEstimate:
+    name = CALIBRATION[index]
+    prior = float(linearised.problem.prior.values[index])
+    shares = np.where(active == index, 0.0, np.abs(row))
+    other = mounting_value_name(CALIBRATION[int(active[np.argmax(shares)])])
+    parameter = mounting_value_name(name)
+    kept = note("parameter.kept_uncertain" if sigma else "parameter.kept")
+    if name == "scan_angle_offset":
+        reason = note("parameter.rotates_like_boresight", parameter=parameter, kept=kept)
+    elif name == "lever_z":
+        reason = note("parameter.raises_all_lines", parameter=parameter, kept=kept)
+    else:
+        reason = note("parameter.not_separated", parameter=parameter, other=other, kept=kept)
+    return ParameterEstimate(name, prior, sigma, reason=reason)
+
+
+def require_determined(linearised: LinearisedProblem) -> None:
+    """Refuse a geometry that leaves an angle undetermined, in either stochastic model.
+
+    Raises
+    ------
+    RankDeficient
+        With the reason: one line, parallel lines, one target, parallel normals.
+    """
+    problem = linearised.problem
+    lines = problem.observations.lines
+    if len(lines) < 2 and _is_single_heading(linearised):
+        raise RankDeficient(error("adjustment.one_line", line=lines[0]))
+    information = _with_correlated_pos_errors(linearised).normal.information(3)
+    eigenvalues, directions = np.linalg.eigh(information)
+    if eigenvalues[0] >= max(WORST_SIGMA**-2, 1e-12 * eigenvalues[2]):
+        return
+    # A sphere has no orientation that another could differ from.
+    spheres = bool(problem.observations.is_sphere.all())
+    action = note("adjustment.add_target" if spheres else "adjustment.add_orientation")
+    direction, reason = angle_combination(directions[:, 0]), _reason_undetermined(linearised)
+    if reason is None:
+        raise RankDeficient(error("adjustment.undetermined", direction=direction, action=action))
+    raise RankDeficient(
+        error("adjustment.undetermined_because", direction=direction, reason=reason, action=action)
+    )
+
+
+def _reason_undetermined(linearised: LinearisedProblem) -> Message | None:
+    """Simple reason why an angle is undetermined; None where there is none."""
+    targets = linearised.problem.observations.targets
+    parallel = _are_lines_parallel(linearised)
+    if len(targets) == 1:
+        return note(
+            "adjustment.parallel_lines_one_target" if parallel else "adjustment.single_target",
+            target=targets[0],
+        )
+    if have_targets_one_orientation(linearised):
+        return note(
+            "adjustment.parallel_lines_one_orientation"
+            if parallel
+            else "adjustment.one_orientation"
+        )
+    return note("adjustment.parallel_lines") if parallel else None
+
+
+def _with_correlated_pos_errors(linearised: LinearisedProblem) -> LinearisedProblem:
+    """Equations of the correlated model at the same state.
+
+    Where every point has a POS error of its own, any angle is known if only the points are many.
+    """
+    problem, state = linearised.problem, linearised.state
+    if problem.model.correlated:
+        return linearised
+    model = replace(problem.model, pos_errors="correlated")
+    problem = AdjustmentProblem.of(
+        problem.observations, problem.prior, model, problem.parameters, problem.moments
+    )
+    return problem.linearised(problem.start(state.mounting, state.shapes))
+
+
+def require_two_orientations(linearised: LinearisedProblem) -> None:
+    """Refuse planes that all face one way, because nothing checks the angles then.
+
+    Raises
+    ------
+    RankDeficient
+        If there is one plane only, or all planes are parallel.
+    """
+    if not have_targets_one_orientation(linearised):
+        return
+    targets = linearised.problem.observations.targets
+    raise RankDeficient(
+        error("adjustment.only_plane", target=targets[0])
+        if len(targets) == 1
+        else error("adjustment.parallel_planes")
+    )
+
+
+def have_one_orientation(normals: Array, spheres: NDArray[np.bool_]) -> bool:
+    """Whether all targets are planes with the same normal, up to `PARALLEL_LIMIT`.
+
+    Parameters
+    ----------
+    normals : ndarray of shape (targets, 3), unit vectors, local
+    spheres : ndarray of shape (targets,), bool
+        Which of them are spheres.
+    """
+    return not spheres.any() and bool((np.abs(normals @ normals.T) > np.cos(PARALLEL_LIMIT)).all())
+
+
+def line_headings(linearised: LinearisedProblem) -> dict[str, float]:
+    """Mean heading of each line over its points, radians."""
+    observations = linearised.problem.observations
+    sines = observations.mean_by_sighting(np.sin(observations.attitude[:, 2]))
+    cosines = observations.mean_by_sighting(np.cos(observations.attitude[:, 2]))
+    found = {}
+    for line in observations.lines:
+        own = [k for k, s in enumerate(observations.sightings) if s.line == line]
+        found[line] = float(np.arctan2(sines[own].sum(), cosines[own].sum()))
+    return found
+
+
+def _is_single_heading(linearised: LinearisedProblem) -> bool:
+    """Whether all points were measured on one heading; a line may hold several."""
+    heading = linearised.problem.observations.attitude[:, 2]
+    middle = np.angle(np.exp(1j * heading).mean())
+    return bool((np.abs(np.angle(np.exp(1j * (heading - middle)))) < 2 * PARALLEL_LIMIT).all())
+
+
+def _are_lines_parallel(linearised: LinearisedProblem) -> bool:
+    doubled = 2 * np.array(
+        list(line_headings(linearised).values())
+    )  # 0 and 180 deg are one direction
+    differences = np.angle(np.exp(1j * (doubled - doubled[0]))) / 2
+    return bool((np.abs(differences) < PARALLEL_LIMIT).all())
+
+
+def have_targets_one_orientation(linearised: LinearisedProblem) -> bool:
+    """`have_one_orientation` of the targets at the state of a problem."""
+    return have_one_orientation(
+        linearised.state.shapes[:, :3], linearised.problem.observations.is_sphere
+    )
+
+
+def angle_combination(direction: Array) -> Message:
+    """Name of a direction in angle space as part of a message: angles in order of their share.
+
+    Parameters
+    ----------
+    direction : ndarray of shape (3,), no unit
+        Shares of roll, pitch, yaw.
+    """
+    share = direction**2
+    names = [ANGLES[k] for k in np.argsort(-share) if share[k] > 0.15]
+    first, *rest = (note(ANGLE_CODES[name]) for name in names)
+    if not rest:
+        return first
+    if len(rest) == 1:
+        return note("adjustment.angle_with_one", first=first, second=rest[0])
+    return note("adjustment.angle_with_two", first=first, second=rest[0], third=rest[1])

@@ -1,0 +1,290 @@
+"""Estimate the noise of each target's points from their residuals.
+
+A rough surface is noisier than the LiDAR, and its bumps are larger than the point spacing, so
+that the residuals of neighbours are correlated: a thousand points hold no more information than a
+few. Sums over blocks of a surface show this. The variance of such a sum is proportional to the
+number of independent points; with correlation it is larger by the design effect (Kish 1965).
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.robust_loss import robust_scale
+from lispac.adjustment.model.target_shapes import points_local
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
+from lispac.adjustment.solve.group_sums import AdjustmentState
+from lispac.geometry.planes import fit_plane, plane_axes
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+BLOCKS_PER_SIDE = 4
+"""Blocks along each side of a sighting: few points each would show nothing, few blocks neither."""
+
+OUTLIER_LIMIT = 3.0
+"""Standardised residual beyond which a point is an outlier and does not affect the noise."""
+
+COVARIANCE_SIGMAS = 2.0
+"""Standard deviations by which a covariance between lines is more than chance explains."""
+
+DISPLACED_SPREADS = 3.0
+"""Spreads of a target's residuals by which only another surface, or a gross error of the position,
+sets a sighting off; a prior boresight that is wrong by degrees sets all of them off."""
+
+SIGMA_TOLERANCE = 0.01
+"""Relative change of an estimated sigma below which it has converged."""
+
+
+def reestimate_noise(
+    problem: AdjustmentProblem, state: AdjustmentState, *, falling: bool = True
+) -> AdjustmentProblem:
+    """Return the problem with the noise re-estimated from its residuals.
+
+    Without ``falling`` it keeps what it has where that is larger: noise and solution may chase each
+    other for ever.
+    """
+    updated = _noise_from_residuals(problem, state)
+    if falling:
+        return updated
+    return replace(
+        updated,
+        noise=np.maximum(updated.noise, problem.noise),
+        scale=np.maximum(updated.scale, problem.scale),
+    )
+
+
+def _noise_from_residuals(problem: AdjustmentProblem, state: AdjustmentState) -> AdjustmentProblem:
+    observations, residuals = problem.observations, problem.residuals(state)[1]
+    near = None
+    if problem.model.loss != "none":
+        near = is_point_on_target(observations, residuals)
+        problem = replace(problem, scale=target_noise_scales(observations, residuals, near))
+    if problem.known_noise or not problem.model.correlated:
+        return problem
+    noise = target_noise_factors(observations, residuals, problem.blocks, near)
+    return replace(problem, noise=noise)
+
+
+def have_sigmas_changed(one: AdjustmentProblem, other: AdjustmentProblem) -> bool:
+    """Whether a sigma estimated from the data has changed enough to justify an iteration."""
+    pairs = ((one.noise, other.noise), (one.scale, other.scale),
+             (one.surface_sigma, other.surface_sigma))  # fmt: skip
+    return any(bool((np.abs(a - b) > SIGMA_TOLERANCE * b).any()) for a, b in pairs)
+
+
+def with_noise_blocks(problem: AdjustmentProblem) -> AdjustmentProblem:
+    """Problem with the blocks that separate noise from roughness."""
+    if len(problem.blocks) or problem.known_noise or not problem.model.correlated:
+        return problem
+    return replace(problem, blocks=assign_surface_blocks(problem.observations, problem.prior))
+
+
+def assign_surface_blocks(observations: Observations, mounting: Mounting) -> NDArray[np.int64]:
+    """Block number of each point (n,): sixteen blocks a sighting, placed with ``mounting``."""
+    points = points_local(observations, mounting)
+    block = np.empty(len(points), dtype=np.int64)
+    for s in range(len(observations.sightings)):
+        own = np.flatnonzero(observations.sighting == s)
+        centred = points[own] - points[own].mean(axis=0)
+        variances, directions = np.linalg.eigh(np.cov(centred.T))
+        # A uniform surface reaches to the square root of three standard deviations.
+        reach = np.sqrt(3 * np.maximum(variances[1:], np.finfo(float).tiny))
+        place = (centred @ directions[:, 1:] / reach + 1) / 2 * BLOCKS_PER_SIDE
+        row, column = np.clip(np.floor(place), 0, BLOCKS_PER_SIDE - 1).astype(np.int64).T
+        block[own] = BLOCKS_PER_SIDE**2 * s + BLOCKS_PER_SIDE * row + column
+    return block
+
+
+def target_noise_scales(
+    observations: Observations, residuals: Array, near: NDArray[np.bool_]
+) -> Array:
+    """Robust scale of each target's standardised residuals, at least 1, shape (targets,).
+
+    Parameters
+    ----------
+    near : ndarray of shape (n,), bool
+        From `is_point_on_target`.
+    """
+    target = observations.target_of_sighting[observations.sighting]
+    each = range(len(observations.targets))
+    return np.array([robust_scale(residuals[near & (target == k)]) for k in each])
+
+
+def target_noise_factors(
+    observations: Observations,
+    residuals: Array,
+    blocks: NDArray[np.int64],
+    near: NDArray[np.bool_] | None,
+    *,
+    denser: float = 1.0,
+) -> Array:
+    """Ratio of the noise of each target to the given one, at least 1, shape (targets,).
+
+    Parameters
+    ----------
+    residuals : ndarray of shape (n,)
+        Over the standard deviations of their conditions.
+    blocks : ndarray of shape (n,), int
+        From `assign_surface_blocks`.
+    near : ndarray of shape (n,), bool, or None
+        From `is_point_on_target`, if outliers have no weight in the adjustment.
+    denser : float
+        How many times more points there are than those given: a design effect grows with them.
+    """
+    target = observations.target_of_sighting[observations.sighting]
+    factors = np.empty(len(observations.targets))
+    for k in range(len(factors)):
+        mine = target == k if near is None else near & (target == k)
+        own = residuals[mine]
+        size = max(1.0, float(np.sqrt(np.mean(own**2)))) if near is None else robust_scale(own)
+        clipped = own / size if near is None else np.clip(own / size, -OUTLIER_LIMIT, OUTLIER_LIMIT)
+        effect = 1 + denser * (_design_effect(clipped, blocks[mine]) - 1)
+        factors[k] = size * np.sqrt(effect)
+    return factors
+
+
+def form_error_noise(
+    observations: Observations, mounting: Mounting, residuals: Array, targets: NDArray[np.bool_]
+) -> Array:
+    """Ratio of the noise explained by form errors of planes to the given one, at least 1.
+
+    A form error is the same in every line; a POS error that the adjustment left in the residuals,
+    where it may resemble one, is not. Its variance is therefore the covariance between lines of
+    the mean residuals in blocks of the surface, with a plane of its own removed from each line.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        Estimated mounting.
+    residuals : ndarray of shape (n,)
+        As in `target_noise_factors`.
+    targets : ndarray of shape (targets,), bool
+        Planes that are examined.
+
+    Returns
+    -------
+    ndarray of shape (targets,)
+        As `target_noise_factors` gives it; NaN of the targets that are not examined.
+    """
+    factors = np.full(len(observations.targets), np.nan)
+    if not targets.any():
+        return factors
+    points = points_local(observations, mounting)
+    for k in np.flatnonzero(targets):
+        sightings = np.flatnonzero(observations.target_of_sighting == k)
+        parts = [np.flatnonzero(observations.sighting == s) for s in sightings]
+        rows = np.concatenate(parts)
+        place = points[rows] @ plane_axes(fit_plane(points[rows]).normal).T
+        size = robust_scale(residuals[rows])
+        line = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
+        own = np.clip(residuals[rows], -OUTLIER_LIMIT * size, OUTLIER_LIMIT * size)
+        for each in range(len(parts)):
+            own[line == each] = _remove_plane_trend(place[line == each], own[line == each])
+        size = robust_scale(own)
+        shape = len(parts), BLOCKS_PER_SIDE**2
+        index = line * BLOCKS_PER_SIDE**2 + _plane_blocks(place)
+        counts = np.bincount(index, minlength=shape[0] * shape[1]).reshape(shape)
+        sums = np.bincount(index, own, shape[0] * shape[1]).astype(float).reshape(shape)
+        factors[k] = _form_noise_factor(counts, sums, size)
+    return factors
+
+
+def _remove_plane_trend(place: Array, residuals: Array) -> Array:
+    """Residuals (n,) minus their best-fitting plane; ``place`` of shape (n, 2), metres."""
+    design = np.column_stack([np.ones(len(place)), place - place.mean(axis=0)])
+    return np.asarray(residuals - design @ np.linalg.lstsq(design, residuals, rcond=None)[0])
+
+
+def _plane_blocks(place: Array) -> NDArray[np.int64]:
+    """Block number of each point (n,) of one plane, the same blocks for all lines."""
+    lowest, highest = np.percentile(place, [1, 99], axis=0)
+    row, column = np.clip(
+        BLOCKS_PER_SIDE * (place - lowest) / (highest - lowest), 0, BLOCKS_PER_SIDE - 1
+    ).T.astype(int)
+    return np.asarray(BLOCKS_PER_SIDE * row + column, dtype=np.int64)
+
+
+def _form_noise_factor(counts: NDArray[np.int64], sums: Array, size: float) -> float:
+    """Noise factor from the covariance between lines of the block means.
+
+    Parameters
+    ----------
+    counts : ndarray of shape (lines, blocks), int
+        Points.
+    sums : ndarray of shape (lines, blocks)
+        Of their residuals over their standard deviations.
+    size : float
+        Spread of the residuals.
+    """
+    first, second = np.triu_indices(len(counts), 1)
+    products = sums[first] * sums[second]
+    pairs = float((counts[first] * counts[second]).sum())
+    if not pairs or products.sum() <= COVARIANCE_SIGMAS * np.sqrt((products**2).sum()):
+        return size
+    points_of_block = float((counts**2).sum() / counts.sum())
+    return float(np.sqrt(size**2 + points_of_block * products.sum() / pairs))
+
+
+def find_displaced_sightings(observations: Observations, residuals: Array) -> NDArray[np.int64]:
+    """Find sightings displaced from their target as a whole by far more than most others.
+
+    Parameters
+    ----------
+    residuals : ndarray of shape (n,)
+        As in `target_noise_factors`.
+
+    Returns
+    -------
+    ndarray of shape (k,), int
+    """
+    found = []
+    for k in range(len(observations.targets)):
+        off = _relative_sighting_offsets(observations, residuals, k)
+        found += [s for s, size in off.items() if size > DISPLACED_SPREADS]
+    return np.array(found, dtype=np.int64)
+
+
+def is_point_on_target(observations: Observations, residuals: Array) -> NDArray[np.bool_]:
+    """Whether each point is of a sighting that is not displaced as a whole, shape (n,).
+
+    Such a sighting, on another surface or metres off, does not affect the noise of the others.
+
+    Parameters
+    ----------
+    residuals : ndarray of shape (n,)
+        As in `target_noise_factors`.
+    """
+    near = np.zeros(len(observations.sightings), dtype=bool)
+    for k in range(len(observations.targets)):
+        off = _relative_sighting_offsets(observations, residuals, k)
+        near[[s for s, size in off.items() if size <= OUTLIER_LIMIT]] = True
+    return near[observations.sighting]
+
+
+def _relative_sighting_offsets(
+    observations: Observations, residuals: Array, target: int
+) -> dict[int, float]:
+    """Median distance of each sighting from its target over the spread of all."""
+    own = [
+        (int(s), np.abs(residuals[observations.sighting == s]))
+        for s in np.flatnonzero(observations.target_of_sighting == target)
+    ]
+    size = robust_scale(np.concatenate([sizes for _, sizes in own]))
+    return {s: float(np.median(sizes)) / size for s, sizes in own}
+
+
+def _design_effect(residuals: Array, blocks: NDArray[np.int64]) -> float:
+    """Variance of sums over blocks over that of independent residuals.
+
+    1 where no more than chance explains it.
+    """
+    counts = np.bincount(blocks)
+    sums = np.bincount(blocks, residuals)[counts > 0]
+    square = float(np.mean(residuals**2))
+    if square == 0:
+        return 1.0
+    effect = float(np.mean(sums**2 / counts[counts > 0])) / square
+    return effect if effect > 1 + 2 * np.sqrt(2 / len(sums)) else 1.0

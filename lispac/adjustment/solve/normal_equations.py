@@ -1,0 +1,373 @@
+"""Normal equations: assembly from the sums, reduction and solution.
+
+Unknowns are the estimated values of the mounting, the shapes of the targets, with the correlated
+model how each sighting's surface departs from its shape, and the POS error at its knots. The
+POS error is eliminated first: its normal matrix is banded, for a group of points couples two
+neighbouring knots and so does the Gauss-Markov prior. With independent POS errors there are neither
+surfaces nor knots, and what is left is thesis equation B.8; the covariance is B.12.
+"""
+
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+import scipy.linalg
+from numpy.typing import NDArray
+
+from lispac.adjustment.solve.banded_cholesky import (
+    back_substitution,
+    cholesky_factor,
+    forward_substitution,
+)
+from lispac.adjustment.solve.group_sums import PointGroups
+from lispac.errors import RankDeficient
+from lispac.messages import error
+
+Array = NDArray[np.float64]
+
+_LOWER = np.tril_indices(12)
+
+
+@dataclass(frozen=True, eq=False)
+class UnknownsOrder:
+    """Order of the unknowns in the normal equations.
+
+    Attributes
+    ----------
+    active : ndarray of shape (a,), int
+        Estimated values of the mounting; they come first, boresight at the head.
+    shapes : tuple of slice
+        Unknowns of each target.
+    surfaces : tuple of slice
+        Unknowns of each sighting; empty with independent POS errors.
+    size : int
+    index : ndarray of shape (sightings, a + 7), int
+        Unknowns behind the columns of a sighting's points: mounting, shape (4), surface (3).
+        ``size`` stands for a column that has none.
+    """
+
+    active: NDArray[np.int64]
+    shapes: tuple[slice, ...]
+    surfaces: tuple[slice, ...]
+    size: int
+    index: NDArray[np.int64]
+
+    @classmethod
+    def of(
+        cls,
+        active: NDArray[np.int64],
+        widths: list[int],
+        target_of_sighting: NDArray[np.int64],
+        *,
+        surfaces: bool,
+    ) -> "UnknownsOrder":
+        """Lay out ``active`` (a,), shapes of the given widths and three unknowns a sighting.
+
+        Parameters
+        ----------
+        target_of_sighting : ndarray of shape (sightings,), int
+        """
+        ends = len(active) + np.cumsum([0, *widths])
+        shapes = tuple(slice(int(a), int(b)) for a, b in pairwise(ends))
+        count = len(target_of_sighting)
+        first = int(ends[-1])
+        size = first + (3 * count if surfaces else 0)
+        index = np.full((count, len(active) + 7), size, dtype=np.int64)
+        index[:, : len(active)] = np.arange(len(active))
+        for s, k in enumerate(target_of_sighting):
+            own = np.arange(shapes[k].start, shapes[k].stop)
+            index[s, len(active) : len(active) + len(own)] = own
+            if surfaces:
+                index[s, len(active) + 4 :] = first + 3 * s + np.arange(3)
+        slices = (slice(first + 3 * s, first + 3 * s + 3) for s in range(count if surfaces else 0))
+        return cls(active, shapes, tuple(slices), size, index)
+
+
+MAX_SURFACES = 24
+"""Sightings up to which it is quicker to eliminate the POS error before the surfaces."""
+
+
+@dataclass(frozen=True, eq=False)
+class NormalEquations:
+    """Normal equations at one point of linearisation.
+
+    Attributes
+    ----------
+    layout : UnknownsOrder
+    matrix : ndarray of shape (u, u)
+        Of all unknowns but the POS error, their priors included.
+    right : ndarray of shape (u,)
+    quadratic : float
+        ``v' P v`` at the point of linearisation, priors included.
+    band : ndarray of shape (12, 6 knots)
+        Lower diagonals of the POS error's normal matrix, as LAPACK wants them.
+    mixed : ndarray of shape (u, 6 knots)
+        What the two share.
+    pull : ndarray of shape (6 knots,)
+        Right-hand side of the POS error.
+    """
+
+    layout: UnknownsOrder
+    matrix: Array
+    right: Array
+    quadratic: float
+    band: Array
+    mixed: Array
+    pull: Array
+
+    @cached_property
+    def factor(self) -> Array:
+        """Cholesky factor ``L`` of ``band``, in the same shape."""
+        return cholesky_factor(self.band)
+
+    @cached_property
+    def whitened_mixed(self) -> Array:
+        """``L^-1`` times ``mixed``, shape (6 knots, u); its square is the POS error's share."""
+        return forward_substitution(self.factor, self.mixed.T)
+
+    @cached_property
+    def whitened_pull(self) -> Array:
+        """``L^-1`` times ``pull``, shape (6 knots,)."""
+        return forward_substitution(self.factor, self.pull)
+
+    @cached_property
+    def pos_error_by_unknowns(self) -> Array:
+        """Minus the derivative of the POS error by each other unknown, shape (6 knots, u)."""
+        return back_substitution(self.factor, self.whitened_mixed)
+
+    @cached_property
+    def reduced_matrix(self) -> Array:
+        """Normal matrix with the POS error eliminated, shape (u, u)."""
+        if not len(self.pull):
+            return self.matrix
+        reduced = self.matrix - self.whitened_mixed.T @ self.whitened_mixed
+        return np.asarray((reduced + reduced.T) / 2)
+
+    @cached_property
+    def reduced_right_side(self) -> Array:
+        """Right-hand side with the POS error eliminated, shape (u,)."""
+        return (
+            self.right - self.whitened_mixed.T @ self.whitened_pull
+            if len(self.pull)
+            else self.right
+        )
+
+    @cached_property
+    def covariance(self) -> Array:
+        """Covariance of all unknowns but the POS error, shape (u, u).
+
+        Raises
+        ------
+        RankDeficient
+            Where the points do not determine them.
+        """
+        return scaled_inverse(self.reduced_matrix)
+
+    @cached_property
+    def eliminate_surfaces(self) -> "NormalEquations":
+        """Equations with the surfaces eliminated first; unchanged where that is no faster.
+
+        A surface shares something with its own sighting's knots alone, so the POS error's matrix
+        stays banded, as wide as the longest sighting; otherwise each is solved for against all.
+        """
+        layout = self.layout
+        if len(layout.surfaces) <= MAX_SURFACES:
+            return self
+        knots = [_nonzero_span(self.mixed[place]) for place in layout.surfaces]
+        wide = max([len(self.band), *(own.stop - own.start for own in knots)])
+        if wide > len(self.matrix):
+            return self
+        first = layout.surfaces[0].start
+        matrix, right = self.matrix[:first, :first].copy(), self.right[:first].copy()
+        mixed, pull, quadratic = self.mixed[:first].copy(), self.pull.copy(), self.quadratic
+        band = np.zeros((wide, self.band.shape[1]))
+        band[: len(self.band)] = self.band
+        for place, own in zip(layout.surfaces, knots, strict=True):
+            rest, crossed = self.matrix[:first, place], self.mixed[place, own]
+            right_sides = np.column_stack([rest.T, crossed, self.right[place]])
+            solved = np.linalg.solve(self.matrix[place, place], right_sides)
+            by_rest, by_knots, alone = solved[:, :first], solved[:, first:-1], solved[:, -1]
+            matrix -= rest @ by_rest
+            mixed[:, own] -= rest @ by_knots
+            right -= rest @ alone
+            pull[own] -= crossed.T @ alone
+            quadratic -= float(self.right[place] @ alone)
+            square = crossed.T @ by_knots
+            lower, upper = np.tril_indices(len(square))
+            band[lower - upper, own.start + upper] -= square[lower, upper]
+        layout = replace(layout, surfaces=(), size=first, index=np.minimum(layout.index, first))
+        return NormalEquations(layout, matrix, right, quadratic, band, mixed, pull)
+
+    def information(self, count: int) -> Array:
+        """Normal matrix (count, count) of the first unknowns, all others eliminated.
+
+        Parameters
+        ----------
+        count : int
+            No surfaces among them.
+
+        Raises
+        ------
+        RankDeficient
+            Where the points do not determine a target's shape.
+        """
+        reduced = self.eliminate_surfaces.reduced_matrix
+        rest = reduced[count:, count:].copy()
+        unseen = np.flatnonzero(np.diag(rest) <= 0)
+        rest[unseen, unseen] = 1.0  # a target that no point is left of
+        mixed = reduced[:count, count:]
+        scale = 1 / np.sqrt(np.maximum(np.diag(rest), np.finfo(float).tiny))
+        try:
+            factor = scipy.linalg.cho_factor(rest * np.outer(scale, scale))
+        except np.linalg.LinAlgError as reason:
+            raise RankDeficient(error("adjustment.shape_undetermined")) from reason
+        solved = scipy.linalg.cho_solve(factor, (mixed * scale).T)
+        information = reduced[:count, :count] - (mixed * scale) @ solved
+        return np.asarray((information + information.T) / 2)
+
+    def solve(self) -> tuple[Array, Array]:
+        """Corrections of the unknowns, shape (u,), and of the POS error, shape (knots, 6)."""
+        return self._solved_corrections
+
+    @cached_property
+    def _solved_corrections(self) -> tuple[Array, Array]:
+        # Every test of a blunder asks for it again.
+        correction = self.covariance @ self.reduced_right_side
+        if not len(self.pull):
+            return correction, np.zeros((0, 6))
+        half = self.whitened_pull - self.whitened_mixed @ correction
+        return correction, back_substitution(self.factor, half).reshape(-1, 6)
+
+
+def _nonzero_span(rows: Array) -> slice:
+    """Slice from the first to the last column that is not all zero."""
+    found = np.flatnonzero(np.any(rows, axis=0))
+    return slice(int(found[0]), int(found[-1]) + 1) if len(found) else slice(0, 0)
+
+
+def scaled_inverse(matrix: Array) -> Array:
+    """Inverse of a symmetric positive definite matrix of mixed units, both of shape (u, u).
+
+    Raises
+    ------
+    RankDeficient
+        If the matrix is singular to working precision.
+    """
+    diagonal, factor = np.diag(matrix), None
+    scale = 1 / np.sqrt(np.maximum(diagonal, np.finfo(float).tiny))
+    if np.all(diagonal > 0.0):  # rounding leaves others of what nothing determines
+        with suppress(np.linalg.LinAlgError):
+            factor = scipy.linalg.cho_factor(matrix * np.outer(scale, scale))
+    if factor is None:
+        raise RankDeficient(error("adjustment.singular"))
+    solved = scipy.linalg.cho_solve(factor, np.diag(scale))
+    return np.asarray(solved * scale[:, None])
+
+
+@dataclass(frozen=True, eq=False)
+class UnknownBases:
+    """Direction vectors of the unknowns of shapes and surfaces.
+
+    Attributes
+    ----------
+    shapes : list of ndarray of shape (4, 3) or (4, 4)
+        Of each target.
+    surfaces : ndarray of shape (sightings, 4, 3)
+    """
+
+    shapes: list[Array]
+    surfaces: Array
+
+
+def unknown_directions(
+    layout: UnknownsOrder, target_of_sighting: NDArray[np.int64], bases: UnknownBases
+) -> Array:
+    """Directions of the unknowns in ``layout.index`` among the columns of the sums.
+
+    Parameters
+    ----------
+    target_of_sighting : ndarray of shape (sightings,), int
+
+    Returns
+    -------
+    ndarray of shape (sightings, a + 4, a + 7)
+    """
+    a = len(layout.active)
+    basis = np.zeros((len(layout.index), a + 4, a + 7))
+    basis[:, :a, :a] = np.eye(a)
+    for s, k in enumerate(target_of_sighting):
+        basis[s, a:, a : a + bases.shapes[k].shape[1]] = bases.shapes[k]
+    if layout.surfaces:
+        basis[:, a:, a + 4 :] = bases.surfaces
+    return basis
+
+
+def _sum_by_place(places: NDArray[np.int64], values: Array, size: int) -> Array:
+    """Sum of the values at each place, shape (size,)."""
+    return np.bincount(places.reshape(-1), values.reshape(-1), size).astype(float, copy=False)
+
+
+def sum_by_sighting(sums: Array, groups: PointGroups, sightings: int, unknowns: int) -> Array:
+    """Sums of the first ``unknowns`` columns and the misclosure, shape (sightings, n + 1, n + 1).
+
+    Parameters
+    ----------
+    sums : ndarray of shape (groups, width, width)
+        From `sum_by_group`.
+    """
+    kept = np.r_[:unknowns, sums.shape[1] - 1]
+    many = len(kept) ** 2
+    places = groups.sighting[:, None] * many + np.arange(many)
+    values = sums[:, kept[:, None], kept]
+    return _sum_by_place(places, values, sightings * many).reshape(
+        sightings, unknowns + 1, unknowns + 1
+    )
+
+
+def assemble_normal_equations(
+    sums: Array, summed: Array, groups: PointGroups, layout: UnknownsOrder,
+    target_of_sighting: NDArray[np.int64], bases: UnknownBases, effects: Array,
+) -> NormalEquations:  # fmt: skip
+    """Assemble the normal equations with the prior of the POS error but no other.
+
+    Parameters
+    ----------
+    sums : ndarray of shape (groups, width, width)
+        From `sum_by_group`.
+    summed : ndarray of shape (sightings, a + 5, a + 5)
+        The same from `sum_by_sighting`.
+    target_of_sighting : ndarray of shape (sightings,), int
+    effects : ndarray of shape (knots, 6), metres and radians
+        POS error found so far.
+    """
+    own = len(layout.active) + 4
+    wide, unknowns = layout.size + 1, effects.size
+    basis = unknown_directions(layout, target_of_sighting, bases)
+    turned = np.swapaxes(basis, 1, 2)
+    index = layout.index
+    squares = index[:, :, None] * wide + index[:, None, :]
+    matrix = _sum_by_place(squares, turned @ summed[:, :own, :own] @ basis, wide**2).reshape(
+        wide, wide
+    )
+    right = _sum_by_place(index, -(turned @ summed[:, :own, own, None])[..., 0], wide)
+    quadratic = float(summed[:, own, own].sum())
+    band, pull = np.zeros((12, unknowns)), np.zeros(unknowns)
+    mixed = np.zeros((wide, unknowns))
+    if groups.knots is not None:
+        prior = groups.knots.apply_prior_precision(effects)
+        own_knots = 6 * groups.knot[:, None] + np.arange(12)
+        pose = slice(own, own + 12)
+        lower, upper = _LOWER
+        places = (lower - upper) * unknowns + own_knots[:, upper]
+        products = sums[:, pose, pose][:, lower, upper]
+        band = _sum_by_place(places, products, 12 * unknowns).reshape(12, unknowns)
+        band[0] += groups.knots.precision_diagonal.reshape(-1)
+        band[6, : unknowns - 6] += groups.knots.precision_beside.reshape(-1)
+        pull = _sum_by_place(own_knots, -sums[:, pose, -1], unknowns) - prior.reshape(-1)
+        quadratic += float((prior * effects).sum())
+        shared = index[groups.sighting][:, :, None] * unknowns + own_knots[:, None, :]
+        crossed = turned[groups.sighting] @ sums[:, :own, pose]
+        mixed = _sum_by_place(shared, crossed, wide * unknowns).reshape(wide, unknowns)
+    return NormalEquations(layout, matrix[:-1, :-1], right[:-1], quadratic, band, mixed[:-1], pull)

@@ -1,0 +1,158 @@
+"""Rejection of sightings that disagree with the others, and their restoration.
+
+The tests are those of `lispac.adjustment.solve.blunders`; here the adjustment is repeated until all
+sightings that are used agree.
+"""
+
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+
+from lispac.adjustment.model.parameters import Parameter
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
+from lispac.adjustment.solve.blunders import (
+    Blunder,
+    find_confirmed_blunders,
+    find_restorable_blunder,
+    worst_blunder,
+)
+from lispac.adjustment.solve.group_sums import AdjustmentState
+from lispac.adjustment.solve.iteration import IterationResult, iterate
+from lispac.adjustment.solve.noise_estimation import find_displaced_sightings
+from lispac.adjustment.solve.omitted_parameters import find_contradicted_parameters
+from lispac.adjustment.solve.variance_components import need_own_offset_sigma
+from lispac.errors import NotConverged, RankDeficient
+from lispac.progress import Progress
+
+SIGHTINGS_PER_REJECTION = 3
+"""At most one in this number of sightings is rejected."""
+
+
+def may_reject_sightings(model: StochasticModel) -> bool:
+    """Whether sightings that disagree are rejected with this model."""
+    return model.correlated and model.loss != "none" and model.surface != 0
+
+
+def iterate_with_majority(
+    problem: AdjustmentProblem, start: AdjustmentState, progress: Progress
+) -> tuple[IterationResult, list[Blunder]]:
+    """Iterate without sightings that are metres off; they may be restored later.
+
+    Tied to their targets they would displace all others, through the POS error that they share.
+    """
+    observations, off = problem.observations, np.zeros(0, dtype=np.int64)
+    if may_reject_sightings(problem.model):
+        off = find_displaced_sightings(observations, problem.residuals(start)[1])
+    balls = observations.is_sphere[observations.target_of_sighting]
+    rejected = [Blunder("shift" if balls[s] else "surface", (int(s),)) for s in off]
+    if 0 < len(rejected) <= len(observations.sightings) // SIGHTINGS_PER_REJECTION:
+        without = problem
+        for found in rejected:
+            without = found.reject_in(without)
+        with suppress(RankDeficient, NotConverged):  # then they are needed after all
+            solution = iterate(without, start, progress)
+            plain = find_confirmed_blunders(solution.linearised, rejected)
+            if plain == rejected:
+                return solution, rejected
+            problem = solution.linearised.problem
+            for found in rejected:
+                problem = found.restore_in(problem)
+            for found in plain:
+                problem = found.reject_in(problem)
+            return iterate(problem, solution.state, progress, earlier=solution.path), plain
+    return iterate(problem, start, progress), []
+
+
+def reject_disagreeing_sightings(
+    start: IterationResult, rejected: list[Blunder], progress: Progress
+) -> IterationResult:
+    """Reject disagreeing sightings, with a sigma of the offsets of their own where needed.
+
+    Boards that are displaced between lines, but not warped, would be rejected one after the other;
+    so would boards displaced by a wrong mounting parameter.
+    """
+    solution = _reject_unexplained_sightings(start, rejected, progress)
+    here = solution.linearised
+    if here.problem.model.surface is not None or not need_own_offset_sigma(here):
+        return solution
+    if find_contradicted_parameters(here, least=0.0):
+        return solution
+    problem = replace(start.linearised.problem, own_offsets=True)
+    try:
+        other = iterate(problem, start.state, progress, earlier=solution.path)
+        return _reject_unexplained_sightings(other, rejected, progress)
+    except (RankDeficient, NotConverged):
+        return solution
+
+
+def _reject_unexplained_sightings(
+    solution: IterationResult, rejected: list[Blunder], progress: Progress
+) -> IterationResult:
+    """Reject disagreeing sightings unless a wrong value of the mounting explains them.
+
+    With a wrong given lever arm, good sightings of whole lines disagree. If freeing contradicted
+    parameters saves more rejections than there are parameters, only the other sightings are
+    rejected. The parameters are not estimated; the result lists the contradictions.
+    """
+    after = _reject_blunders(solution, rejected, progress)
+    problem = solution.linearised.problem
+    count = _count_rejected_sightings(after)
+    if count <= _count_rejected_sightings(solution):
+        return after
+    fewest, rejected_then = count, None
+    tried: list[tuple[str, ...]] = [()]
+    for judged in (solution, after):
+        # In the order they were found: what explains most comes first.
+        names = tuple(
+            each.name for each in find_contradicted_parameters(judged.linearised, least=0.0)
+        )
+        if names in tried:
+            continue
+        tried.append(names)
+        wider = problem.with_parameters((*problem.parameters, *map(Parameter, names)))
+        try:
+            freed = iterate(wider, solution.state, progress, earlier=solution.path)
+            explained = _reject_blunders(freed, rejected, progress)
+        except (RankDeficient, NotConverged):
+            continue
+        if _count_rejected_sightings(explained) + len(names) < fewest:
+            fewest = _count_rejected_sightings(explained) + len(names)
+            rejected_then = explained.linearised.problem.rejected
+    if rejected_then is None:
+        return after
+    usual = problem.default_surface_sigmas
+    problem = replace(problem, rejected=rejected_then).with_surface_sigma(usual)
+    return iterate(problem, solution.state, progress, earlier=solution.path)
+
+
+def _reject_blunders(
+    solution: IterationResult, rejected: list[Blunder], progress: Progress
+) -> IterationResult:
+    """Reject the sightings that agree least and iterate until all agree.
+
+    A blunder may make other sightings appear as blunders: these are restored if they agree without
+    it; this includes the sightings in ``rejected``.
+    """
+    limit = len(solution.linearised.problem.observations.sightings) // SIGHTINGS_PER_REJECTION
+    rejected = list(rejected)
+    spared: set[Blunder] = set()
+    while True:
+        here = solution.linearised
+        if (back := find_restorable_blunder(here, rejected)) is not None:
+            rejected.remove(back)
+            spared.add(back)
+            problem = back.restore_in(here.problem)
+        else:
+            worst = worst_blunder(here, spared)
+            if worst is None or sum(len(b.sightings) for b in [*rejected, worst]) > limit:
+                return solution
+            rejected.append(worst)
+            problem = worst.reject_in(here.problem)
+        solution = iterate(problem, solution.state, progress, earlier=solution.path)
+
+
+def _count_rejected_sightings(solution: IterationResult) -> int:
+    """Number of rejected sightings."""
+    return int(solution.linearised.problem.rejected_sightings.sum())

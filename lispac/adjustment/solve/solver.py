@@ -1,0 +1,335 @@
+"""Least-squares solution of mounting and targets in phases (thesis B.3)."""
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.model.observations import Observations
+from lispac.adjustment.model.parameters import Parameter, ParameterEstimate, mounting_value_name
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.model.target_shapes import (
+    fit_majority_shapes,
+    fit_shapes,
+    relative_to_origins,
+    shapes_relative_to,
+    target_centroids,
+    with_median_radii,
+)
+from lispac.adjustment.model.threads import single_blas_thread
+from lispac.adjustment.result import AdjustmentResult, ContradictedParameter, VarianceComponent
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.solve.determinability import (
+    find_undetermined_parameters,
+    require_determined,
+    require_two_orientations,
+)
+from lispac.adjustment.solve.group_sums import AdjustmentState
+from lispac.adjustment.solve.iteration import IterationResult, iterate
+from lispac.adjustment.solve.noise_estimation import (
+    SIGMA_TOLERANCE,
+    is_point_on_target,
+    target_noise_factors,
+)
+from lispac.adjustment.solve.omitted_parameters import find_contradicted_parameters
+from lispac.adjustment.solve.sighting_rejection import (
+    iterate_with_majority,
+    may_reject_sightings,
+    reject_disagreeing_sightings,
+)
+from lispac.adjustment.solve.solution import Solution
+from lispac.adjustment.solve.variance_components import FACTOR_LIMITS, estimate_variance_components
+from lispac.errors import NotConverged, RankDeficient, TargetDisagrees
+from lispac.messages import Message, error, note
+from lispac.progress import Progress, no_progress
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+SAMPLE_SIZE = 50_000
+"""Points for the approximate solution; if there are more, only the last iterations use all."""
+
+COMPONENT_ROUNDS = 5
+
+MIN_INCREASE = 1.05
+"""Factor on a given sigma below which an increase has no relevant effect."""
+
+CONTRADICTION_CODES = {
+    "range_offset": "adjustment.contradicts_range_offset",
+    "scan_angle_offset": "adjustment.contradicts_scan_angle_offset",
+    "latency": "adjustment.contradicts_latency",
+}
+"""Code of the message that the data contradict a given value."""
+
+
+@dataclass(frozen=True, eq=False)
+class SolverSettings:
+    """Settings of a solution, as the parameters of `lispac.adjustment.least_squares.adjust`.
+
+    Attributes
+    ----------
+    model : StochasticModel
+    parameters : tuple of Parameter
+    shapes : ndarray of shape (targets, 4), or None
+    noise : mapping of str to float, or None
+    components : bool
+    accept_single_orientation : bool
+    """
+
+    model: StochasticModel
+    parameters: tuple[Parameter, ...] = ()
+    shapes: Array | None = None
+    noise: Mapping[str, float] | None = None
+    components: bool = False
+    accept_single_orientation: bool = False
+
+
+def estimate(
+    observations: Observations,
+    mounting: Mounting,
+    settings: SolverSettings,
+    progress: Progress = no_progress,
+) -> AdjustmentResult:
+    """`lispac.adjustment.least_squares.adjust` without diagnostics.
+
+    Raises
+    ------
+    AdjustmentError
+        Where a sighting has too few points.
+    RankDeficient
+        Where lines and targets do not determine the boresight, or nothing checks it.
+    TargetDisagrees
+        Where two targets are left at most, or starting shapes are given.
+    NotConverged
+        If the iteration diverges or does not converge.
+    """
+    return with_agreeing_targets(
+        observations,
+        lambda some: solve(some, mounting, settings, progress).result(),
+        may_exclude=settings.shapes is None,
+    )
+
+
+def with_agreeing_targets(
+    observations: Observations,
+    adjusted: Callable[[Observations], AdjustmentResult],
+    *,
+    may_exclude: bool,
+) -> AdjustmentResult:
+    """Result with all targets, without those no point of which agrees with the others.
+
+    Parameters
+    ----------
+    adjusted : callable
+        Gives the result of some observations.
+
+    Raises
+    ------
+    AdjustmentError
+        If the observations cannot be used.
+    TargetDisagrees
+        Where two targets are left at most, or none may be excluded.
+    NotConverged
+        If the iteration diverges or does not converge.
+    """
+    started, excluded = time.perf_counter(), list[str]()
+    while True:
+        some = observations.without_targets(excluded)
+        some.require_usable()
+        try:
+            with single_blas_thread():
+                result = adjusted(some)
+        except np.linalg.LinAlgError as reason:
+            raise NotConverged(error("adjustment.diverged")) from reason
+        except TargetDisagrees as reason:
+            if not may_exclude or len(observations.targets) - len(excluded) <= 2:
+                raise
+            excluded.append(reason.target)
+        else:
+            elapsed = time.perf_counter() - started
+            return replace(result, elapsed=elapsed, excluded_targets=tuple(excluded))
+
+
+def solve(
+    observations: Observations,
+    mounting: Mounting,
+    settings: SolverSettings,
+    progress: Progress = no_progress,
+) -> Solution:
+    """Solve for mounting and targets: sample, majority, sigmas, rejection, all points.
+
+    Raises
+    ------
+    RankDeficient
+        If a parameter is not determined.
+    TargetDisagrees
+        If no point of a target agrees with the others.
+    NotConverged
+        If the iteration does not converge.
+    LinAlgError
+        If it diverges.
+    """
+    model, parameters, noise = settings.model, settings.parameters, settings.noise
+    sampled = _sample_points(observations)
+    origins = target_centroids(sampled, mounting)
+    sampled = relative_to_origins(sampled, origins)
+    # The radii of the balls are estimated once the boresight is near the solution.
+    first = with_median_radii(sampled, mounting)
+    fitted = fit_shapes(first, mounting)
+    if settings.shapes is not None:
+        start = shapes_relative_to(settings.shapes, origins, first.is_sphere)
+    elif model.loss != "none":
+        start = fit_majority_shapes(first, mounting, fitted)
+    else:
+        start = fitted
+    problem = AdjustmentProblem.of(first, mounting, model, parameters).with_known_noise(noise)
+    state = problem.start(mounting, start)
+    kept, fixed = _determined_parameters(problem, state)
+    problem = problem.with_parameters(kept)
+    if first is not sampled:
+        state = iterate(problem, state, progress).state
+        problem = AdjustmentProblem.of(sampled, mounting, model, kept).with_known_noise(noise)
+        state = problem.start(state.mounting, state.shapes)
+    found, rejected = iterate_with_majority(problem, state, progress)
+    if not settings.accept_single_orientation:
+        require_two_orientations(found.linearised)
+    components: tuple[VarianceComponent, ...] = ()
+    factors = np.ones(3)
+    estimates_components = settings.components and model.correlated
+    if estimates_components:
+        # Sigmas that are too small would make blunders of sightings that are none.
+        found, _, factors = _iterate_variance_components(found, factors, progress)
+    if may_reject_sightings(model):
+        found = reject_disagreeing_sightings(found, rejected, progress)
+    if estimates_components:
+        found, components, factors = _iterate_variance_components(found, factors, progress)
+    if len(sampled) < len(observations):
+        observations = relative_to_origins(observations.with_sigmas(*factors), origins)
+        found = _continue_with_all_points(found, observations, progress)
+    _require_still_determined(found.linearised)
+    return Solution(found.linearised, found.state, found.path, fitted, origins, fixed, components)
+
+
+def _determined_parameters(
+    problem: AdjustmentProblem, state: AdjustmentState
+) -> tuple[tuple[Parameter, ...], tuple[ParameterEstimate, ...]]:
+    """The parameters to estimate, and those the geometry does not determine."""
+    linearised = problem.linearised(state)
+    undetermined = (
+        find_undetermined_parameters(linearised)
+        if problem.model.correlated
+        else _fixed_if_uncorrelated(problem)
+    )
+    correlated = problem.model.correlated
+    fixed = {e.name for e in undetermined if e.prior_sigma is None or not correlated}
+    kept = tuple(p for p in problem.parameters if p.name not in fixed)
+    if fixed:
+        linearised = problem.with_parameters(kept).linearised(state)
+    require_determined(linearised)
+    return kept, undetermined
+
+
+def _require_still_determined(linearised: LinearisedProblem) -> None:
+    """Refuse what remains after rejection of sightings and with estimated surface sigmas.
+
+    Raises
+    ------
+    RankDeficient
+        If a parameter is no longer determined, or a given value contradicts the targets.
+    """
+    try:
+        require_determined(linearised)
+    except RankDeficient as reason:
+        wrong = (
+            find_contradicted_parameters(linearised, least=0.0)
+            if linearised.problem.layout.surfaces
+            else ()
+        )
+        if not wrong:
+            raise
+        raise RankDeficient(_contradicted_value_error(wrong[0])) from reason
+
+
+def _contradicted_value_error(wrong: ContradictedParameter) -> Message:
+    """Error message that the data contradict a given value of the mounting."""
+    if wrong.name.startswith("lever_"):
+        axis = wrong.name.removeprefix("lever_").upper()
+        return error("adjustment.contradicts_lever_arm", axis=axis, change=wrong.change)
+    return error(CONTRADICTION_CODES[wrong.name], change=wrong.change)
+
+
+def _fixed_if_uncorrelated(problem: AdjustmentProblem) -> tuple[ParameterEstimate, ...]:
+    """Parameters that independent POS errors would bias, fixed at their given values."""
+    return tuple(
+        ParameterEstimate(
+            each.name, float(problem.prior.values[each.index]), each.sigma,
+            reason=note("parameter.not_classical", parameter=mounting_value_name(each.name)),
+        )
+        for each in problem.parameters
+    )  # fmt: skip
+
+
+def _sample_points(observations: Observations) -> Observations:
+    """Sample of many points for approximate solution, noise, surfaces and blunders."""
+    if len(observations) <= SAMPLE_SIZE:
+        return observations
+    return observations.where(observations.sample(SAMPLE_SIZE / len(observations)))
+
+
+def _continue_with_all_points(
+    near: IterationResult, observations: Observations, progress: Progress
+) -> IterationResult:
+    """Continue with all points from the solution of a sample."""
+    sample = near.linearised.problem
+    problem = sample.with_observations(observations)
+    if problem.model.correlated and not problem.known_noise:
+        sampled, residuals = sample.observations, sample.residuals(near.state)[1]
+        mine = None if problem.model.loss == "none" else is_point_on_target(sampled, residuals)
+        denser = len(observations) / len(sampled)
+        noise = target_noise_factors(sampled, residuals, sample.blocks, mine, denser=denser)
+        problem = replace(problem, noise=noise)
+    state = problem.resume_state(near.state, sample)
+    return iterate(problem, state, progress, earlier=near.path, noise_known=True)
+
+
+def _iterate_variance_components(
+    solution: IterationResult, total: Array, progress: Progress
+) -> tuple[IterationResult, tuple[VarianceComponent, ...], Array]:
+    """Adjust again with the estimated variance components until they do not change.
+
+    ``total`` holds the factors on the given sigmas that are in ``solution`` already.
+    """
+    for _ in range(COMPONENT_ROUNDS):
+        found = estimate_variance_components(solution.linearised)
+        # A sigma is raised on suspicion, lowered on evidence: too large a one costs little.
+        news = np.array(
+            [
+                c.factor if (determined and c.factor > MIN_INCREASE) or c.upper < 1 else 1.0
+                for c, determined in zip(found.components, found.determined, strict=True)
+            ]
+        )
+        factors = np.clip(total * news, *FACTOR_LIMITS) / total
+        total = total * factors
+        if np.abs(np.log(factors)).max() < SIGMA_TOLERANCE:
+            break
+        problem = solution.linearised.problem.with_sigmas(*factors)
+        problem = problem.with_surface_sigma(found.rough * problem.default_surface_sigmas)
+        solution = iterate(problem, solution.state, progress, earlier=solution.path)
+    final = estimate_variance_components(solution.linearised)
+    return (
+        solution,
+        tuple(
+            VarianceComponent(
+                c.name,
+                float(t if t in FACTOR_LIMITS else t * c.factor),
+                float(t * c.lower),
+                float(t * c.upper),
+                bool(t != 1),
+                float(t),
+            )
+            for c, t in zip(final.components, total, strict=True)
+        ),
+        total,
+    )

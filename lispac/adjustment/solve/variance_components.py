@@ -1,0 +1,325 @@
+"""Variance components from the data by restricted maximum likelihood.
+
+The restricted likelihood (REML: Patterson and Thompson 1971) is that of the residuals alone,
+whatever the unknowns are. The sums the adjustment has made anyway give it for any sigmas, without
+another pass over the points.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg
+from numpy.typing import NDArray
+
+from lispac.adjustment.result import VarianceComponent
+from lispac.adjustment.solve.adjustment_problem import (
+    EVERY_DIRECTION,
+    OFFSETS,
+    TILTS,
+    AdjustmentProblem,
+    LinearisedProblem,
+)
+from lispac.adjustment.solve.banded_cholesky import cholesky_factor, forward_substitution
+
+Array = NDArray[np.float64]
+
+SMALLEST_SURFACE, LARGEST_SURFACE = 1e-5, 0.3  # metres
+
+
+MIN_GAIN = 10.0
+"""Gain of twice the log likelihood by a sigma of the offsets' own: by chance once in 1000."""
+REJECTION_GAIN = 5.0
+"""Additional gain if sightings were rejected: jumps are a dozen times commoner, exp(5 / 2)."""
+
+
+def most_likely_surface_sigma(
+    linearised: LinearisedProblem, directions: slice = EVERY_DIRECTION
+) -> float:
+    """Most likely sigma of the departures of sightings from their target's shape, metres.
+
+    Parameters
+    ----------
+    directions : slice
+        Of the tilts (0, 1) and the offset (2): those the sigma is of; the others keep theirs.
+    """
+    alike = np.zeros_like(linearised.problem.surface_sigma, dtype=bool)
+    alike[:, directions] = True
+    return _maximise_surface_likelihood(linearised, alike & ~linearised.problem.rejected)[0]
+
+
+def need_own_offset_sigma(linearised: LinearisedProblem) -> bool:
+    """Whether the offsets need a sigma of their own, different from that of the tilts.
+
+    This is the case for boards that are displaced between lines but not warped. The most displaced
+    sightings may have been rejected; with a sigma of their own they are used again. The likelihood
+    must be clearly larger than with the rejection, since a single jump is more common, and larger
+    than that with the common sigma.
+    """
+    problem = linearised.problem
+    every = np.repeat(~problem.rejected[:, :1], 3, axis=1)
+    own = every & (np.arange(3) == 2)
+    gain = _maximise_surface_likelihood(linearised, own)[1]
+    least = MIN_GAIN + REJECTION_GAIN if problem.rejected_sightings.any() else MIN_GAIN
+    return gain > least and gain - _maximise_surface_likelihood(linearised, every)[1] > MIN_GAIN
+
+
+def _maximise_surface_likelihood(
+    linearised: LinearisedProblem, alike: NDArray[np.bool_]
+) -> tuple[float, float]:
+    """Most likely sigma of some departures, metres, and the gain in twice the log likelihood.
+
+    Parameters
+    ----------
+    alike : ndarray of shape (sightings, 3)
+        Those the sigma is of.
+    """
+    import scipy.optimize  # takes a while, and a window or command may never adjust
+
+    now = linearised.problem.surface_sigma
+    unlikeliness = _surface_likelihood(linearised)
+    found = scipy.optimize.minimize_scalar(
+        lambda log_sigma: unlikeliness(np.where(alike, np.exp(log_sigma), now)),
+        bounds=(np.log(SMALLEST_SURFACE), np.log(LARGEST_SURFACE)),
+        method="bounded",
+    )
+    return float(np.exp(found.x)), unlikeliness(now) - float(found.fun)
+
+
+def _surface_likelihood(linearised: LinearisedProblem) -> Callable[[Array], float]:
+    """Minus twice the restricted log likelihood as a function of the sigmas of all departures."""
+    problem, normal = linearised.problem, linearised.normal
+    places = np.arange(normal.layout.surfaces[0].start, normal.layout.size)
+    departures, used = linearised.departures.reshape(-1), problem.surface_sigma.reshape(-1)
+    reduced, right = normal.reduced_matrix.copy(), normal.reduced_right_side.copy()
+    reduced[places, places] -= used**-2.0
+    right[places] += departures * used**-2.0
+    scale = np.ones(len(reduced))
+    others = slice(0, -len(places))
+    scale[others] = 1 / np.sqrt(np.diag(reduced)[others])
+    reduced, right = reduced * np.outer(scale, scale), right * scale
+
+    def unlikeliness(sigmas: Array) -> float:
+        sigma = sigmas.reshape(-1)
+        precision = sigma**-2.0
+        matrix, pull = reduced.copy(), right.copy()
+        matrix[places, places] += precision
+        pull[places] -= departures * precision
+        factor = np.linalg.cholesky(matrix)
+        explained = scipy.linalg.solve_triangular(factor, pull, lower=True)
+        return float(
+            2 * np.log(np.diag(factor)).sum()
+            + 2 * np.log(sigma).sum()
+            + departures**2 @ precision
+            - explained @ explained
+        )
+
+    return unlikeliness
+
+
+def reestimate_surface_sigma(
+    problem: AdjustmentProblem, linearised: LinearisedProblem
+) -> AdjustmentProblem:
+    """Return the problem with surface sigmas estimated from the data where none were given."""
+    if not problem.model.correlated or problem.model.surface is not None:
+        return problem
+    if not problem.own_offsets:
+        return problem.with_surface_sigma(most_likely_surface_sigma(linearised))
+    tilts, offsets = (most_likely_surface_sigma(linearised, some) for some in (TILTS, OFFSETS))
+    return problem.with_surface_sigma(np.array([tilts, tilts, offsets]))
+
+
+COMPONENT_NAMES = ("LiDAR", "POS position", "POS attitude")
+FACTOR_LIMITS = (0.1, 10.0)
+"""Smallest and largest factor on a given sigma that is believed."""
+
+
+MIN_NOISE_FACTOR = 1.1
+"""Noise of a target over the given one beyond which the residuals replace the LiDAR sigma."""
+
+MIN_LINES = 3
+"""On two lines an error of the position and a form error cannot be separated."""
+
+MAX_LOG_SIGMA = 0.6
+"""Standard deviation of a factor's logarithm, others fixed, below which it is determined."""
+
+
+@dataclass(frozen=True)
+class MaximumLikelihood:
+    """Factors at the maximum of the likelihood.
+
+    Attributes
+    ----------
+    components : tuple of VarianceComponent
+        On the sigmas of LiDAR, POS position, POS attitude.
+    determined : tuple of bool
+        Whether the data determine each.
+    rough : float
+        The factor on the surfaces' sigma.
+    """
+
+    components: tuple[VarianceComponent, ...]
+    determined: tuple[bool, ...]
+    rough: float
+
+
+def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikelihood:
+    """Most likely factors on the sigmas of LiDAR, POS position, POS attitude, and of the surfaces.
+
+    Where the surfaces' sigma is not given it is found along with the others: an error of the
+    position shifts a sighting as its form error does; only the correlation of neighbours separates
+    them. With few sightings the intervals are wide. Where the residuals have
+    raised the noise of a target already, the factor on the LiDAR's stays 1.
+    """
+    import scipy.optimize
+
+    problem, likelihood = linearised.problem, _RestrictedLikelihood(linearised)
+    free = np.ones(4, dtype=bool)
+    free[0] = bool(problem.noise.max() < MIN_NOISE_FACTOR)
+    free[3] = problem.model.surface is None
+    enough = len(problem.observations.lines) >= MIN_LINES
+    usual = float(problem.default_surface_sigmas.max()) if free[3] else 1.0
+    bounds = [
+        *[(np.log(FACTOR_LIMITS[0]), np.log(FACTOR_LIMITS[1]))] * len(COMPONENT_NAMES),
+        (np.log(SMALLEST_SURFACE / usual), np.log(LARGEST_SURFACE / usual)),
+    ]
+
+    def unlikeliness(some: Array) -> float:
+        factors = np.zeros(4)
+        factors[free] = some
+        return likelihood(factors)
+
+    # The form errors may have absorbed errors of the POS.
+    starts = [np.zeros(4), np.array([0.0, np.log(2), 0.0, max(bounds[3][0], -2.0)])]
+    best = min(
+        (
+            scipy.optimize.minimize(
+                unlikeliness, start[free], method="Nelder-Mead",
+                bounds=[bound for bound, is_free in zip(bounds, free, strict=True) if is_free],
+                options={"xatol": 0.01, "fatol": 0.01, "maxfev": 600},
+            )
+            for start in (starts if free[3] else starts[:1])
+        ),
+        key=lambda result: float(result.fun),
+    )  # fmt: skip
+    curvature = _likelihood_curvature(unlikeliness, best.x) / 2
+    found, spread, alone = np.zeros(4), np.full(4, np.inf), np.full(4, np.inf)
+    found[free] = best.x
+    spread[free] = np.sqrt(np.diag(np.linalg.inv(curvature)))
+    alone[free] = 1 / np.sqrt(np.diag(curvature))
+    reach = np.log(100.0)  # beyond, the data do not determine it
+    return MaximumLikelihood(
+        tuple(
+            VarianceComponent(
+                name, *np.exp(np.clip([x, x - 1.96 * s, x + 1.96 * s], -reach, reach)).tolist()
+            )
+            for name, x, s in zip(COMPONENT_NAMES, found[:3], spread[:3], strict=True)
+        ),
+        tuple((alone[:3] < MAX_LOG_SIGMA).tolist()) if enough else (False,) * 3,
+        float(np.exp(found[3])),
+    )
+
+
+def _likelihood_curvature(
+    likelihood: Callable[[Array], float], at: Array, step: float = 0.1
+) -> Array:
+    """Second derivatives of the likelihood, at least those of data without information."""
+    middle, steps = likelihood(at), step * np.eye(len(at))
+    there = np.array([likelihood(at + h) for h in steps])
+    curvature = np.empty((len(at), len(at)))
+    for j, one in enumerate(steps):
+        curvature[j, j] = there[j] - 2 * middle + likelihood(at - one)
+        for k in range(j):
+            both = likelihood(at + one + steps[k])
+            curvature[j, k] = curvature[k, j] = both - there[j] - there[k] + middle
+    values, directions = np.linalg.eigh(curvature / step**2)
+    return np.asarray((directions * np.maximum(values, 1e-3)) @ directions.T)
+
+
+class _RestrictedLikelihood:
+    """Minus twice the restricted log likelihood as a function of the log factors.
+
+    On LiDAR, POS position, POS attitude, and the form errors of used sightings.
+    """
+
+    def __init__(self, linearised: LinearisedProblem) -> None:
+        problem, self.normal = linearised.problem, linearised.normal
+        knots, effects = problem.groups.knots, linearised.state.effects
+        assert knots is not None
+        # A loss takes weight from the large residuals of a normal distribution too.
+        self.points = len(problem.observations) * linearised.loss.kept
+        self.knots = len(knots.time)
+        self.kind = np.tile([1, 1, 1, 2, 2, 2], self.knots)
+        self.own = knots.precision_diagonal.reshape(-1)
+        self.beside = knots.precision_beside.reshape(-1)
+        weighted = knots.apply_prior_precision(effects)
+        self.prior_pull = weighted.reshape(-1)
+        self.prior_quadratic = [0.0] + [
+            float((weighted * effects)[:, part].sum()) for part in (slice(3), slice(3, 6))
+        ]
+        self.band = self.normal.band.copy()
+        self.band[0] -= self.own
+        self.band[6, : len(self.beside)] -= self.beside
+        self.pull = self.normal.pull + self.prior_pull
+        # Priors of surfaces and parameters stay as they are.
+        self.diagonal = np.zeros(len(self.normal.matrix))
+        self.prior_right = np.zeros(len(self.normal.matrix))
+        self.fixed_quadratic = self.surface_quadratic = 0.0
+        self.surfaces = np.zeros(len(self.normal.matrix))
+        self.used = 0
+        if problem.layout.surfaces:
+            places = np.arange(problem.layout.surfaces[0].start, problem.layout.size)
+            used = ~problem.rejected.reshape(-1)
+            self.surfaces[places] = used
+            self.used = int(used.sum())
+            self.diagonal[places] = problem.surface_sigma.reshape(-1) ** -2.0
+            departures = linearised.departures.reshape(-1)
+            self.prior_right[places] = -departures * self.diagonal[places]
+            squares = departures**2 * self.diagonal[places]
+            self.surface_quadratic = float(squares[used].sum())
+            self.fixed_quadratic += float(squares[~used].sum())
+        off = linearised.state.mounting.values - problem.prior.values
+        for parameter in problem.parameters:
+            if parameter.sigma is not None:
+                k = int(np.searchsorted(problem.active, parameter.index))
+                self.diagonal[k] = parameter.sigma**-2
+                self.prior_right[k] = -off[parameter.index] * self.diagonal[k]
+                self.fixed_quadratic += float(off[parameter.index] ** 2 * self.diagonal[k])
+
+    def __call__(self, given: Array) -> float:
+        log_factors, rough = np.array(given[:3]), float(given[3]) if len(given) > 3 else 0.0
+        normal, trust, smooth = self.normal, np.exp(-2 * log_factors), np.exp(-2 * rough)
+        band = self.band * trust[0]
+        band[0] += self.own * trust[self.kind]
+        band[6, : len(self.beside)] += self.beside * trust[self.kind[: len(self.beside)]]
+        pull = self.pull * trust[0] - self.prior_pull * trust[self.kind]
+        mixed = normal.mixed * trust[0]
+        prior = np.where(self.surfaces > 0, smooth, 1.0)
+        matrix = normal.matrix * trust[0]
+        places = np.arange(len(matrix))
+        matrix[places, places] += self.diagonal * (prior - trust[0])
+        right = (normal.right - self.prior_right) * trust[0] + self.prior_right * prior
+        factor = cholesky_factor(band)
+        halved, halved_pull = (
+            forward_substitution(factor, mixed.T),
+            forward_substitution(factor, pull),
+        )
+        reduced = matrix - halved.T @ halved
+        scale = 1 / np.sqrt(np.diag(reduced))
+        lower = np.linalg.cholesky(reduced * np.outer(scale, scale))
+        explained = scipy.linalg.solve_triangular(
+            lower, (right - halved.T @ halved_pull) * scale, lower=True
+        )
+        fixed = self.fixed_quadratic + self.surface_quadratic
+        data = normal.quadratic - sum(self.prior_quadratic) - fixed
+        quadratic = (
+            data * trust[0]
+            + float(np.dot(self.prior_quadratic, trust))
+            + self.fixed_quadratic
+            + self.surface_quadratic * smooth
+            - float(halved_pull @ halved_pull)
+            - float(explained @ explained)
+        )
+        determinants = 2 * np.log(factor[0]).sum() + 2 * np.log(np.diag(lower) / scale).sum()
+        counts = np.array([self.points, 3 * self.knots, 3 * self.knots])
+        return float(2 * counts @ log_factors + 2 * self.used * rough + determinants + quadratic)

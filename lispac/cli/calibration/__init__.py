@@ -1,0 +1,1 @@
+"""Commands from seeds to the boresight."""

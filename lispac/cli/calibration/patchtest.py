@@ -1,0 +1,206 @@
+"""``lispac patchtest``: LiDAR patch test on objects that lines share."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, get_args
+
+from lispac.cli.argument_types import add_json_option, split_named_value, whole_number_from
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
+from lispac.message_texts import english_text, message_text
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from lispac.patchtest.line_pairs import LinePair
+    from lispac.patchtest.object_boxes import PatchObject
+    from lispac.patchtest.patch_test_result import PatchTestResult
+    from lispac.workflow.project.survey import Survey
+
+    Array = NDArray[np.float64]
+
+NUMBERS = (6, 7)
+"""Numbers that define a box: without and with its rotation."""
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
+    parser.add_argument(
+        "--object", type=split_named_value, nargs="+", action="extend", metavar="NAME=N,W,U,A,L,H",
+        help="box around an object (a pole, a pillar, an edge): north, west and up of its centre "
+             "in the local frame (N, W, U), then its size northwards, westwards and upwards (A, L, "
+             "H; m); an optional seventh number rotates the box clockwise (deg)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--count", type=whole_number_from(0), metavar="N",
+        help="number of objects to detect automatically (default 30; 0 if --object is given)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--pairs", choices=("reciprocal", "crossing", "oblique", "same"), nargs="+",
+        help="pairs of lines to use: in opposite directions (reciprocal), about at right angles "
+             "(crossing), at other angles (oblique) or in the same direction (default: all)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--lines", nargs="+", metavar="NAME", help="use only pairs of these lines (default: all)"
+    )
+    parser.add_argument(
+        "--save",
+        action="store_true",
+        help="save the result in the project, beside that of the targets",
+    )
+    add_json_option(parser)
+
+
+def run(arguments: Namespace) -> None:
+    """Run the patch test of a project; ``--save`` stores the result.
+
+    Raises
+    ------
+    UsageError
+        Where a box or a line is not one.
+    """
+    from lispac.patchtest.object_proposal import OBJECT_COUNT
+    from lispac.progress import sub_progress
+    from lispac.workflow.calibration import patch_test as workflow
+    from lispac.workflow.calibration.method_runs import patch_test_result
+    from lispac.workflow.project.projects import save_project
+    from lispac.workflow.project.survey import load_survey
+
+    given_objects = [_parse_object(name, text) for name, text in arguments.object or ()]
+    if len({each.name for each in given_objects}) < len(given_objects):
+        raise UsageError("patchtest: two objects have the same name.")
+    count = arguments.count if arguments.count is not None else 0 if given_objects else OBJECT_COUNT
+    if not given_objects and not count:
+        raise UsageError("patchtest: give objects with --object, or detect some with --count.")
+    with opened_project(arguments.project, change=arguments.save) as project:
+        with ConsoleProgress() as progress:
+            survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
+            pairs = _selected_pairs(survey, arguments.pairs or (), arguments.lines)
+            if count:
+                step = sub_progress(progress, 0.3, 0.6)
+                laid = workflow.propose_objects(project, survey, count=count, progress=step)
+                if given_objects:
+                    objects = (*given_objects, *laid.objects)
+                    laid = workflow.place_objects(project, survey, objects, laid.boresight)
+            else:
+                laid = workflow.place_objects(
+                    project, survey, given_objects, survey.alignment.mounting.boresight
+                )
+            found = workflow.find_boresight(
+                project, survey, laid, pairs=pairs, progress=sub_progress(progress, 0.6, 1.0)
+            )
+        if arguments.save:
+            save_project(project.with_alternative_result(patch_test_result(found)))
+    if arguments.json:
+        print_json(patch_test_values(found))
+    else:
+        print_patch_test(found)
+
+
+def print_patch_test(result: PatchTestResult) -> None:
+    """Print the angles with their sigmas, the objects and the messages."""
+    import numpy as np
+
+    from lispac.patchtest.mismatch_minimisation import ANGLES
+
+    print("LiDAR patch test (deg)     result   sigma  separately   mm per 0.01 deg")
+    for k, angle in enumerate(ANGLES):
+        sigma = "none" if result.sigma is None else f"{np.degrees(result.sigma[k]):.4f}"
+        print(
+            f"  {angle:<18}{np.degrees(result.boresight[k]):>+13.4f}  {sigma:>6}"
+            f"{np.degrees(result.one_by_one[k]):>+12.4f}"
+            f"{1000 * np.radians(0.01) * result.curvature[k]:>18.1f}"
+        )
+    print("Object            pairs  dist. (mm)       angle diff. (deg)  limit (deg)")
+    for each in result.objects:
+        mark = "  DIFFERS" if each.disagrees else ""
+        angle = "none" if each.angle is None else ANGLES[each.angle]
+        print(
+            f"  {each.name:<16}{len(each.pairs):>5}{1000 * each.mismatch:>12.1f}"
+            f"  {angle:>10}{np.degrees(each.off):>+11.4f}"
+            f"{np.degrees(each.allowed):>13.4f}{mark}"
+        )
+    for message in result.messages:
+        print(message_text(message))
+
+
+def patch_test_values(result: PatchTestResult) -> dict[str, Any]:
+    """Patch test as plain values, angles in degrees."""
+    import numpy as np
+
+    from lispac.patchtest.mismatch_minimisation import ANGLES
+
+    sigma = result.sigma
+    return {
+        "boresight_deg": _values_by_angle(np.degrees(result.boresight)),
+        "sigma_deg": None if sigma is None else _values_by_angle(np.degrees(sigma)),
+        "covariance_deg2": None
+        if result.covariance is None
+        else (np.degrees(1.0) ** 2 * result.covariance).tolist(),
+        "separate_boresight_deg": _values_by_angle(np.degrees(result.one_by_one)),
+        "curvature_m_per_deg": _values_by_angle(np.radians(1.0) * result.curvature),
+        "mismatch_before_m": result.mismatch_before
+        if np.isfinite(result.mismatch_before)
+        else None,
+        "mismatch_m": result.mismatch,
+        "iterations": result.rounds,
+        "converged": result.converged,
+        "lines": list(result.lines),
+        "objects": [
+            {
+                "name": each.name,
+                "pairs": list(each.pairs),
+                "mismatch_m": each.mismatch,
+                "angle": None if each.angle is None else ANGLES[each.angle],
+                "difference_deg": float(np.degrees(each.off)),
+                "limit_deg": float(np.degrees(each.allowed)),
+                "disagrees": each.disagrees,
+            }
+            for each in result.objects
+        ],
+        "objects_without_pairs": list(result.without_pairs),
+        "messages": [english_text(each) for each in result.messages],
+    }
+
+
+def _values_by_angle(values: Array) -> dict[str, float]:
+    from lispac.patchtest.mismatch_minimisation import ANGLES
+
+    return {angle: float(value) for angle, value in zip(ANGLES, values, strict=True)}
+
+
+def _parse_object(name: str, text: str) -> PatchObject:
+    import numpy as np
+
+    from lispac.patchtest.object_boxes import ObjectBox, object_of_box
+
+    try:
+        values = [float(word) for word in text.split(",")]
+    except ValueError:
+        values = []
+    if len(values) not in NUMBERS:
+        raise UsageError(
+            f"patchtest: {name}={text} is not NAME=N,W,U,A,L,H or NAME=N,W,U,A,L,H,TURN."
+        )
+    turn = np.radians(values[6]) if len(values) == NUMBERS[1] else 0.0
+    return object_of_box(name, ObjectBox(np.array(values[:3]), np.array(values[3:6]), float(turn)))
+
+
+def _selected_pairs(
+    survey: Survey, kinds: Iterable[str], lines: list[str] | None
+) -> tuple[LinePair, ...]:
+    from lispac.patchtest.line_pairs import Kind
+    from lispac.workflow.calibration import patch_test as workflow
+
+    for line in lines or ():
+        if line not in survey.clouds:
+            raise UsageError(
+                f"patchtest: there is no line {line}; the lines are {', '.join(survey.lines)}."
+            )
+    selected = {kind for kind in get_args(Kind) if kind.split()[0] in kinds}
+    found = workflow.line_pairs(survey, selected)
+    return tuple(pair for pair in found if lines is None or set(pair.lines) <= set(lines))

@@ -1,0 +1,396 @@
+"""The command that picks a target."""
+
+from __future__ import annotations
+
+import sys
+from argparse import ArgumentParser, Namespace
+from math import degrees, radians
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from lispac.cli.argument_types import (
+    add_crs_options,
+    add_json_option,
+    add_triple_option,
+    finite_number,
+    number_within,
+    positive_number,
+    whole_number_from,
+)
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
+from lispac.cli.messages import print_messages
+from lispac.message_texts import english_text, message_text
+from lispac.messages import Message, note
+from lispac.targets.finder_settings import RADII, THRESHOLDS, FinderChoices
+
+if TYPE_CHECKING:
+    from lispac.project import Project, Target
+    from lispac.survey.crs import CoordinateSystem
+    from lispac.targets.sighting_quality import SightingQuality
+    from lispac.targets.sphere_finder import SpherePatch
+    from lispac.workflow.calibration.seed_lists import SeedOutcome
+    from lispac.workflow.project.survey import Survey
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
+    seeds = parser.add_mutually_exclusive_group(required=True)
+    seeds.add_argument(
+        "--seed", type=finite_number, nargs=3, metavar=("X", "Y", "Z"),
+        help="coordinates of the seed: north, west, up (m); with --crs easting or longitude, "
+             "northing or latitude, height",
+    )  # fmt: skip
+    seeds.add_argument(
+        "--seeds", type=Path, metavar="FILE",
+        help="list of seeds: text file with name, x, y, z and optionally the role in each row, or "
+             "with a header row",
+    )  # fmt: skip
+    parser.add_argument("--name", help="with --seed: name of the target, e.g. T1")
+    parser.add_argument(
+        "--columns", metavar="NAMES",
+        help="with --seeds: columns of the list from the left, e.g. name,y,x,z,- (- skips a "
+             "column)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--replace", action="store_true",
+        help="with --seeds: replace existing targets of the same names",
+    )  # fmt: skip
+    parser.add_argument(
+        "--role", choices=("target", "validation"),
+        help="role of the target (default target; in a list as given there, otherwise validation "
+             "if the name begins with V)",
+    )  # fmt: skip
+    add_crs_options(parser, "local")
+    parser.add_argument(
+        "--shape",
+        choices=("plane", "sphere"),
+        default="plane",
+        help="shape of the target (default plane)",
+    )
+    parser.add_argument(
+        "--sphere-radius",
+        type=positive_number,
+        metavar="METRES",
+        help="with --shape sphere: radius of the sphere (m), if known (default: estimated between "
+        "0.05 and 0.5 m)",
+    )
+    parser.add_argument("--line", help="with --seed: search in this line only")
+    parser.add_argument(
+        "--threshold",
+        type=number_within(*THRESHOLDS),
+        metavar="METRES",
+        help="RANSAC distance threshold (m; default 0.01, or 3 LiDAR sigma if larger; for spheres "
+        "at least 0.03, or 0.3 of a known radius if smaller)",
+    )
+    parser.add_argument(
+        "--radius",
+        type=number_within(*RADII),
+        metavar="METRES",
+        help="search radius about the seed (m; default 2 for targets, 4 to 20 for validation "
+        "planes)",
+    )
+    parser.add_argument(
+        "--min-points", type=whole_number_from(3), metavar="N", default=30,
+        help="minimum number of points of a plane or sphere in a line (default 30)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--max-tilt", type=positive_number, metavar="DEG", default=15.0,
+        help="largest angle between a target's normals in two lines (deg; default 15)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--stop", type=positive_number, metavar="P", default=0.98,
+        help="RANSAC confidence: probability that at least one sample is free of outliers "
+             "(default 0.98)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--random-seed", type=whole_number_from(0), metavar="N", default=0,
+        help="seed of the random samples: the same seed gives the same points (default 0)",
+    )  # fmt: skip
+    add_triple_option(
+        parser, "--expected", ("WIDTH", "HEIGHT", "TILT"),
+        "expected width and height of the plane (m) and its inclination (deg; 0 level, 90 "
+        "vertical), for comparison; 1.23 1.22 90 is the usual board",
+    )  # fmt: skip
+    add_json_option(parser)
+
+
+def run(arguments: Namespace) -> None:
+    """Find planes or spheres in every line and save them."""
+    _require_matching_options(arguments)
+    how = _search_arguments(arguments)
+    with opened_project(arguments.project, change=True) as project:
+        _pick_in_project(arguments, project, how)
+
+
+def _pick_in_project(arguments: Namespace, project: Project, how: dict[str, Any]) -> None:
+    import numpy as np
+
+    from lispac.duplicate_targets import overlap_warning
+    from lispac.workflow.calibration import picking
+    from lispac.workflow.calibration.sighting_assessment import assess_target
+    from lispac.workflow.output.export_request import output_system_of
+    from lispac.workflow.output.output_crs import LOCAL
+    from lispac.workflow.project import projects
+    from lispac.workflow.project.coordinates import require_near_trajectory
+    from lispac.workflow.project.survey import load_survey
+
+    with ConsoleProgress() as progress:
+        survey = load_survey(project, progress=progress)
+    system = output_system_of(
+        project, survey.trajectory, arguments.crs or LOCAL, arguments.height,
+        arguments.trajectory_datum, arguments.epoch,
+    )  # fmt: skip
+    if arguments.seeds is not None:
+        _pick_list(arguments, project, survey, system, how)
+        return
+    place = require_near_trajectory(
+        np.array(arguments.seed), system, survey.trajectory, arguments.name
+    )
+    with ConsoleProgress() as progress:
+        project = picking.pick_target(
+            project, survey, place, name=arguments.name, role=arguments.role or "target",
+            line=arguments.line, progress=progress, **how,
+        )  # fmt: skip
+    projects.save_project(project)
+    target = project.target(arguments.name)
+    spheres = picking.spheres_of(target, survey) if target.shape == "sphere" else {}
+    found = assess_target(project, survey, target)
+    double = overlap_warning(target, project.targets)
+    notes = (
+        *(() if system is None else system.assumptions), *search_notes(target, how["radius"]),
+        *(() if double is None else (double,)),
+    )  # fmt: skip
+    print_messages(notes)
+    if arguments.json:
+        print_json(
+            _target_values(target, spheres, found)
+            | {"same_points_as": _shared_points_values(project, target)}
+        )
+    else:
+        _print_target(target, spheres, found)
+
+
+def _shared_points_values(project: Project, target: Target) -> dict[str, Any] | None:
+    """Values of the target with the most points in common; None if there is none."""
+    from lispac.duplicate_targets import find_overlap
+
+    found = find_overlap(target, project.targets)
+    if found is None:
+        return None
+    return {"name": found.other, "line": found.line, "share_of_the_smaller": found.share}
+
+
+def _require_matching_options(arguments: Namespace) -> None:
+    """Refuse options that do not go together.
+
+    Raises
+    ------
+    UsageError
+        If options exclude each other or a value is out of range.
+    """
+    if arguments.sphere_radius is not None and arguments.shape != "sphere":
+        raise UsageError("--sphere-radius requires --shape sphere")
+    if arguments.expected is not None and arguments.shape != "plane":
+        raise UsageError("--expected applies to planes only; omit it")
+    if arguments.max_tilt > 90:
+        raise UsageError("--max-tilt must be at most 90 deg")
+    if arguments.stop >= 1:
+        raise UsageError("--stop must be a probability between 0 and 1")
+    one = arguments.seeds is None
+    if one and not arguments.name:
+        raise UsageError("--seed requires --name, the name of the target")
+    for option, given, needed in (
+        ("--name", arguments.name, not one), ("--line", arguments.line, not one),
+        ("--columns", arguments.columns, one), ("--replace", arguments.replace, one),
+    ):  # fmt: skip
+        if given and needed:
+            raise UsageError(f"{option} requires --{'seeds' if one else 'seed'}; omit it")
+
+
+def _search_arguments(arguments: Namespace) -> dict[str, Any]:
+    """Search arguments for `lispac.workflow.calibration.picking.find_target`, from the options."""
+    from lispac.targets.expected_target import ExpectedTarget
+
+    expected = None
+    if arguments.expected is not None:
+        width, height, tilt_deg = arguments.expected
+        expected = ExpectedTarget(width, height, radians(tilt_deg))
+    return {
+        "shape": arguments.shape, "sphere_radius": arguments.sphere_radius,
+        "threshold": arguments.threshold, "radius": arguments.radius, "expected": expected,
+        "choices": FinderChoices(
+            arguments.min_points, radians(arguments.max_tilt), arguments.stop, arguments.random_seed
+        ),
+    }  # fmt: skip
+
+
+def search_notes(target: Target, radius: float | None) -> tuple[Message, ...]:
+    """Notes on how a target was searched for; ``radius``, metres, is the one given."""
+    from lispac.workflow.calibration import picking
+    from lispac.workflow.calibration.target_search import thinned_notes
+
+    usual = picking.DEFAULT_RADII[target.role][0]
+    widened: tuple[Message, ...] = ()
+    if radius is None and target.shape == "plane" and target.radius > usual:
+        widened = (
+            note("finder.radius_increased", target=target.name, usual=usual, radius=target.radius),
+        )
+    return (*widened, *thinned_notes(target))
+
+
+def _target_values(
+    target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
+) -> dict[str, Any]:
+    """A target with its sightings as ``pick --json`` prints it; lengths in metres."""
+    from lispac.present.json_values import json_values
+    from lispac.present.sighting_quality import sighting_quality_values
+
+    lines: dict[str, dict[str, Any]] = {
+        s.line: {
+            "points": len(s.indices),
+            "rms_m": s.rms,
+            "quality": json_values(sighting_quality_values(target.name, s.line, qualities[s.line])),
+        }
+        for s in target.sightings
+    }
+    for line, patch in spheres.items():
+        lines[line] |= {
+            "centre_m": patch.centre.tolist(),
+            "sphere_radius_m": patch.sphere.radius,
+            "visible_share": patch.share,
+        }
+    return {
+        "name": target.name,
+        "role": target.role,
+        "shape": target.shape,
+        "sphere_radius_m": target.sphere_radius,
+        "radius_m": target.radius,
+        "threshold_m": target.threshold,
+        "min_points": target.choices.min_points,
+        "max_tilt_deg": degrees(target.choices.max_tilt),
+        "stop": target.choices.stop,
+        "random_seed": target.choices.seed,
+        "lines": lines,
+        "missing": {line: english_text(reason) for line, reason in target.missing.items()},
+    }
+
+
+def _print_target(
+    target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
+) -> None:
+    for sighting in target.sightings:
+        print(
+            f"{target.name} on {sighting.line:20s} {len(sighting.indices):8,} points, "
+            f"RMS {sighting.rms * 1000:.1f} mm, {qualities[sighting.line].rating}"
+        )
+        for reason in qualities[sighting.line].reasons:
+            print(f"    {message_text(reason)}")
+        if sighting.line in spheres:
+            patch = spheres[sighting.line]
+            north, west, up = patch.centre
+            known = "given" if target.sphere_radius is not None else "estimated"
+            print(
+                f"    centre {north:.3f} {west:.3f} {up:.3f} m, "
+                f"radius {patch.sphere.radius:.3f} m ({known}), "
+                f"{100 * patch.share:.0f} % of the surface seen"
+            )
+    for line, missing in target.missing.items():
+        print(f"{target.name} on {line:20s} not found: {message_text(missing)}")
+
+
+def _pick_list(
+    arguments: Namespace,
+    project: Project,
+    survey: Survey,
+    system: CoordinateSystem | None,
+    how: dict[str, Any],
+) -> None:
+    """Pick all seeds of a list, save what was found, and print a table of it.
+
+    Raises
+    ------
+    TargetNotFound
+        Where a seed led to no target; the others are saved all the same.
+    """
+    from lispac.workflow.calibration.seed_lists import (
+        pick_seeds,
+        read_seeds,
+        require_all_found,
+        require_any_found,
+        require_free_names,
+    )
+    from lispac.workflow.calibration.target_search import thinned_notes
+    from lispac.workflow.project import projects
+
+    columns = arguments.columns.replace(",", " ").split() if arguments.columns else ()
+    seeds = read_seeds(
+        arguments.seeds, project, survey.trajectory, system, columns=columns, role=arguments.role
+    )
+    if not arguments.replace:
+        require_free_names(seeds)
+    with ConsoleProgress() as progress:
+        project, outcomes = pick_seeds(project, survey, seeds.seeds, how, progress=progress)
+    require_any_found(seeds, outcomes)
+    projects.save_project(project)
+    notes = list(seeds.notes)
+    for outcome in outcomes:
+        notes += thinned_notes(outcome.target) if outcome.target is not None else ()
+    print_messages(notes)
+    if arguments.json:
+        print_json({"seeds": [_outcome_values(project, survey, outcome) for outcome in outcomes]})
+    else:
+        _print_outcomes(outcomes, len(survey.lines))
+    sys.stdout.flush()  # the table comes before the messages about it
+    require_all_found(seeds, outcomes)
+
+
+def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> dict[str, Any]:
+    from lispac.present.json_values import json_values
+    from lispac.present.sighting_quality import sighting_quality_values
+    from lispac.workflow.calibration.sighting_assessment import assess_target
+
+    seed, target = outcome.seed, outcome.target
+    content = {
+        "row": seed.row, "name": seed.name, "role": seed.role, "seed_m": list(seed.place),
+        "found": target is not None, "reason": _message_text(outcome),
+    }  # fmt: skip
+    if target is None:
+        return content | {"lines": {}, "missing": {}}
+    judged = assess_target(project, survey, target)
+    lines = {
+        s.line: {
+            "points": len(s.indices),
+            "rms_m": s.rms,
+            "quality": json_values(sighting_quality_values(target.name, s.line, judged[s.line])),
+        }
+        for s in target.sightings
+    }
+    missing = {line: english_text(reason) for line, reason in target.missing.items()}
+    return content | {"lines": lines, "missing": missing}
+
+
+def _message_text(outcome: SeedOutcome) -> str:
+    return "" if outcome.message is None else english_text(outcome.message)
+
+
+def _print_outcomes(outcomes: tuple[SeedOutcome, ...], lines: int) -> None:
+    """Print one row per seed: lines, points and RMS, or the reason why it was not found."""
+    width = max(len("name"), *(len(outcome.seed.name) for outcome in outcomes))
+    print(f"{'row':>4}  {'name':{width}}  {'role':10}  {'lines':>7}  {'points':>9}  RMS (mm)")
+    for outcome in outcomes:
+        seed, target = outcome.seed, outcome.target
+        head = f"{seed.row:4}  {seed.name:{width}}  {seed.role:10}"
+        if target is None:
+            print(f"{head}  {'none':>7}  {_message_text(outcome)}")
+            continue
+        found = target.sightings
+        points = sum(len(sighting.indices) for sighting in found)
+        rms = 1000 * max(sighting.rms for sighting in found)
+        print(f"{head}  {f'{len(found)} of {lines}':>7}  {points:9,}  {rms:8.1f}")
+        if outcome.message is not None:
+            print(f"      {_message_text(outcome)}")
+        for line, reason in target.missing.items():
+            print(f"      not on {line}: {message_text(reason)}")
+    count = sum(outcome.target is not None for outcome in outcomes)
+    print(f"Targets found for {count} of {len(outcomes)} seeds")

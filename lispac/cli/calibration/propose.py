@@ -1,0 +1,77 @@
+"""The command that proposes targets and validation planes."""
+
+import sys
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from lispac.cli.argument_types import add_json_option
+from lispac.cli.console import ConsoleProgress, opened_project, print_json
+from lispac.cli.messages import warnings_as_json
+from lispac.errors import ProjectError
+from lispac.message_texts import english_text, message_text
+from lispac.messages import error
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
+    parser.add_argument(
+        "--accept", action="store_true", help="add the proposed targets to the project"
+    )
+    add_json_option(parser)
+
+
+def run(arguments: Namespace) -> None:
+    """Detect planes in all lines, propose targets with reasons, and add them on request.
+
+    Raises
+    ------
+    ProjectError
+        Where the project has targets and more are to be added.
+    """
+    import numpy as np
+
+    from lispac.adjustment.result import ANGLES
+    from lispac.language import to_plain_text
+    from lispac.workflow.calibration.proposal_acceptance import with_accepted
+    from lispac.workflow.calibration.proposals import propose_targets as proposal_for
+    from lispac.workflow.calibration.target_search import thinned_notes
+    from lispac.workflow.project import projects
+    from lispac.workflow.project.survey import load_survey
+
+    with opened_project(arguments.project, change=arguments.accept) as project:
+        if arguments.accept and project.targets:
+            raise ProjectError(
+                error("cli.has_targets", project=project.name, count=len(project.targets))
+            )
+        with ConsoleProgress() as progress:
+            survey = load_survey(project, progress=progress)
+        with ConsoleProgress() as progress:
+            proposal = proposal_for(project, survey, progress=progress)
+        for each in (each for target in proposal.targets for each in thinned_notes(target)):
+            print(f"note: {message_text(each)}", file=sys.stderr)
+        if arguments.accept:
+            names = [target.name for target in proposal.targets]
+            projects.save_project(with_accepted(project, proposal, names)[0])
+    sigma = dict(zip(ANGLES, (float(s) for s in np.degrees(proposal.sigma)), strict=True))
+    if arguments.json:
+        targets = [
+            {
+                "name": target.name, "role": target.role, "seed_m": list(target.seed),
+                "lines": {s.line: {"points": len(s.indices), "rms_m": s.rms}
+                          for s in target.sightings},
+                "reason": to_plain_text(english_text(proposal.reasons[target.name])),
+            }
+            for target in proposal.targets
+        ]  # fmt: skip
+        warnings = warnings_as_json(proposal.warnings)
+        print_json({"targets": targets, "sigma_deg": sigma, "warnings": warnings,
+                    "accepted": arguments.accept})  # fmt: skip
+        return
+    for target in proposal.targets:
+        north, west, up = target.seed
+        print(f"{target.name:4s} {target.role:10s} at {north:.2f} {west:.2f} {up:.2f} m")
+        print(f"     {to_plain_text(message_text(proposal.reasons[target.name]))}")
+    print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
+    for warning in proposal.warnings:
+        print(f"warning: {to_plain_text(message_text(warning))}")

@@ -1,0 +1,118 @@
+"""Result of an adjustment, as text and as JSON values."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.cli.console import print_table
+from lispac.cli.messages import warnings_as_json
+from lispac.duplicate_targets import project_warnings
+from lispac.language import number_with_noun, to_plain_text
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.present.adjustment import adjustment_values, angle_values, boresight_table
+from lispac.present.angles import SIGMAS, angles
+from lispac.present.cross_checks import cross_check_values, spread_rows
+from lispac.present.json_values import json_values
+from lispac.present.parameters import PARAMETERS, VARIANCE_COMPONENTS
+from lispac.project import Project
+from lispac.survey.conventions.mounting_texts import orientation_text
+
+
+def project_result_values(project: Project) -> dict[str, Any]:
+    """Result of a project as plain values, in degrees and metres."""
+    assert project.result is not None
+    values = result_values(project.result, project.cross_checks, project_warnings(project))
+    return values | {"subsample_m": project.settings.subsample}
+
+
+def result_values(
+    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
+) -> dict[str, Any]:
+    """Result of an adjustment as plain values: the keys of the JSON report."""
+    values: dict[str, Any] = json_values(adjustment_values(result))
+    return values | {
+        "elapsed_s": result.elapsed,
+        "cross_checks": None if checks is None else json_values(cross_check_values(checks)),
+        "warnings": warnings_as_json(result_warnings(result, checks, also)),
+    }
+
+
+def print_result(
+    result: AdjustmentResult,
+    checks: CrossChecks | None,
+    also: Sequence[Message] = (),
+    *,
+    truth_deg: Sequence[float] | None = None,
+) -> None:
+    """Print the result of an adjustment as text, of a simulated survey beside the truth."""
+    values = adjustment_values(result)
+    chi_square = result.chi_square
+    size = "large" if chi_square.statistic < chi_square.lower else "small"
+    verdict = "passed" if chi_square.passed else f"failed, the given sigmas are too {size}"
+    true = None if truth_deg is None else angles(truth_deg)
+    print_table(
+        boresight_table(calibrated=True, simulated=true is not None),
+        angle_values(values.prior_boresight_deg, values, true),
+    )
+    if result.mounting.axes is not None:
+        print_steep_rotation(result)
+    if checks is not None:
+        print_table(SIGMAS, spread_rows(cross_check_values(checks)))
+    if values.parameters:
+        print_table(PARAMETERS, values.parameters)
+    for parameter in values.parameters:
+        if parameter.reason:
+            print(to_plain_text(message_text(parameter.reason)))
+    outliers = (
+        f" ({number_with_noun(result.excluded_outliers, 'outlier')} excluded)"
+        if result.excluded_outliers
+        else ""
+    )
+    print(
+        f"POS errors {_error_model_text(result)}; "
+        f"{number_with_noun(result.points, 'point')}{outliers}, "
+        f"{number_with_noun(len(result.sightings), 'sighting')}, "
+        f"{number_with_noun(len(result.targets), 'target')}, "
+        f"{number_with_noun(result.iterations, 'iteration')}, {result.elapsed:.3f} s"
+    )
+    print(
+        f"variance factor {result.variance_factor:.3f}, chi-square {chi_square.statistic:.1f} "
+        f"({chi_square.lower:.1f} to {chi_square.upper:.1f}: {verdict})"
+    )
+    print(
+        f"RMS distance from the target surfaces {result.rms_before * 1000:.1f} mm before, "
+        f"{result.rms_after * 1000:.1f} mm after"
+    )
+    if values.components:
+        print_table(VARIANCE_COMPONENTS, values.components)
+    for each in result.observability.messages if result.observability else ():
+        print(to_plain_text(message_text(each)))
+    found = result_warnings(result, checks, also)
+    if found:
+        print("\nWarnings and notes:")
+    for message in found:
+        print(f"- {to_plain_text(message_text(message))}")
+
+
+def print_steep_rotation(result: AdjustmentResult) -> None:
+    """Print the rotation matrix for a steep pitch, where roll and yaw are nearly dependent."""
+    print(
+        "The pitch is near 90 deg: roll and yaw are hardly separable. The sigmas are those of "
+        "small rotations about the body axes (forward, left, down)."
+    )
+    print(f"Orientation: {orientation_text(result.angles)}")
+    print("Rotation matrix, LiDAR to body (forward, left, up):")
+    for row in result.mounting.rotation_body_lidar:
+        print("".join(f"{value:+14.8f}" for value in row))
+
+
+def _error_model_text(result: AdjustmentResult) -> str:
+    model = result.model
+    if not model.correlated:
+        return f"uncorrelated (classical), loss {model.loss}"
+    return (
+        f"correlated over {model.position_time:g} s (position) and {model.attitude_time:g} s "
+        f"(attitude), loss {model.loss}"
+    )

@@ -1,0 +1,1 @@
+"""Commands that check a calibration and compare calibrations."""

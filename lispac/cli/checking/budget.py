@@ -1,0 +1,50 @@
+"""``lispac budget``: effect of every source of error on a point at a distance."""
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from lispac.cli.argument_types import add_json_option, add_triple_option, positive_number
+from lispac.cli.console import ConsoleProgress, print_json, print_table
+from lispac.message_texts import message_text
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
+    parser.add_argument(
+        "--distance", type=positive_number, nargs="+", metavar="M",
+        help="distances of the point from the scanner (m; default 10 50 100)",
+    )  # fmt: skip
+    add_triple_option(
+        parser,
+        "--lever-arm-sigma",
+        ("X", "Y", "Z"),
+        "1 sigma of the lever arm (m; default: not included)",
+    )
+    add_json_option(parser)
+
+
+def run(arguments: Namespace) -> None:
+    """Print a table for each direction of the beam."""
+    from lispac.adjustment.diagnostics.error_budget import DISTANCES
+    from lispac.present.error_budget import ErrorBudgetValues, budget_table
+    from lispac.present.json_values import json_values
+    from lispac.workflow.checking.budget import error_budget_of
+    from lispac.workflow.project.projects import open_project
+    from lispac.workflow.project.survey import load_survey
+
+    project = open_project(arguments.project)
+    with ConsoleProgress() as progress:
+        survey = load_survey(project, progress=progress)
+    found = ErrorBudgetValues.of(
+        error_budget_of(
+            project, survey, arguments.distance or DISTANCES, lever_sigma=arguments.lever_arm_sigma
+        )
+    )
+    if arguments.json:
+        print_json(json_values(found))
+        return
+    for beam in found.beams:
+        print_table(*budget_table(found, beam))
+    for assumption in found.messages:
+        print(message_text(assumption))

@@ -1,0 +1,118 @@
+"""``lispac validate``: distances between the lines on planes not used in the adjustment."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from lispac.cli.argument_types import add_json_option, finite_number
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
+from lispac.cli.messages import warnings_as_json
+from lispac.message_texts import english_text, message_text
+
+if TYPE_CHECKING:
+    from lispac.project import Project
+    from lispac.workflow.project.survey import Survey
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
+    parser.add_argument(
+        "--distance-to", choices=("point", "plane", "quadric"), default="plane",
+        help="distance to the nearest point of the other line, or to a plane or quadric fitted to "
+             "that point and its neighbours (default plane)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--neighbours", type=int, default=None, metavar="N",
+        help="number of points to which the plane or quadric is fitted (default 6 for a plane, 12 "
+             "for a quadric)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--radius",
+        type=finite_number,
+        metavar="M",
+        help="fit the plane or quadric to all points within this radius (m) instead",
+    )
+    add_json_option(parser)
+
+
+def run(arguments: Namespace) -> None:
+    """Compare the lines on the validation planes and save the figures.
+
+    Raises
+    ------
+    UsageError
+        Where options do not go together.
+    """
+    from lispac.duplicate_targets import project_warnings
+    from lispac.present.json_values import json_values
+    from lispac.present.validation import ValidationPlane
+    from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
+    from lispac.workflow.checking.validation import validate as validated
+    from lispac.workflow.project import projects
+    from lispac.workflow.project.survey import load_survey
+
+    kind = arguments.distance_to
+    if kind == "point" and not (arguments.radius is None and arguments.neighbours is None):
+        raise UsageError(
+            "validate: --radius and --neighbours do not apply to --distance-to point; omit them "
+            "or use --distance-to plane."
+        )
+    usual = USUAL_NEIGHBOURS[kind]
+    model = LocalModel(
+        kind, usual if arguments.neighbours is None else arguments.neighbours, arguments.radius
+    )
+    with opened_project(arguments.project, change=True) as project:
+        with ConsoleProgress() as progress:
+            survey = load_survey(project, progress=progress)
+            project = validated(project, survey, model=model, progress=progress)
+        projects.save_project(project)
+    true = rms_with_truth(project, survey)
+    if arguments.json:
+        print_json(
+            {
+                "validation": json_values(
+                    [ValidationPlane.of(each) for each in project.validation]
+                ),
+                "rms_truth_m": true,
+                "not_compared": {
+                    name: english_text(why) for name, why in project.not_compared.items()
+                },
+                "warnings": warnings_as_json(project_warnings(project)),
+            }
+        )
+    else:
+        print_validation(project, true)
+
+
+def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
+    """RMS distance between the lines on each plane with the simulated boresight, metres."""
+    from lispac.workflow.checking.validation import validate_with_truth
+
+    if project.truth_deg is None:
+        return {}
+    return {each.name: each.after.rms for each in validate_with_truth(project, survey)}
+
+
+def print_validation(project: Project, true: Mapping[str, float]) -> None:
+    """The distances between the lines on each plane, one row a plane."""
+    from lispac.duplicate_targets import project_warnings
+    from lispac.language import to_plain_text
+    from lispac.present.tables import PLAIN_MILLIMETRES, Column
+    from lispac.present.validation import PLANE_DISTANCES, ValidationPlane
+
+    table = PLANE_DISTANCES
+    if true:
+        with_truth = Column[ValidationPlane](
+            lambda plane: true.get(plane.name), "RMS with truth", PLAIN_MILLIMETRES
+        )
+        table = replace(table, columns=(*table.columns, with_truth))
+    print_table(table, [ValidationPlane.of(each) for each in project.validation])
+    for reason in project.not_compared.values():
+        print(f"not compared: {message_text(reason)}")
+    for message in project_warnings(project):
+        print(f"note: {to_plain_text(message_text(message))}")

@@ -1,0 +1,82 @@
+"""Options for LiDAR noise and offsets, shared by ``lispac new`` and ``lispac estimate``."""
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Mapping
+from typing import Any
+
+from lispac.cli.argument_types import finite_number, positive_number
+
+
+def add_noise_options(parser: ArgumentParser) -> None:
+    """Add the options for the LiDAR noise, in one of four forms."""
+    noise = parser.add_mutually_exclusive_group()
+    noise.add_argument(
+        "--lidar-sigma",
+        type=positive_number,
+        metavar="METRES",
+        help="LiDAR noise on each axis, 1 sigma (m; default of a new project 0.005)",
+    )
+    noise.add_argument(
+        "--lidar-sigma-xyz", type=positive_number, nargs=3, metavar=("X", "Y", "Z"),
+        help="instead of --lidar-sigma: LiDAR noise along each axis of the scanner, 1 sigma (m)",
+    )  # fmt: skip
+    noise.add_argument(
+        "--lidar-beam-sigma", type=positive_number, nargs=2, metavar=("RANGE", "ANGLE"),
+        help="instead of --lidar-sigma: LiDAR noise of the range (m) and of the beam direction "
+        "(deg), 1 sigma",
+    )  # fmt: skip
+    noise.add_argument(
+        "--scanner",
+        metavar="NAME",
+        help="instead of --lidar-sigma: LiDAR noise of a scanner listed by `lispac sensors`",
+    )
+
+
+def add_offset_options(parser: ArgumentParser) -> None:
+    """Add the options for the range offset, scan angle offset and latency."""
+    for name, unit, text in (
+        ("range-offset", "METRES", "range offset, added to every range (m; default 0)"),
+        (
+            "scan-angle-offset",
+            "DEGREES",
+            "scan-angle offset, rotation of every beam about the x axis of the scanner (deg; "
+            "default 0)",
+        ),
+        (
+            "latency",
+            "SECONDS",
+            "latency, added to the time of every point before the trajectory is interpolated (s; "
+            "default 0)",
+        ),
+    ):
+        parser.add_argument(f"--{name}", type=finite_number, metavar=unit, help=f"prior {text}")
+
+
+def noise_and_offset_settings(arguments: Namespace) -> Mapping[str, Any]:
+    """Settings of LiDAR noise and offsets given on the command line."""
+    changes: dict[str, Any] = {}
+    if arguments.scanner is not None:
+        from lispac.workflow.planning.sensors import (
+            noise_settings,
+            read_library,
+            user_sensors_folder,
+        )
+
+        changes = noise_settings(read_library(user_sensors_folder()).scanner(arguments.scanner))
+    noise = {
+        "lidar_sigma": arguments.lidar_sigma,
+        "lidar_sigma_xyz": arguments.lidar_sigma_xyz and tuple(arguments.lidar_sigma_xyz),
+        "lidar_beam_sigma": arguments.lidar_beam_sigma and tuple(arguments.lidar_beam_sigma),
+    }
+    if any(value is not None for value in noise.values()):
+        # One way of stating it takes the place of another.
+        changes = {"lidar_sigma_xyz": None, "lidar_beam_sigma": None}
+        changes |= {name: value for name, value in noise.items() if value is not None}
+    for setting, value in (
+        ("range_offset", arguments.range_offset),
+        ("scan_angle_offset_deg", arguments.scan_angle_offset),
+        ("latency", arguments.latency),
+    ):
+        if value is not None:
+            changes[setting] = value
+    return changes

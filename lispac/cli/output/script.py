@@ -1,0 +1,41 @@
+"""``lispac script``: a project's steps as Python."""
+
+import sys
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from lispac.cli.argument_types import add_json_option
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.message_texts import message_text
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
+    parser.add_argument(
+        "--output", type=Path, metavar="FILE", help="script file (default: print it)"
+    )
+    add_json_option(parser)
+
+
+def run(arguments: Namespace) -> None:
+    """Print or write the script, and report where it differs from the project."""
+    from lispac.workflow.output.script import save_script, script_of
+    from lispac.workflow.project.projects import open_project
+    from lispac.workflow.project.survey import load_survey
+
+    project = open_project(arguments.project)
+    with ConsoleProgress() as progress:
+        survey = load_survey(project, progress=progress)
+        made = script_of(project, survey, progress=progress)
+    if arguments.output is not None:
+        save_script(made, arguments.output)
+    if arguments.json:
+        print_json({"script": made.text, "messages": list(map(message_text, made.messages))})
+    else:
+        print(made.text if arguments.output is None else arguments.output, end="")
+        if arguments.output is not None:
+            print()
+    sys.stdout.flush()
+    for message in made.messages:
+        print(f"note: {message_text(message)}", file=sys.stderr)

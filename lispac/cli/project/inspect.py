@@ -1,0 +1,106 @@
+"""``lispac inspect``: format, assumptions and warnings of a file."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from lispac.cli.argument_types import add_json_option
+from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.messages import message_values
+from lispac.message_texts import fact_text, message_text
+
+if TYPE_CHECKING:
+    from lispac.workflow.importing.file_reading import FileCheck
+
+OPTION_PREFIX = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
+CELL_WIDTH = 14  # characters of a cell of the preview
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument(
+        "file", type=Path, metavar="FILE", help="trajectory, trajectory accuracy or line file"
+    )
+    parser.add_argument("--quick", action="store_true", help="read the first points only")
+    add_json_option(parser)
+
+
+def run(arguments: Namespace) -> None:
+    """Print the preview of a file in each possible format, the most likely first."""
+    from lispac.workflow.importing.file_reading import check_file
+
+    found = check_file(arguments.file)
+    if not arguments.quick:
+        found = _checks_with_audit(arguments.file, found)
+    if arguments.json:
+        print_json(
+            {"file": str(arguments.file), "formats": [_check_values(item) for item in found]}
+        )
+        return
+    print(arguments.file)
+    for item in found:
+        if item.finding is not None or found[0].finding is None:  # one that fits was found first
+            _print_check(item)
+
+
+def _checks_with_audit(path: Path, checks: Sequence[FileCheck]) -> list[FileCheck]:
+    """Checks with the audit of all points, if the most likely format has points."""
+    from lispac.workflow.importing.file_audit import audit_messages
+
+    items = list(checks)
+    if items and items[0].finding is not None and items[0].format.kind == "points":
+        finding = items[0].finding
+        with ConsoleProgress() as progress:
+            audit = audit_messages(path, items[0].format, finding.choice, progress=progress)
+        items[0] = replace(items[0], finding=replace(finding, messages=(*finding.messages, *audit)))
+    return items
+
+
+def _print_check(item: FileCheck) -> None:
+    from lispac.language import to_plain_text
+
+    sure = (
+        "certainly" if item.confidence >= 1 else "probably" if item.confidence > 0.5 else "perhaps"
+    )
+    name = message_text(item.format.name)
+    print(f"\n{sure} {name} (--{OPTION_PREFIX[item.format.kind]}-format {item.format.key})")
+    if item.finding is None:
+        reason = to_plain_text(message_text(item.error)) if item.error else ""
+        print(f"  cannot be read: {reason}")
+        return
+    for name, value in item.finding.facts.items():
+        print(f"  {name:20s} {fact_text(value)}")
+    resolved = item.format.resolved(item.finding.choice)
+    for option in item.format.options:
+        among = f" ({', '.join(c for c in option.choices if c)})" if option.choices else ""
+        print(f"  option {option.name}={resolved[option.name]}{among}: {option.meaning}")
+    for assumption in item.finding.assumptions:
+        print(f"  assumed: {to_plain_text(message_text(assumption))}")
+    for row in item.finding.rows[:4]:
+        print("  " + " ".join(f"{cell[:CELL_WIDTH]:>{CELL_WIDTH}s}" for cell in row[:8]))
+    for message in (*item.finding.file_warnings, *item.finding.messages):
+        print(f"  {message.level}: {to_plain_text(message_text(message))}")
+
+
+def _check_values(item: FileCheck) -> dict[str, Any]:
+    from lispac.language import to_plain_text
+
+    finding = item.finding
+    messages = (*finding.file_warnings, *finding.messages) if finding else ()
+    return {
+        "format": item.format.key,
+        "name": message_text(item.format.name),
+        "kind": item.format.kind,
+        "confidence": item.confidence,
+        "error": to_plain_text(message_text(item.error)) if item.error else "",
+        "facts": {name: fact_text(fact) for name, fact in finding.facts.items()} if finding else {},
+        "options": item.format.resolved(finding.choice) if finding else {},
+        "assumptions": [to_plain_text(message_text(a)) for a in finding.assumptions]
+        if finding
+        else [],
+        "messages": [message_values(each) for each in messages],
+    }

@@ -1,0 +1,1 @@
+"""Services of the window: settings, tasks, actions, questions to the user."""

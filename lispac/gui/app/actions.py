@@ -1,0 +1,205 @@
+"""Actions of a window: one record each, from which menus, toolbar and shortcuts are made."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, QSize, Qt
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
+from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
+
+from lispac.gui.appearance import theme
+from lispac.language import gettext
+
+Keys = QKeySequence.StandardKey
+Key = str | QKeySequence.StandardKey
+
+
+@dataclass(frozen=True)
+class ActionRecord:
+    """One action. Its function is connected by `Actions.connect_slots`.
+
+    Attributes
+    ----------
+    name : name of the action
+    text, tip : menu text and tip, marked with `N_`
+    menu : name of the menu, number of the group in it and position in the group
+    toolbar : number of the group in the toolbar and position in it; None where it is not there
+    short : text in the toolbar
+    icon : name of a Material icon
+    keys : shortcut, or several
+    toggles : whether it is on or off by itself
+    choice : name of a choice, one action of which is on; the first at first
+    number : of a step of the workflow, in the tip
+    """
+
+    name: str
+    text: str
+    tip: str
+    menu: tuple[str, int, int]
+    toolbar: tuple[int, int] | None = None
+    short: str = ""
+    icon: str = ""
+    keys: Key | tuple[Key, ...] = ""
+    toggles: bool = False
+    choice: str = ""
+    number: int = 0
+
+    @property
+    def texts(self) -> tuple[str, str]:
+        """Menu text and tip in the language of the window."""
+        if self.number:
+            return f"&{gettext(self.text)}", gettext(self.tip, number=self.number)
+        return gettext(self.text), gettext(self.tip)
+
+
+@dataclass(frozen=True)
+class Menu:
+    """A menu, or a submenu with its place in a menu."""
+
+    title: str
+    menu: str = ""
+    group: int = 0
+    position: int = 0
+
+
+def by_name(*records: ActionRecord) -> dict[str, ActionRecord]:
+    """Actions by their names."""
+    return {each.name: each for each in records}
+
+
+def dialog_title(record: ActionRecord) -> str:
+    """Title of the dialogue that an action opens: its menu text without mnemonic and ellipsis."""
+    return record.texts[0].replace("&", "").removesuffix("…").rstrip()
+
+
+def menu_groups(
+    menu: str, records: Mapping[str, ActionRecord], menus: Mapping[str, Menu]
+) -> list[list[str]]:
+    """Names of the actions and submenus of a menu, in the groups that lines divide."""
+    places = [(*each.menu[1:], name) for name, each in records.items() if each.menu[0] == menu]
+    places += [
+        (each.group, each.position, name) for name, each in menus.items() if each.menu == menu
+    ]
+    groups: dict[int, list[str]] = {}
+    for group, _, name in sorted(places):
+        groups.setdefault(group, []).append(name)
+    return list(groups.values())
+
+
+class Actions(QObject):
+    """Actions of a window, by name, with its menus and its toolbar.
+
+    Parameters
+    ----------
+    records, menus : by name
+    prefix : beginning of the object names
+    """
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        records: Mapping[str, ActionRecord],
+        menus: Mapping[str, Menu],
+        prefix: str = "action",
+    ) -> None:
+        super().__init__(window)
+        self._window, self._records, self._menus = window, records, menus
+        self._prefix = prefix
+        self.submenus = {
+            name: QMenu(gettext(each.title), window) for name, each in menus.items() if each.menu
+        }
+        self._by_name = {name: self._create_action(each) for name, each in records.items()}
+        self._create_choices()
+
+    def __getitem__(self, name: str) -> QAction:
+        return self._by_name[name]
+
+    def connect_slots(self, slots: Mapping[str, Callable[[], object]]) -> None:
+        """Call a function without arguments when the action of its name is triggered."""
+        for name, slot in slots.items():
+            self[name].triggered.connect(lambda _=False, slot=slot: slot())
+
+    def connect_undo_stack(self, stack: QUndoStack) -> None:
+        """Connect the actions ``undo`` and ``redo``, with the name of the edit in their texts."""
+        stack.canUndoChanged.connect(self["undo"].setEnabled)
+        stack.canRedoChanged.connect(self["redo"].setEnabled)
+        stack.undoTextChanged.connect(self._set_undo_text)
+        stack.redoTextChanged.connect(self._set_redo_text)
+        self.connect_slots({"undo": stack.undo, "redo": stack.redo})
+        # A window made anew begins with the steps of the former one
+        self["undo"].setEnabled(stack.canUndo())
+        self["redo"].setEnabled(stack.canRedo())
+        self._set_undo_text(stack.undoText())
+        self._set_redo_text(stack.redoText())
+
+    def _set_undo_text(self, edit: str) -> None:
+        self["undo"].setText(gettext("&Undo {edit}", edit=edit) if edit else gettext("&Undo"))
+        self["undo"].setIconText(gettext("Undo"))
+
+    def _set_redo_text(self, edit: str) -> None:
+        self["redo"].setText(gettext("&Redo {edit}", edit=edit) if edit else gettext("&Redo"))
+        self["redo"].setIconText(gettext("Redo"))
+
+    def fill_menus(self, panels: Iterable[QAction] = ()) -> None:
+        """Build the menu bar; ``panels`` are the actions at the top of the menu of the panels."""
+        for action in panels:
+            self.submenus["Panels"].addAction(action)
+        for name, menu in self._menus.items():
+            if not menu.menu:
+                self._fill_menu(self._window.menuBar().addMenu(gettext(menu.title)), name)
+
+    def _fill_menu(self, menu: QMenu, name: str) -> None:
+        for group in menu_groups(name, self._records, self._menus):
+            if not menu.isEmpty():
+                menu.addSeparator()
+            for entry in group:
+                if entry in self._menus:
+                    menu.addMenu(self.submenus[entry])
+                    self._fill_menu(self.submenus[entry], entry)
+                else:
+                    menu.addAction(self[entry])
+
+    def create_toolbar(self, name: str) -> QToolBar:
+        """Add the toolbar to the window."""
+        bar = self._window.addToolBar(gettext("Toolbar"))
+        bar.setObjectName(name)
+        bar.setMovable(False)
+        bar.setIconSize(QSize(20, 20))
+        bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+        shown = sorted((each.toolbar, each.name) for each in self._records.values() if each.toolbar)
+        former = shown[0][0]
+        for place, action in shown:
+            if place[0] != former[0]:
+                bar.addSeparator()
+            former = place
+            bar.addAction(self[action])
+        return bar
+
+    def _create_choices(self) -> None:
+        """Make the actions of each choice exclude each other."""
+        groups: dict[str, QActionGroup] = {}
+        for name, record in self._records.items():
+            action = self[name]
+            action.setCheckable(record.toggles or bool(record.choice))
+            if record.choice:
+                if record.choice not in groups:
+                    groups[record.choice] = QActionGroup(self._window)
+                    action.setChecked(True)
+                groups[record.choice].addAction(action)
+
+    def _create_action(self, record: ActionRecord) -> QAction:
+        text, tip = record.texts
+        action = QAction(text, self._window)
+        action.setObjectName(f"{self._prefix}_{record.name}")
+        if record.short:
+            action.setIconText(gettext(record.short))
+        if record.icon:
+            action.setIcon(theme.icon(record.icon))
+        if isinstance(record.keys, tuple):
+            action.setShortcuts([QKeySequence(key) for key in record.keys])
+        elif record.keys:
+            action.setShortcut(QKeySequence(record.keys))
+        shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(f"{tip} ({shown})" if shown else tip)
+        action.setStatusTip(tip)
+        return action

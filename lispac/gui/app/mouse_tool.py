@@ -1,0 +1,83 @@
+"""Assignment of the left mouse button to one tool, started by its action, ended by Esc."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QKeySequence
+
+from lispac.gui.app.actions import Actions
+from lispac.gui.viewport.base import MouseMode, PickedPoint, Viewport
+from lispac.language import gettext
+
+
+class MouseTool(QObject):
+    """Assigns the left mouse button to one tool at a time.
+
+    Esc belongs to the running tool; without one it rejects the plane found, as ever.
+    """
+
+    def __init__(self, viewport: Viewport, actions: Actions) -> None:
+        super().__init__(actions)
+        self._viewport, self._actions = viewport, actions
+        self._tool = ""
+        self._pointed: Callable[[PickedPoint], None] = lambda _point: None
+        self._outlined: Callable[[object], None] = lambda _corners: None
+        self._ended: Callable[[], None] = lambda: None
+        viewport.signals.pointed.connect(self._pass_point)
+        viewport.signals.outlined.connect(lambda corners: self._outlined(corners))
+        actions["end_tool"].triggered.connect(lambda _=False: self.end())
+        actions["end_tool"].setEnabled(False)
+
+    @property
+    def tool(self) -> str:
+        """Name of the action of the active tool; empty for none."""
+        return self._tool
+
+    def begin(
+        self,
+        tool: str,
+        hint: str,
+        *,
+        pointed: Callable[[PickedPoint], None] | None = None,
+        outlined: Callable[[object], None] | None = None,
+        ended: Callable[[], None],
+    ) -> None:
+        """Activate the tool of an action and end the former one.
+
+        Parameters
+        ----------
+        hint : what a click does, to be read above the picture
+        pointed, outlined : takes each point, or each outline in pixels (n, 2)
+        ended : called once, when the tool loses the mouse
+        """
+        self.end()
+        self._tool, self._ended = tool, ended
+        mode: MouseMode = "point"
+        if pointed is not None:
+            self._pointed = pointed
+        if outlined is not None:
+            mode, self._outlined = "outline", outlined
+        self._actions["reject"].setShortcut(QKeySequence())
+        self._actions["end_tool"].setEnabled(True)
+        self._actions[tool].setChecked(True)
+        self.hint(hint, mode)
+
+    def hint(self, text: str, mode: MouseMode = "point") -> None:
+        """Show the hint for the next click."""
+        self._viewport.set_mouse(mode, gettext("{hint}   ·   Esc: end", hint=text))
+
+    def end(self) -> None:
+        """End the active tool; the mouse then navigates the view."""
+        if not self._tool:
+            return
+        tool, self._tool = self._tool, ""
+        self._pointed, self._outlined = lambda _point: None, lambda _corners: None
+        self._actions[tool].setChecked(False)
+        self._actions["end_tool"].setEnabled(False)
+        self._actions["reject"].setShortcut(QKeySequence("Esc"))
+        self._viewport.set_mouse("navigate")
+        self._ended()
+
+    def _pass_point(self, point: PickedPoint | None) -> None:
+        if point is not None:
+            self._pointed(point)

@@ -1,0 +1,106 @@
+"""Colours of the points: by line, or by a value of each point.
+
+What was left after the adjustment at the points of targets is coloured in `residuals`.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.gui.appearance import units
+from lispac.gui.viewport.base import Array, PointColouring
+from lispac.language import N_, gettext
+from lispac.survey.cloud import Cloud
+
+Colouring = Literal["line", "height", "intensity", "range", "time", "residual"]
+COLOURINGS: tuple[Colouring, ...] = get_args(Colouring)
+
+Scale = Literal["viridis", "cividis", "gray", "turbo"]
+SCALES: Mapping[Scale, tuple[float, float]] = MappingProxyType(
+    {"viridis": (0.0, 0.94), "cividis": (0.0, 0.94), "gray": (0.30, 0.74), "turbo": (0.03, 0.97)}
+)
+"""Scales of colours for what was measured, and what is used of each from 0 to 1.
+
+The first is even in lightness, so that it is read without distinguishing colours; the ends of
+some would be lost on the bright or the dark ground.
+"""
+OUTER_PERCENT = 2.0
+"""Percent at either end with the last colour, so that outliers do not determine the scale."""
+MAX_SAMPLE = 100_000
+"""Points of a line that determine the ends of the scale."""
+
+TITLES: dict[Colouring, str] = {
+    "height": N_("Height (m)"),
+    "intensity": N_("Intensity"),
+    "range": N_("Range (m)"),
+    "time": N_("Time since the start of the first line (s)"),
+}
+
+
+_scale: Scale = "viridis"
+
+
+def set_colour_scale(scale: Scale) -> None:
+    """Set the colour scale; the window is made again then."""
+    global _scale
+    _scale = scale
+
+
+def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointColouring | None:
+    """Colours of the lines' samples; None where each line has its own colour.
+
+    Raises
+    ------
+    ValueError
+        If a line lacks the values; the text is in the language of the window.
+    """
+    if colouring == "line" or not clouds:
+        return None
+    values = {name: _point_values(colouring, name, cloud) for name, cloud in clouds.items()}
+    sample = np.concatenate([some[:: len(some) // MAX_SAMPLE + 1] for some in values.values()])
+    outer = 0.0 if colouring == "time" else OUTER_PERCENT
+    low, high = (float(end) for end in np.percentile(sample, [outer, 100 - outer]))
+    start = low if colouring == "time" else 0.0
+    scale = _colour_table()
+    colours = {
+        name: scale[_colour_indices(some, low, high, len(scale))] for name, some in values.items()
+    }
+    decimals = 0 if high - low >= 20 else 1 if high - low >= 2 else 2
+    form, length = f",.{decimals}f", colouring in ("height", "range")
+    metric = (
+        units.localised(f"{low - start:{form}}"), units.localised(f"{high - start:{form}}")
+    )  # fmt: skip
+    shown = (
+        (units.local_figure(low, "m", form), units.local_figure(high, "m", form))
+        if length
+        else metric
+    )
+    return PointColouring(colours, gettext(TITLES[colouring]), *shown, scale, metric)
+
+
+def _point_values(colouring: Colouring, name: str, cloud: Cloud) -> Array:
+    if colouring == "height":
+        return cloud.sample[:, 2]
+    if colouring == "range":
+        return cloud.sample_range
+    if colouring == "time":
+        return cloud.sample_time
+    intensity = cloud.sample_intensity
+    if intensity is None:
+        raise ValueError(gettext("{line} has no intensities. Choose another colouring.", line=name))
+    return intensity
+
+
+def _colour_indices(values: Array, low: float, high: float, count: int) -> NDArray[np.int64]:
+    span = high - low or 1.0
+    return np.clip((values - low) * (count / span), 0, count - 1).astype(np.int64)
+
+
+def _colour_table() -> NDArray[np.uint8]:
+    from matplotlib import colormaps
+
+    shares = np.linspace(*SCALES[_scale], 256)
+    return np.asarray(np.round(255 * colormaps[_scale](shares)[:, :3]), dtype=np.uint8)

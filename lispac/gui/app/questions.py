@@ -1,0 +1,233 @@
+"""Message boxes with a question, and the message box for errors."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Literal
+
+from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QPushButton, QWidget
+
+from lispac.errors import LispacError
+from lispac.gui import widgets
+from lispac.gui.app.log_file import LOG
+from lispac.gui.widgets.error_box import error_box, error_text_and_details
+from lispac.language import Plural, gettext
+
+SaveChoice = Literal["save", "discard", "cancel"]
+CandidateChoice = Literal["accept", "reject", "cancel"]
+DropChoice = Literal["add", "new", "cancel"]
+MAX_NAMED_FILES = 8
+"""Missing files that are listed by name."""
+
+
+def run_dialog(dialog: QDialog) -> bool:
+    """Show a dialogue until it is closed, and delete it; return whether it was accepted."""
+    accepted = dialog.exec() == QDialog.DialogCode.Accepted
+    dialog.deleteLater()
+    return accepted
+
+
+class Questions:
+    """Questions to the user, asked in message boxes."""
+
+    def __init__(self) -> None:
+        self.parent: QWidget | None = None
+        self._error_open = False
+
+    def ask_to_add(self, name: str) -> DropChoice:
+        """Ask whether dropped files are added to the open project or make a new one."""
+        box = widgets.MessageBox(
+            QMessageBox.Icon.Question, "LISPAC",
+            gettext("Add the files to {project}?", project=name),
+            QMessageBox.StandardButton.Cancel, self.parent,
+        )  # fmt: skip
+        box.setObjectName("drop_dialog")
+        box.setInformativeText(
+            gettext(
+                "Added lines are checked against the trajectory of the project, and its targets "
+                "are kept. Create a new project for files of another survey."
+            )
+        )
+        add = box.addButton(
+            gettext("Add to {project}", project=name), QMessageBox.ButtonRole.AcceptRole
+        )
+        new = box.addButton(gettext("New project"), QMessageBox.ButtonRole.ActionRole)
+        box.setDefaultButton(add)
+        box.exec()
+        chosen = box.clickedButton()
+        box.deleteLater()
+        if chosen is add:
+            return "add"
+        return "new" if chosen is new else "cancel"
+
+    def ask_to_save_changes(self, name: str) -> SaveChoice:
+        """Ask whether to save a changed project before it is closed."""
+        buttons = QMessageBox.StandardButton
+        box = widgets.MessageBox(
+            QMessageBox.Icon.Question,
+            "LISPAC",
+            gettext("Save the changes to {project}?", project=name),
+            buttons.Save | buttons.Discard | buttons.Cancel,
+            self.parent,
+        )
+        box.setInformativeText(gettext("Unsaved changes will be lost."))
+        # Qt's own label differs between systems, and its French one is poor
+        box.button(buttons.Discard).setText(gettext("Do not save"))
+        box.setDefaultButton(buttons.Save)
+        chosen = box.exec()
+        box.deleteLater()
+        if chosen == buttons.Save:
+            return "save"
+        return "discard" if chosen == buttons.Discard else "cancel"
+
+    def ask_about_candidate(self, name: str) -> CandidateChoice:
+        """Ask whether to accept or reject the candidate before estimating."""
+        box = widgets.MessageBox(
+            QMessageBox.Icon.Question, "LISPAC",
+            gettext("{target} has been found but not accepted yet.", target=name),
+            QMessageBox.StandardButton.Cancel, self.parent,
+        )  # fmt: skip
+        box.setObjectName("candidate_dialog")
+        box.setInformativeText(gettext("The adjustment uses accepted targets only."))
+        accept = box.addButton(gettext("Accept and estimate"), QMessageBox.ButtonRole.AcceptRole)
+        reject = box.addButton(
+            gettext("Estimate without this target"), QMessageBox.ButtonRole.DestructiveRole
+        )
+        box.setDefaultButton(accept)
+        box.exec()
+        chosen = box.clickedButton()
+        box.deleteLater()
+        if chosen is accept:
+            return "accept"
+        return "reject" if chosen is reject else "cancel"
+
+    def ask_to_recover(self, name: str, when: str) -> bool:
+        """Ask whether to restore unsaved changes after a crash."""
+        box = widgets.MessageBox(
+            QMessageBox.Icon.Question, "LISPAC",
+            gettext("{project} has changes that were not saved when the program ended.",
+                    project=name),
+            parent=self.parent,
+        )  # fmt: skip
+        box.setObjectName("recover_dialog")
+        box.setInformativeText(
+            gettext(
+                "Time of the automatic copy: {when}. One undo step removes the restored changes.",
+                when=when,
+            )
+        )
+        restore = box.addButton(gettext("Restore"), QMessageBox.ButtonRole.AcceptRole)
+        box.addButton(gettext("Discard"), QMessageBox.ButtonRole.DestructiveRole)
+        return self._is_confirmed(box, restore)
+
+    def ask_files_folder(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:
+        """Ask for the folder of the missing files; None if the project stays closed."""
+        box = widgets.MessageBox(
+            QMessageBox.Icon.Question, "LISPAC",
+            gettext(
+                Plural(
+                    "{project}: {count:n} input file is missing.",
+                    "{project}: {count:n} input files are missing.",
+                ),
+                project=name, count=len(missing),
+            ),
+            QMessageBox.StandardButton.Cancel, self.parent,
+        )  # fmt: skip
+        box.setObjectName("files_dialog")
+        shown = [str(path) for path in missing[:MAX_NAMED_FILES]]
+        if more := len(missing) - len(shown):
+            shown.append(
+                gettext(Plural("and {count:n} more file", "and {count:n} more files"), count=more)
+            )
+        advice = gettext(
+            "Choose the folder that contains the files now, or one of its parent folders."
+        )
+        box.setInformativeText("\n".join([*shown, "", advice]))
+        choose = box.addButton(gettext("Choose folder…"), QMessageBox.ButtonRole.AcceptRole)
+        if not self._is_confirmed(box, choose):
+            return None
+        folder = QFileDialog.getExistingDirectory(
+            self.parent, gettext("Folder with the input files of the project"), str(start)
+        )
+        return Path(folder) if folder else None
+
+    def ask_to_open_locked(self, name: str, where: str) -> bool:
+        """Ask whether to open a project that is open in another window."""
+        box = widgets.MessageBox(
+            QMessageBox.Icon.Warning, "LISPAC",
+            gettext("{project} is already open in another window.", project=name),
+            parent=self.parent,
+        )  # fmt: skip
+        box.setObjectName("elsewhere_dialog")
+        place = gettext("The project is open in: {place}.", place=where)
+        effect = gettext(
+            "If both windows save the project, the later save overwrites the earlier one. Unsaved "
+            "changes of this window cannot be restored after a crash."
+        )
+        box.setInformativeText(f"{place}\n{effect}")
+        stay = box.addButton(gettext("Do not open"), QMessageBox.ButtonRole.RejectRole)
+        open_it = box.addButton(gettext("Open anyway"), QMessageBox.ButtonRole.DestructiveRole)
+        box.setDefaultButton(stay)
+        box.setEscapeButton(stay)
+        return self._is_confirmed(box, open_it, default=stay)
+
+    def ask_to_overwrite(self, name: str) -> bool:
+        """Ask whether to overwrite a project that another program has changed."""
+        box = widgets.MessageBox(
+            QMessageBox.Icon.Warning, "LISPAC",
+            gettext("{project} was changed by another program after it was opened.", project=name),
+            QMessageBox.StandardButton.Cancel, self.parent,
+        )  # fmt: skip
+        box.setObjectName("overwrite_dialog")
+        box.setInformativeText(
+            gettext(
+                "If you overwrite the project, the changes of the other program are lost. To keep "
+                "both, save the project in another folder with File > Save as…."
+            )
+        )
+        anyway = box.addButton(gettext("Overwrite"), QMessageBox.ButtonRole.DestructiveRole)
+        cancel = box.button(QMessageBox.StandardButton.Cancel)
+        return self._is_confirmed(box, anyway, default=cancel)
+
+    @staticmethod
+    def confirm_leave(dialog: QWidget) -> bool:
+        """Ask whether to close the import dialogue without importing its files."""
+        box = widgets.MessageBox(
+            QMessageBox.Icon.Question, "LISPAC", gettext("Close without importing the files?"),
+            parent=dialog,
+        )  # fmt: skip
+        box.setObjectName("leave_dialog")
+        box.setInformativeText(
+            gettext("The import settings will be lost. The files are not changed.")
+        )
+        stay = box.addButton(gettext("Continue importing"), QMessageBox.ButtonRole.RejectRole)
+        confirm_leave = box.addButton(
+            gettext("Close without importing"), QMessageBox.ButtonRole.DestructiveRole
+        )
+        box.setEscapeButton(stay)
+        return Questions._is_confirmed(box, confirm_leave, default=stay)
+
+    @staticmethod
+    def _is_confirmed(
+        box: QMessageBox, yes: QPushButton, default: QPushButton | None = None
+    ) -> bool:
+        box.setDefaultButton(default or yes)
+        box.exec()
+        chosen = box.clickedButton() is yes
+        box.deleteLater()
+        return chosen
+
+    def show_error(self, error: BaseException) -> None:
+        """Show an error, unless another one is being shown."""
+        LOG.error(
+            error_text_and_details(error)[0],
+            exc_info=None if isinstance(error, LispacError) else error,
+        )
+        if self._error_open:
+            return
+        self._error_open = True
+        try:
+            box = error_box(self.parent, error)
+            box.exec()
+            box.deleteLater()
+        finally:
+            self._error_open = False

@@ -1,0 +1,218 @@
+"""Settings that the window stores between runs, and folders that it proposes."""
+
+import json
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
+
+from lispac import caches
+from lispac.caches import usable_cache_folder
+from lispac.gui.app.point_colours import SCALES, Scale
+from lispac.gui.appearance.units import ANGLES, LENGTHS
+from lispac.gui.viewport.decimation import Budget
+from lispac.installation_paths import home_folder
+from lispac.language import LANGUAGES
+from lispac.untrusted_values import json_values
+from lispac.workflow.planning.sensors import user_sensors_folder
+
+MAX_RECENT = 8
+REPORT_KEYS = ("template", "page", "convention", "language")
+THEMES = ("system", "light", "dark")
+POINT_SIZES = range(1, 13)  # pixels
+POINT_SIZE = 2
+POINT_BUDGETS = range(100_000, 20_000_001)
+
+
+class AppSettings:
+    """Recent projects, layout and preferences, stored in the user's cache folder.
+
+    Parameters
+    ----------
+    file : Path or None
+        An INI file to use instead.
+    """
+
+    def __init__(self, file: Path | None = None) -> None:
+        # The cache folder is the one place outside the project folders the program writes to;
+        # what is kept here is convenient but can be lost.
+        cache = QStandardPaths.writableLocation(
+            QStandardPaths.StandardLocation.GenericCacheLocation
+        )
+        place = caches.cache_folder_in(Path(cache))
+        path = caches.writable_or_temporary_folder(place) / "window.ini" if file is None else file
+        self.folder = path.parent
+        # One's own sensors are work, so they are kept where nothing is thrown away.
+        self._config = None if file is None else path.parent
+        self._sensors = user_sensors_folder() if file is None else path.parent / "sensors"
+        self._store = QSettings(str(path), QSettings.Format.IniFormat)
+
+    def recent(self) -> list[Path]:
+        """Folders of the recent projects, the newest first."""
+        stored = self._store.value("recent", [])
+        names = [stored] if isinstance(stored, str) else list(stored or [])
+        return [Path(name) for name in names if name]
+
+    def add_recent(self, folder: Path) -> None:
+        """Put a project folder first in the list of recent projects."""
+        others = [known for known in self.recent() if known != folder]
+        self._store.setValue("recent", [str(p) for p in [folder, *others][:MAX_RECENT]])
+
+    def clear_recent(self) -> None:
+        """Clear the list of recent projects."""
+        self._store.setValue("recent", [])
+
+    @property
+    def last_project(self) -> Path | None:
+        """The project that was open when the program ended without being closed."""
+        name = str(self._store.value("left_open", ""))
+        return Path(name) if name else None
+
+    @last_project.setter
+    def last_project(self, folder: Path | None) -> None:
+        self._store.setValue("left_open", "" if folder is None else str(folder))
+        self._store.sync()
+
+    def layout(self) -> tuple[QByteArray, QByteArray] | None:
+        """Geometry and state of the window; None if it has not been open before."""
+        geometry, state = self._store.value("geometry"), self._store.value("docks")
+        if isinstance(geometry, QByteArray) and isinstance(state, QByteArray):
+            return geometry, state
+        return None
+
+    def save_layout(self, geometry: QByteArray, state: QByteArray) -> None:
+        """Store geometry and state of the window."""
+        self._store.setValue("geometry", geometry)
+        self._store.setValue("docks", state)
+
+    def column_mappings(self) -> dict[str, str]:
+        """Columns chosen for text files, by their layout."""
+        try:
+            stored = json_values(str(self._store.value("columns", "{}")))
+        except ValueError:
+            return {}
+        return {str(k): str(v) for k, v in stored.items()} if isinstance(stored, dict) else {}
+
+    def save_column_mappings(self, mappings: dict[str, str]) -> None:
+        """Store the columns for the next file with the same layout."""
+        if mappings:
+            kept = self.column_mappings() | mappings
+            self._store.setValue("columns", json.dumps(kept))
+
+    @property
+    def point_size(self) -> int:
+        """Size of a drawn point, pixels."""
+        stored = str(self._store.value("point_size", POINT_SIZE))
+        known = {str(size): size for size in POINT_SIZES}
+        return known.get(stored, POINT_SIZE)
+
+    @point_size.setter
+    def point_size(self, pixels: int) -> None:
+        self._store.setValue("point_size", pixels)
+
+    @property
+    def point_budget(self) -> int:
+        """Largest number of points drawn at rest."""
+        stored = str(self._store.value("point_budget", ""))
+        known = stored.isdecimal() and int(stored) in POINT_BUDGETS
+        return int(stored) if known else Budget().resting
+
+    @point_budget.setter
+    def point_budget(self, points: int) -> None:
+        self._store.setValue("point_budget", points)
+
+    @property
+    def language_chosen(self) -> str:
+        """Code of the chosen language; empty for that of the system."""
+        chosen = str(self._store.value("language", ""))
+        return chosen if chosen in LANGUAGES else ""
+
+    @property
+    def language(self) -> str:
+        """Code of the window's language: the chosen one, or the system's if available."""
+        chosen = str(self._store.value("language", ""))
+        system = QLocale.system().name().partition("_")[0]
+        return next((code for code in (chosen, system) if code in LANGUAGES), "en")
+
+    @language.setter
+    def language(self, code: str) -> None:
+        self._store.setValue("language", code)
+
+    @property
+    def theme(self) -> str:
+        """Theme, one of `THEMES`: system, light or dark."""
+        chosen = str(self._store.value("theme", ""))
+        return chosen if chosen in THEMES else THEMES[0]
+
+    @theme.setter
+    def theme(self, choice: str) -> None:
+        self._store.setValue("theme", choice)
+
+    @property
+    def colour_scale(self) -> Scale:
+        """Colour scale of measured values at the points."""
+        chosen = str(self._store.value("colour_scale", ""))
+        return next((scale for scale in SCALES if scale == chosen), next(iter(SCALES)))
+
+    @colour_scale.setter
+    def colour_scale(self, scale: Scale) -> None:
+        self._store.setValue("colour_scale", scale)
+
+    @property
+    def sensors(self) -> Path:
+        """Folder of the user's own sensors."""
+        return self._sensors
+
+    @property
+    def usual_sensors(self) -> tuple[str, str]:
+        """Names of scanner and INS/GNSS that new projects begin with; empty for none."""
+        return str(self._store.value("scanner", "")), str(self._store.value("pos", ""))
+
+    @usual_sensors.setter
+    def usual_sensors(self, names: tuple[str, str]) -> None:
+        for key, name in zip(("scanner", "pos"), names, strict=True):
+            self._store.setValue(key, name)
+
+    @property
+    def units(self) -> tuple[str, str]:
+        """Keys of the units of angles and lengths that the window shows."""
+        angles, lengths = (str(self._store.value(key, "")) for key in ("angles", "lengths"))
+        return (
+            angles if angles in ANGLES else next(iter(ANGLES)),
+            lengths if lengths in LENGTHS else next(iter(LENGTHS)),
+        )
+
+    @units.setter
+    def units(self, keys: tuple[str, str]) -> None:
+        for name, key in zip(("angles", "lengths"), keys, strict=True):
+            self._store.setValue(name, key)
+
+    @property
+    def cache_folder(self) -> Path | None:
+        """Folder that contains the cache; None for the system's."""
+        return caches.chosen_folder(self._config)
+
+    @cache_folder.setter
+    def cache_folder(self, folder: Path | None) -> None:
+        caches.choose_folder(folder, self._config)
+
+    def report_choice(self) -> tuple[str, str, str, str]:
+        """Last template, page, convention and language of the report."""
+        a, b, c, d = (str(self._store.value(f"report_{k}", "")) for k in REPORT_KEYS)
+        return a, b, c, d
+
+    def save_report_choice(self, choice: tuple[str, str, str, str]) -> None:
+        """Store the choices for the next report."""
+        for key, text in zip(REPORT_KEYS, choice, strict=True):
+            self._store.setValue(f"report_{key}", text)
+
+    def sync(self) -> None:
+        """Write the settings now."""
+        self._store.sync()
+
+
+def folder_outside_cache(folder: Path) -> Path:
+    """The folder, or the user's documents if it lies in the cache, which may be emptied."""
+    if not folder.is_relative_to(usable_cache_folder()):
+        return folder
+    documents = QStandardPaths.StandardLocation.DocumentsLocation
+    return Path(QStandardPaths.writableLocation(documents) or home_folder())

@@ -1,0 +1,74 @@
+"""Status bar: progress and time left of the running task, its Cancel button, the last note."""
+
+import time
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
+
+from lispac.gui import widgets
+from lispac.gui.app.tasks import Task
+from lispac.language import duration_text, gettext
+from lispac.progress import PointProgress
+
+SHOW_DELAY_S = 0.3
+"""Seconds a quiet task may take before it is shown."""
+
+
+class TaskStatusBar(QStatusBar):
+    """Status bar of the window."""
+
+    cancel_requested = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizeGripEnabled(False)
+        self.text = QLabel()
+        self.text.setTextFormat(Qt.TextFormat.PlainText)
+        self.text.setObjectName("task_text")
+        self.bar = QProgressBar()
+        self.bar.setObjectName("task_progress")
+        self.bar.setRange(0, 1000)
+        self.bar.setFixedWidth(200)
+        self.cancel = widgets.button(
+            gettext("Cancel"),
+            "cancel_task",
+            tip=gettext("Cancel the running task; the project stays unchanged"),
+        )
+        self.cancel.setStyleSheet("padding: 1px 10px;")
+        self.cancel.clicked.connect(self.cancel_requested)
+        self._parts = (self.text, self.bar, self.cancel)
+        for each in self._parts:
+            self.addPermanentWidget(each)
+            each.hide()
+
+    def show_task(self, task: Task | None) -> None:
+        """Show the progress of the running task; None if none runs."""
+        shown = task is not None and not (
+            task.quiet and time.monotonic() - task.started < SHOW_DELAY_S
+        )
+        for each in self._parts:
+            each.setVisible(shown)
+        if task is None or not shown:
+            return
+        if task.cancel.is_set():
+            self.text.setText(gettext("{task}: stopping…", task=task.title))
+        else:
+            self.text.setText(_progress_text(task))
+        self.bar.setValue(round(task.fraction * 1000))
+        self.cancel.setEnabled(not task.cancel.is_set())
+
+
+def _progress_text(task: Task) -> str:
+    """Text of a task: its step, rate and time left."""
+    step = task.title if task.step is None else task.step
+    elapsed = time.monotonic() - task.started
+    left = task.seconds_left()
+    if left is None or elapsed <= 1.0:
+        return str(step)
+    time_left = duration_text(left)
+    if isinstance(step, PointProgress) and step.rate is not None:
+        return "  ·  ".join((step.without_time_left(), gettext("{time} left", time=time_left)))
+    pace = gettext(
+        "{rate:percent.0} %/s, {time} left", rate=task.fraction / elapsed, time=time_left
+    )
+    return f"{step}  ·  {pace}"

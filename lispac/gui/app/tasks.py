@@ -1,0 +1,228 @@
+"""Background tasks: one runner on the GUI thread, one worker, one cancel flag per task.
+
+The worker runs a function that takes `progress` and returns a value. It only sets numbers of the
+task and checks the cancel flag; the GUI thread reads them twenty times a second, and it alone
+processes the value. A cancelled or failed task changes nothing; a task that has already written its
+files when it is cancelled is reported as completed. A task whose value is shown in a dialogue ends
+before the dialogue opens, and waits until one that is already open is closed.
+"""
+
+import queue
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtWidgets import QApplication
+
+from lispac.errors import Cancelled
+from lispac.gui.app.garbage_collection import MemoryTrimming
+from lispac.language import gettext
+from lispac.progress import Progress, Step
+
+REFRESH_MS = 50
+
+
+@dataclass(eq=False)
+class Task:
+    """Task that runs in the worker or waits.
+
+    Attributes
+    ----------
+    work : takes a Progress, returns a value; runs in the worker
+    done : takes the value; runs on the GUI thread
+    quiet : nobody waits for it, and it gives way to work that somebody waits for
+    key : a later quiet task of the same key takes its place
+    persistent : what it does is on the disk once it has ended, and no longer to be cancelled
+    modal : its value is shown in a dialogue
+    superseded : it was cancelled for other work, not because the user wanted it to stop
+    """
+
+    title: str
+    work: Callable[[Progress], Any]
+    done: Callable[[Any], None]
+    quiet: bool = False
+    key: str = ""
+    persistent: bool = False
+    modal: bool = False
+    superseded: bool = False
+    cancel: threading.Event = field(default_factory=threading.Event)
+    fraction: float = 0.0
+    step: Step | None = None
+    started: float = 0.0
+    value: Any = None
+    error: BaseException | None = None
+
+    def report(self, fraction: float, step: Step | None = None) -> None:
+        """Report the progress of the task; raises `Cancelled` if it was cancelled."""
+        if self.cancel.is_set():
+            raise Cancelled
+        self.fraction = min(max(fraction, 0.0), 1.0)
+        if step is not None:
+            self.step = step
+
+    def clear_data(self) -> None:
+        """Release the data of an ended task; how it ended is kept."""
+        self.work, self.done, self.value = _ignore, _ignore, None
+        if self.error is not None:
+            self.error.__traceback__ = None  # its frames hold them as well
+
+    def seconds_left(self) -> float | None:
+        """Estimated seconds left at the mean rate; None while too little is known."""
+        elapsed = time.monotonic() - self.started
+        if elapsed < 0.5 or self.fraction < 0.02:
+            return None
+        return elapsed * (1 - self.fraction) / self.fraction
+
+
+class TaskRunner(QObject):
+    """Runs tasks one after the other."""
+
+    changed = Signal()
+    """A task started or ended: see `current`."""
+    progress_changed = Signal()
+    """A task started, progressed or ended: see the progress of `current`."""
+    failed = Signal(object)
+    """The exception a task ended with."""
+    stopped = Signal(str)
+    """Title of a cancelled task."""
+    cancelled_too_late = Signal(str)
+    """Text that a task was completed before it could be cancelled."""
+    idle = Signal()
+    """Nothing runs and nothing waits."""
+    _ended = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.current: Task | None = None
+        self._waiting: list[Task] = []
+        self._inbox: queue.SimpleQueue[Task | None] = queue.SimpleQueue()
+        self._worker: threading.Thread | None = None
+        self._closed = False
+        self._timer = QTimer(self)
+        self._timer.setInterval(REFRESH_MS)
+        self._timer.timeout.connect(self.progress_changed)
+        self.changed.connect(self.progress_changed)
+        self._ended.connect(self._finish_task, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a task runs or waits that the user waits for."""
+        return any(not task.quiet for task in self._unfinished_tasks())
+
+    @property
+    def active(self) -> bool:
+        """Whether any task runs or waits."""
+        return bool(self._unfinished_tasks())
+
+    def run(
+        self,
+        title: str,
+        work: Callable[[Progress], Any],
+        done: Callable[[Any], None],
+        *,
+        quiet: bool = False,
+        key: str = "",
+        persistent: bool = False,
+        modal: bool = False,
+    ) -> Task:
+        """Add a task for the worker; ``done`` gets its value on the GUI thread."""
+        task = Task(title, work, done, quiet, key, persistent, modal)
+        for other in self._unfinished_tasks():
+            replaced = key and other.key == key
+            superseded = other.quiet and not quiet
+            if replaced or superseded:
+                other.superseded = True
+                other.cancel.set()
+        self._waiting = [other for other in self._waiting if not other.cancel.is_set()]
+        self._waiting.append(task)
+        self._start_next()
+        return task
+
+    def cancel(self) -> None:
+        """Cancel the running and the waiting tasks."""
+        for task in self._unfinished_tasks():
+            task.cancel.set()
+        self._waiting = []
+        self.changed.emit()
+
+    def close(self) -> None:
+        """Cancel all tasks and wait until the worker has ended."""
+        self._closed = True
+        self.cancel()
+        self._timer.stop()
+        if self._worker is not None:
+            self._inbox.put(None)
+            self._worker.join()
+            self._worker = None
+        self.current = None
+
+    def _unfinished_tasks(self) -> list[Task]:
+        return [*([self.current] if self.current else []), *self._waiting]
+
+    def _start_next(self) -> None:
+        if self.current is not None or self._closed:
+            return
+        if not self._waiting:
+            self.idle.emit()
+            return
+        if self._worker is None:
+            self._worker = threading.Thread(target=self._run_worker, name="lispac-worker")
+            self._worker.start()
+        self.current = self._waiting.pop(0)
+        self.current.started = time.monotonic()
+        self._inbox.put(self.current)
+        self._timer.start()
+        self.changed.emit()
+
+    def _run_worker(self) -> None:
+        memory = MemoryTrimming()
+        while (task := self._inbox.get()) is not None:
+            try:
+                task.report(0.0)
+                task.value = task.work(task.report)
+            except BaseException as error:  # noqa: BLE001, RUF100 - handed to the GUI thread whole
+                task.error = error
+            self._ended.emit()
+            memory.trim_if_due()
+
+    def _finish_task(self) -> None:
+        if self.current is None or self._closed:
+            return
+        if self.current.modal and QApplication.activeModalWidget() is not None:
+            QTimer.singleShot(REFRESH_MS, self, self._finish_task)
+            return
+        task, self.current = self.current, None
+        self._timer.stop()
+        try:
+            wrote = task.persistent and task.error is None
+            if (task.cancel.is_set() and not wrote) or isinstance(task.error, Cancelled):
+                if not task.quiet:
+                    self.stopped.emit(task.title)
+            elif task.error is not None:
+                self.changed.emit()  # no task runs while the error is shown
+                self.failed.emit(task.error)
+            else:
+                if task.cancel.is_set():
+                    self.cancelled_too_late.emit(
+                        gettext("{task}: completed before it could be cancelled", task=task.title)
+                    )
+                if task.modal:
+                    self.changed.emit()
+                task.done(task.value)
+        finally:
+            self.changed.emit()
+            task.clear_data()
+            self._start_next()
+
+
+def _ignore(_ignored: object) -> None:
+    """Replacement for the functions of an ended task."""
+
+
+def preload_matplotlib() -> None:
+    """Import Matplotlib in the worker, which takes half a second."""
+    import lispac.report.distance_profiles  # noqa: F401
+    import lispac.report.histograms  # noqa: F401

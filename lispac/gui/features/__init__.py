@@ -1,0 +1,1 @@
+"""Features of the window, one folder each: panels, dialogues and controller."""

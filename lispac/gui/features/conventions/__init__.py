@@ -1,0 +1,1 @@
+"""The boresight in the angle conventions of other programs."""

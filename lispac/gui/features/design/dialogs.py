@@ -1,0 +1,40 @@
+"""Dialogues of the survey design."""
+
+from pathlib import Path
+from typing import Literal
+
+from PySide6.QtWidgets import QApplication, QFileDialog
+
+from lispac.gui.app.questions import Questions, run_dialog
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.design.system import PlanSensorsDialog, Sensors
+from lispac.language import N_, gettext
+
+DesignFile = Literal["open", "save", "page", "site"]
+DESIGN_FILES: dict[DesignFile, tuple[str, str, bool]] = {
+    "open": (N_("Open survey plan"), N_("Survey plan (*.toml)"), False),
+    "save": (N_("Save survey plan"), N_("Survey plan (*.toml)"), True),
+    "page": (N_("Save field plan"), "PDF (*.pdf)", True),
+    "site": (N_("Open site file"), N_("Site file (*.toml)"), False),
+}
+"""Title and filter of the file dialogue, and whether the file is written."""
+
+
+class DesignDialogs(Questions):
+    """Dialogues of the survey design."""
+
+    def design_file(self, what: DesignFile, start: Path) -> Path | None:
+        """A file of a plan, a site or a field plan, to read or to write."""
+        title, filter_, writes = DESIGN_FILES[what]
+        get_file_name = QFileDialog.getSaveFileName if writes else QFileDialog.getOpenFileName
+        name, _ = get_file_name(self.parent, gettext(title), str(start), gettext(filter_))
+        if not name:
+            return None
+        path = Path(name)
+        ending = start.suffix if writes else ""
+        return path if path.suffix or not ending else path.with_name(path.name + ending)
+
+    def sensors_of_plan(self, settings: AppSettings) -> Sensors | None:
+        """Sensors of the library for a plan; None where the dialogue is cancelled."""
+        dialog = PlanSensorsDialog(settings.sensors, QApplication.activeWindow() or self.parent)
+        return dialog.sensors if run_dialog(dialog) else None

@@ -1,0 +1,370 @@
+"""Panel of the predicted precision of the plan, which is computed in the background."""
+
+from dataclasses import dataclass
+from html import escape
+
+import numpy as np
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
+
+from lispac.adjustment.result import ANGLES
+from lispac.design.plan_search import InformationGain
+from lispac.gui import widgets
+from lispac.gui.app.tasks import Task, TaskRunner
+from lispac.gui.appearance import theme, units
+from lispac.gui.features.design import edits, predicted_precision
+from lispac.gui.features.design.predicted_precision import PredictedPrecision
+from lispac.gui.features.design.workspace import Workspace
+from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row
+from lispac.language import N_, current_language, gettext, number
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.progress import Progress
+from lispac.workflow.planning.plan_checks import plan_warnings
+
+DEBOUNCE_MS = 250
+"""Pause after an edit before the slow results are computed."""
+OUT_OF_DATE_MS = 400
+"""Delay after which the values of an earlier plan are marked as out of date."""
+
+
+@dataclass(frozen=True, eq=False)
+class SlowResults:
+    """Results that take longer to compute than the standard deviations.
+
+    Attributes
+    ----------
+    messages : tuple of Message
+        Observability of the angles.
+    thesis : PredictedPrecision
+        Plan of the thesis on this wall, with this system.
+    """
+
+    messages: tuple[Message, ...]
+    thesis: PredictedPrecision
+
+
+class BackgroundPrediction(QObject):
+    """Predicts the precision of the plan in a worker of its own.
+
+    When the worker is free, the plan shown then is predicted next; earlier ones are skipped.
+
+    Attributes
+    ----------
+    messages_current : whether the messages shown are those of the plan
+    """
+
+    predicted = Signal(object)
+    """The `PredictedPrecision` of a plan, which in a drag may be one of a moment ago."""
+    slow_results_ready = Signal(object)
+    gains_ready = Signal(object)
+    """Information gain of each target and line; everything has been computed."""
+    out_of_date = Signal()
+    """Whether the prediction shown is that of an earlier plan."""
+    failed = Signal(object)
+
+    def __init__(self, workspace: Workspace, parent: QObject) -> None:
+        super().__init__(parent)
+        self._work = workspace
+        self._titled = workspace.titled
+        self._runner = TaskRunner(self)
+        self._runner.failed.connect(self._report_failure)
+        self._predicting = self.messages_current = False
+        self._slow: Task | None = None
+        self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
+        self._debounce.timeout.connect(self._check_plan)
+        self._late_timer = QTimer(self, singleShot=True, interval=OUT_OF_DATE_MS)
+        self._late_timer.timeout.connect(self.out_of_date)
+        workspace.changed.connect(self._on_plan_changed)
+
+    @property
+    def is_out_of_date(self) -> bool:
+        """Whether the standard deviations shown are those of an earlier plan."""
+        return self._predicting
+
+    @property
+    def active(self) -> bool:
+        """Whether a prediction is running or waiting."""
+        return self._runner.active or self._debounce.isActive()
+
+    def start(self) -> None:
+        """Predict now and after each change of the plan."""
+        self._start_prediction()
+
+    def stop(self) -> None:
+        """Stop all predictions."""
+        self._debounce.stop()
+        self._late_timer.stop()
+        self._runner.close()
+
+    def _on_plan_changed(self) -> None:
+        if self._work.titled.plan is not self._titled.plan:
+            self._start_prediction()
+
+    def _start_prediction(self) -> None:
+        self._titled, self.messages_current = self._work.titled, False
+        if self._slow is not None:
+            self._slow.cancel.set()
+        self._debounce.start()
+        self._late_timer.start()
+        if not self._predicting:
+            self._predict_sigmas()
+
+    def _predict_sigmas(self) -> None:
+        self._predicting = True
+        plan = self._titled.plan
+        self._runner.run(
+            gettext("Predicting the precision"),
+            lambda _progress: PredictedPrecision.of(plan),
+            self._emit_prediction,
+            quiet=True,
+        )
+
+    def _emit_prediction(self, prediction: PredictedPrecision) -> None:
+        self._predicting = False
+        if prediction.plan is not self._titled.plan:
+            self._predict_sigmas()
+        self.predicted.emit(prediction)
+
+    def _check_plan(self) -> None:
+        if self._predicting:
+            self._debounce.start()
+            return
+        titled = self._titled
+
+        def work(progress: Progress) -> SlowResults:
+            thesis = PredictedPrecision.of(edits.thesis_plan_at_wall(titled))
+            return SlowResults(predicted_precision.plan_messages(titled.plan, progress), thesis)
+
+        def done(results: SlowResults) -> None:
+            self.messages_current = True
+            self.slow_results_ready.emit(results)
+            self._compute_information_gain()
+
+        self._slow = self._runner.run(gettext("Checking the survey plan"), work, done, quiet=True)
+
+    def _compute_information_gain(self) -> None:
+        plan = self._titled.plan
+
+        def done(results: object) -> None:
+            self._late_timer.stop()
+            self.gains_ready.emit(results)
+
+        self._slow = self._runner.run(
+            gettext("Computing the information gain"),
+            lambda progress: predicted_precision.plan_information_gains(plan, progress),
+            done,
+            quiet=True,
+        )
+
+    def _report_failure(self, error: BaseException) -> None:
+        self._predicting = False
+        self._late_timer.stop()
+        self.failed.emit(error)
+
+
+PLAN_KEYS = ("plan", "thesis")
+TITLES = N_("this plan"), N_("Shahraji's plan")
+ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
+PAIRS = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
+
+
+class PredictionPanel(QScrollArea):
+    """Standard deviations beside those of Shahraji's plan, correlations and information gain."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        super().__init__()
+        self.setObjectName("design_results")
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setMinimumWidth(330)
+        self._work = workspace
+        self.predictor = BackgroundPrediction(workspace, self)
+        self._last = PredictedPrecision(workspace.titled.plan, None, True)
+        body = QWidget()
+        layout = widgets.vertical_layout(body, 12)
+        unit = units.shown_unit("°").sign
+        layout.addWidget(
+            widgets.label(gettext("Predicted standard deviations ({unit})", unit=unit), "heading")
+        )
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(14)
+        grid.setVerticalSpacing(4)
+        for column, title in enumerate(map(gettext, TITLES), start=1):
+            grid.addWidget(widgets.label(title, "muted"), 0, column, Qt.AlignmentFlag.AlignRight)
+        self.sigma: dict[str, QLabel] = {}
+        self.thesis: dict[str, QLabel] = {}
+        for row, angle in enumerate(ANGLES, start=1):
+            named = gettext(ANGLE_NAMES[angle])
+            grid.addWidget(widgets.label(named), row, 0)
+            for column, (labels, size) in enumerate(((self.sigma, 20), (self.thesis, 14)), start=1):
+                shown = widgets.label("", name=f"design_{PLAN_KEYS[column - 1]}_{angle}")
+                font = theme.tabular_font(shown.font(), bold=column == 1)
+                font.setPixelSize(size)
+                shown.setFont(font)
+                # Keeps its width when the first numbers arrive.
+                shown.setMinimumWidth(QFontMetrics(font).horizontalAdvance("0.0000") + 4)
+                shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                shown.setAccessibleName(
+                    gettext(
+                        "Standard deviation of {angle} ({plan}), in {unit}",
+                        angle=named, plan=gettext(TITLES[column - 1]), unit=unit,
+                    )
+                )  # fmt: skip
+                grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
+                labels[angle] = shown
+        grid.setColumnStretch(3, 1)
+        layout.addLayout(grid)
+        self.correlation = widgets.label("", "muted", wrap=True, name="design_correlation")
+        self.correlation.setToolTip(
+            gettext(
+                "Correlations between the angles. Two angles cannot be separated if their "
+                "correlation is close to 1 or −1."
+            )
+        )
+        layout.addWidget(self.correlation)
+        self.minutes = widgets.label("", "muted", wrap=True, name="design_minutes")
+        layout.addWidget(self.minutes)
+        self.warnings = widgets.label("", "warning", wrap=True, name="design_warnings")
+        layout.addWidget(self.warnings)
+        self.messages = widgets.label("", "hint", wrap=True, name="design_text")
+        self.messages.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+        layout.addWidget(self.messages)
+        layout.addWidget(widgets.label(gettext("Points per sighting"), "heading"))
+        self.points = widgets.label("", name="design_points", rich=True)
+        self.points.setAccessibleName(gettext("Points per sighting"))
+        self._points_area = QScrollArea()
+        self._points_area.setFrameShape(QFrame.Shape.NoFrame)
+        self._points_area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._points_area.setWidgetResizable(True)
+        self._points_area.setWidget(self.points)
+        layout.addWidget(self._points_area)
+        layout.addWidget(widgets.label(gettext("Information gain"), "heading"))
+        self.gain_table = DiagnosticsTable(
+            "design_gain",
+            gettext("Information gain of each target and line"),
+            _information_gain_columns(),
+        )
+        self.gain_table.setMinimumHeight(170)
+        layout.addWidget(self.gain_table, 1)
+        self.setWidget(body)
+        self.predictor.predicted.connect(self._show_sigmas)
+        self.predictor.slow_results_ready.connect(self._show_messages)
+        self.predictor.gains_ready.connect(self._show_information_gains)
+        self.predictor.out_of_date.connect(self._mark_out_of_date)
+        workspace.changed.connect(self._show)
+        self._show()
+        self.predictor.start()
+
+    def _show(self) -> None:
+        """Show the values that need no computation."""
+        titled = self._work.titled
+        self.minutes.setText(predicted_precision.time_on_site_text(titled))
+        found = plan_warnings(titled)
+        self.warnings.setText("\n".join(map(message_text, found)))
+        self.warnings.setVisible(bool(found))
+
+    def _mark_out_of_date(self) -> None:
+        """Mark the values of the former plan as out of date."""
+        if self.predictor.is_out_of_date:
+            for label in self.sigma.values():
+                label.setStyleSheet(f"color: {theme.MUTED};")
+        if not self.predictor.messages_current:
+            self.messages.setText(gettext("Computing…"))
+        self.gain_table.show_rows([])
+
+    def _show_sigmas(self, prediction: PredictedPrecision) -> None:
+        """Show standard deviations and correlations, also during a drag."""
+        self._last = prediction
+        for angle, sigma in zip(ANGLES, self._last.sigmas, strict=True):
+            self.sigma[angle].setText(sigma)
+            self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._last.refused else "")
+        pairs = zip(map(gettext, PAIRS), self._last.correlations, strict=True)
+        separator = ", " if current_language() == "en" else " ; "
+        self.correlation.setText(
+            gettext("Correlations: {pairs}", pairs=separator.join(f"{p} {c}" for p, c in pairs))
+        )
+        self._show_point_counts()
+
+    def _show_point_counts(self) -> None:
+        found, plan = self._last.prediction, self._last.plan
+        counts = {} if found is None else found.points
+        lines = [course.name for course in plan.courses] if plan.targets else []
+        names = [target.name for target in plan.targets]
+        # More targets than lines are rare: lines run down, as in the table of lines.
+        head = "".join(
+            f"<td align='right'>&nbsp;&nbsp;<b>{escape(name)}</b></td>" for name in names
+        )
+        rows = "".join(
+            f"<tr><td>{escape(line)}</td>"
+            + "".join(f"<td align='right'>&nbsp;&nbsp;{_point_count_text(counts, name, line)}</td>"
+                      for name in names)
+            + "</tr>"
+            for line in lines
+        )  # fmt: skip
+        self.points.setText(f"<table><tr><td></td>{head}</tr>{rows}</table>")
+        size = self.points.sizeHint()
+        bar = self._points_area.horizontalScrollBar().sizeHint().height()
+        self._points_area.setFixedHeight(size.height() + bar)
+
+    def _show_messages(self, results: SlowResults) -> None:
+        refused = self._last.refused
+        self.messages.setProperty("role", "warning" if refused else "hint")
+        self.messages.style().unpolish(self.messages)
+        self.messages.style().polish(self.messages)
+        self.messages.setText("\n".join(map(message_text, results.messages)))
+        for angle, sigma in zip(ANGLES, results.thesis.sigmas, strict=True):
+            self.thesis[angle].setText(sigma)
+
+    def _show_information_gains(self, gains: tuple[InformationGain, ...]) -> None:
+        known = self._last.prediction is not None and self._last.prediction.determined
+        largest = float(np.degrees(self._last.prediction.sigma.max())) if known else np.nan
+        rows = []
+        for each in gains:
+            without = float(np.degrees(each.without))
+            times = without / largest if known and np.isfinite(without) else None
+            cells = [
+                Cell(each.name), _sigma_cell(without),
+                Cell("" if times is None else number(times, 2), times),
+            ]  # fmt: skip
+            rows.append(Row(cells))
+        self.gain_table.show_rows(rows)
+
+    def stop(self) -> None:
+        """Stop all computations."""
+        self.predictor.stop()
+
+
+def _sigma_cell(degrees: float) -> Cell:
+    if not np.isfinite(degrees):
+        return Cell(gettext(predicted_precision.UNDETERMINED), degrees)
+    form = predicted_precision.sigma_format(degrees)
+    return Cell(f"{degrees:{form}}", degrees, figure=(form, 1.0))
+
+
+def _point_count_text(counts, target: str, line: str) -> str:
+    found = counts.get((target, line))
+    return number(found, 0) if found is not None else predicted_precision.NO_VALUE
+
+
+def _information_gain_columns() -> tuple[Column, Column, Column]:
+    return (
+        Column(
+            gettext("Omitted target or line"),
+            gettext("Target or line omitted from the survey plan"),
+            is_text=True,
+        ),
+        Column(
+            gettext("Largest σ (deg)"),
+            gettext("Largest of the three standard deviations if this target or line is omitted"),
+            base="°",
+        ),
+        Column(
+            gettext("Factor"),
+            gettext(
+                "Largest standard deviation if this target or line is omitted, divided by that of "
+                "the whole plan"
+            ),
+        ),
+    )

@@ -1,0 +1,1 @@
+"""Step 3: the adjustment and its results."""

@@ -1,0 +1,271 @@
+"""Seldom-used settings of the adjustment: times, surfaces, outliers, LiDAR noise."""
+
+from dataclasses import replace
+
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QLabel, QWidget
+
+from lispac.adjustment.model.robust_loss import LossName
+from lispac.adjustment.model.stochastic_model import PosErrors
+from lispac.errors import InputError
+from lispac.gui import widgets
+from lispac.gui.appearance import units
+from lispac.gui.widgets.optional_number import OptionalNumber
+from lispac.language import N_, gettext
+from lispac.messages import error
+from lispac.project import Settings
+
+TIMES = N_(
+    "Time over which the POS error stays correlated: minutes for the position, longer for the "
+    "attitude. Take it from the processing report of the trajectory. If in doubt, a shorter "
+    "time is safer."
+)
+LOSSES: tuple[tuple[LossName | None, str, str], ...] = (
+    (
+        None,
+        N_("Automatic"),
+        N_("Tukey weights if the POS errors are correlated, full weight if they are uncorrelated"),
+    ),
+    ("none", N_("Full weight"), N_("Every point keeps its full weight")),
+    (
+        "huber",
+        N_("Reduced weight (Huber)"),
+        N_("The weight of a point decreases if its residual exceeds 1.3 σ, but never reaches zero"),
+    ),
+    ("tukey", N_("No weight (Tukey)"), N_("Points with a residual above 4.7 σ have zero weight")),
+)
+"""Name, title and description of each loss."""
+LOSS_SUMMARIES: dict[LossName, str] = {
+    "none": N_("outliers with full weight"),
+    "huber": N_("Huber"),
+    "tukey": N_("Tukey"),
+}
+NOISES = (N_("One value for all axes"), N_("One value per axis"), N_("Range and angle noise"))
+NOISE_SUMMARIES = ("", N_("LiDAR noise along X, Y, Z"), N_("LiDAR range and angle noise"))
+_MM, _DEG = 1e3, float(np.degrees(1.0))
+
+
+class _WrappedText(QLabel):
+    """A wrapped text that keeps its height: a form with hidden rows squeezes it."""
+
+    def __init__(self, text: str, name: str) -> None:
+        super().__init__(text)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setObjectName(name)
+        self.setProperty("role", "muted")
+        self.setWordWrap(True)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        needed = self.heightForWidth(self.width())
+        if needed != self.minimumHeight():
+            self.setMinimumHeight(needed)
+
+
+class ModelSettings(QWidget):
+    """Fields of the stochastic model."""
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        form = QFormLayout(self)
+        form.setContentsMargins(18, 0, 0, 4)
+        form.setHorizontalSpacing(8)
+        form.setVerticalSpacing(5)
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.DontWrapRows)
+        self.position_time = self._time_field(
+            "position_time", gettext("Correlation time of the position error of the POS")
+        )
+        self.attitude_time = self._time_field(
+            "attitude_time", gettext("Correlation time of the attitude error of the POS")
+        )
+        form.addRow(gettext("Correlation time, position"), self.position_time)
+        form.addRow(gettext("Correlation time, attitude"), self.attitude_time)
+        self.times = _WrappedText(gettext(TIMES), "times_sentence")
+        form.addRow(self.times)
+        self.surface = self._optional_field(
+            "surface", gettext("Surface roughness"), "mm", _MM, gettext("estimated"),
+            gettext(
+                "Standard deviation of the surface of a target in one line from its common "
+                "surface in all lines"
+            ),
+        )  # fmt: skip
+        form.addRow(gettext("Roughness, {unit}", unit=units.shown_unit("mm").sign), self.surface)
+        self.loss = widgets.ChoiceBox(
+            "loss", [gettext(title) for _, title, _ in LOSSES],
+            gettext("Weight of outliers: points far from the surface of their target"),
+        )  # fmt: skip
+        for k, (_, _, tip) in enumerate(LOSSES):
+            self.loss.setItemData(k, gettext(tip), Qt.ItemDataRole.ToolTipRole)
+        self.loss.currentIndexChanged.connect(self.changed)
+        form.addRow(gettext("Outliers"), self.loss)
+        self.noise = widgets.ChoiceBox(
+            "lidar_noise", [gettext(noise) for noise in NOISES],
+            gettext("Model of the LiDAR noise: one value, one value per axis, or range and "
+                    "angle"),
+        )  # fmt: skip
+        self.noise.currentIndexChanged.connect(self._show_noise)
+        form.addRow(gettext("LiDAR noise"), self.noise)
+        self._same = widgets.label("", "muted", wrap=True, name="lidar_same")
+        self.axes = []
+        millimetres, degrees = units.shown_unit("mm").sign, units.shown_unit("°").sign
+        for axis in "XYZ":
+            self.axes.append(
+                self._optional_field(
+                    f"lidar_{axis.lower()}", gettext("LiDAR noise along {axis}", axis=axis), "mm",
+                    _MM, f"{axis}, {millimetres}",
+                    gettext("Standard deviation of a LiDAR point along {axis}", axis=axis), True,
+                )
+            )  # fmt: skip
+        self.range = self._optional_field(
+            "lidar_range", gettext("LiDAR range noise"), "mm", _MM,
+            gettext("range, {unit}", unit=millimetres),
+            gettext("Standard deviation of the range"), True,
+        )  # fmt: skip
+        self.angle = self._optional_field(
+            "lidar_angle", gettext("LiDAR angle noise"), "°", 1.0,
+            gettext("angle, {unit}", unit=degrees),
+            gettext("Standard deviation of the beam direction"), True,
+        )  # fmt: skip
+        self._three, self._two = _field_row(*self.axes), _field_row(self.range, self.angle)
+        for each in (self._same, self._three, self._two):
+            form.addRow("", each)
+        self.components = QCheckBox(gettext("Estimate variance components"))
+        self.components.setObjectName("variance_components")
+        self.components.setToolTip(
+            gettext(
+                "Estimate from the residuals a scale factor for the standard deviations of "
+                "LiDAR, POS position and POS attitude. With few sightings, the factors of the "
+                "POS are uncertain."
+            )
+        )
+        self.components.toggled.connect(self.changed)
+        form.addRow(self.components)
+        self.one_facing = QCheckBox(gettext("Accept a single orientation"))
+        self.one_facing.setObjectName("accept_single_orientation")
+        self.one_facing.setToolTip(
+            gettext(
+                "Tick this if all targets are on one wall, or if there is only one target. The "
+                "angles are then separated only by the headings of the lines, and a bent or "
+                "moved target is not detected. A target with another inclination, or a sphere, "
+                "is better."
+            )
+        )
+        self.one_facing.toggled.connect(self.changed)
+        form.addRow(self.one_facing)
+        self._form = form
+        self._show_noise()
+
+    def with_chosen_values(self, settings: Settings) -> Settings:
+        """Settings with the values of these fields.
+
+        Raises
+        ------
+        InputError
+            If a field contains an invalid value.
+        """
+        kind = self.noise.currentIndex()
+        return replace(
+            settings,
+            position_time=_unrounded_value(
+                self.position_time.value(), settings.position_time, 0.051
+            ),
+            attitude_time=_unrounded_value(
+                self.attitude_time.value(), settings.attitude_time, 0.051
+            ),
+            surface=self.surface.value(),
+            loss=LOSSES[self.loss.currentIndex()][0],
+            lidar_sigma_xyz=self._all_values(self.axes, "window.lidar_axes_incomplete")
+            if kind == 1
+            else None,
+            lidar_beam_sigma=self._all_values(
+                (self.range, self.angle), "window.lidar_beam_incomplete"
+            )
+            if kind == 2
+            else None,
+            variance_components=self.components.isChecked(),
+            accept_single_orientation=self.one_facing.isChecked(),
+        )
+
+    def show_settings(self, settings: Settings) -> None:
+        """Fill in without emitting `changed`."""
+        self.blockSignals(True)
+        self.position_time.setValue(settings.position_time)
+        self.attitude_time.setValue(settings.attitude_time)
+        self.surface.show_value(settings.surface)
+        self.loss.setCurrentIndex([loss for loss, _, _ in LOSSES].index(settings.loss))
+        sigma = units.local_amount(settings.lidar_sigma * _MM, "mm", ".1f")
+        self._same.setText(gettext("{sigma}, as given in step 1", sigma=sigma))
+        for field, value in zip(
+            self.axes, settings.lidar_sigma_xyz or (settings.lidar_sigma,) * 3, strict=True
+        ):
+            field.show_value(value)
+        beam = settings.lidar_beam_sigma or (settings.lidar_sigma, None)
+        self.range.show_value(beam[0])
+        self.angle.show_value(beam[1])
+        kind = 1 if settings.lidar_sigma_xyz else 2 if settings.lidar_beam_sigma else 0
+        self.noise.setCurrentIndex(kind)
+        self.components.setChecked(settings.variance_components)
+        self.one_facing.setChecked(settings.accept_single_orientation)
+        self.blockSignals(False)
+
+    def show_model(self, pos_errors: PosErrors) -> None:
+        """Disable what uncorrelated POS errors do not use."""
+        for each in (self.position_time, self.attitude_time, self.surface, self.components):
+            each.setEnabled(pos_errors == "correlated")
+
+    @property
+    def summary(self) -> str:
+        """Settings that differ from the defaults."""
+        settings = []
+        if self.noise.currentIndex():
+            settings.append(gettext(NOISE_SUMMARIES[self.noise.currentIndex()]))
+        if loss := LOSSES[self.loss.currentIndex()][0]:
+            settings.append(gettext(LOSS_SUMMARIES[loss]))
+        if self.surface.text().strip():
+            settings.append(gettext("given surface roughness"))
+        if self.components.isChecked():
+            settings.append(gettext("variance components estimated"))
+        if self.one_facing.isChecked():
+            settings.append(gettext("targets of one orientation accepted"))
+        return ", ".join(settings)
+
+    def _all_values(self, fields, code: str):
+        values = [field.value() for field in fields]
+        if any(value is None for value in values):
+            raise InputError(error(code))
+        return tuple(values)
+
+    def _time_field(self, name: str, tip: str):
+        field = widgets.number(name, suffix=" s", decimals=1, low=0, high=1e6, step=30, tip=tip)
+        field.valueChanged.connect(self.changed)
+        return field
+
+    def _optional_field(self, *parts) -> OptionalNumber:
+        field = OptionalNumber(*parts)
+        field.textChanged.connect(self.changed)
+        return field
+
+    def _show_noise(self) -> None:
+        kind = self.noise.currentIndex()
+        for k, each in enumerate((self._same, self._three, self._two)):
+            self._form.setRowVisible(each, k == kind)
+        self.changed.emit()
+
+
+def _field_row(*fields: QWidget) -> QWidget:
+    widget = QWidget()
+    row = QHBoxLayout(widget)
+    row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(4)
+    for field in fields:
+        row.addWidget(field)
+    return widget
+
+
+def _unrounded_value(displayed: float, before: float, step: float) -> float:
+    """Value with all its digits if the rounded field was not changed."""
+    return before if abs(displayed - before) < step else displayed

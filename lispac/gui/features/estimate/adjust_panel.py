@@ -1,0 +1,320 @@
+"""Step 3: points, model, parameters to estimate, and the adjustment."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QPoint, QTimer, Signal
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QButtonGroup,
+    QCheckBox,
+    QHBoxLayout,
+    QProgressBar,
+    QRadioButton,
+    QToolTip,
+    QWidget,
+)
+
+from lispac.adjustment.model.stochastic_model import PosErrors
+from lispac.errors import InputError
+from lispac.gui import widgets
+from lispac.gui.app.tasks import Task
+from lispac.gui.features.estimate.adjust_model import ModelSettings
+from lispac.gui.features.estimate.adjust_parameters import ParameterSwitches
+from lispac.gui.project.status import StepStatus
+from lispac.gui.widgets.foldable_group import FoldableGroup
+from lispac.language import N_, Plural, gettext
+from lispac.project import Project, Settings
+
+DEBOUNCE_MS = 250
+UNITS = (("cm", 100.0), ("m", 1.0))
+MODELS: tuple[tuple[PosErrors, str, str], ...] = (
+    (
+        "correlated",
+        N_("POS errors correlated in time"),
+        N_(
+            "The POS error drifts slowly, and neighbouring points share it. The standard "
+            "deviations are realistic."
+        ),
+    ),
+    (
+        "independent",
+        N_("Uncorrelated POS errors (classical)"),
+        N_(
+            "Each point has its own POS error. For comparison only: the standard deviations are "
+            "several times too small."
+        ),
+    ),
+)
+POINTS = Plural("{count:n} point", "{count:n} points")
+SIGHTINGS = Plural("{count:n} sighting", "{count:n} sightings")
+
+
+class AdjustPanel(QWidget):
+    """Settings of the adjustment and the button that starts it."""
+
+    estimate_requested = Signal(object, bool)
+    """Settings, whether to cross-check."""
+    subsample_changed = Signal(float)
+    """The spacing was changed: count the points that it keeps."""
+    cancel_requested = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._metres = 0.10
+        self._settings: Settings | None = None
+        self._ready = False
+        self._project: Project | None = None
+        self._counted: tuple[int | None, int, int, str] = (None, 0, 0, "")
+        layout = widgets.vertical_layout(self)
+        layout.setSpacing(6)
+        layout.addLayout(self._distance_row())
+        self.count = widgets.label("", "muted", wrap=True, name="point_count", rich=True)
+        layout.addWidget(self.count)
+        layout.addWidget(widgets.label(gettext("POS errors"), "heading"))
+        self._models = QButtonGroup(self)
+        for k, (model, title, description) in enumerate(MODELS):
+            choice = QRadioButton(gettext(title))
+            choice.setObjectName(f"model_{model}")
+            choice.setAccessibleDescription(gettext(description))
+            choice.setToolTip(gettext(description))
+            choice.setChecked(k == 0)
+            self._models.addButton(choice, k)
+            layout.addWidget(choice)
+        self.model_sentence = widgets.label("", "muted", wrap=True, name="model_sentence")
+        layout.addWidget(self.model_sentence)
+        self.parameters = ParameterSwitches()
+        self.also = FoldableGroup(
+            gettext("Additional parameters"), "fold_parameters", self.parameters
+        )
+        layout.addWidget(self.also)
+        self.model = ModelSettings()
+        self.advanced = FoldableGroup(gettext("Advanced"), "fold_advanced", self.model)
+        layout.addWidget(self.advanced)
+        self.cross_check = QCheckBox(gettext("Cross-check with subsets of the data"))
+        self.cross_check.setObjectName("cross_check")
+        self.cross_check.setChecked(True)
+        self.cross_check.setToolTip(
+            gettext(
+                "Repeat the adjustment with one line or one target omitted at a time, and with "
+                "each half of the survey"
+            )
+        )
+        layout.addWidget(self.cross_check)
+        self.problem = widgets.label("", "error", wrap=True, name="adjust_problem")
+        self.problem.hide()
+        layout.addWidget(self.problem)
+        self.estimate = widgets.button(
+            gettext("Estimate boresight"), "estimate", icon="calculator-variant-outline",
+            primary=True,
+            tip=gettext("Adjust boresight and targets together by least squares (F9)"),
+        )  # fmt: skip
+        self.estimate.clicked.connect(self.request_estimate)
+        layout.addWidget(self.estimate)
+        layout.addWidget(self._progress_row())
+        self.advice = widgets.label("", "muted", wrap=True, name="adjust_advice")
+        layout.addWidget(self.advice)
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(DEBOUNCE_MS)
+        self._debounce.timeout.connect(lambda: self.subsample_changed.emit(self._metres))
+        self._models.idToggled.connect(lambda _id, on: self._check_input() if on else None)
+        self.parameters.changed.connect(self._check_input)
+        self.model.changed.connect(self._check_input)
+        self._check_input()
+
+    @property
+    def subsample(self) -> float:
+        """Point spacing, metres."""
+        return self._metres
+
+    @property
+    def pos_errors(self) -> PosErrors:
+        """Chosen model of the POS errors."""
+        return MODELS[self._models.checkedId()][0]
+
+    @property
+    def chosen_model(self) -> QAbstractButton:
+        """The button of the chosen model."""
+        return self._models.checkedButton()
+
+    def settings(self) -> Settings | None:
+        """Settings of the project with the values of the panel.
+
+        Raises
+        ------
+        InputError
+            Where a typed value is not valid.
+        """
+        if self._settings is None:
+            return None
+        chosen = replace(self._settings, subsample=self._metres, pos_errors=self.pos_errors)
+        chosen = self.model.with_chosen_values(self.parameters.with_chosen_values(chosen))
+        chosen.require_sound()
+        return chosen
+
+    def request_estimate(self) -> None:
+        """Request an adjustment with the values of the panel."""
+        if self.estimate.isEnabled():
+            self._debounce.stop()
+            self.estimate_requested.emit(self.settings(), self.cross_check.isChecked())
+
+    def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
+        """Fill in the project's settings where they changed."""
+        self._ready, self._project = status.ready and not busy, project
+        self.advice.setText(status.advice)
+        settings = None if project is None else project.settings
+        if settings is not None and settings != self._settings:
+            self._settings = settings
+            self._metres = settings.subsample
+            self._show_distance()
+            for k, (model, _title, _sentence) in enumerate(MODELS):
+                self._models.button(k).setChecked(model == settings.pos_errors)
+            self.parameters.show_settings(settings)
+            self.model.show_settings(settings)
+        self._check_input()
+
+    @property
+    def is_valid(self) -> bool:
+        """Whether all typed values are valid."""
+        return self.problem.isHidden()
+
+    def _check_input(self) -> None:
+        """Show errors of the typed values, and the summaries of the folded groups."""
+        self.model_sentence.setText(gettext(MODELS[self._models.checkedId()][2]))
+        self.model.show_model(self.pos_errors)
+        self.also.set_summary(self.parameters.summary)
+        self.advanced.set_summary(self.model.summary)
+        try:
+            self.settings()
+        except InputError as error:
+            self._show_problem(str(error))
+        else:
+            self.problem.setText("")
+            self.problem.hide()
+        self.estimate.update_enabled(self._ready and self.is_valid)
+        self._update_count()
+
+    def _show_problem(self, text: str) -> None:
+        if text == self.problem.text():
+            return
+        hidden = self.problem.visibleRegion().isEmpty()
+        self.problem.setText(text)
+        self.problem.show()
+        field = QApplication.focusWidget()
+        if hidden and field is not None and self.isAncestorOf(field):
+            # The label may be scrolled out of sight: show the text beside the field as well.
+            QToolTip.showText(field.mapToGlobal(QPoint(0, field.height())), text, field)
+
+    def show_count(self, kept: int | None, total: int, sightings: int, reason: str = "") -> None:
+        """Show how many points are used; None while they are counted or where there is a reason."""
+        self._counted = (kept, total, sightings, reason)
+        self._update_count()
+
+    def _update_count(self) -> None:
+        self.count.setText(self._count_text())
+
+    def _count_text(self) -> str:
+        """How many points of the sightings are used, as rich text."""
+        kept, total, count, reason = self._counted
+        if not count:
+            return gettext("No targets yet: there are no points to adjust.")
+        points, sightings = gettext(POINTS, count=total), gettext(SIGHTINGS, count=count)
+        if reason:  # shown below the button, too
+            return gettext(
+                "{points} in {sightings} are not enough for an adjustment.",
+                points=points, sightings=sightings,
+            )  # fmt: skip
+        if kept is None:
+            return gettext(
+                "Counting points ({points} in {sightings}) …", points=points, sightings=sightings
+            )
+        if (used := self._used_points()) is not None:
+            return gettext(
+                "Used in the adjustment: <b>{points}</b> in {sightings}.",
+                points=gettext(POINTS, count=used), sightings=sightings,
+            )  # fmt: skip
+        if kept == total:
+            return gettext(
+                "All points are used: <b>{points}</b> in {sightings}.",
+                points=points, sightings=sightings,
+            )  # fmt: skip
+        # About: Estimate selects the points again with the estimated boresight
+        return gettext(
+            "About <b>{kept:n}</b> of {points} in {sightings} are used.",
+            kept=round(kept, 2 - len(str(kept))), points=points, sightings=sightings,
+        )  # fmt: skip
+
+    def _used_points(self) -> int | None:
+        """Points of the project's result; None where there is none with these settings."""
+        if self._project is None or self._project.result is None:
+            return None
+        try:
+            fits = self.settings() == self._project.settings
+        except InputError:
+            return None
+        return self._project.result.points if fits else None
+
+    def show_task(self, task: Task | None) -> None:
+        """Show the progress of the adjustment; None if none runs."""
+        self._running.setVisible(task is not None)
+        if task is not None:
+            self._progress.setValue(round(task.fraction * 1000))
+            self.cancel.setEnabled(not task.cancel.is_set())
+
+    def stop(self) -> None:
+        """Stop the timer."""
+        self._debounce.stop()
+
+    def _progress_row(self) -> QWidget:
+        self._progress = QProgressBar()
+        self._progress.setObjectName("estimate_progress")
+        self._progress.setRange(0, 1000)
+        self.cancel = widgets.button(
+            gettext("Cancel"), "cancel_estimate",
+            tip=gettext("Stop the adjustment; the project stays unchanged"),
+        )  # fmt: skip
+        self.cancel.clicked.connect(self.cancel_requested)
+        self._running = QWidget()
+        running = QHBoxLayout(self._running)
+        running.setContentsMargins(0, 0, 0, 0)
+        running.addWidget(self._progress, 1)
+        running.addWidget(self.cancel)
+        self._running.hide()
+        return self._running
+
+    def _distance_row(self) -> QHBoxLayout:
+        self.distance = widgets.number(
+            "subsample", suffix="", decimals=1, low=0, high=1000, step=1,
+            tip=gettext(
+                "Minimum spacing to which the points of each sighting are thinned; 0 uses all "
+                "points"
+            ),
+        )  # fmt: skip
+        self.distance.setSpecialValueText(gettext("all points"))
+        self.distance.setMinimumWidth(84)
+        self.unit = widgets.ChoiceBox(
+            "subsample_unit", [unit for unit, _ in UNITS], gettext("Unit of the point spacing")
+        )
+        self._show_distance()
+        self.distance.valueChanged.connect(self._distance_changed)
+        self.unit.currentIndexChanged.connect(lambda: self._show_distance())
+        row = QHBoxLayout()
+        row.addWidget(widgets.label(gettext("Point spacing"), "heading"))
+        row.addStretch(1)
+        row.addWidget(self.distance)
+        row.addWidget(self.unit)
+        return row
+
+    def _show_distance(self) -> None:
+        _, per_metre = UNITS[self.unit.currentIndex()]
+        self.distance.blockSignals(True)
+        self.distance.setDecimals(1 if per_metre > 1 else 3)
+        self.distance.setRange(0, 10 * per_metre)
+        self.distance.setSingleStep(0.01 * per_metre)
+        self.distance.setValue(self._metres * per_metre)
+        self.distance.blockSignals(False)
+
+    def _distance_changed(self, value: float) -> None:
+        self._metres = value / UNITS[self.unit.currentIndex()][1]
+        self._debounce.start()

@@ -1,0 +1,313 @@
+"""Adjustment of the boresight: on request, and automatically after a sighting is excluded."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from lispac.errors import Cancelled, LispacError
+from lispac.gui.app.questions import Questions
+from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
+from lispac.gui.appearance import units
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document, data_key
+from lispac.gui.project.scene import Scene
+from lispac.language import N_, Plural, gettext, gettext_lazy
+from lispac.message_texts import message_text
+from lispac.messages import Message, error
+from lispac.progress import Progress, sub_progress
+from lispac.project import Project, Settings
+from lispac.survey.cloud import Cloud
+from lispac.workflow.project.survey import Survey
+
+DEBOUNCE_MS = 250
+"""Several clicks in a row make one adjustment."""
+
+ESTIMATED = Plural(
+    "Boresight estimated from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
+    "Boresight estimated from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+)
+ESTIMATED_AGAIN = Plural(
+    "Boresight estimated again from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
+    "Boresight estimated again from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+)
+ESTIMATED_SAME_POINTS = Plural(
+    "Boresight estimated again from the same {count:n} point in {elapsed:s.2} s; RMS {before} "
+    "→ {after}",
+    "Boresight estimated again from the same {count:n} points in {elapsed:s.2} s; RMS {before} "
+    "→ {after}",
+)
+
+
+@dataclass(frozen=True, eq=False)
+class _Selection:
+    """Points selected with the estimated boresight, and the project they belong to."""
+
+    selected_with: Project
+    survey: Survey
+    selected: Project
+
+    def covers_sightings(self, project: Project, survey: Survey) -> bool:
+        """Whether all sightings used in ``project`` are among the selected ones."""
+        if survey is not self.survey or project.settings != self.selected_with.settings:
+            return False
+        known = {
+            (target.name, sighting.line): sighting.indices
+            for target in self.selected_with.targets_of_role("target")
+            for sighting in target.used_sightings
+        }
+        return all(
+            known.get((target.name, sighting.line)) is sighting.indices
+            for target in project.targets_of_role("target")
+            for sighting in target.used_sightings
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class _EstimationResult:
+    estimated: Project
+    selection: _Selection
+    clouds: Mapping[str, Cloud]
+    replaced: Survey | None
+    """The survey where the prior mounting moved its points."""
+
+
+class Estimation(QObject):
+    """Runs the adjustment, and stores the selected points for quick repetitions."""
+
+    estimated = Signal()
+    """A requested adjustment has a result."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        controller: Controller,
+        questions: Questions,
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._runner, self._questions = document, runner, questions
+        self._scene, self._controller = scene, controller
+        self._selection: _Selection | None = None
+        self._automatic: tuple[Task, Project] | None = None
+        self._cross_check = False
+        self._unchecked: Project | None = None
+        self._checking: Task | None = None
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(DEBOUNCE_MS)
+        self._debounce.timeout.connect(self._estimate_again)
+        document.changed.connect(self._wait_for_result)
+        document.opened.connect(self._on_project_opened)
+        runner.idle.connect(self._wait_for_result)
+        runner.failed.connect(self._record_refusal)
+        self._last_task: Task | None = None
+
+    def request_estimate(self, settings: Settings, cross_check: bool) -> None:
+        """Adjust the boresight; asks first about a candidate that is not yet accepted."""
+        candidate = self._controller.candidate
+        if candidate is not None:
+            choice = self._questions.ask_about_candidate(candidate.name)
+            if choice == "cancel":
+                return
+            if choice == "accept":
+                self._controller.accept()
+            else:
+                self._controller.reject()
+        self.estimate(settings, cross_check)
+
+    def estimate(self, settings: Settings, cross_check: bool) -> None:
+        """Adjust the boresight with these settings and show the lines placed with it."""
+        project, survey = self._document.current_data
+        if project is None or survey is None:
+            return
+        selected_with = project if settings == project.settings else project.with_settings(settings)
+        data_changed = data_key(selected_with) != data_key(project)
+
+        def work(progress: Progress) -> _EstimationResult:
+            settings.require_sound()
+            placed = survey.with_prior(selected_with.mounting("prior")) if data_changed else survey
+            found = _adjust(selected_with, placed, None, cross_check, progress)
+            return replace(found, replaced=placed) if data_changed else found
+
+        def done(found: _EstimationResult) -> None:
+            if self._document.project is not project or found.estimated.result is None:
+                return
+            self._selection, self._cross_check = found.selection, cross_check
+            self._scene.keep_estimated(found.estimated.result, found.clouds)
+            self._document.edit(N_("boresight estimate"), found.estimated, survey=found.replaced)
+            # Another survey: the scene has released its data.
+            self._scene.keep_estimated(found.estimated.result, found.clouds)
+            self._scene.show("estimated")
+            self._note(found.estimated, ESTIMATED)
+            self.estimated.emit()
+
+        task = self._runner.run(gettext("Estimating the boresight"), work, done, key="estimate")
+        self._last_task = task
+        self._controller.cancel_on_edit(task)
+
+    def stop(self) -> None:
+        """Stop the timer."""
+        self._debounce.stop()
+
+    def _on_project_opened(self) -> None:
+        project = self._document.project
+        self._selection, self._unchecked = None, None
+        self._cross_check = project is not None and project.cross_checks is not None
+
+    def _record_refusal(self, error: BaseException) -> None:
+        """Record that an estimate was refused while an older result is kept."""
+        selected_with = self._last_task
+        if (
+            selected_with is not None
+            and selected_with.error is error
+            and isinstance(error, LispacError)
+        ):
+            self._document.set_refused_since(error.reason)
+
+    # -- what follows from a click -----------------------------------------------------------
+
+    def _wait_for_result(self) -> None:
+        """Start the timer of a result that is to follow, unless it is being computed."""
+        if not self._document.awaits_result:
+            self._debounce.stop()
+            self._automatic = None
+            self._run_checks()
+            return
+        task, base = self._automatic or (None, None)
+        if base is self._document.project and task is not None:
+            if self._runner.active:
+                return
+            if task.cancel.is_set() and not task.superseded:
+                self._document.refuse(error("window.adjustment_cancelled"))
+                return
+            if task.error is not None and not isinstance(task.error, Cancelled):
+                self._document.refuse(error("window.adjustment_failed"))
+                return
+        self._debounce.start()
+
+    def _estimate_again(self) -> None:
+        project, survey = self._document.current_data
+        if project is None or survey is None or not self._document.awaits_result:
+            return
+        if self._runner.busy:
+            return  # the runner emits a signal when it is idle
+        known = self._selection
+        selection = known if known is not None and known.covers_sightings(project, survey) else None
+
+        def work(progress: Progress) -> _EstimationResult | Message | str:
+            try:
+                return _adjust(project, survey, selection, False, progress, advise=False)
+            except LispacError as failure:
+                return failure.reason
+
+        def done(found: _EstimationResult | Message | str) -> None:
+            if self._document.project is not project:
+                return
+            if not isinstance(found, _EstimationResult):
+                self._document.refuse(found)
+                text = message_text(found) if isinstance(found, Message) else found
+                self._controller.logged.emit(text)
+                return
+            self._selection = found.selection
+            self._scene.keep_estimated(found.estimated.result, found.clouds)
+            self._unchecked = found.estimated
+            self._document.complete_last_edit(found.estimated)
+            self._note(found.estimated, ESTIMATED_SAME_POINTS if selection else ESTIMATED_AGAIN)
+
+        # A quick one gives way to what the user requests; a slow one can be cancelled.
+        task = self._runner.run(
+            gettext("Estimating the boresight again"),
+            work,
+            done,
+            quiet=selection is not None,
+            key="follow",
+        )
+        self._automatic = (task, project)
+        self._last_task = task
+        self._controller.cancel_on_edit(task)
+
+    def _run_checks(self) -> None:
+        """Run advice and cross-checks for an automatic result when no other task runs.
+
+        The advice takes half as long as the adjustment itself, the cross-checks ten times as long.
+        """
+        if self._runner.active:
+            return
+        last, self._checking = self._checking, None
+        if last is not None and last.cancel.is_set() and not last.superseded:
+            self._unchecked = None  # cancelled by hand
+        (project, survey), selection = self._document.current_data, self._selection
+        if project is None or project is not self._unchecked or survey is None:
+            return
+        if selection is None or not selection.covers_sightings(project, survey):
+            return
+
+        cross_check = self._cross_check
+
+        def work(progress: Progress) -> Project:
+            from lispac.workflow.calibration.estimation import complete_result
+
+            return complete_result(
+                project, selection.selected, survey, cross_check=cross_check, progress=progress
+            )
+
+        def done(checked: Project) -> None:
+            if self._document.project is project and checked.result is not None:
+                self._unchecked = None
+                self._scene.reassign_estimated(project.result, checked.result)
+                self._document.complete_last_edit(checked)
+
+        title = (
+            gettext("Cross-checking the result")
+            if cross_check
+            else gettext("Searching for an additional line that improves the result")
+        )
+        self._checking = self._runner.run(title, work, done, quiet=True, key="follow")
+
+    def _note(self, project: Project, text: Plural) -> None:
+        result = project.result
+        assert result is not None
+        self._controller.logged.emit(
+            gettext(
+                text,
+                count=result.points,
+                elapsed=result.elapsed,
+                before=units.local_amount(1000 * result.rms_before, "mm", ".1f"),
+                after=units.local_amount(1000 * result.rms_after, "mm", ".1f"),
+            )
+        )
+
+
+def _adjust(
+    project: Project,
+    survey: Survey,
+    selection: _Selection | None,
+    cross_check: bool,
+    progress: Progress,
+    *,
+    advise: bool = True,
+) -> _EstimationResult:
+    """Select points if necessary, adjust, and place the lines; runs in the worker."""
+    from lispac.workflow.calibration.estimation import adjust_selected, reselect_points
+
+    preload_matplotlib()
+    started = perf_counter()
+    if selection is None:
+        selected = reselect_points(project, survey, progress=sub_progress(progress, 0.0, 0.7))
+        selection = _Selection(project, survey, selected)
+    solved = adjust_selected(
+        project, selection.selected, survey,
+        cross_check=cross_check, advise=advise, progress=sub_progress(progress, 0.7, 0.95),
+    )  # fmt: skip
+    assert solved.result is not None
+    elapsed = perf_counter() - started
+    # The checks hold the very result they stand beside.
+    estimated = replace(solved, result=replace(solved.result, elapsed=elapsed))
+    progress(0.95, gettext_lazy("Georeferencing the lines with the estimated boresight"))
+    clouds = survey.displayed_clouds(
+        estimated, "estimated", progress=sub_progress(progress, 0.95, 1.0)
+    )
+    return _EstimationResult(estimated, selection, clouds, None)

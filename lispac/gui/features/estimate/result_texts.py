@@ -1,0 +1,161 @@
+"""Texts about a result besides its angles: other parameters and the goodness of fit."""
+
+from collections.abc import Sequence
+from html import escape
+
+from lispac.adjustment.diagnostics.warnings import MAX_FLAT_SIGMA, result_warnings
+from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.gui.appearance import quantities, theme, units
+from lispac.gui.features.estimate.adjust_parameters import KINDS, MountingParameter
+from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.present.parameters import (
+    COMPONENTS,
+    component_values,
+    interval_text,
+    parameter_values,
+    significance_text,
+)
+
+MIN_ROUGHNESS = 5e-5
+"""Metres: a smaller surface sigma is shown as 0.0 mm."""
+_TENTH_MM = 1e-4
+
+
+def observation_counts(result: AdjustmentResult) -> str:
+    """Number of points and sightings used, and of outliers: ``2,592 points, 12 sightings``."""
+    points = gettext(Plural("{count:n} point", "{count:n} points"), count=result.points)
+    sightings = gettext(
+        Plural("{count:n} sighting", "{count:n} sightings"), count=len(result.sightings)
+    )
+    if not result.excluded_outliers:
+        return f"{points}, {sightings}"
+    outliers = gettext(
+        Plural("{count:n} outlier excluded", "{count:n} outliers excluded"),
+        count=result.excluded_outliers,
+    )
+    return f"{points}, {sightings}; {outliers}"
+
+
+def roughness_text(result: AdjustmentResult) -> str:
+    """Text of the standard deviation of the surfaces, or the reason why there is none."""
+    if not result.model.correlated:
+        return "–"
+    if result.model.surface == 0:
+        return gettext("fixed at 0")
+    if result.surfaces.max() < MIN_ROUGHNESS:
+        return gettext("not detected")
+    if result.offset is None:
+        return _roughness_value_text(result.surface)
+    return gettext(
+        "offsets {offset}, tilts {tilt}",
+        offset=_roughness_value_text(result.offset), tilt=_roughness_value_text(result.surface),
+    )  # fmt: skip
+
+
+def _roughness_value_text(metres: float) -> str:
+    if metres < MIN_ROUGHNESS:
+        return gettext("below {limit}", limit=quantities.amount(1000 * _TENTH_MM, "mm", 1))
+    return quantities.amount(1000 * metres, "mm", 1)
+
+
+FIT = (
+    N_("The residuals agree with the given standard deviations. The uncertainties are realistic."),
+    N_("The residuals agree with the given standard deviations."),
+)
+"""Text without and with warnings; so are the others."""
+FIT_WITH_SURFACES = (
+    N_(
+        "The residuals agree with the given standard deviations if the target surfaces vary by "
+        "{most:mm.1} mm from line to line. The uncertainties are realistic."
+    ),
+    N_(
+        "The residuals agree with the given standard deviations if the target surfaces vary by "
+        "{most:mm.1} mm from line to line."
+    ),
+)
+SMALL_RESIDUALS = (
+    N_(
+        "The residuals are smaller than expected: the given standard deviations of LiDAR or POS "
+        "are too large, and the uncertainties are conservative."
+    ),
+    N_(
+        "The residuals are smaller than expected: the given standard deviations of LiDAR or POS "
+        "are too large."
+    ),
+)
+
+
+def fit_verdict(
+    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
+) -> str:
+    """Text on the chi-square test; without warnings, whether the uncertainties can be used."""
+    is_sure = not result_warnings(result, checks, also)
+    if result.chi_square.passed:
+        if result.model.surface is None and (most := float(result.surfaces.max())) > MAX_FLAT_SIGMA:
+            sure, unsure = FIT_WITH_SURFACES
+            return gettext(sure if is_sure else unsure, most=most)
+        return gettext(FIT[0] if is_sure else FIT[1])
+    if result.variance_factor > 1:
+        return gettext(
+            "The residuals are larger than expected from the given standard deviations. Check "
+            "for a target that is not flat or a sighting with points of another object, or "
+            "enter larger standard deviations."
+        )
+    return gettext(SMALL_RESIDUALS[0] if is_sure else SMALL_RESIDUALS[1])
+
+
+def chi_square_text(result: AdjustmentResult) -> str:
+    """Text of the chi-square test with its bounds, as rich text."""
+    test = result.chi_square
+    statistic, lower, upper = (
+        units.localised(f"{value:.4g}") for value in (test.statistic, test.lower, test.upper)
+    )
+    if test.passed:
+        title, colour, interval = gettext("passed"), theme.DONE, N_("{value} in [{lower}, {upper}]")
+    else:
+        title, colour = gettext("failed"), theme.WARNING
+        interval = N_("{value} not in [{lower}, {upper}]")
+    values = gettext(interval, value=statistic, lower=lower, upper=upper)
+    bold = f'<b style="color:{colour}">{title}</b>'
+    return gettext("{name}: {text}", name=bold, text=values)
+
+
+def parameters_html(result: AdjustmentResult) -> str:
+    """Parameters estimated besides the boresight, as rich text; empty if there are none."""
+    rows = []
+    for estimate, values in zip(result.parameters, parameter_values(result), strict=True):
+        kind = KINDS[estimate.name]
+        title = escape(gettext(kind.title))
+        if estimate.value is None or estimate.sigma is None:
+            reason = "" if estimate.reason is None else escape(message_text(estimate.reason))
+            text = gettext("{name}: {text}", name=title, text=reason)
+            rows.append(f"<tr><td colspan='2'>{text}</td></tr>")
+            continue
+        prior = gettext("prior {value}", value=_parameter_text(kind, estimate.prior))
+        significance = escape(significance_text(values))
+        rows.append(
+            f"<tr><td>{title}</td><td align='right' style='padding-left:14px'>"
+            f"<b>{_parameter_text(kind, estimate.value)}</b> ± "
+            f"{_parameter_text(kind, estimate.sigma, signed=False)}"
+            f"</td></tr><tr><td colspan='2' align='right' style='color:{theme.MUTED}'>"
+            f"{escape(prior)}, {significance}</td></tr>"
+        )
+    return f"<table width='100%'>{''.join(rows)}</table>" if rows else ""
+
+
+def _parameter_text(kind: MountingParameter, value: float, *, signed: bool = True) -> str:
+    return kind.amount(value, signed=signed)
+
+
+def variance_component_texts(result: AdjustmentResult) -> tuple[str, ...]:
+    """The variance components: factor, interval and finding of each."""
+    return tuple(
+        gettext(
+            "{errors}: factor {factor:x.2} (95 %: {interval}), {finding}",
+            errors=gettext(COMPONENTS[each.name]), factor=each.factor,
+            interval=interval_text(each), finding=message_text(each.text),
+        )
+        for each in component_values(result)
+    )  # fmt: skip

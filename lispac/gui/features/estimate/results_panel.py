@@ -1,0 +1,339 @@
+"""Results of the adjustment: boresight angles, their uncertainty and the goodness of fit."""
+
+from collections.abc import Sequence
+from html import escape
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QBrush, QColor
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFormLayout,
+    QHeaderView,
+    QScrollArea,
+    QStackedLayout,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from lispac.adjustment.diagnostics.warnings import (
+    HIGH_CORRELATION,
+    outdated_result_warning,
+    result_warnings,
+)
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.duplicate_targets import project_warnings
+from lispac.gui import widgets
+from lispac.gui.appearance import quantities, theme, units
+from lispac.gui.features.estimate import result_texts
+from lispac.gui.widgets.mounting_texts import boresight_sentence, convention_html
+from lispac.language import N_, gettext, number
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.project import Project, Triple
+
+ANGLE_NAMES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
+EMPTY = N_(
+    "No result yet. Pick at least two targets with different orientations, then press Estimate in "
+    "step 3."
+)
+WAITING = N_("Estimating …")
+_TWO_SIDED_95 = 1.96
+_ROW_PX = 25
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+class ResultsPanel(QWidget):
+    """Result of the adjustment, in the order of page one of the report."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._stack = QStackedLayout(self)
+        empty = QWidget()
+        layout = widgets.vertical_layout(empty)
+        self.refusal = widgets.label("", "warning", wrap=True, name="results_refusal")
+        layout.addWidget(self.refusal)
+        self._empty = widgets.label("", "muted", wrap=True, name="results_empty")
+        layout.addWidget(self._empty)
+        layout.addStretch(1)
+        self._stack.addWidget(empty)
+        self._stack.addWidget(self._create_body())
+
+    def show_project(
+        self,
+        project: Project | None,
+        *,
+        waiting: bool = False,
+        refusal: str = "",
+        refused_since: Message | str = "",
+    ) -> None:
+        """Show the result of a project.
+
+        Parameters
+        ----------
+        waiting : bool
+            A new estimate is running: the last result stays, disabled.
+        refusal : str
+            Why there is no result.
+        refused_since : Message or str
+            Why an estimate after this result failed.
+        """
+        result = None if project is None else project.result
+        greyed = waiting and self._stack.currentIndex() == 1
+        self._waiting.setVisible(greyed)
+        self._body.setEnabled(not greyed)
+        if greyed:
+            return
+        self._stack.setCurrentIndex(0 if result is None else 1)
+        self.refusal.setVisible(bool(refusal))
+        self.refusal.setText(refusal)
+        if waiting:
+            self._empty.setText(gettext(WAITING))
+        else:
+            self._empty.setText("" if refusal else gettext(EMPTY))
+        if project is not None and result is not None:
+            _fill_angles(self.angles, result, project.truth_deg)
+            self._truth_note.setVisible(project.truth_deg is not None)
+            self._fill_rotation(result)
+            self._fill_texts(project, result, refused_since)
+            _fill_correlation(self.correlation, result)
+            self._fill_fit(project, result)
+
+    def _create_body(self) -> QScrollArea:
+        outer = QWidget()
+        around = widgets.vertical_layout(outer)
+        self._waiting = widgets.label(
+            gettext("A new estimate is running. The values below are from before the change."),
+            "hint", wrap=True, name="results_waiting",
+        )  # fmt: skip
+        around.addWidget(self._waiting)
+        self._body = QWidget()
+        around.addWidget(self._body)
+        layout = widgets.vertical_layout(self._body, 0)
+        self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings", rich=True)
+        layout.addWidget(self.warnings)
+        title = gettext("Boresight ({unit})", unit=units.shown_unit("°").sign)
+        layout.addWidget(widgets.label(title, "heading"))
+        self.angles = _create_table("angles_table", gettext("Boresight angles"), 4)
+        layout.addWidget(self.angles)
+        self._truth_note = widgets.label(
+            gettext(
+                "Simulated survey with known true angles. Green: the true angle is within the 95 % "
+                "interval."
+            ),
+            "muted", wrap=True,
+        )  # fmt: skip
+        layout.addWidget(self._truth_note)
+        self.rotation = widgets.label("", wrap=True, name="results_rotation", rich=True)
+        layout.addWidget(self.rotation)
+        self._parameters_head = widgets.label(gettext("Other estimated parameters"), "heading")
+        layout.addWidget(self._parameters_head)
+        self.parameters = widgets.label("", wrap=True, name="results_parameters", rich=True)
+        layout.addWidget(self.parameters)
+        layout.addWidget(widgets.label(gettext("Weakest direction"), "heading"))
+        self.weakest = widgets.label("", wrap=True, name="results_weakest")
+        layout.addWidget(self.weakest)
+        layout.addWidget(widgets.label(gettext("Fit"), "heading"))
+        layout.addLayout(self._fit_form())
+        self._verdict = widgets.label("", wrap=True, name="chi_square_verdict")
+        layout.addWidget(self._verdict)
+        layout.addWidget(widgets.label(gettext("Correlation"), "heading"))
+        self.correlation = _create_table(
+            "correlation_table", gettext("Correlation of the angles"), 3
+        )
+        layout.addWidget(self.correlation)
+        layout.addWidget(widgets.label(gettext("Convention"), "heading"))
+        convention = widgets.label("", "muted", wrap=True, name="convention", rich=True)
+        convention.setText(convention_html())
+        layout.addWidget(convention)
+        around.addStretch(1)
+        return widgets.VerticalScrollArea(outer, 380)
+
+    def _fill_rotation(self, result: AdjustmentResult) -> None:
+        """Show the rotation matrix where the pitch is too steep for the three angles."""
+        is_shown = result.mounting.axes is not None
+        self.rotation.setVisible(is_shown)
+        if is_shown:
+            rows = "".join(
+                f"<tr>{''.join(map(_matrix_cell, row))}</tr>"
+                for row in result.mounting.rotation_body_lidar
+            )
+            sentence = escape(boresight_sentence(result.angles))
+            title = escape(gettext("Rotation matrix, LiDAR to body (forward, left, up):"))
+            self.rotation.setText(f"{sentence}<br>{title}<table>{rows}</table>")
+
+    def _fill_texts(
+        self, project: Project, result: AdjustmentResult, refused_since: Message | str
+    ) -> None:
+        also = list(project_warnings(project))
+        if refused_since:
+            also.insert(0, outdated_result_warning(refused_since))
+        warnings = result_warnings(result, project.cross_checks, also)
+        self.warnings.setText("<br><br>".join(escape(message_text(each)) for each in warnings))
+        self.warnings.setVisible(bool(warnings))
+        rows = result_texts.parameters_html(result)
+        self.parameters.setText(rows)
+        for each in (self._parameters_head, self.parameters):
+            each.setVisible(bool(rows))
+        observability = result.observability
+        self.weakest.setText(
+            gettext("Not computed.")
+            if observability is None
+            else message_text(observability.messages[0])
+        )
+
+    def _fit_form(self) -> QFormLayout:
+        form = QFormLayout()
+        form.setHorizontalSpacing(14)
+        form.setVerticalSpacing(4)
+        self._values = {}
+        for key, title in (
+            ("rms", gettext("RMS point-to-plane")),
+            ("factor", gettext("Variance factor")),
+            ("chi", gettext("Chi-square test")),
+            ("points", gettext("Points, sightings")),
+            ("model", gettext("POS correlation time")),
+            ("surface", gettext("Surface roughness")),
+            ("iterations", gettext("Iterations, time")),
+        ):
+            value = widgets.label(name=f"result_{key}", rich=True)
+            value.setFont(theme.tabular_font(value.font()))
+            value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            self._values[key] = value
+            form.addRow(widgets.label(title, "muted"), value)
+        return form
+
+    def _fill_fit(self, project: Project, result: AdjustmentResult) -> None:
+        before = quantities.figure(1000 * result.rms_before, "mm", 1)
+        after = quantities.amount(1000 * result.rms_after, "mm", 1)
+        texts = {
+            "rms": f"{before} → <b>{after}</b>",
+            "factor": number(result.variance_factor, 3),
+            "chi": result_texts.chi_square_text(result),
+            "points": result_texts.observation_counts(result),
+            "model": _correlation_times(result.model),
+            "surface": result_texts.roughness_text(result),
+            "iterations": gettext(
+                "{iterations:n}, {time:s.2} s", iterations=result.iterations, time=result.elapsed
+            ),
+        }
+        for key, text in texts.items():
+            self._values[key].setText(text)
+        verdict = result_texts.fit_verdict(result, project.cross_checks, project_warnings(project))
+        components = "; ".join(result_texts.variance_component_texts(result))
+        if components:
+            found = gettext("Estimated variance components: {components}.", components=components)
+            verdict = f"{verdict} {found}"
+        self._verdict.setText(verdict)
+
+
+def _matrix_cell(value: float) -> str:
+    return f"<td align=right>{quantities.signed_number(value, 8)}&nbsp;&nbsp;</td>"
+
+
+def _correlation_times(model: StochasticModel) -> str:
+    if not model.correlated:
+        return gettext("uncorrelated (classical)")
+    return gettext(
+        "position {position:s} s, attitude {attitude:s} s",
+        position=model.position_time, attitude=model.attitude_time,
+    )  # fmt: skip
+
+
+def _create_table(name: str, title: str, rows: int) -> QTableWidget:
+    table = QTableWidget(rows, len(ANGLES))
+    table.setTabKeyNavigation(False)
+    table.setObjectName(name)
+    table.setAccessibleName(title)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
+    table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    table.setHorizontalHeaderLabels([gettext(name) for name in ANGLE_NAMES])
+    for column in range(len(ANGLES)):
+        table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
+    side = table.verticalHeader()
+    side.setDefaultSectionSize(_ROW_PX)
+    side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+    side.setMinimumWidth(96)
+    side.setHighlightSections(False)
+    header = table.horizontalHeader()
+    header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+    header.setHighlightSections(False)
+    return table
+
+
+def _set_row_titles(table: QTableWidget, titles: Sequence[str]) -> None:
+    table.setRowCount(len(titles))
+    table.setVerticalHeaderLabels(list(titles))
+    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW_PX * len(titles) + 3)
+
+
+def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | None) -> None:
+    prior, value = np.degrees(result.prior_angles), np.degrees(result.angles)
+    sigma = np.degrees(result.sigma)
+    interval = _TWO_SIDED_95 * sigma
+    rows = [
+        (gettext("Prior"), gettext("Angle before the adjustment"), prior, True),
+        (gettext("Estimated"), gettext("Angle after the adjustment"), value, True),
+        ("± 1 σ", gettext("Standard deviation"), sigma, False),
+        ("± 95 %", gettext("Half width of the 95 % confidence interval: 1.96 σ"), interval, False),
+    ]
+    if truth is not None:
+        tip = gettext("Angle used to simulate the survey")
+        rows.append((gettext("True value"), tip, np.array(truth), True))
+    _set_row_titles(table, [row[0] for row in rows])
+    for k, (_, tip, angles, sign) in enumerate(rows):
+        texts = [quantities.figure(angle, "°", 4, sign=sign) for angle in angles]
+        _write_row(table, k, texts, bold=angles is value)
+        table.verticalHeaderItem(k).setToolTip(tip)
+    for column in range(len(ANGLES) if truth is not None else 0):
+        error = value[column] - truth[column]
+        is_inside = abs(error) <= interval[column]
+        item = table.item(4, column)
+        item.setForeground(QBrush(QColor(theme.DONE if is_inside else theme.WARNING)))
+        item.setToolTip(
+            gettext(
+                N_("Estimated minus true angle: {difference}, inside the 95 % interval")
+                if is_inside
+                else N_("Estimated minus true angle: {difference}, outside the 95 % interval"),
+                difference=quantities.amount(error, "°", 4, sign=True),
+            )
+        )
+
+
+def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
+    _set_row_titles(table, [gettext(name) for name in ANGLE_NAMES])
+    for row in range(3):
+        _write_row(
+            table, row, [quantities.signed_number(each, 2) for each in result.correlation[row]]
+        )
+        for column in range(3):
+            item = table.item(row, column)
+            value = float(result.correlation[row, column])
+            item.setBackground(QBrush(_correlation_colour(value)))
+            if row != column and abs(value) > HIGH_CORRELATION:
+                item.setToolTip(
+                    gettext(
+                        "These two angles are highly correlated. Add a target with another "
+                        "orientation to separate them."
+                    )
+                )
+
+
+def _write_row(table: QTableWidget, row: int, texts: Sequence[str], *, bold: bool = False) -> None:
+    for column, text in enumerate(texts):
+        item = QTableWidgetItem(text)
+        item.setTextAlignment(_RIGHT)
+        item.setFont(theme.tabular_font(table.font(), bold=bold))
+        table.setItem(row, column, item)
+
+
+def _correlation_colour(value: float) -> QColor:
+    """Background colour of a correlation: paper at 0, blue to +1, orange to -1."""
+    full = QColor(theme.POSITIVE if value >= 0 else theme.NEGATIVE)
+    share = min(abs(value), 1.0)
+    ends = zip(QColor(theme.PAPER).getRgb()[:3], full.getRgb()[:3], strict=True)
+    return QColor(*(round(none + share * (all_of - none)) for none, all_of in ends))

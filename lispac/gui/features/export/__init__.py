@@ -1,0 +1,1 @@
+"""Export of lines, targets, trajectory and script."""

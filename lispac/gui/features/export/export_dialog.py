@@ -1,0 +1,285 @@
+"""Export dialogue: content, boresight, coordinates, file format and folder."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.errors import InputError, LispacError
+from lispac.gui import widgets
+from lispac.gui.app.actions import dialog_title
+from lispac.gui.appearance import theme
+from lispac.gui.features.export.actions import ACTIONS
+from lispac.gui.widgets.error_box import exception_text
+from lispac.gui.widgets.system_choice import DELAY_MS, HEIGHTS, HEIGHTS_TIP, system_box, system_text
+from lispac.installation_paths import expand_user
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message, error, note
+from lispac.project import Project
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.output.data_export import trajectory_datum_note
+from lispac.workflow.output.export_request import (
+    ENDINGS,
+    ExportRequest,
+    What,
+    output_system_of,
+)
+from lispac.workflow.output.georeferencing import Which
+from lispac.workflow.output.output_crs import LOCAL, trajectory_datum_of
+
+CONTENTS: dict[What, str] = {
+    "lines": N_("Georeferenced lines with all attributes"),
+    "targets": N_("Points of targets and validation planes"),
+    "planes": N_("Points of the target planes (text, 25 columns)"),
+    "trajectory": N_("Trajectory"),
+}
+FORMATS = {
+    "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text (.txt)"),
+    "sbet": "SBET (.out)", "text": N_("Text (.txt)"),
+}  # fmt: skip
+BORESIGHTS: dict[Which, str] = {
+    "estimated": N_("Estimated boresight"),
+    "prior": N_("Prior boresight"),
+}
+
+
+class ExportDialog(QDialog):
+    """Dialogue for an export of a project."""
+
+    def __init__(
+        self,
+        what: What,
+        which: Which,
+        project: Project,
+        trajectory: LocalTrajectory,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("export_dialog")
+        self.setWindowTitle(dialog_title(ACTIONS["targets" if what == "planes" else what]))
+        self._project, self._trajectory = project, trajectory
+        self.what = widgets.ChoiceBox(
+            "export_what", [gettext(each) for each in CONTENTS.values()], gettext("Data to export")
+        )
+        self.boresight = widgets.ChoiceBox(
+            "export_boresight", [gettext(each) for each in BORESIGHTS.values()],
+            gettext("Boresight angles used to georeference the points"),
+        )  # fmt: skip
+        self.system = system_box("export_system", project, trajectory)
+        self.height = QLineEdit()
+        self.height.setObjectName("export_height")
+        self.height.setPlaceholderText(gettext(HEIGHTS))
+        self.height.setToolTip(gettext(HEIGHTS_TIP))
+        self.datum, self.epoch = QLineEdit(), QLineEdit()
+        self.datum.setObjectName("export_datum")
+        self.datum.setPlaceholderText(gettext("Same as the coordinate system (no datum shift)"))
+        self.datum.setToolTip(
+            gettext("Geographic system of the trajectory, such as EPSG:7912 for ITRF2014")
+        )
+        self.epoch.setObjectName("export_epoch")
+        self.epoch.setPlaceholderText(
+            gettext("Decimal year for a time-dependent datum shift, such as 2024.5")
+        )
+        self.epoch.setToolTip(gettext("Date of the survey as a decimal year"))
+        self._preset_datum()
+        self.message_label = widgets.label("", "muted", wrap=True, name="export_message")
+        self.form = QComboBox()
+        self.form.setObjectName("export_form")
+        self.folder = QLineEdit(str(project.folder / "export"))
+        self.folder.setObjectName("export_folder")
+        self.folder.setMinimumWidth(420)
+        browse = widgets.button(gettext("Browse…"), "export_browse", icon="folder-open-outline")
+        browse.clicked.connect(self._browse)
+        place = QHBoxLayout()
+        place.setSpacing(theme.SPACING)
+        place.addWidget(self.folder, 1)
+        place.addWidget(browse)
+        form = QFormLayout()
+        form.setVerticalSpacing(theme.SPACING)
+        self._rows = form
+        form.addRow(gettext("Data"), self.what)
+        form.addRow(gettext("Boresight"), self.boresight)
+        form.addRow(gettext("Coordinate system"), self.system)
+        form.addRow(gettext("Vertical system"), self.height)
+        form.addRow(gettext("Trajectory datum"), self.datum)
+        form.addRow(gettext("Epoch (year)"), self.epoch)
+        form.addRow("", self.message_label)
+        form.addRow(gettext("File format"), self.form)
+        form.addRow(gettext("Folder"), place)
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        ok = self.buttons.button(QDialogButtonBox.StandardButton.Ok)
+        ok.setText(gettext("Export"))
+        ok.setProperty("primary", True)
+        for button in self.buttons.buttons():
+            button.setIcon(QIcon())
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 14, 16, 14)
+        layout.setSpacing(theme.SPACING * 2)
+        layout.addLayout(form)
+        layout.addStretch(1)
+        layout.addWidget(self.buttons)
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(DELAY_MS)
+        self._debounce.timeout.connect(self._check_input)
+        self.what.currentIndexChanged.connect(self._show_fields)
+        self.system.editTextChanged.connect(self._on_typed)
+        for field in (self.height, self.datum, self.epoch):
+            field.textChanged.connect(self._on_typed)
+        self.folder.textChanged.connect(self._check_input)
+        if project.result is None:
+            self.boresight.setCurrentIndex(list(BORESIGHTS).index("prior"))
+            self.boresight.setEnabled(False)
+            self.boresight.setToolTip(
+                gettext(
+                    "Only the prior boresight can be used because no boresight has been estimated "
+                    "yet"
+                )
+            )
+        else:
+            self.boresight.setCurrentIndex(list(BORESIGHTS).index(which))
+        self.what.setCurrentIndex(list(CONTENTS).index(what))
+        self._show_fields()
+
+    def request(self) -> ExportRequest:
+        """The export as filled in."""
+        what, form = self._content, self._file_format
+        # A relative path is relative to the project, not to where the program was started.
+        output = self._project.folder / expand_user(Path(self.folder.text().strip()))
+        if what == "trajectory":
+            ending = ".out" if form == "sbet" else ".txt"
+            output = output / f"{self._project.trajectory.stem}_export{ending}"
+        which = list(BORESIGHTS)[self.boresight.currentIndex()]
+        try:
+            datum, epoch = self._datum_and_epoch()
+        except InputError:  # the dialogue shows it and cannot be accepted
+            datum, epoch = None, None
+        return ExportRequest(
+            what, output, which, form, self._system_text, self._height, datum, epoch
+        )
+
+    def _preset_datum(self) -> None:
+        """Fill in datum and epoch of the lines; leave them empty where the lines differ."""
+        self._differ = False
+        try:
+            datum, epoch = trajectory_datum_of(self._project.lines)
+        except LispacError:
+            self._differ = True
+            return
+        self.datum.setText(datum)
+        self.epoch.setText("" if epoch is None else repr(epoch))
+
+    def _datum_and_epoch(self) -> tuple[str | None, float | None]:
+        """Datum and epoch of the trajectory from the fields; None: as the files of the lines."""
+        if not self.datum.isEnabled():
+            return None, None
+        text = self.epoch.text().strip().replace(",", ".")
+        try:
+            epoch = float(text) if text else None
+        except ValueError:
+            raise InputError(error("window.not_a_decimal_year", text=text)) from None
+        datum = self.datum.text().strip()
+        return (None if self._differ and not datum else datum), epoch
+
+    @property
+    def _height(self) -> str:
+        return self.height.text().strip() if self.height.isEnabled() else ""
+
+    @property
+    def _content(self) -> What:
+        return list(CONTENTS)[self.what.currentIndex()]
+
+    @property
+    def _file_format(self) -> str:
+        return ENDINGS[self._content][self.form.currentIndex()]
+
+    @property
+    def _system_text(self) -> str:
+        return system_text(self.system)
+
+    def _show_fields(self) -> None:
+        what = self._content
+        on_map = what in ("lines", "targets")
+        for field in (self.system, self.height, self.datum, self.epoch):
+            self._rows.setRowVisible(field, on_map)
+        self._rows.setRowVisible(self.boresight, what != "trajectory")
+        self.form.clear()
+        self.form.addItems([gettext(FORMATS[ending]) for ending in ENDINGS[what]])
+        self.form.setEnabled(len(ENDINGS[what]) > 1)
+        self._check_input()
+        self.adjustSize()
+
+    def _on_typed(self) -> None:
+        if self.system.findText(self.system.currentText()) >= 0 and not self.height.text():
+            self._check_input()  # chosen, not typed
+            return
+        self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(False)
+        self._debounce.start()
+
+    def _check_input(self) -> None:
+        """Show the meaning of the coordinates, or what is wrong with them."""
+        self._debounce.stop()
+        local = self._system_text == LOCAL
+        self.height.setEnabled(not local)
+        for field in (self.datum, self.epoch):  # the lines' own system has them already
+            field.setEnabled(not local and bool(self._system_text))
+        good = bool(self.folder.text().strip())
+        try:
+            meaning = self._describe_coordinates()
+            text = " ".join(map(_sentence, meaning))
+            serious = any(isinstance(each, Message) and each.is_serious for each in meaning)
+            role = "error" if serious else "muted"
+        except LispacError as error:
+            text, role, good = exception_text(error), "error", False
+        self.message_label.setText(text)
+        self.message_label.setProperty("role", role)
+        self.message_label.style().unpolish(self.message_label)
+        self.message_label.style().polish(self.message_label)
+        self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(good)
+
+    def _describe_coordinates(self) -> Sequence[str | Message]:
+        if self._content == "trajectory":
+            return [trajectory_datum_note(self._project)]
+        local = [
+            gettext(
+                "The coordinates are north, west and up, in metres from the origin of the project"
+            )
+        ]
+        if self._content == "planes":
+            return local
+        height = self._height
+        found = output_system_of(
+            self._project, self._trajectory, self._system_text, height, *self._datum_and_epoch()
+        )
+        if found is None:
+            return local
+        assumptions = found.assumptions or (found.name,)
+        return [*assumptions, note("export.epoch")]
+
+    def _browse(self) -> None:
+        chosen = QFileDialog.getExistingDirectory(
+            self, gettext("Export folder"), self.folder.text()
+        )
+        if chosen:
+            self.folder.setText(chosen)
+
+
+def _sentence(text: str | Message) -> str:
+    return message_text(text) if isinstance(text, Message) else f"{text}."

@@ -1,0 +1,205 @@
+"""The three-minute tour: the built-in survey calibrated, led step by step.
+
+The user does each step with the ordinary functions of the window. The tour shows the instruction,
+brings the place into view, and continues when the project shows that the step is done.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout
+
+from lispac.gui import widgets
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.gui.project.status import TARGETS
+from lispac.gui.viewport.base import Viewport
+from lispac.language import N_, gettext
+from lispac.project import Project
+from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
+from lispac.workflow.planning.demo import demo_seeds
+
+VIEW_RADIUS = 2.5
+"""Metres about a board that are brought into view with it."""
+
+
+@dataclass(frozen=True)
+class TourStep:
+    """One step of the tour: instruction, place and the test for its end.
+
+    Attributes
+    ----------
+    text : instruction, marked with `N_`
+    place : name of a seed of the demo that is brought into view; "" for all of the survey
+    done : whether a project, and a plane that waits to be accepted, are beyond this step
+    """
+
+    text: str
+    place: str
+    done: Callable[[Project, bool], bool]
+
+
+def _target_count(project: Project, role: str) -> int:
+    return len(project.targets_of_role(role))
+
+
+STEPS = (
+    TourStep(N_("The vessel has passed this quay six times; each line has its own colour. The "
+            "prior boresight is wrong, so the same wall appears in six places. Hold Ctrl and "
+            "click the board in the middle of the view."), "T1",
+         lambda project, waits: waits or _target_count(project, "target") >= 1),
+    TourStep(N_("The plane of the board was found in every line. Press Enter to accept it."), "T1",
+         lambda project, _waits: _target_count(project, "target") >= 1),
+    TourStep(N_("One board does not determine all three angles. Ctrl+click this second board, "
+            "which leans back, and press Enter."), "T2",
+         lambda project, _waits: _target_count(project, "target") >= 2),
+    TourStep(N_("Press F9 to estimate the boresight. Roll, pitch and yaw appear on the right, with "
+            "standard deviations that include the errors of the trajectory."), "",
+         lambda project, _waits: project.result is not None),
+    TourStep(N_("Now check that the lines agree on a validation plane, which is not used in the "
+            "adjustment. Press F7, Ctrl+click the plane in the middle and press Enter."), "V1",
+         lambda project, _waits: _target_count(project, "validation") >= 1),
+    TourStep(N_("Press F10: the histograms below show the distances between the lines before and "
+            "after the calibration. Press B to switch the view between before and after."), "",
+         lambda project, _waits: bool(project.validation)),
+    TourStep(N_("The calibration is complete. Press Ctrl+E to write the report. Each step on the "
+            "left shows its state and the next action."), "",
+         lambda _project, _waits: False),
+)  # fmt: skip
+
+
+SAME_ORIENTATION = N_(
+    "This target has the same orientation as the other, so the angles are not determined. Undo "
+    "with Ctrl+Z, then Ctrl+click the board that leans back and press Enter."
+)
+"""Text shown instead of that of a step while all targets have the same orientation."""
+
+
+class TourCard(QFrame):
+    """Card with the instruction of the current step, above the view."""
+
+    ended = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("tour_card")
+        self.setProperty("role", "candidate")
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(14, 8, 10, 8)
+        texts = QVBoxLayout()
+        self.head = widgets.label("", "heading", name="tour_head")
+        self.text = widgets.label("", wrap=True, name="tour_text")
+        texts.addWidget(self.head)
+        texts.addWidget(self.text)
+        layout.addLayout(texts, 1)
+        self.end = widgets.button(gettext("End the tour"), "tour_end")
+        self.end.clicked.connect(self.ended)
+        layout.addWidget(self.end)
+        self.hide()
+
+    def show_step(self, number: int, text: str) -> None:
+        """Show an instruction, marked with `N_`; ``number`` counts from 0."""
+        head = gettext("Tour, step {step:n} of {count:n}", step=number + 1, count=len(STEPS))
+        self.head.setText(head)
+        self.text.setText(gettext(text))
+        last = number == len(STEPS) - 1
+        self.end.setText(gettext("Close") if last else gettext("End the tour"))
+        self.show()
+
+
+class Tour(QObject):
+    """Guides the user through the steps of the tour."""
+
+    def __init__(
+        self,
+        document: Document,
+        scene: Scene,
+        viewport: Viewport,
+        controller: Controller,
+        card: TourCard,
+        may_leave: Callable[[], bool],
+        open_step: Callable[[int], None],
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._scene, self._viewport = document, scene, viewport
+        self._controller, self._card = controller, card
+        self._may_leave, self._open_step = may_leave, open_step
+        self._at: int | None = None
+        self._text = ""
+        self._starting = False
+        self._place: str | None = None
+        """What is to be brought into view once the lines are drawn."""
+        card.ended.connect(self.end)
+        document.opened.connect(self._on_project_opened)
+        document.changed.connect(self._show_current_step)
+        controller.candidate_changed.connect(self._show_current_step)
+        scene.drawn.connect(self._view_place)
+
+    @property
+    def is_running(self) -> bool:
+        """Whether the tour is running."""
+        return self._at is not None
+
+    def start(self) -> None:
+        """Open the demo without its targets and start the tour."""
+        if self._may_leave():
+            self._controller.open_demo(first=self._mark_start)
+
+    def _mark_start(self) -> None:
+        # Only now: had the demo been cancelled, the next project would lose its targets to the tour
+        self._starting = True
+
+    def resume(self) -> None:
+        """Continue the tour with the project as it is, in a new window."""
+        self._at = -1
+        self._show_current_step()
+
+    def end(self) -> None:
+        """End the tour."""
+        self._at = self._place = None
+        self._card.hide()
+
+    def _on_project_opened(self) -> None:
+        starting, self._starting = self._starting, False
+        if not starting:
+            self.end()
+            return
+        project = self._document.project
+        assert project is not None
+        if project.targets:  # of an earlier visit
+            for target in project.targets:
+                project = project.without_target(target.name)
+            self._document.edit(N_("start of the tour"), project)
+        self._open_step(TARGETS)
+        self.resume()
+
+    def _show_current_step(self) -> None:
+        project = self._document.project
+        if self._at is None or project is None:
+            return
+        waits = self._controller.candidate is not None
+        at = next(k for k, step in enumerate(STEPS) if not step.done(project, waits))
+        document, text = self._document, STEPS[at].text
+        if project.result is None and document.survey_is_current:
+            assert document.survey is not None
+            text = SAME_ORIENTATION if do_targets_face_one_way(project, document.survey) else text
+        if (at, text) != (self._at, self._text):
+            self._at, self._text = at, text
+            self._card.show_step(at, text)
+            self._place = STEPS[at].place
+            if not self._scene.awaits_lines:
+                self._view_place()
+
+    def _view_place(self) -> None:
+        place, self._place = self._place, None
+        if place is None:
+            return
+        if place:
+            centre = np.array(demo_seeds()[place][1])
+            corners = centre + VIEW_RADIUS * np.array([[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]])
+            self._viewport.view_along(np.array([0.0, 1.0, 0.0]), corners)
+        else:
+            self._viewport.fit()

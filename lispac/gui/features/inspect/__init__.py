@@ -1,0 +1,1 @@
+"""Views, sections, measurements and pictures."""

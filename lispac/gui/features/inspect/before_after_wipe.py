@@ -1,0 +1,62 @@
+"""Comparison of before and after in one picture, divided by a line that the mouse moves."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject
+
+from lispac.gui.app.actions import Actions
+from lispac.gui.project.computations import Computations
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import Viewport
+from lispac.gui.widgets.idle_tasks import IdleTask
+from lispac.language import gettext
+
+
+class BeforeAfterWipe(QObject):
+    """Wipe between before and after; ends when it is switched off or the prior is shown."""
+
+    def __init__(
+        self,
+        document: Document,
+        scene: Scene,
+        computing: Computations,
+        viewport: Viewport,
+        actions: Actions,
+        note: Callable[[str], None],
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._scene, self._computations = document, scene, computing
+        self._viewport, self._note = viewport, note
+        self._action = actions["wipe"]
+        self._action.triggered.connect(self._toggle_tool)
+        self._due = IdleTask(self._show_wipe, self)
+        scene.drawn.connect(self._due.start)
+        document.opened.connect(self._stop_wipe)
+
+    def _toggle_tool(self, on: bool) -> None:
+        project = self._document.project
+        if not on:
+            self._stop_wipe()
+        elif project is None or project.result is None:
+            self._action.setChecked(False)
+            self._note(
+                gettext("Estimate the boresight first, to compare the lines before and after.")
+            )
+        elif self._scene.which == "estimated":
+            self._show_wipe()
+        else:
+            self._computations.show("estimated")
+
+    def _show_wipe(self) -> None:
+        survey = self._document.survey
+        if not self._action.isChecked():
+            return
+        if self._scene.which == "prior" or survey is None:
+            self._stop_wipe()
+            return
+        self._viewport.show_wipe({name: cloud.sample for name, cloud in survey.clouds.items()})
+
+    def _stop_wipe(self) -> None:
+        self._action.setChecked(False)
+        self._viewport.show_wipe(None)

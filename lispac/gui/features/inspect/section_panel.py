@@ -1,0 +1,192 @@
+"""Section through all lines: its options and its picture."""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
+
+from lispac.gui import widgets
+from lispac.gui.appearance import theme
+from lispac.gui.viewport.base import Colour
+from lispac.language import N_, gettext
+from lispac.workflow.checking.survey_sections import SectionPoints
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+TITLE = N_("Section")
+ORIENTATIONS = (N_("Vertical"), N_("Horizontal"))
+"""Orientations of the strip."""
+EMPTY = N_(
+    "Select a target to show a section of all lines across it, or cut a section between two "
+    "points. Lines that are shifted or tilted against each other indicate a wrong boresight."
+)
+ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
+AHEAD_LABEL, HEIGHT_LABEL = N_("Distance from the vessel (m)"), N_("Height (m)")
+RIGHT_LABEL, ALONG_LABEL = N_("Distance to the right (m)"), N_("Distance from the first point (m)")
+"""Titles of the axes."""
+PRINT_DPI = 200
+
+
+class SectionPanel(QWidget):
+    """Options of the section and its picture; emits `changed`."""
+
+    changed = Signal()
+    """An option was changed."""
+    points_requested = Signal()
+    picture_requested = Signal()
+    copy_requested = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setMinimumHeight(216)
+        self.through = widgets.label("", "heading", name="section_through")
+        self.orientation = widgets.ChoiceBox(
+            "section_laid", [gettext(title) for title in ORIENTATIONS],
+            gettext(
+                "A vertical section shows height against distance and reveals errors of roll "
+                "and pitch. A horizontal section shows the lines from above and reveals errors "
+                "of yaw."
+            ),
+        )  # fmt: skip
+        self.thickness = widgets.number(
+            "section_thickness", suffix=" m", decimals=2, low=0.01, high=50, step=0.05,
+            tip=gettext("Thickness of the section"),
+        )  # fmt: skip
+        self.size = widgets.number(
+            "section_size", suffix=" m", decimals=1, low=0.2, high=200, step=0.5,
+            tip=gettext("Height of the section, and its width at a target"),
+        )  # fmt: skip
+        self.thickness.setValue(0.20)
+        self.size.setValue(2.0)
+        self.points = widgets.button(
+            gettext("Between two points"), "section_points",
+            tip=gettext("Cut a section between two clicked points"),
+        )  # fmt: skip
+        self.save_picture = widgets.button(
+            gettext("Save…"), "section_save",
+            tip=gettext("Save the section as shown, as PNG, SVG or PDF"),
+        )  # fmt: skip
+        self.copy_picture = widgets.button(
+            gettext("Copy"), "section_copy",
+            tip=gettext("Copy the section as shown to the clipboard"),
+        )  # fmt: skip
+        pictures = QHBoxLayout()
+        pictures.addWidget(self.save_picture, 1)
+        pictures.addWidget(self.copy_picture, 1)
+        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_text")
+        form = QFormLayout()
+        form.addRow(self.through)
+        form.addRow(gettext("Orientation"), self.orientation)
+        form.addRow(gettext("Thickness"), self.thickness)
+        form.addRow(gettext("Size"), self.size)
+        self._left = QVBoxLayout()
+        self._left.addLayout(form)
+        self._left.addWidget(self.points)
+        self._left.addLayout(pictures)
+        self._left.addStretch(1)
+        side = QWidget()
+        side.setLayout(self._left)
+        side.setFixedWidth(216)
+        self._left.setContentsMargins(8, 6, 4, 4)
+        self._row = QHBoxLayout(self)
+        self._row.setContentsMargins(0, 0, 4, 0)
+        self._row.addWidget(side)
+        # In the place of the picture: beside the options there is no space for the text.
+        self._row.addWidget(self.text_label, 1)
+        self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.text_label.setContentsMargins(24, 0, 24, 0)
+        self.canvas: QWidget | None = None
+        self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
+        self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
+        self.size.valueChanged.connect(lambda _value: self.changed.emit())
+        self.points.clicked.connect(lambda _on: self.points_requested.emit())
+        self.save_picture.clicked.connect(lambda _on: self.picture_requested.emit())
+        self.copy_picture.clicked.connect(lambda _on: self.copy_requested.emit())
+        self._allow_pictures(False)
+
+    @property
+    def is_horizontal(self) -> bool:
+        """Whether the strip is horizontal."""
+        return self.orientation.currentIndex() == 1
+
+    @property
+    def has_section(self) -> bool:
+        """Whether a section is displayed."""
+        return bool(self.through.text())
+
+    def figure_for_print(self) -> "Figure":
+        """Figure of the section with its title, which another thread may save."""
+        from matplotlib.figure import Figure
+
+        shown = self.canvas.figure
+        printed = Figure(figsize=shown.get_size_inches(), dpi=PRINT_DPI, layout="constrained")
+        with theme.paper_colours():
+            self._draw(printed)
+        for axes, like in zip(printed.axes, shown.axes, strict=True):
+            axes.set(xlim=like.get_xlim(), ylim=like.get_ylim())
+        printed.suptitle(self.through.text(), fontsize=11, parse_math=False)
+        return printed
+
+    def _allow_pictures(self, allowed: bool) -> None:
+        self.save_picture.update_enabled(allowed)
+        self.copy_picture.update_enabled(allowed)
+
+    def show_nothing(self, reason: str) -> None:
+        """Show why there is no section."""
+        self.through.setText("")
+        self.text_label.setText(reason)
+        self.text_label.show()
+        self._allow_pictures(False)
+        if self.canvas is not None:
+            self.canvas.hide()
+
+    def show_cuts(
+        self,
+        through: str,
+        cuts: Sequence[SectionPoints],
+        colours: Mapping[str, Colour],
+        *,
+        target: bool,
+    ) -> None:
+        """Show a section before and after.
+
+        Parameters
+        ----------
+        through : what is cut
+        target : whether the section is across a target, or between two points
+        """
+        title = through
+        self.through.setText(title)
+        self.orientation.setEnabled(target)
+        self.text_label.hide()
+        self._make_canvas()
+        across = RIGHT_LABEL if self.is_horizontal else AHEAD_LABEL
+        upward = AHEAD_LABEL if self.is_horizontal else HEIGHT_LABEL
+        axes = (across, upward) if target else (ALONG_LABEL, HEIGHT_LABEL)
+        self._shown = cuts, colours, axes
+        self._draw(self.canvas.figure)
+        self._zooming.set_home()
+        self.canvas.draw_idle()
+        self.canvas.show()
+        self._allow_pictures(True)
+        self.canvas.setAccessibleName(gettext("Section of the lines: {section}", section=title))
+
+    def _draw(self, figure: "Figure") -> None:
+        # Imported here, so that the start of the window does not wait for Matplotlib.
+        from lispac.gui.features.inspect.section_figure import draw_section
+
+        draw_section(*self._shown, figure)
+
+    def _make_canvas(self) -> None:
+        if self.canvas is not None:
+            return
+        from lispac.gui.widgets.chart import Chart
+        from lispac.gui.widgets.plot_zoom import PlotZoom
+
+        self.canvas = Chart(300, 150, theme.PAPER)
+        self.canvas.setObjectName("section_canvas")
+        self.canvas.setToolTip(gettext(ZOOM_HINT))
+        self._zooming = PlotZoom(self.canvas)
+        self._row.addWidget(self.canvas, 1)

@@ -1,0 +1,183 @@
+"""Section through the selected target, or between two clicked points."""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from lispac.errors import LispacError
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.mouse_tool import MouseTool
+from lispac.gui.app.tasks import TaskRunner, preload_matplotlib
+from lispac.gui.appearance import theme
+from lispac.gui.features.inspect.section_panel import EMPTY, SectionPanel
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
+from lispac.gui.viewport.clipping import EDGES, Box
+from lispac.language import N_, gettext
+from lispac.progress import Progress
+from lispac.targets.cross_section import Section
+from lispac.workflow.checking.survey_sections import (
+    SectionPoints,
+    cut_between_points,
+    section_at_target,
+)
+
+SKETCH_NAME = "section"
+SKETCH_COLOUR: Colour = (0, 90, 200)
+HINTS = (N_("Click the start of the section"), N_("Click the end of the section"))
+
+
+class SectionTool(QObject):
+    """Computes the section in the background while its panel is visible."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        viewport: Viewport,
+        actions: Actions,
+        mouse_tool: MouseTool,
+        bring: Callable[[QObject], None],
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner, self._scene = document, runner, scene
+        self._viewport, self._mouse_tool, self._bring = viewport, mouse_tool, bring
+        self.panel = SectionPanel()
+        self._ends: list[Array] = []
+        self._outdated = self._panel_visible = self._drawn = False
+        self._shown: tuple[tuple[object, ...], tuple[object, ...]] | None = None
+        self._cuts: Sequence[SectionPoints] = ()
+        self.panel.changed.connect(self._update_section)
+        self.panel.points_requested.connect(actions["section_points"].trigger)
+        actions["section"].triggered.connect(lambda _=False: self._open())
+        actions["section_points"].triggered.connect(self._toggle_tool)
+        scene.selection_changed.connect(self._cut_target)
+        document.opened.connect(self._cut_target)
+        document.changed.connect(self._update_section)
+        scene.which_changed.connect(lambda _which: self._update_section())
+        runner.idle.connect(lambda: self._outdated and self._update_section())
+
+    def _open(self) -> None:
+        self._bring(self.panel)
+
+    def set_panel_visible(self, visible: bool) -> None:
+        """Set whether the panel is visible."""
+        self._panel_visible = visible
+        self._update_section()
+
+    # -- between two points ------------------------------------------------------------------
+
+    def _toggle_tool(self, on: bool) -> None:
+        if not on:
+            self._mouse_tool.end()
+            return
+        self._ends = []
+        self._draw_sketch(None)
+        hint = gettext(HINTS[0])
+        self._mouse_tool.begin(
+            "section_points", hint, pointed=self._add_point, ended=self._discard_points
+        )
+
+    def _add_point(self, point: PickedPoint) -> None:
+        self._ends.append(np.array(point.position))
+        if len(self._ends) == 1:
+            self._mouse_tool.hint(gettext(HINTS[1]))
+            self._draw_sketch(Sketch((point.position,), (), SKETCH_COLOUR, dots=True))
+            return
+        self._mouse_tool.end()
+        self._open()
+        self._update_section()
+
+    def _discard_points(self) -> None:
+        if len(self._ends) < 2:
+            self._ends = []
+            self._draw_sketch(None)
+
+    # -- cutting -----------------------------------------------------------------------------
+
+    def _cut_target(self) -> None:
+        """Cut the newly selected target instead of a section between two points."""
+        self._ends = []
+        self._update_section()
+
+    def _update_section(self) -> None:
+        project, survey = self._document.project, self._document.survey
+        panel, selected = self.panel, self._scene.selected
+        if not self._panel_visible:
+            self._draw_sketch(None)
+            return
+        ends = tuple(self._ends) if len(self._ends) == 2 else None
+        known = project is not None and {target.name for target in project.targets}
+        name = selected[0] if selected is not None and known and selected[0] in known else None
+        ready = survey is not None and self._document.survey_is_current
+        if project is None or survey is None or not ready or not (ends or name):
+            self._show_nothing(gettext(EMPTY))
+            return
+        level, size, thickness = panel.is_horizontal, panel.size.value(), panel.thickness.value()
+        target = project.target(name) if name else None
+        rests_on = (project.result, target, survey, *(ends or ()))
+        requested = (level, size, thickness, *map(id, rests_on))
+        if not self._outdated and self._shown is not None and requested == self._shown[0]:
+            self._draw_frame()
+            return
+        self._outdated = True
+
+        def work(progress: Progress) -> Sequence[SectionPoints] | str:
+            preload_matplotlib()
+            try:
+                if ends is not None:
+                    return cut_between_points(
+                        project, survey, *ends, height=size, thickness=thickness,
+                        progress=progress,
+                    )  # fmt: skip
+                return section_at_target(
+                    project, survey, name, level=level, size=size, thickness=thickness,
+                    progress=progress,
+                )  # fmt: skip
+            except LispacError as error:
+                return str(error)
+
+        def done(cuts: Sequence[SectionPoints] | str) -> None:
+            self._outdated = False
+            self._shown = requested, rests_on  # kept, so that no other object gets their id
+            if isinstance(cuts, str):
+                self._show_nothing(cuts)
+                return
+            self._cuts = cuts
+            if ends is not None:
+                through = gettext("Between two points")
+            else:
+                through = gettext("Across {target}", target=name)
+            panel.show_cuts(
+                through, cuts, theme.line_colours(survey.lines), target=ends is None
+            )  # fmt: skip
+            self._draw_frame()
+
+        title = gettext("Cutting the section")
+        self._runner.run(title, work, done, quiet=True, key="section")
+
+    def _show_nothing(self, text: str) -> None:
+        self._outdated, self._shown = False, None
+        self.panel.show_nothing(text)
+        self._draw_sketch(None)
+
+    def _draw_frame(self) -> None:
+        """Draw the frame of the section into the view."""
+        cut = next((c for c in self._cuts if c.which == self._scene.which), self._cuts[0])
+        self._draw_sketch(section_box_sketch(cut.section))
+
+    def _draw_sketch(self, sketch: Sketch | None) -> None:
+        if sketch is not None or self._drawn:
+            self._drawn = sketch is not None
+            self._viewport.show_sketch(SKETCH_NAME, sketch)
+
+
+def section_box_sketch(section: Section) -> Sketch:
+    """Outline of the box that a section cuts out, for the 3D view."""
+    half = 0.5 * np.array([section.width, section.height, section.thickness])
+    box = Box(section.centre, np.array([section.right, section.up, section.across]), half)
+    places = tuple((float(x), float(y), float(z)) for x, y, z in box.corners)
+    return Sketch(places, EDGES, SKETCH_COLOUR)

@@ -1,0 +1,87 @@
+"""Actions of the View menu: before and after, standard views, size and colours of the points."""
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.point_colours import COLOURINGS, Colouring
+from lispac.gui.app.settings import POINT_SIZES, AppSettings
+from lispac.gui.features.inspect.actions import COLOUR_ACTIONS, VIEWS
+from lispac.gui.project.computations import Computations
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import Array, Viewport
+from lispac.language import N_, gettext
+from lispac.targets.cross_section import common_normal
+
+NOTHING_SELECTED = N_("Select a target first, in the list of targets or in the table.")
+
+
+class ViewMenu(QObject):
+    """Connects the actions of the View menu with the viewport."""
+
+    def __init__(
+        self,
+        viewport: Viewport,
+        scene: Scene,
+        controller: Controller,
+        computations: Computations,
+        actions: Actions,
+        settings: AppSettings,
+    ) -> None:
+        super().__init__(actions)
+        self._viewport, self._scene, self._controller = viewport, scene, controller
+        self._actions, self._settings = actions, settings
+        viewport.set_point_size(settings.point_size)
+        slots = {
+            "before": lambda: computations.show("prior"),
+            "after": lambda: computations.show("estimated"),
+            "toggle": lambda: computations.show(
+                "prior" if scene.which == "estimated" else "estimated"
+            ),
+            "fit": viewport.fit,
+            "larger": lambda: self._resize_points(+1),
+            "smaller": lambda: self._resize_points(-1),
+            "colour_next": self._colour_by_next,
+            "fit_selection": self._fit_selection,
+            "normal": self._view_along_normal,
+            "orthographic": lambda: viewport.set_parallel(actions["orthographic"].isChecked()),
+        }
+        for name in VIEWS:
+            slots[name] = lambda name=name: viewport.view(name)
+        for name in COLOURINGS:
+            slots[COLOUR_ACTIONS[name]] = lambda name=name: self._colour_by(name)
+        actions.connect_slots(slots)
+
+    def _resize_points(self, by: int) -> None:
+        pixels = min(max(self._settings.point_size + by, POINT_SIZES[0]), POINT_SIZES[-1])
+        self._settings.point_size = pixels
+        self._viewport.set_point_size(pixels)
+
+    def _fit_selection(self) -> None:
+        if groups := self._selected():
+            self._viewport.fit(np.concatenate(groups))
+
+    def _view_along_normal(self) -> None:
+        if groups := self._selected():
+            self._viewport.view_along(common_normal(groups), np.concatenate(groups))
+
+    def _selected(self) -> list[Array]:
+        groups = list(self._scene.selected_points.values())
+        if not groups:
+            self._controller.logged.emit(gettext(NOTHING_SELECTED))
+        return groups
+
+    def _colour_by(self, colouring: Colouring) -> bool:
+        try:
+            self._scene.colour_by(colouring)
+        except ValueError as error:
+            self._controller.logged.emit(str(error))
+        self._actions[COLOUR_ACTIONS[self._scene.colouring]].setChecked(True)
+        return self._scene.colouring == colouring
+
+    def _colour_by_next(self) -> None:
+        at = COLOURINGS.index(self._scene.colouring)
+        for k in range(1, len(COLOURINGS)):
+            if self._colour_by(COLOURINGS[(at + k) % len(COLOURINGS)]):
+                return

@@ -1,0 +1,1 @@
+"""Opening, saving and leaving projects, and step 1."""

@@ -1,0 +1,282 @@
+"""Step 1: the files, the lines and the mounting."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFormLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QScrollArea,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from lispac.gui import widgets
+from lispac.gui.appearance import theme
+from lispac.gui.widgets.mounting_sketch import MountingView
+from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
+from lispac.language import gettext, number
+from lispac.project import Project, Settings
+from lispac.workflow.project.survey import Survey
+
+
+class DataPanel(QWidget):
+    """Shows the files of the project; lets the user hide lines and change the mounting."""
+
+    line_shown = Signal(str, bool)
+    """A line is to be shown, or hidden."""
+    settings_edited = Signal(object)
+    """Settings with the numbers of the fields."""
+    new_requested = Signal()
+    open_requested = Signal()
+    demo_requested = Signal()
+    details_requested = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._settings: Settings | None = None
+        layout = widgets.vertical_layout(self)
+        self._empty = _EmptyState(self)
+        layout.addWidget(self._empty)
+        self._filled = QWidget()
+        layout.addWidget(self._filled)
+        filled = widgets.vertical_layout(self._filled, 0)
+
+        files = QFormLayout()
+        files.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
+        files.setHorizontalSpacing(10)
+        files.setVerticalSpacing(4)
+        self._trajectory = widgets.label(name="trajectory_name")
+        self._accuracy = widgets.label(name="accuracy_name")
+        files.addRow(widgets.label(gettext("Trajectory"), "muted"), self._trajectory)
+        files.addRow(widgets.label(gettext("Accuracy"), "muted"), self._accuracy)
+        filled.addLayout(files)
+
+        self.lines = _lines_table()
+        self.lines.itemChanged.connect(self._line_toggled)
+        filled.addWidget(self.lines)
+
+        self.lever_arm = widgets.lever_arm_fields("lever_arm")
+        self.boresight = widgets.boresight_fields("prior")
+        self.lidar_sigma = widgets.number(
+            "lidar_sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
+            tip=gettext("Standard deviation of one LiDAR point on each axis"),
+        )  # fmt: skip
+        filled.addWidget(widgets.label(gettext("Lever arm, POS to LiDAR"), "heading"))
+        filled.addWidget(self.lever_arm)
+        filled.addWidget(widgets.label(gettext("Prior boresight"), "heading"))
+        filled.addWidget(self.boresight)
+        self.mounting = MountingView("mounting")
+        filled.addWidget(self.mounting)
+        noise = QHBoxLayout()
+        noise.addWidget(widgets.label(gettext("LiDAR noise (1 σ)")))
+        noise.addStretch(1)
+        noise.addWidget(self.lidar_sigma)
+        filled.addLayout(noise)
+
+        self.apply = widgets.button(
+            gettext("Apply"), "apply_mounting", primary=True,
+            tip=gettext(
+                "Georeference the lines with these values; the results from the previous "
+                "values are discarded"
+            ),
+        )  # fmt: skip
+        self.revert = widgets.button(
+            gettext("Revert"), "revert_mounting", tip=gettext("Restore the values in use")
+        )
+        row = QHBoxLayout()
+        row.addStretch(1)
+        row.addWidget(self.revert)
+        row.addWidget(self.apply)
+        filled.addLayout(row)
+        self.details = widgets.button(
+            gettext("Details for the report…"), "data_details",
+            icon="card-account-details-outline",
+            tip=gettext("Enter surveyor, vessel, instruments and dates for the first page of "
+                        "the report"),
+        )  # fmt: skip
+        self.details.clicked.connect(self.details_requested)
+        filled.addWidget(self.details)
+        self.apply.clicked.connect(self._apply)
+        self.revert.clicked.connect(lambda: self._fill(self._settings))
+        for field in (*self.lever_arm.fields, *self.boresight.fields, self.lidar_sigma):
+            field.valueChanged.connect(self._show_changes)
+        for field in (*self.lever_arm.fields, *self.boresight.fields):
+            field.valueChanged.connect(lambda _value, field=field: self._ensure_visible(field))
+        self.show_project(None, None)
+
+    def show_project(self, project: Project | None, survey: Survey | None) -> None:
+        """Fill in; ``survey`` is None while the data are being read."""
+        self._empty.setVisible(project is None)
+        self._filled.setVisible(project is not None)
+        if project is None:
+            self._settings = None
+            return
+        _show_file_name(self._trajectory, project.trajectory, "")
+        _show_file_name(
+            self._accuracy, project.accuracy, gettext("given standard deviations, constant in time")
+        )
+        self._list_lines(project, survey)
+        if project.settings != self._settings:
+            self._fill(project.settings)
+
+    def select_line(self, name: str) -> bool:
+        """Select a line in the list; whether it is there."""
+        found = self.lines.findItems(name, Qt.MatchFlag.MatchExactly)
+        for item in found:
+            self.lines.setCurrentItem(item)
+        return bool(found)
+
+    def _list_lines(self, project: Project, survey: Survey | None) -> None:
+        names = [line.name for line in project.lines]
+        colours = theme.line_colours(names)
+        table = self.lines
+        shown = {
+            table.item(row, 0).text(): table.item(row, 0).checkState()
+            for row in range(table.rowCount())
+        }
+        table.blockSignals(True)
+        table.setRowCount(len(names))
+        for row, line in enumerate(project.lines):
+            item = QTableWidgetItem(theme.swatch(colours[line.name]), line.name)
+            item.setFlags(
+                Qt.ItemFlag.ItemIsEnabled
+                | Qt.ItemFlag.ItemIsSelectable
+                | Qt.ItemFlag.ItemIsUserCheckable
+            )
+            item.setCheckState(shown.get(line.name, Qt.CheckState.Checked))
+            use = gettext("Tick to show the line in the view")
+            item.setToolTip(widgets.plain_tip(f"{line.path}\n{use}"))
+            table.setItem(row, 0, item)
+            here = survey is not None and line.name in survey.scans
+            heading = f"{_heading_degrees(survey.heading[line.name])}°" if here else "–"
+            points = number(len(survey.scans[line.name]), 0) if here else "–"
+            for place, text in ((1, heading), (2, points)):
+                cell = QTableWidgetItem(text)
+                cell.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
+                cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                cell.setFont(theme.tabular_font(table.font()))
+                table.setItem(row, place, cell)
+        table.blockSignals(False)
+        height = table.horizontalHeader().sizeHint().height() + 26 * min(len(names), 8) + 4
+        table.setFixedHeight(height)
+
+    def _line_toggled(self, item: QTableWidgetItem) -> None:
+        if item.column() == 0:
+            self.line_shown.emit(item.text(), item.checkState() == Qt.CheckState.Checked)
+
+    def _fill(self, settings: Settings | None) -> None:
+        self._settings = settings
+        if settings is not None:
+            self.lever_arm.set_value(settings.lever_arm)
+            self.boresight.set_value(settings.boresight_deg)
+            self.lidar_sigma.blockSignals(True)
+            self.lidar_sigma.setValue(settings.lidar_sigma * 1000)
+            self.lidar_sigma.blockSignals(False)
+        self._show_changes()
+
+    def _edited_settings(self) -> Settings | None:
+        """Settings with the fields that the user changed; None where there are none."""
+        if self._settings is None:
+            return None
+        fresh = self._settings
+        if _is_changed(self.lever_arm.value(), fresh.lever_arm):
+            fresh = replace(fresh, lever_arm=self.lever_arm.value())
+        if _is_changed(self.boresight.value(), fresh.boresight_deg):
+            fresh = replace(fresh, boresight_deg=self.boresight.value())
+        if _is_changed((self.lidar_sigma.value() / 1000,), (fresh.lidar_sigma,)):
+            fresh = replace(fresh, lidar_sigma=self.lidar_sigma.value() / 1000)
+        return None if fresh is self._settings else fresh
+
+    def _show_changes(self) -> None:
+        self.mounting.show_mounting(self.lever_arm.value(), self.boresight.value())
+        differs = self._edited_settings() is not None
+        self.apply.setEnabled(differs)
+        self.revert.setEnabled(differs)
+
+    def _ensure_visible(self, field: QWidget) -> None:
+        """Scroll so that a low screen shows the sketch with the field that has the focus."""
+        above = self.parentWidget()
+        while above is not None and not isinstance(above, QScrollArea):
+            above = above.parentWidget()
+        if above is not None and field.hasFocus():
+            for each in (self.mounting.sketch, field):
+                above.ensureWidgetVisible(each, 0, 4)
+
+    def _apply(self) -> None:
+        edited = self._edited_settings()
+        if edited is not None:
+            self.settings_edited.emit(edited)
+
+
+class _EmptyState(QWidget):
+    """What to do when no project is open."""
+
+    def __init__(self, panel: DataPanel) -> None:
+        super().__init__()
+        layout = widgets.vertical_layout(self, 0)
+        layout.addWidget(
+            widgets.label(
+                gettext(
+                    "A project contains a trajectory (SBET), its accuracies and one raw scan "
+                    "file for each line."
+                ),
+                "hint", wrap=True,
+            )
+        )  # fmt: skip
+        new = widgets.button(
+            gettext("New project…"), "empty_new", icon="folder-plus-outline", primary=True
+        )
+        load = widgets.button(gettext("Open project…"), "empty_open", icon="folder-open-outline")
+        demo = widgets.button(gettext("Open the demo survey"), "empty_demo", icon="ferry")
+        new.clicked.connect(panel.new_requested)
+        load.clicked.connect(panel.open_requested)
+        demo.clicked.connect(panel.demo_requested)
+        for each in (new, load, demo):
+            layout.addWidget(each)
+
+
+def _lines_table() -> QTableWidget:
+    table = QTableWidget(0, 3)
+    table.setTabKeyNavigation(False)
+    table.setObjectName("lines_table")
+    table.setAccessibleName(gettext("Lines of the survey"))
+    table.setHorizontalHeaderLabels([gettext("Line"), gettext("Heading"), gettext("Points")])
+    for column in (1, 2):
+        table.horizontalHeaderItem(column).setTextAlignment(
+            Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        )
+    table.horizontalHeaderItem(0).setTextAlignment(
+        Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+    )
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(26)
+    table.setShowGrid(False)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    header = table.horizontalHeader()
+    header.setHighlightSections(False)
+    header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+    header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+    header.setSectionResizeMode(2, QHeaderView.ResizeMode.ResizeToContents)
+    return table
+
+
+def _show_file_name(label: QLabel, path: Path | None, otherwise: str) -> None:
+    label.setText(path.name if path is not None else otherwise)
+    label.setToolTip(widgets.plain_tip(str(path) if path is not None else otherwise))
+
+
+def _is_changed(shown: tuple[float, ...], stored: tuple[float, ...]) -> bool:
+    # A field keeps all digits of the value that it shows.
+    return any(abs(a - b) > EQUAL_TOLERANCE for a, b in zip(shown, stored, strict=True))
+
+
+def _heading_degrees(heading: float) -> int:
+    return round(heading * 57.29577951308232) % 360

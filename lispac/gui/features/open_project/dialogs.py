@@ -1,0 +1,72 @@
+"""Dialogues that open, create and copy projects."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog
+
+from lispac.gui.app.actions import dialog_title
+from lispac.gui.app.questions import Questions, run_dialog
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.open_project.actions import ACTIONS
+from lispac.gui.features.open_project.import_survey.import_dialog import (
+    AddLinesDialog,
+    ImportDialog,
+)
+from lispac.language import gettext
+from lispac.project import LineSource, Project
+from lispac.workflow.importing.input_files import ImportRequest
+
+
+class ProjectDialogs(Questions):
+    """Dialogues that open, create and copy projects."""
+
+    def new_project(
+        self, settings: AppSettings, paths: Sequence[Path] = ()
+    ) -> ImportRequest | Path | None:
+        """The import of a new project, or an existing project that was dropped instead.
+
+        Parameters
+        ----------
+        paths : sequence of Path
+            Files and folders to start with.
+        """
+        dialog = ImportDialog(settings, self.parent)
+        dialog.add(paths)
+        return dialog.request() if run_dialog(dialog) else dialog.project
+
+    def add_lines(
+        self, settings: AppSettings, project: Project, paths: Sequence[Path] = ()
+    ) -> tuple[LineSource, ...] | Path | None:
+        """Lines to add to the open project, or the project that was dropped instead.
+
+        Parameters
+        ----------
+        paths : sequence of Path
+            Files and folders to start with.
+        """
+        dialog = AddLinesDialog(settings, project, self.parent)
+        dialog.add(paths)
+        return dialog.sources() if run_dialog(dialog) else dialog.project
+
+    def project_to_open(self, start: Path) -> Path | None:
+        """File of a project to open."""
+        name, _ = QFileDialog.getOpenFileName(
+            self.parent,
+            dialog_title(ACTIONS["open"]),
+            str(start),
+            gettext("LISPAC project (project.json *.lispac)"),
+        )
+        return Path(name) if name else None
+
+    def folder_to_save_in(self, start: Path) -> Path | None:
+        """Ask for a new folder for the project; ``start`` is proposed."""
+        name, _ = QFileDialog.getSaveFileName(
+            self.parent,
+            gettext("{title} (name of the new folder)", title=dialog_title(ACTIONS["save_as"])),
+            str(start),
+            gettext("Folder (*)"),
+            # Nothing is overwritten: existing projects and files are refused
+            options=QFileDialog.Option.DontConfirmOverwrite,
+        )
+        return Path(name) if name else None

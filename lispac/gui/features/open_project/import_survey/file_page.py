@@ -1,0 +1,245 @@
+"""Page of the selected file: messages, options, contents and first rows."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFormLayout,
+    QFrame,
+    QScrollArea,
+    QSplitter,
+    QStackedLayout,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import widgets
+from lispac.gui.appearance import theme
+from lispac.gui.features.open_project.import_survey import file_texts
+from lispac.gui.features.open_project.import_survey.message_list import MessageList
+from lispac.gui.features.open_project.import_survey.options_form import OptionsForm
+from lispac.language import gettext
+from lispac.message_texts import fact_text, message_text
+from lispac.messages import Action
+from lispac.workflow.importing.input_columns import (
+    PASSED_OVER,
+    has_columns,
+    meaning_label,
+    possible_meanings,
+)
+from lispac.workflow.importing.input_file import InputFile
+from lispac.workflow.importing.input_file_messages import option_to_choose
+from lispac.workflow.importing.input_files import InputFiles
+
+NAMED_FORMATS = ("las", "e57")
+"""Formats whose files name their columns; these names are not translated."""
+MAX_COLUMNS = 60
+MIN_MAPPED_WIDTH = 118
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+class FilePreview(QTableWidget):
+    """Rows as text; for text files, the first row has a list for the meaning of each column."""
+
+    meaning_chosen = Signal(int, str)
+    """Column and its meaning."""
+
+    def __init__(self) -> None:
+        super().__init__(0, 0)
+        self.setObjectName("import_preview")
+        self.setAccessibleName(gettext("First rows of the file"))
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(24)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setTabKeyNavigation(False)
+        self.horizontalHeader().setHighlightSections(False)
+        self.horizontalHeader().setDefaultAlignment(_RIGHT)
+        self._shown: tuple[object, ...] = ()
+        self.combos: list[widgets.ChoiceBox] = []
+
+    def show_file(self, file: InputFile) -> None:
+        """Show the first rows of a file."""
+        rows = () if file.finding is None else file.finding.rows
+        columns = min(max((len(row) for row in rows), default=0), MAX_COLUMNS)
+        mapped = file.format is not None and file.role is not None and has_columns(file.format)
+        which = (file.path, file.format, rows, mapped)
+        if which != self._shown:
+            self._shown = which
+            self._build(file, rows, columns, mapped)
+        for k, combo in enumerate(self.combos):
+            chosen = file.columns[k] if k < len(file.columns) else PASSED_OVER
+            combo.blockSignals(True)
+            if combo.findData(chosen) < 0:
+                combo.addItem(chosen, chosen)
+            combo.setCurrentIndex(combo.findData(chosen))
+            combo.blockSignals(False)
+
+    def _build(self, file: InputFile, rows, columns: int, mapped: bool) -> None:
+        self.clear()
+        self.combos = []
+        first = 1 if mapped else 0
+        self.setRowCount(first + max(len(rows) - 1, 0))
+        self.setColumnCount(columns)
+        names = list(rows[0][:columns]) if rows else []
+        if mapped:
+            heads = [gettext("Column {number:n}", number=k + 1) for k in range(columns)]
+        elif file.format is not None and file.format.key in NAMED_FORMATS:
+            heads = names
+        else:
+            heads = list(map(gettext, names))
+        self.setHorizontalHeaderLabels(heads + [""] * (columns - len(heads)))
+        for k in range(columns if mapped else 0):
+            self._add_combo(file, k)
+        for row, cells in enumerate(rows[1:]):
+            for column, text in enumerate(cells[:columns]):
+                item = QTableWidgetItem(text)
+                item.setTextAlignment(_RIGHT)
+                item.setFont(theme.tabular_font(self.font()))
+                self.setItem(first + row, column, item)
+        if self.rowCount():
+            self.setRowHeight(0, 30 if mapped else 24)
+        self.resizeColumnsToContents()
+        for k in range(columns):
+            width = self.columnWidth(k) + 10
+            self.setColumnWidth(k, max(width, MIN_MAPPED_WIDTH) if mapped else width)
+
+    def _add_combo(self, file: InputFile, column: int) -> None:
+        assert file.format is not None
+        combo = widgets.ChoiceBox(f"column_{column + 1}", [""], gettext("Meaning of this column"))
+        combo.clear()
+        for meaning in possible_meanings(file.format):
+            combo.addItem(gettext(meaning_label(meaning)), meaning)
+        combo.setAccessibleName(gettext("Meaning of column {number:n}", number=column + 1))
+        combo.setItemData(0, QColor(theme.MUTED), Qt.ItemDataRole.ForegroundRole)
+        combo.activated.connect(lambda: self.meaning_chosen.emit(column, combo.currentData()))
+        self.setCellWidget(0, column, combo)
+        self.combos.append(combo)
+
+
+class FilePage(QWidget):
+    """Page with all details of one file."""
+
+    action_chosen = Signal(object)
+    option_edited = Signal(str, str)
+    meaning_chosen = Signal(int, str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._stack = QStackedLayout(self)
+        none = QWidget()
+        widgets.vertical_layout(none).addWidget(
+            widgets.label(gettext("Select a file above to see its contents."), "muted")
+        )
+        none.layout().addStretch(1)
+        self._stack.addWidget(none)
+        filled = QWidget()
+        self._stack.addWidget(filled)
+        layout = QVBoxLayout(filled)
+        layout.setContentsMargins(10, 8, 10, 8)
+        layout.setSpacing(theme.SPACING)
+        self.messages = MessageList("import_messages")
+        self.messages.action_chosen.connect(self._on_action_chosen)
+        layout.addWidget(self.messages)
+        split = QSplitter(Qt.Orientation.Horizontal)
+        split.setChildrenCollapsible(False)
+        self.options = OptionsForm()
+        self.options.option_edited.connect(self.option_edited)
+        self.facts = QFormLayout()
+        self._facts_of: tuple[object, object] = (None, None)
+        self.facts.setVerticalSpacing(3)
+        self.facts.setHorizontalSpacing(10)
+        self.assumptions = widgets.label("", "muted", wrap=True, name="import_assumptions")
+        split.addWidget(self._create_left_side())
+        right = QWidget()
+        beside = QVBoxLayout(right)
+        beside.setContentsMargins(6, 0, 0, 0)
+        beside.setSpacing(4)
+        self.preview_head = widgets.label(gettext("First rows"), "heading")
+        beside.addWidget(self.preview_head)
+        self.preview = FilePreview()
+        self.preview.meaning_chosen.connect(self.meaning_chosen)
+        beside.addWidget(self.preview, 1)
+        split.addWidget(right)
+        split.setStretchFactor(1, 1)
+        split.setSizes([400, 700])
+        layout.addWidget(split, 1)
+
+    def _create_left_side(self) -> QScrollArea:
+        body = QWidget()
+        rows = QVBoxLayout(body)
+        rows.setContentsMargins(0, 0, 6, 0)
+        rows.setSpacing(6)
+        self._options_head = widgets.label(gettext("Reading options"), "heading")
+        rows.addWidget(self._options_head)
+        rows.addWidget(self.options)
+        rows.addWidget(widgets.label(gettext("File contents"), "heading"))
+        rows.addLayout(self.facts)
+        self._assumed_head = widgets.label(gettext("Assumptions"), "heading")
+        rows.addWidget(self._assumed_head)
+        rows.addWidget(self.assumptions)
+        rows.addStretch(1)
+        area = QScrollArea()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setMinimumWidth(330)
+        area.setAccessibleName(gettext("Reading options and contents of the file"))
+        area.setWidget(body)
+        body.setAutoFillBackground(False)
+        return area
+
+    def show_file(self, input_files: InputFiles, file: InputFile | None) -> None:
+        """Show a file; None if no file is selected."""
+        self._stack.setCurrentIndex(0 if file is None else 1)
+        if file is None:
+            return
+        fine = "" if file.pending or file.role is None else gettext("No problems found.")
+        self.messages.show_messages(input_files.messages(file), fine)
+        self.options.show_file(file)
+        for changing in (self.options, self.preview):
+            changing.setEnabled(file.project_reading is None)
+        self._options_head.setVisible(bool(self.options.fields))
+        self._show_facts(file)
+        self.preview.show_file(file)
+        mapped = bool(self.preview.combos)
+        rows = file.finding is not None and len(file.finding.rows) > 1
+        self.preview_head.setVisible(rows)
+        self.preview.setVisible(rows)
+        self.preview_head.setText(
+            gettext("First rows – choose the meaning of each column in the list above the column")
+            if mapped
+            else gettext("First rows")
+        )
+
+    def _show_facts(self, file: InputFile) -> None:
+        finding = file.finding
+        if self._facts_of == (file.path, finding):
+            return
+        self._facts_of = (file.path, finding)
+        while self.facts.rowCount():
+            self.facts.removeRow(0)
+        assumed = () if finding is None else finding.assumptions
+        self._add_fact(gettext("Folder"), str(file.path.parent))
+        for name, fact in ({} if finding is None else finding.facts).items():
+            self._add_fact(file_texts.fact_name(name), fact_text(fact))
+        self.assumptions.setText("\n".join(map(message_text, assumed)))
+        self._assumed_head.setVisible(bool(assumed))
+        self.assumptions.setVisible(bool(assumed))
+
+    def _add_fact(self, name: str, text: str) -> None:
+        head = widgets.label(role="muted")
+        head.setText(name)
+        head.setAlignment(Qt.AlignmentFlag.AlignTop)
+        value = widgets.label(wrap=True)
+        value.setText(text)
+        value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.facts.addRow(head, value)
+
+    def _on_action_chosen(self, action: Action, _place: int) -> None:
+        if option := option_to_choose(action):
+            self.options.focus_option(option)
+        else:
+            self.action_chosen.emit(action)

@@ -1,0 +1,196 @@
+"""Page of the import dialogue for the mounting and the accuracies of a new project."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QScrollArea, QWidget
+
+from lispac.gui import widgets
+from lispac.gui.appearance import theme
+from lispac.gui.widgets.mounting_sketch import MountingView
+from lispac.gui.widgets.sensor_choice import SensorChoice
+from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
+from lispac.language import gettext
+from lispac.messages import Message
+from lispac.project import Settings
+from lispac.survey.lever_arm_warnings import lever_arm_warnings
+from lispac.workflow.planning.sensors import SensorLibrary
+
+GEOGRAPHIC = ("new_latitude", "new_longitude")
+"""Always in degrees, whatever the unit of angles."""
+
+
+class MountingPage(QScrollArea):
+    """Fields for lever arm, prior boresight, origin and standard deviations."""
+
+    changed = Signal()
+
+    def __init__(self, library: SensorLibrary) -> None:
+        super().__init__()
+        self.sensors = SensorChoice(library, "new")
+        self.setAccessibleName(gettext("Mounting and accuracies"))
+        self.setWidgetResizable(True)
+        body = QWidget()
+        grid = QGridLayout(body)
+        grid.setContentsMargins(16, 12, 16, 12)
+        grid.setHorizontalSpacing(36)
+        grid.setVerticalSpacing(theme.SPACING)
+        grid.addWidget(widgets.label(gettext("Mounting"), "heading"), 0, 0)
+        grid.addLayout(self._mounting_form(), 1, 0, Qt.AlignmentFlag.AlignTop)
+        grid.addWidget(widgets.label(gettext("Uncertainties"), "heading"), 0, 1)
+        grid.addLayout(self._uncertainty_form(), 1, 1, Qt.AlignmentFlag.AlignTop)
+        grid.setColumnStretch(0, 1)
+        grid.setColumnStretch(1, 1)
+        grid.setRowStretch(2, 1)
+        self.setWidget(body)
+        body.setAutoFillBackground(False)
+        for field in (*self.lever_arm.fields, *self.boresight.fields):
+            field.valueChanged.connect(self.changed)
+            field.valueChanged.connect(self._draw_mounting)
+
+    def settings(self) -> Settings:
+        """Settings of the project from the fields."""
+        noise, angle = self.lidar_sigma.value() / 1000, self.angle_sigma.value()
+        return Settings(
+            lever_arm=self.lever_arm.value(),
+            boresight_deg=self.boresight.value(),
+            origin_deg_m=self.origin.value() if self.origin_given.isChecked() else None,
+            position_sigma=self.position_sigma.value(),
+            attitude_sigma_deg=self.attitude_sigma.value(),
+            lidar_sigma=noise,
+            lidar_beam_sigma=(noise, angle) if angle > 0 else None,
+        )
+
+    @property
+    def mounting_warnings(self) -> tuple[Message, ...]:
+        """Warnings about the mounting."""
+        return lever_arm_warnings(self.lever_arm.value())
+
+    def show_accuracy(self, name: str) -> None:
+        """Show the name of the accuracy file; if empty, the fields apply."""
+        self.position_sigma.setEnabled(not name)
+        self.attitude_sigma.setEnabled(not name)
+        self._source.setText(
+            gettext("Position and attitude accuracies are taken from {file}.", file=name)
+            if name
+            else gettext(
+                "There is no accuracy file. The position and attitude accuracies below apply at "
+                "all times."
+            )
+        )
+
+    def show_prior_needed(self, needed: bool) -> None:
+        """Show or hide the text on the mounting of georeferenced lines."""
+        self._prior.setVisible(needed)
+
+    def _mounting_form(self) -> QFormLayout:
+        form = _create_form()
+        self.lever_arm = widgets.lever_arm_fields("new_lever_arm")
+        self.boresight = widgets.boresight_fields("new_boresight")
+        form.addRow(gettext("Lever arm"), self.lever_arm)
+        form.addRow(gettext("Prior boresight"), self.boresight)
+        self.view = MountingView("new_mounting")
+        form.addRow(self.view)
+        self._prior = widgets.label(
+            gettext(
+                "Georeferenced lines are transformed back to the scanner frame. Enter the lever "
+                "arm and the boresight with which they were georeferenced."
+            ),
+            "hint", wrap=True, name="new_prior_hint",
+        )  # fmt: skip
+        self._prior.hide()
+        form.addRow(self._prior)
+        self.origin_given = QCheckBox(gettext("Set the origin of the local frame"))
+        self.origin_given.setObjectName("new_origin_given")
+        self.origin_given.setToolTip(
+            gettext("If not ticked, the origin is the mean position of the trajectory")
+        )
+        self.origin = widgets.TripleField(
+            (gettext("Latitude"), gettext("Longitude"), gettext("Height")),
+            [
+                _number_field("new_latitude", " °", 8, -90, 90),
+                _number_field("new_longitude", " °", 8, -180, 360),
+                _number_field("new_height", " m", 3, -1000, 10000),
+            ],
+        )
+        self.origin.setEnabled(False)
+        self.origin_given.toggled.connect(self.origin.setEnabled)
+        form.addRow(QLabel(), self.origin_given)
+        form.addRow(gettext("Origin"), self.origin)
+        return form
+
+    def _uncertainty_form(self) -> QFormLayout:
+        form = _create_form()
+        usual = Settings(lever_arm=(0.0, 0.0, 0.0))
+        self.lidar_sigma = widgets.number(
+            "new_lidar_sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
+            tip=gettext("Standard deviation of a LiDAR point along each axis, in millimetres"),
+        )  # fmt: skip
+        self.lidar_sigma.setValue(usual.lidar_sigma * 1000)
+        self.lidar_sigma.setMaximumWidth(140)
+        self.position_sigma = widgets.TripleField(
+            (gettext("North"), gettext("East"), gettext("Down")),
+            [_number_field(f"new_sigma_{axis}", " m", 4, 0, 100) for axis in ("n", "e", "d")],
+        )
+        self.position_sigma.set_value(usual.position_sigma)
+        self.attitude_sigma = widgets.TripleField(
+            (gettext("Roll"), gettext("Pitch"), gettext("Heading")),
+            [
+                _number_field(f"new_sigma_{axis}", " °", 4, 0, 90)
+                for axis in ("roll", "pitch", "heading")
+            ],
+        )
+        self.attitude_sigma.set_value(usual.attitude_sigma_deg)
+        self.angle_sigma = _number_field("new_angle_sigma", " °", 4, 0, 10)
+        self.angle_sigma.setAccessibleName(gettext("Beam angular noise (1 σ)"))
+        self.angle_sigma.setSpecialValueText(gettext("none given"))
+        self.angle_sigma.setToolTip(
+            gettext(
+                "Standard deviation of the beam direction. If it is 0, the LiDAR noise is the "
+                "same along all axes."
+            )
+        )
+        self.angle_sigma.setMaximumWidth(140)
+        self.sensors.scanner_chosen.connect(self._set_lidar_noise)
+        self.sensors.pos_chosen.connect(self._set_pos_sigmas)
+        form.addRow(gettext("Scanner"), self.sensors.scanner)
+        form.addRow("", self.sensors.scanner_origin)
+        form.addRow(gettext("LiDAR noise (1 σ)"), self.lidar_sigma)
+        form.addRow(gettext("Beam angular noise (1 σ)"), self.angle_sigma)
+        form.addRow(gettext("INS/GNSS"), self.sensors.pos)
+        form.addRow("", self.sensors.pos_origin)
+        self._source = widgets.label("", "muted", wrap=True, name="new_sigma_source")
+        form.addRow(self._source)
+        form.addRow(gettext("Position (1 σ)"), self.position_sigma)
+        form.addRow(gettext("Attitude (1 σ)"), self.attitude_sigma)
+        return form
+
+    def _draw_mounting(self) -> None:
+        self.view.show_mounting(self.lever_arm.value(), self.boresight.value())
+
+    def _set_lidar_noise(self, scanner: ScannerSpecification) -> None:
+        self.lidar_sigma.setValue(scanner.range_sigma * 1000)
+        self.angle_sigma.setValue(scanner.angle_sigma_deg)
+
+    def _set_pos_sigmas(self, state: PosAccuracy) -> None:
+        self.position_sigma.set_value(state.position_sigma)
+        self.attitude_sigma.set_value(state.attitude_sigma_deg)
+
+
+def _create_form() -> QFormLayout:
+    form = QFormLayout()
+    form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+    form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+    form.setHorizontalSpacing(14)
+    form.setVerticalSpacing(theme.SPACING)
+    return form
+
+
+def _number_field(name: str, suffix: str, decimals: int, low: float, high: float):
+    return widgets.number(
+        name,
+        suffix=suffix,
+        decimals=decimals,
+        low=low,
+        high=high,
+        step=10.0 ** (1 - decimals),
+        fixed=name in GEOGRAPHIC,
+    )

@@ -1,0 +1,1 @@
+"""The LiDAR patch test."""

@@ -1,0 +1,171 @@
+"""The three angles of a patch test: a slider, a field and a search button for each."""
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QSlider, QWidget
+
+from lispac.gui import widgets
+from lispac.gui.appearance import quantities
+from lispac.gui.widgets.number_field import NumberField
+from lispac.language import N_, gettext
+from lispac.patchtest.mismatch_minimisation import ANGLES
+
+Array = NDArray[np.float64]
+
+STEP_DEG = 0.001
+"""Step of a slider, degrees."""
+RANGE_DEG = 3.0
+"""Range of a slider to either side of its start, degrees; a field takes any angle."""
+RESULT_RANGE_DEG = 0.3
+"""Range of a slider after a search, degrees: a pixel is then a few thousandths."""
+ANGLE_TITLES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
+_SLIDERS = (N_("Change the roll"), N_("Change the pitch"), N_("Change the yaw"))
+_FIELDS = (
+    N_("Boresight roll that is applied to the lines in the pictures"),
+    N_("Boresight pitch that is applied to the lines in the pictures"),
+    N_("Boresight yaw that is applied to the lines in the pictures"),
+)
+_SEARCHES = (
+    N_("Find the roll at which the mismatch of the ticked objects is smallest"),
+    N_("Find the pitch at which the mismatch of the ticked objects is smallest"),
+    N_("Find the yaw at which the mismatch of the ticked objects is smallest"),
+)
+
+
+class PatchAngles(QWidget):
+    """Sliders and fields of three angles; `angle_changed` is emitted on each change."""
+
+    angle_changed = Signal(int)
+    """An angle was changed: 0 roll, 1 pitch, 2 yaw."""
+    find_requested = Signal(int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._start = np.zeros(3)
+        self._boresight = np.zeros(3)
+        self.sliders: list[QSlider] = []
+        self.fields: list[NumberField] = []
+        self.find_buttons: list[widgets.Button] = []
+        self.result_labels = [
+            widgets.label("", "muted", wrap=True, name=f"patch_{angle}_found") for angle in ANGLES
+        ]
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setVerticalSpacing(0)
+        for k, angle in enumerate(ANGLES):
+            slider = QSlider(Qt.Orientation.Horizontal)
+            slider.setObjectName(f"patch_{angle}_slider")
+            slider.setAccessibleName(gettext(_SLIDERS[k]))
+            slider.setToolTip(
+                gettext("Drag, or use the arrow keys (0.001°) or Page Up and Page Down (0.01°)")
+            )
+            slider.setRange(-round(RANGE_DEG / STEP_DEG), round(RANGE_DEG / STEP_DEG))
+            slider.setSingleStep(1)
+            slider.setPageStep(10)
+            slider.setMinimumWidth(70)
+            field = widgets.number(
+                f"patch_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=STEP_DEG,
+                tip=gettext(_FIELDS[k]),
+            )  # fmt: skip
+            find = widgets.button(
+                gettext("Find this angle"), f"patch_find_{angle}", tip=gettext(_SEARCHES[k])
+            )  # fmt: skip
+            title = widgets.label(gettext(ANGLE_TITLES[k]))
+            title.setBuddy(field)
+            grid.addWidget(title, 2 * k, 0)
+            grid.addWidget(slider, 2 * k, 1)
+            grid.addWidget(field, 2 * k, 2)
+            grid.addWidget(find, 2 * k, 3)
+            grid.addWidget(self.result_labels[k], 2 * k + 1, 1, 1, 3)
+            slider.valueChanged.connect(lambda value, k=k: self._on_slider_moved(k, value))
+            field.valueChanged.connect(lambda value, k=k: self._on_typed(k, value))
+            find.clicked.connect(lambda _on, k=k: self.find_requested.emit(k))
+            self.sliders.append(slider)
+            self.fields.append(field)
+            self.find_buttons.append(find)
+        grid.setColumnStretch(1, 1)
+
+    @property
+    def boresight(self) -> Array:
+        """Roll, pitch and yaw as set, shape (3,), radians."""
+        return self._boresight.copy()
+
+    def set_start(self, boresight: Array, reach: float = RANGE_DEG) -> None:
+        """Set all angles and the middles of the sliders, without a signal.
+
+        Parameters
+        ----------
+        reach : float, degrees
+            Range of the sliders to either side.
+        """
+        self._start = np.array(boresight, dtype=float)
+        for slider in self.sliders:
+            slider.blockSignals(True)
+            slider.setRange(-round(reach / STEP_DEG), round(reach / STEP_DEG))
+            slider.blockSignals(False)
+        self.set_angles(boresight)
+
+    def set_angles(self, boresight: Array) -> None:
+        """Set all angles, without a signal."""
+        self._boresight = np.array(boresight, dtype=float)
+        for k in range(3):
+            self._show_angle(k)
+
+    def show_found(
+        self, boresight: Array | None, sigma: Array | None = None, curvature: Array | None = None
+    ) -> None:
+        """Show the angles found, their standard deviations and their effect on the lines.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,) or None, radians
+        sigma : ndarray of shape (3,) or None, radians
+        curvature : ndarray of shape (3,), metres per radian
+            Misalignment of the lines per error of the angle.
+        """
+        for k, label in enumerate(self.result_labels):
+            if boresight is None:
+                label.setText("")
+                continue
+            value = quantities.amount(float(np.degrees(boresight[k])), "°", 4, sign=True)
+            if sigma is None:
+                texts = [gettext("result {angle}, no standard deviation", angle=value)]
+            else:
+                spread = quantities.amount(float(np.degrees(sigma[k])), "°", 4)
+                texts = [gettext("result {angle} ± {sigma}", angle=value, sigma=spread)]
+            if curvature is not None:
+                distance = 1000 * float(np.radians(0.01) * curvature[k])
+                texts.append(
+                    gettext(
+                        "0.01° error = {distance} misalignment",
+                        distance=quantities.amount(distance, "mm", 1),
+                    )
+                )
+            label.setText("; ".join(texts))
+
+    def update_enabled(self, allowed: bool) -> None:
+        """Enable or disable the searches; the angles can be changed in either case."""
+        for find in self.find_buttons:
+            find.update_enabled(allowed)
+
+    def _on_slider_moved(self, angle: int, steps: int) -> None:
+        self._set_angle(angle, float(self._start[angle] + np.radians(steps * STEP_DEG)))
+
+    def _on_typed(self, angle: int, degrees: float) -> None:
+        self._set_angle(angle, float(np.radians(degrees)))
+
+    def _set_angle(self, angle: int, value: float) -> None:
+        self._boresight[angle] = value
+        self._show_angle(angle)
+        self.angle_changed.emit(angle)
+
+    def _show_angle(self, angle: int) -> None:
+        degrees = float(np.degrees(self._boresight[angle]))
+        steps = round((degrees - float(np.degrees(self._start[angle]))) / STEP_DEG)
+        for shown, value in ((self.fields[angle], degrees), (self.sliders[angle], steps)):
+            if shown.hasFocus() and shown is self.fields[angle] and shown.value() == value:
+                continue  # being typed into
+            shown.blockSignals(True)
+            shown.setValue(value)
+            shown.blockSignals(False)

@@ -1,0 +1,445 @@
+"""Controller of the patch test: objects, angles, and the pictures that depend on them."""
+
+from collections.abc import Callable
+
+import numpy as np
+from PySide6.QtCore import QObject, QTimer
+
+from lispac.errors import LispacError
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.mouse_tool import MouseTool
+from lispac.gui.app.tasks import Task, TaskRunner
+from lispac.gui.appearance import theme, units
+from lispac.gui.features.patch_test.angles import RESULT_RANGE_DEG
+from lispac.gui.features.patch_test.objects import PatchObjects
+from lispac.gui.features.patch_test.panel import EMPTY, NO_DATA, PatchTestPanel
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import Array, Colour, Sketch, Viewport
+from lispac.gui.viewport.clipping import EDGES
+from lispac.gui.viewport.clipping import Box as ClipBox
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.patchtest.line_mismatch import Mismatch, curve_minimum
+from lispac.patchtest.line_pairs import LinePair
+from lispac.patchtest.mismatch_minimisation import MismatchMinimum
+from lispac.patchtest.object_boxes import ObjectBox, PatchObject
+from lispac.patchtest.object_sample import ObjectSample
+from lispac.patchtest.patch_test_result import PatchTestResult
+from lispac.progress import Progress
+from lispac.workflow.calibration.method_runs import patch_test_result
+from lispac.workflow.calibration.patch_test import (
+    PlacedObjects,
+    find_angle,
+    find_boresight,
+    line_pairs,
+)
+from lispac.workflow.project.survey import Survey
+
+SKETCH_NAME = "patch"
+ANGLE_NAMES = (N_("roll"), N_("pitch"), N_("yaw"))
+SKETCH_COLOUR: Colour = (0, 150, 90)
+MAX_POINTS = 3_000
+"""Points of a line in the picture."""
+HALF_WIDTH, INNER_SHARE = np.radians(0.25), 0.8
+"""Half width of the curve, radians, and the share of it outside which another is drawn."""
+CURVE_STEPS = {"one": 41, "all": 17}
+"""Values of a curve: of one object, and of all."""
+WIDER = 12
+"""Factor of the width of the curve where it has no minimum within its width."""
+DEBOUNCE_MS = 200
+"""Pause after the last move of a slider before a curve is computed."""
+
+
+class PatchTestController(QObject):
+    """Holds the objects, and updates the pictures when the angles change."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        viewport: Viewport,
+        controller: Controller,
+        actions: Actions,
+        mouse_tool: MouseTool,
+        clip_box: Callable[[], ClipBox | None],
+        bring: Callable[[QObject], None],
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner, self._scene = document, runner, scene
+        self._viewport, self._controller = viewport, controller
+        self._actions, self._bring = actions, bring
+        self.panel = PatchTestPanel()
+        self._laid: PlacedObjects | None = None
+        self._result: PatchTestResult | None = None
+        self._survey: Survey | None = None
+        self._dense: ObjectSample | None = None
+        self._extraction: Task | None = None
+        self._mismatch: Mismatch | None = None
+        self._angle = 0
+        self._curve_at: Array | None = None
+        self._drawn = self._outdated = False
+        self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
+        self._debounce.timeout.connect(self._compute_curve)
+        panel = self.panel
+        actions.connect_slots({"patch_test": self.open})
+        panel.remove_requested.connect(self._remove)
+        panel.zoom_requested.connect(self._zoom_to_object)
+        panel.shown_changed.connect(self._show_object)
+        panel.ticked_changed.connect(self._on_ticks_changed)
+        panel.find_all_requested.connect(self.find_all)
+        panel.save_requested.connect(self.save_result)
+        panel.prior_requested.connect(self._reset_to_prior)
+        panel.angles.angle_changed.connect(self._on_angle_turned)
+        panel.angles.find_requested.connect(self.find_angle)
+        panel.curve.value_clicked.connect(self._set_angle)
+        self._document.survey_changed.connect(self._reset)
+        self._runner.changed.connect(self._enable_controls)
+        self._runner.idle.connect(self._when_idle)
+        adding = PatchObjects(
+            document, runner, scene, controller, actions, mouse_tool, clip_box, self.panel,
+            lambda: self._laid,
+        )  # fmt: skip
+        adding.objects_placed.connect(self._set_objects)
+        self._reset()
+
+    def open(self) -> None:
+        """Bring the panel to the front."""
+        self._bring(self.panel)
+
+    # -- objects -----------------------------------------------------------------------------
+
+    def _remove(self, name: str) -> None:
+        if self._laid is not None and name:
+            left = [each.name for each in self._laid.objects if each.name != name]
+            self._set_objects(self._laid.select_objects(left) if left else None)
+
+    def _set_objects(self, laid: PlacedObjects | None, shown: str = "") -> None:
+        panel = self.panel
+        unticked = {n for n in self._object_names() if n not in panel.ticked_entries}
+        self._laid = laid
+        panel.show_objects(self._object_names(), unticked, shown or panel.shown)
+        self._discard_result()
+        self._show_object()
+        self._enable_controls()
+
+    def _object_names(self) -> list[str]:
+        return [] if self._laid is None else [each.name for each in self._laid.objects]
+
+    def _zoom_to_object(self, name: str) -> None:
+        each = self._find_object(name)
+        if each is not None:
+            self._viewport.fit(_clip_box(each.box).corners)
+
+    def _find_object(self, name: str) -> PatchObject | None:
+        objects = () if self._laid is None else self._laid.objects
+        return next((each for each in objects if each.name == name), None)
+
+    # -- what follows the angles -------------------------------------------------------------
+
+    def _show_object(self) -> None:
+        """Show the selected object, or update it."""
+        each, survey = self._find_object(self.panel.shown), self._survey
+        if each is None or survey is None or self._laid is None:
+            self._dense = self._mismatch = None
+            self.panel.picture.show_points({}, {}, np.ones(2))
+            self._draw_sketch(None)
+            return
+        corners = _clip_box(each.box).corners
+        self._draw_sketch(
+            Sketch(
+                tuple((float(x), float(y), float(z)) for x, y, z in corners),
+                EDGES,
+                SKETCH_COLOUR,
+                label=each.name,
+                at=tuple(each.box.centre.tolist()),
+            )
+        )
+        one = self._laid.sample.of_objects([each.name])
+        self._mismatch = Mismatch(one, PlacedObjects((each,), (self._laid.boresight,), one).blocks(
+            [each.name], self._ticked_line_pairs()))  # fmt: skip
+        self._curve_at = None
+        self.panel.curve.show_curve("", np.empty(0), np.empty(0))
+        if self._dense is None or self._dense.observed[0].object is not each:
+            self._dense = None
+            self._extract_dense_points(each, self._laid, survey)
+        self._draw_lines()
+
+    def _extract_dense_points(self, each: PatchObject, laid: PlacedObjects, survey: Survey) -> None:
+        """Extract the points to draw in the worker; the picture stays until they are there."""
+
+        def work(_progress: Progress) -> ObjectSample:
+            return ObjectSample.of(
+                [each], placed_lines(laid, survey), survey.scans, limit=MAX_POINTS
+            )
+
+        def done(dense: ObjectSample) -> None:
+            if self._find_object(self.panel.shown) is each:
+                self._dense = dense
+                self._draw_lines()
+
+        title = gettext("Extracting the points of {name}", name=each.name)
+        self._extraction = self._runner.run(title, work, done, quiet=True, key="patching")
+
+    def _when_idle(self) -> None:
+        if self._dense is None and self._extraction is not None and self._extraction.superseded:
+            self._show_object()
+        if self._outdated:
+            self._debounce.start()
+
+    def _on_angle_turned(self, angle: int) -> None:
+        self._angle = angle
+        self._draw_lines()
+
+    def _set_angle(self, value: float) -> None:
+        boresight = self.panel.angles.boresight
+        boresight[self._angle] = value
+        self.panel.angles.set_angles(boresight)
+        self._draw_lines()
+
+    def _draw_lines(self) -> None:
+        """Draw the lines with the current angles; the curve follows after a pause."""
+        each = self._find_object(self.panel.shown)
+        if each is None or self._dense is None or self._survey is None or self._mismatch is None:
+            return
+        boresight = self.panel.angles.boresight
+        across, up, size = _view_axes(each.box, self.panel.view.currentIndex())
+        placed = self._dense.placed_points(boresight) - each.box.centre
+        points = {
+            part.line: placed[part.points] @ np.column_stack([across, up])
+            for part in self._dense.observed
+        }
+        colours = theme.line_colours(self._survey.lines)
+        self.panel.picture.show_points(points, colours, size)
+        curve, value = self.panel.curve, float(boresight[self._angle])
+        mismatch = float("nan")
+        if self.panel.of.currentIndex() == 0:
+            mismatch = self._mismatch(boresight) if self._mismatch.blocks else float("nan")
+        curve.mark_current(value, mismatch)
+        if not self._is_curve_current(boresight):
+            self._outdated = True
+            self._debounce.start()
+
+    def _is_curve_current(self, boresight: Array) -> bool:
+        at = self._curve_at
+        if at is None:
+            return False
+        others = [k for k in range(3) if k != self._angle]
+        moved = abs(boresight[self._angle] - at[self._angle])
+        return bool(self._curve_angle == self._angle and (boresight[others] == at[others]).all()
+                    and moved <= INNER_SHARE * HALF_WIDTH)  # fmt: skip
+
+    def _compute_curve(self) -> None:
+        laid, angle, each = self._laid, self._angle, self._find_object(self.panel.shown)
+        if laid is None or each is None or self._runner.busy:
+            return
+        whole = self.panel.of.currentIndex() == 1
+        names = self.panel.ticked_entries if whole else (each.name,)
+        boresight, pairs = self.panel.angles.boresight, self._ticked_line_pairs()
+        steps = CURVE_STEPS["all" if whole else "one"]
+
+        def work(progress: Progress) -> tuple[Array, Array]:
+            mismatch = Mismatch(laid.sample, laid.blocks(names, pairs))
+            for reach, many in ((HALF_WIDTH, steps), (WIDER * HALF_WIDTH, 3 * steps)):
+                values = boresight[angle] + np.linspace(-reach, reach, many)
+                if not mismatch.blocks:
+                    return values, np.full(many, np.nan)
+                found = np.empty(many)
+                for k, value in enumerate(values):
+                    progress(k / many)
+                    found[k] = mismatch.mismatch_curve(boresight, angle, np.array([value]))[0]
+                if curve_minimum(values, found) is not None:
+                    break
+            return values, found
+
+        def done(curve: tuple[Array, Array]) -> None:
+            self._outdated = False
+            self._curve_at, self._curve_angle = boresight, angle
+            name = gettext(ANGLE_NAMES[angle])
+            if whole:
+                title = gettext("Mismatch as a function of {angle}: ticked objects", angle=name)
+            else:
+                title = gettext(
+                    "Mismatch as a function of {angle}: {object}", angle=name, object=each.name
+                )
+            self.panel.curve.show_curve(title, *curve)
+            if not self._is_curve_current(self.panel.angles.boresight):
+                self._debounce.start()
+
+        self._runner.run(gettext("Computing the curve"), work, done, quiet=True, key="patch_curve")
+
+    # -- searching ---------------------------------------------------------------------------
+
+    def find_angle(self, angle: int) -> None:
+        """Minimise the mismatch over one angle."""
+        laid = self._laid
+        if laid is None:
+            return
+        names, pairs, start = (
+            self.panel.ticked_entries,
+            self._ticked_line_pairs(),
+            self.panel.angles.boresight,
+        )
+
+        def done(result: MismatchMinimum) -> None:
+            self._angle = angle
+            self.panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
+            degrees = float(np.degrees(result.boresight[angle]))
+            self.panel.message_label.setText(
+                gettext(
+                    "The mismatch is smallest at {angle} {value}, with the other angles unchanged.",
+                    angle=gettext(ANGLE_NAMES[angle]),
+                    value=units.local_amount(degrees, "°", "+.4f"),
+                )
+            )
+            self._draw_lines()
+
+        self._runner.run(
+            gettext("Optimising {angle}", angle=gettext(ANGLE_NAMES[angle])),
+            lambda progress: find_angle(
+                laid, laid.blocks(names, pairs), start, angle, progress=progress
+            ),
+            done,
+        )
+
+    def find_all(self) -> None:
+        """Estimate all three angles with their standard deviations."""
+        project, survey = self._document.current_data
+        if project is None or survey is None or self._laid is None:
+            return
+        laid, pairs = (
+            self._laid.select_objects(self.panel.ticked_entries),
+            self._ticked_line_pairs(),
+        )
+
+        def work(progress: Progress) -> PatchTestResult:
+            start = survey.alignment.mounting.boresight
+            return find_boresight(
+                project, survey, laid, pairs=pairs, start=start, progress=progress
+            )
+
+        def done(result: PatchTestResult) -> None:
+            self._result = result
+            panel = self.panel
+            panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
+            panel.angles.show_found(result.boresight, result.sigma, result.curvature)
+            panel.message_label.setText(
+                units.convert_unit_signs("\n".join(map(message_text, result.messages)), "°", "mm")
+            )
+            panel.mark_objects({each.name: each.disagreement for each in result.disagreeing})
+            self._draw_lines()
+            self._enable_controls()
+
+        task = self._runner.run(gettext("Patch test"), work, done)
+        self._controller.cancel_on_edit(task)
+
+    def save_result(self) -> None:
+        """Add the result to the alternative methods of the project, as one undo step."""
+        project = self._document.project
+        if project is None or self._result is None:
+            return
+        try:
+            alternative = patch_test_result(self._result)
+        except LispacError as error:
+            self._controller.refused.emit(error)
+            return
+        self._document.edit(
+            N_("result of the patch test"), project.with_alternative_result(alternative)
+        )
+        self._controller.logged.emit(
+            gettext("The result of the patch test was added to the project.")
+        )
+
+    def _reset_to_prior(self) -> None:
+        survey = self._survey
+        if survey is not None:
+            prior = next(iter(survey.clouds.values())).place.mounting.boresight
+            self.panel.angles.set_start(prior)
+            self._draw_lines()
+
+    # -- state -------------------------------------------------------------------------------
+
+    @property
+    def last_result(self) -> PatchTestResult | None:
+        """Last result."""
+        return self._result
+
+    @property
+    def is_curve_pending(self) -> bool:
+        """Whether the curve still has to be computed for the current angles."""
+        return self._outdated
+
+    def _ticked_line_pairs(self) -> tuple[LinePair, ...]:
+        if self._survey is None:
+            return ()
+        ticked = self.panel.ticked_pairs
+        return tuple(pair for pair in line_pairs(self._survey) if pair.name in ticked)
+
+    def _on_ticks_changed(self) -> None:
+        self._discard_result()
+        self._show_object()
+        self._enable_controls()
+
+    def _discard_result(self) -> None:
+        """Discard the result, which depends on other objects or pairs."""
+        self._result = None
+        self.panel.angles.show_found(None)
+        self.panel.message_label.setText("")
+        self.panel.mark_objects({})
+
+    def _reset(self) -> None:
+        """Discard the objects when the data change."""
+        _, survey = self._document.current_data
+        if survey is not None and survey is self._survey:
+            return
+        self._survey, self._laid, self._result = survey, None, None
+        self._dense = self._mismatch = self._curve_at = None
+        self._outdated = False
+        many = survey is not None and len(survey.clouds) > 1
+        self.panel.show_empty(EMPTY if many else NO_DATA)
+        self.panel.show_pairs(line_pairs(survey) if survey is not None else ())
+        self.panel.curve.show_curve("", np.empty(0), np.empty(0))
+        self._discard_result()
+        self._draw_sketch(None)
+        self._reset_to_prior()
+        self._enable_controls()
+
+    def _enable_controls(self) -> None:
+        survey = self._survey
+        self.panel.update_enabled(
+            ready=survey is not None and len(survey.clouds) > 1,
+            busy=self._runner.busy,
+            has_result=self._result is not None,
+        )
+
+    def _draw_sketch(self, sketch: Sketch | None) -> None:
+        if sketch is not None or self._drawn:
+            self._drawn = sketch is not None
+            self._viewport.show_sketch(SKETCH_NAME, sketch)
+
+
+def placed_lines(laid: PlacedObjects, survey: Survey):
+    """Lines placed with the boresight of the objects, or with the prior if it is unknown."""
+    from lispac.survey.cloud import place_clouds
+
+    if not np.isfinite(laid.boresight).all():
+        return survey.clouds
+    mounting = next(iter(survey.clouds.values())).place.mounting
+    return place_clouds(survey.clouds, mounting.with_boresight(laid.boresight))
+
+
+def _clip_box(box: ObjectBox) -> ClipBox:
+    return ClipBox(box.centre, box.axes, 0.5 * box.size)
+
+
+def _view_axes(box: ObjectBox, view: int) -> tuple[Array, Array, Array]:
+    """Directions to the right and up of a picture, and its size with a margin, metres."""
+    ahead, left, up = box.axes
+    margin = 0.3
+    if view == 0:
+        return -left, ahead, box.size[[1, 0]] + margin
+    if view == 1:
+        return -left, up, box.size[[1, 2]] + margin
+    return ahead, up, box.size[[0, 2]] + margin

@@ -1,0 +1,333 @@
+"""The LiDAR patch test: objects, pairs of lines, angles and results."""
+
+from collections.abc import Collection, Mapping, Sequence
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QListWidget,
+    QListWidgetItem,
+    QScrollArea,
+    QStackedLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import widgets
+from lispac.gui.appearance import units
+from lispac.gui.features.patch_test.angles import PatchAngles
+from lispac.gui.features.patch_test.pictures import CurvePicture, LinesPicture
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.patchtest.line_pairs import Kind, LinePair
+
+TITLE = N_("Patch test")
+EMPTY = N_(
+    "The patch test compares the lines at objects visible in several lines: edges, pillars, "
+    "poles. Find objects, or click one in the view. Then change roll, pitch and yaw until the "
+    "colours coincide: the correct boresight has the smallest mismatch. Distant objects high "
+    "above the vessel are best; positions under bridges may be wrong."
+)
+NO_DATA = N_("Open a project with at least two lines to compare them.")
+VIEWS = (N_("From above"), N_("From the front of the box"), N_("From the left of the box"))
+"""Directions in which an object is shown."""
+CURVES = (N_("Displayed object"), N_("All ticked objects"))
+SIGNS: dict[Kind, str] = {
+    "reciprocal": "⇄", "crossing": "✕", "oblique": "∠", "same direction": "⇉",
+}  # fmt: skip
+KINDS: dict[Kind, str] = {
+    "reciprocal": N_("reciprocal lines"),
+    "crossing": N_("crossing lines"),
+    "oblique": N_("oblique lines"),
+    "same direction": N_("lines in the same direction"),
+}
+"""Signs and names of the kinds of pairs."""
+SIDE_WIDTH, LIST_WIDTH, SPACING = 316, 100, 6
+"""Pixels: width of both lists, of the list of objects, and space between the pictures."""
+
+
+class PatchTestPanel(QWidget):
+    """Options and results of the patch test."""
+
+    propose_requested = Signal()
+    point_requested = Signal()
+    target_requested = Signal()
+    box_requested = Signal()
+    remove_requested = Signal(str)
+    zoom_requested = Signal(str)
+    shown_changed = Signal()
+    """Another object, another side of it, or another curve is to be shown."""
+    ticked_changed = Signal()
+    """Other objects or pairs are to be compared."""
+    find_all_requested = Signal()
+    save_requested = Signal()
+    prior_requested = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setMinimumHeight(250)
+        self.objects = _create_list(
+            "patch_objects", gettext("Objects; only ticked ones are compared")
+        )
+        self.pairs = _create_list(
+            "patch_pairs", gettext("Pairs of lines; only ticked ones are compared")
+        )
+        self.picture, self.curve, self.angles = LinesPicture(), CurvePicture(), PatchAngles()
+        self.view = widgets.ChoiceBox(
+            "patch_view", [gettext(each) for each in VIEWS],
+            gettext("Direction from which the object is viewed"),
+        )  # fmt: skip
+        self.of = widgets.ChoiceBox(
+            "patch_curve_of", [gettext(each) for each in CURVES],
+            gettext("Plot the mismatch of the displayed object or of all ticked objects"),
+        )  # fmt: skip
+        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_text")
+        self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.text_label.setContentsMargins(24, 0, 24, 0)
+        self.message_label = widgets.label("", wrap=True, name="patch_message")
+        self.message_label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._buttons()
+        self._inside = inside = QWidget()
+        row = QHBoxLayout(inside)
+        row.setContentsMargins(8, 4, 8, 4)
+        left = QWidget()
+        left.setLayout(self._create_left_column())
+        left.setFixedWidth(SIDE_WIDTH)
+        row.addWidget(left)
+        self._middle = QStackedLayout()
+        self._middle.addWidget(self.text_label)
+        self._middle.addWidget(self._create_pictures())
+        row.addLayout(self._middle, 1)
+        row.addLayout(self._create_right_column())
+        # In a small window the panel scrolls and does not widen the window.
+        self._area = area = QScrollArea()
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setWidgetResizable(True)
+        area.setWidget(inside)
+        around = QVBoxLayout(self)
+        around.setContentsMargins(0, 0, 0, 0)
+        around.addWidget(area)
+        self.objects.itemChanged.connect(lambda _item: self.ticked_changed.emit())
+        self.pairs.itemChanged.connect(lambda _item: self.ticked_changed.emit())
+        self.objects.currentItemChanged.connect(lambda _now, _before: self._emit_shown_changed())
+        self.objects.itemDoubleClicked.connect(
+            lambda item: self.zoom_requested.emit(_item_name(item))
+        )
+        self.view.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
+        self.of.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
+        self.update_enabled(ready=False, busy=False, has_result=False)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Place the pictures side by side, or one below the other in a narrow panel."""
+        super().resizeEvent(event)
+        curve_width = max(self.of.minimumSizeHint().width(), self.curve.minimumWidth()) + SPACING
+        wide = self._inside.minimumSizeHint().width() + (0 if self._beside else curve_width)
+        width = event.size().width() - self._area.verticalScrollBar().sizeHint().width()
+        self._place_curve(beside=wide <= width)
+
+    def _buttons(self) -> None:
+        add_button = widgets.button
+        self.propose = add_button(
+            gettext("Find objects"), "patch_propose", primary=True,
+            tip=gettext("Find objects that are visible in several lines, and put boxes around "
+                        "them"),
+        )  # fmt: skip
+        self.point = add_button(
+            gettext("Click object"), "patch_point",
+            tip=gettext("Put a box around the next point that you click in the view"),
+        )  # fmt: skip
+        self.target = add_button(
+            gettext("Target"), "patch_target", tip=gettext("Put a box around the selected target")
+        )
+        self.box = add_button(
+            gettext("Clip box"),
+            "patch_box",
+            tip=gettext("Use the clip box of the view as the box of an object"),
+        )
+        self.remove = add_button(
+            gettext("Remove"), "patch_remove", tip=gettext("Remove the object from the list")
+        )
+        self.go = add_button(
+            gettext("Go to object"), "patch_go", tip=gettext("Zoom the view to the object")
+        )
+        self.all = add_button(
+            gettext("Find all angles"), "patch_find_all", primary=True,
+            tip=gettext(
+                "Find the three angles at which the mismatch of the ticked objects is smallest, "
+                "with their standard deviations"
+            ),
+        )  # fmt: skip
+        self.save_button = add_button(
+            gettext("Keep result"), "patch_keep",
+            tip=gettext("Keep the result in the project as an alternative method"),
+        )  # fmt: skip
+        self.prior = add_button(
+            gettext("Reset angles"), "patch_prior",
+            tip=gettext("Reset all angles to the prior boresight"),
+        )  # fmt: skip
+        for button, signal in (
+            (self.propose, self.propose_requested), (self.point, self.point_requested),
+            (self.target, self.target_requested), (self.box, self.box_requested),
+            (self.all, self.find_all_requested), (self.save_button, self.save_requested),
+            (self.prior, self.prior_requested),
+        ):  # fmt: skip
+            button.clicked.connect(lambda _on, signal=signal: signal.emit())
+        self.remove.clicked.connect(lambda _on: self.remove_requested.emit(self.shown))
+        self.go.clicked.connect(lambda _on: self.zoom_requested.emit(self.shown))
+
+    def _create_left_column(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.addWidget(self.propose, 0, 0, 1, 3)
+        by_hand = QHBoxLayout()
+        for button in (self.point, self.target, self.box):
+            by_hand.addWidget(button)
+        grid.addLayout(by_hand, 1, 0, 1, 3)
+        lists = QHBoxLayout()
+        self.objects.setFixedWidth(LIST_WIDTH)
+        lists.addWidget(self.objects)
+        lists.addWidget(self.pairs, 1)
+        grid.addLayout(lists, 2, 0, 1, 3)
+        grid.addWidget(self.go, 3, 0)
+        grid.addWidget(self.remove, 3, 1)
+        grid.setRowStretch(2, 1)
+        grid.setVerticalSpacing(4)
+        return grid
+
+    def _create_pictures(self) -> QWidget:
+        container = QWidget()
+        self._grid = grid = QGridLayout(container)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(SPACING)
+        grid.addWidget(self.view, 0, 0)
+        grid.addWidget(self.picture, 1, 0)
+        grid.setRowStretch(1, 1)
+        self._place_curve(beside=True)
+        return container
+
+    def _place_curve(self, *, beside: bool) -> None:
+        self._beside = beside
+        row, column = (0, 1) if beside else (2, 0)
+        self._grid.addWidget(self.of, row, column)
+        self._grid.addWidget(self.curve, row + 1, column)
+        self._grid.setRowStretch(3, 0 if beside else 1)
+
+    def _create_right_column(self) -> QVBoxLayout:
+        column = QVBoxLayout()
+        column.setSpacing(4)
+        self.angles.setMaximumWidth(420)
+        column.addWidget(self.angles)
+        column.addWidget(self.all)
+        row = QHBoxLayout()
+        for button in (self.save_button, self.prior):
+            row.addWidget(button)
+        column.addLayout(row)
+        area = widgets.VerticalScrollArea(self.message_label, 200)
+        area.setMinimumHeight(34)
+        self.message_label.setAlignment(Qt.AlignmentFlag.AlignTop)
+        column.addWidget(area, 1)
+        return column
+
+    # -- what is chosen ----------------------------------------------------------------------
+
+    @property
+    def shown(self) -> str:
+        """Name of the displayed object; empty for none."""
+        item = self.objects.currentItem()
+        return "" if item is None else _item_name(item)
+
+    @property
+    def ticked_entries(self) -> tuple[str, ...]:
+        """Names of the ticked objects."""
+        return tuple(_ticked_names(self.objects))
+
+    @property
+    def ticked_pairs(self) -> frozenset[str]:
+        """Names of the ticked pairs."""
+        return frozenset(_ticked_names(self.pairs))
+
+    # -- what is shown -----------------------------------------------------------------------
+
+    def show_objects(self, names: Sequence[str], unticked: Collection[str], shown: str) -> None:
+        """Show the list of objects."""
+        with QSignalBlocker(self.objects):
+            _fill_list(self.objects, [(name, name) for name in names], unticked)
+            if names:
+                row = names.index(shown) if shown in names else 0
+                self.objects.setCurrentRow(row)
+        self._middle.setCurrentIndex(1 if names else 0)
+
+    def show_pairs(self, pairs: Sequence[LinePair]) -> None:
+        """Show the list of pairs; all are ticked."""
+        with QSignalBlocker(self.pairs):
+            _fill_list(self.pairs, [(p.name, f"{SIGNS[p.kind]} {p.name}") for p in pairs], ())
+            for row, pair in enumerate(pairs):
+                kind = gettext(KINDS[pair.kind])
+                self.pairs.item(row).setToolTip(kind)
+                self.pairs.item(row).setData(
+                    Qt.ItemDataRole.AccessibleTextRole, f"{pair.name}, {kind}"
+                )
+
+    def mark_objects(self, messages: Mapping[str, Message]) -> None:
+        """Mark objects by name with messages, which their tooltips show."""
+        with QSignalBlocker(self.objects):
+            for row in range(self.objects.count()):
+                item = self.objects.item(row)
+                found = messages.get(_item_name(item))
+                item.setText(f"{_item_name(item)} ⚠" if found else _item_name(item))
+                tip = "" if found is None else units.convert_unit_signs(message_text(found), "°")
+                item.setToolTip(widgets.plain_tip(tip))
+
+    def show_empty(self, reason: str) -> None:
+        """Show why there are no objects: `EMPTY` or `NO_DATA`."""
+        self.text_label.setText(gettext(reason))
+        self.show_objects((), (), "")
+
+    def update_enabled(self, *, ready: bool, busy: bool, has_result: bool) -> None:
+        """Enable the buttons that can be used now."""
+        some, free = bool(self.objects.count()), ready and not busy
+        for button in (self.propose, self.point, self.target, self.box):
+            button.update_enabled(free)
+        for button in (self.remove, self.go):
+            button.update_enabled(some and ready)
+        self.all.update_enabled(some and free)
+        self.save_button.update_enabled(has_result and free)
+        self.prior.update_enabled(some and ready)
+        self.angles.setEnabled(some and ready)
+        self.angles.update_enabled(some and free)
+
+    def _emit_shown_changed(self) -> None:
+        self.shown_changed.emit()
+
+
+def _create_list(name: str, title: str) -> QListWidget:
+    made = QListWidget()
+    made.setObjectName(name)
+    made.setAccessibleName(title)
+    made.setToolTip(title)
+    made.setMinimumSize(90, 60)
+    return made
+
+
+def _fill_list(
+    made: QListWidget, rows: Sequence[tuple[str, str]], unticked: Collection[str]
+) -> None:
+    made.clear()
+    for name, text in rows:
+        item = QListWidgetItem(text, made)
+        item.setData(Qt.ItemDataRole.UserRole, name)
+        on = name not in unticked
+        item.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
+
+
+def _item_name(item: QListWidgetItem) -> str:
+    return str(item.data(Qt.ItemDataRole.UserRole))
+
+
+def _ticked_names(made: QListWidget) -> list[str]:
+    items = [made.item(row) for row in range(made.count())]
+    return [_item_name(item) for item in items if item.checkState() == Qt.CheckState.Checked]

@@ -1,0 +1,1 @@
+"""Step 2: picking, detecting and editing targets."""

@@ -1,0 +1,236 @@
+"""The detected target with the quality on each line, to be accepted or rejected."""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
+
+from lispac.duplicate_targets import overlap_warning
+from lispac.gui import widgets
+from lispac.gui.appearance import theme, units
+from lispac.gui.features.pick_targets.sightings_table import quality_text
+from lispac.gui.widgets.tab_order import ENTER_KEYS
+from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
+from lispac.project import PickedSighting, Project, Role, Shape, Target
+from lispac.targets.sighting_quality import SightingQuality
+from lispac.workflow.project.survey import Survey
+
+ICON_SIZE, ICON_GAP = 16, 14
+"""Pixels: side of a light, and between one line and the next."""
+PENDING_ICON = "circle-outline"
+POINTS = Plural("{line}: {count:n} point, {rms} RMS", "{line}: {count:n} points, {rms} RMS")
+
+
+class LineQualityIndicators(QWidget):
+    """Lights and names of the lines, in as many columns as fit."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(4)
+        self._grid.setVerticalSpacing(3)
+        self._cells: dict[str, tuple[PickedSighting, QLabel, QLabel]] = {}
+        self._columns = 0
+
+    def show_target(self, target: Target) -> None:
+        """List the lines on which the target was found; their quality is not known yet."""
+        for _, light, name in self._cells.values():
+            for each in (light, name):
+                each.hide()
+                each.deleteLater()
+        self._cells = {}
+        for sighting in target.sightings:
+            light, name = QLabel(self), QLabel(sighting.line, self)
+            name.setTextFormat(Qt.TextFormat.PlainText)
+            light.setObjectName(f"light_{sighting.line}")
+            light.setFixedSize(ICON_SIZE, ICON_SIZE)
+            name.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+            self._cells[sighting.line] = sighting, light, name
+        self.show_qualities({})
+        self._columns = 0
+        self._arrange()
+
+    def show_qualities(self, qualities: Mapping[str, SightingQuality]) -> None:
+        """Show the quality of the lines where it is known."""
+        for line, (sighting, light, name) in self._cells.items():
+            quality = qualities.get(line)
+            icon = (
+                theme.icon(PENDING_ICON, theme.MUTED)
+                if quality is None
+                else theme.quality_icon(quality.rating)
+            )
+            light.setPixmap(icon.pixmap(ICON_SIZE, ICON_SIZE))
+            if quality is None:
+                judgement = gettext("The quality is being computed")
+            else:
+                judgement = quality_text(quality)
+            rms = units.local_amount(1000 * sighting.rms, "mm", ".1f")
+            points = gettext(POINTS, line=line, count=len(sighting.indices), rms=rms)
+            for each in (light, name):
+                each.setToolTip(widgets.plain_tip(f"{points}\n{judgement}"))
+                each.setAccessibleName(f"{line}. {judgement}")
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Arrange the names for the new width."""
+        super().resizeEvent(event)
+        self._arrange()
+
+    def _arrange(self) -> None:
+        """Arrange the lines in rows, each column as wide as the longest name."""
+        if not self._cells:
+            return
+        widest = max(name.sizeHint().width() for _, _, name in self._cells.values())
+        columns = max(1, (self.width() + ICON_GAP) // (ICON_SIZE + 4 + widest + ICON_GAP))
+        columns = min(columns, len(self._cells))
+        if columns == self._columns:
+            return
+        for k in range(2 * self._columns + 1):
+            self._grid.setColumnStretch(k, 0)
+            self._grid.setColumnMinimumWidth(k, 0)
+        self._columns = columns
+        left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        for k, (_, light, name) in enumerate(self._cells.values()):
+            row, column = divmod(k, columns)
+            self._grid.addWidget(light, row, 2 * column, left)
+            self._grid.addWidget(name, row, 2 * column + 1, left)
+            self._grid.setColumnMinimumWidth(2 * column + 1, widest + ICON_GAP - 8)
+        self._grid.setColumnStretch(2 * columns, 1)
+
+
+TITLES: dict[Role, tuple[str, str]] = {
+    "target": (N_("Target {name}"), N_("Target {name} (replaces the existing target)")),
+    "validation": (
+        N_("Validation plane {name}"),
+        N_("Validation plane {name} (replaces the existing plane)"),
+    ),
+}
+"""Titles of a new target and of one with a known name."""
+FOUND_TEXTS: dict[Shape, str] = {
+    "plane": N_(
+        "Found in {found:n} of {lines:n} lines: {points:n} points, RMS distance to the plane "
+        "at most {rms}."
+    ),
+    "sphere": N_(
+        "Found in {found:n} of {lines:n} lines: {points:n} points, RMS distance to the sphere "
+        "at most {rms}."
+    ),
+}
+
+
+class DetectedTargetPanel(QFrame):
+    """The detected target, to be accepted or rejected."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("candidate_box")
+        self.setProperty("role", "candidate")
+        layout = widgets.vertical_layout(self, 10)
+        self.title = widgets.label("", "heading", name="candidate_title")
+        self.detail = widgets.label("", wrap=True, name="candidate_detail")
+        layout.addWidget(self.title)
+        layout.addWidget(self.detail)
+        self.lights = LineQualityIndicators("candidate_lights")
+        layout.addWidget(self.lights)
+        self.double = widgets.label("", "warning", wrap=True, name="candidate_double")
+        layout.addWidget(self.double)
+        self.accept = widgets.button(
+            gettext("Accept  ⏎"), "accept_candidate", icon="check-bold", primary=True,
+            tip=gettext("Enter"),
+        )  # fmt: skip
+        self.reject = widgets.button(
+            gettext("Reject  Esc"), "reject_candidate", icon="close", tip=gettext("Esc")
+        )
+        self.reject.installEventFilter(self)
+        row = QHBoxLayout()
+        row.addWidget(self.accept, 1)
+        row.addWidget(self.reject, 1)
+        layout.addLayout(row)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Leave Enter to "Reject" where that has the focus; elsewhere it accepts."""
+        if event.type() == QEvent.Type.ShortcutOverride and event.key() in ENTER_KEYS:
+            event.accept()
+            return True
+        return super().eventFilter(watched, event)
+
+    def fill(self, candidate: Target, project: Project, survey: Survey | None) -> None:
+        """Show the lines with and without the target, and a target that shares its points."""
+        known = any(target.name == candidate.name for target in project.targets)
+        self.title.setText(gettext(TITLES[candidate.role][known], name=candidate.name))
+        found = candidate.sightings
+        worst = max((sighting.rms for sighting in found), default=0.0)
+        sentences = [
+            gettext(
+                FOUND_TEXTS[candidate.shape],
+                found=len(found), lines=len(project.lines),
+                points=sum(len(sighting.indices) for sighting in found),
+                rms=units.local_amount(1000 * worst, "mm", ".1f"),
+            )
+        ]  # fmt: skip
+        if candidate.shape == "sphere" and survey is not None:
+            sentences.append(_spheres_text(candidate, survey))
+        if candidate.expected is not None and survey is not None:
+            sentences.append(_comparison_text(candidate, survey))
+        if candidate.missing:
+            sentences.append(gettext("Not found in {lines:names}.", lines=list(candidate.missing)))
+        self.detail.setText(" ".join(sentences))
+        self.detail.setToolTip(
+            widgets.plain_tip(
+                "\n".join(
+                    gettext("{line}: {reason}", line=line, reason=message_text(reason))
+                    for line, reason in candidate.missing.items()
+                )
+            )
+        )
+        self.lights.show_target(candidate)
+        overlap = overlap_warning(candidate, project.targets)
+        self.double.setText("" if overlap is None else message_text(overlap))
+        self.double.setVisible(overlap is not None)
+
+
+def _comparison_text(target: Target, survey: Survey) -> str:
+    """How the target differs from the expected one, on the first line with a difference."""
+    from lispac.workflow.calibration.sighting_assessment import unexpected_deviations
+
+    differences = unexpected_deviations(target, survey)
+    if not differences:
+        return gettext("Size and inclination agree with the expected values.")
+    line, reasons = next(iter(differences.items()))
+    text = gettext(
+        "Differs from the expected size or inclination in {line}: {reasons}",
+        line=line,
+        reasons=" ".join(map(message_text, reasons)),
+    )
+    if len(differences) == 1:
+        return text
+    others = Plural(
+        "It also differs in {count:n} other line.", "It also differs in {count:n} other lines."
+    )
+    return f"{text} {gettext(others, count=len(differences) - 1)}"
+
+
+def _spheres_text(target: Target, survey: Survey) -> str:
+    """Radius and visible part of the spheres over the lines."""
+    from lispac.workflow.calibration.picking import spheres_of
+
+    patches = spheres_of(target, survey).values()
+    radii = [patch.sphere.radius for patch in patches]
+    shares = [patch.share for patch in patches]
+    if target.sphere_radius is not None:
+        return gettext(
+            "Known radius: {radius}. {lowest:percent.0} to {highest:percent.0} % of the "
+            "surface is observed.",
+            radius=units.local_amount(target.sphere_radius, "m", "g"),
+            lowest=min(shares), highest=max(shares),
+        )  # fmt: skip
+    return gettext(
+        "Radius: {smallest} to {largest}. {lowest:percent.0} to {highest:percent.0} % of the "
+        "surface is observed.",
+        smallest=units.local_amount(min(radii), "m", ".3f"),
+        largest=units.local_amount(max(radii), "m", ".3f"),
+        lowest=min(shares), highest=max(shares),
+    )  # fmt: skip

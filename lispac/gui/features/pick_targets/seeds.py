@@ -1,0 +1,151 @@
+"""Seeds from typed coordinates and from lists of coordinates."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.features.pick_targets.dialogs import TargetDialogs
+from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.seed_options import SeedOptions
+from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
+from lispac.progress import Progress
+from lispac.project import Project
+from lispac.workflow.project.survey import Survey
+
+if TYPE_CHECKING:
+    from lispac.workflow.calibration.seed_lists import SeedOutcome
+
+SeedOutcomes = tuple[Project, tuple["SeedOutcome", ...]]
+
+
+class SeedActions(QObject):
+    """Asks for seeds and searches for their targets."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        dialogs: TargetDialogs,
+        actions: Actions,
+        panel: TargetsPanel,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner = document, runner
+        self._controller, self._dialogs = controller, dialogs
+        self._targets, self._actions = panel, actions
+        actions.connect_slots({"seed_coordinates": self.type_seed, "seed_list": self.list_seeds})
+        panel.type_seed.clicked.connect(lambda: self.type_seed())
+        panel.list_seeds.clicked.connect(lambda: self.list_seeds())
+        for changed in (document.changed, document.survey_changed, runner.changed):
+            changed.connect(self._enable_controls)
+        self._enable_controls()
+
+    def type_seed(self) -> None:
+        """Ask for coordinates and search for the target there."""
+        project, survey = self._current_data()
+        if project is None or survey is None:
+            return
+        from lispac.workflow.calibration.picking import next_name
+
+        seed_options = self._targets.seed_options
+        added = seed_options.line is not None and seed_options.selected is not None
+        name = seed_options.selected if added else next_name(project, seed_options.role)
+        assert name is not None
+        entered = self._dialogs.seed_coordinates(project, survey.trajectory, seed_options, name)
+        if entered is not None and self._document.project is project:
+            named, place = entered
+            self._controller.search_at(place, seed_options, name="" if added else named)
+
+    def list_seeds(self, path: Path | None = None) -> None:
+        """Show a list of coordinates and search for the ticked targets, as one undo step.
+
+        Parameters
+        ----------
+        path : Path, optional
+            Asked for if it is not given.
+        """
+        project, survey = self._current_data()
+        if project is None or survey is None:
+            return
+        path = path or self._dialogs.seed_list_file(project.folder)
+        if path is None:
+            return
+        seed_options = self._targets.seed_options
+        seeds = self._dialogs.seed_list(
+            path, project, survey.trajectory, _search_summary(seed_options)
+        )
+        if not seeds or self._document.project is not project:
+            return
+
+        def work(progress: Progress) -> SeedOutcomes:
+            from lispac.workflow.calibration.seed_lists import pick_seeds
+
+            return pick_seeds(
+                project, survey, seeds, seed_options.finder_arguments, progress=progress
+            )
+
+        def done(picked: SeedOutcomes) -> None:
+            edited, outcomes = picked
+            self._apply_outcomes(path, edited, outcomes)
+
+        title = Plural(
+            "Searching for the target of {count:n} seed of {file}",
+            "Searching for the targets of {count:n} seeds of {file}",
+        )
+        text = gettext(title, count=len(seeds), file=path.name)
+        task = self._runner.run(text, work, done, modal=True)
+        self._controller.cancel_on_edit(task)
+
+    def _apply_outcomes(
+        self, path: Path, edited: Project, outcomes: "tuple[SeedOutcome, ...]"
+    ) -> None:
+        from lispac.workflow.calibration.target_search import thinned_notes
+
+        names = [outcome.seed.name for outcome in outcomes if outcome.target is not None]
+        candidate = self._controller.candidate
+        if candidate is not None and candidate.name in names:
+            self._controller.reject()  # its name is taken now
+        for outcome in outcomes:
+            for each in thinned_notes(outcome.target) if outcome.target else ():
+                self._controller.logged.emit(message_text(each))
+        if names:
+            self._document.edit(N_("addition of targets from {file}"), edited, file=path.name)
+        found = Plural(
+            "{file}: a target was found for {found:n} of {count:n} seed",
+            "{file}: targets were found for {found:n} of {count:n} seeds",
+        )
+        self._controller.logged.emit(
+            gettext(found, file=path.name, found=len(names), count=len(outcomes))
+        )
+        self._dialogs.seeds_found(outcomes, len(edited.lines))
+
+    def _current_data(self) -> tuple[Project | None, Survey | None]:
+        project, survey = self._document.current_data
+        return project, None if self._runner.busy else survey
+
+    def _enable_controls(self) -> None:
+        ready = self._current_data()[1] is not None
+        for button in (self._targets.type_seed, self._targets.list_seeds):
+            button.setEnabled(ready)
+        for name in ("seed_coordinates", "seed_list"):
+            self._actions[name].setEnabled(ready)
+
+
+def _search_summary(seed_options: SeedOptions) -> str:
+    """Text on how the targets of a list are searched for."""
+    if seed_options.shape == "plane":
+        return gettext(
+            "Planes are searched for in all lines, with the search radius, the threshold and the "
+            "other settings of step 2."
+        )
+    return gettext(
+        "Spheres, and planes for validation, are searched for in all lines, with the search "
+        "radius, the threshold and the other settings of step 2."
+    )

@@ -1,0 +1,436 @@
+"""Table of targets by lines: points and RMS of every sighting, and which are used."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QItemSelectionModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
+
+from lispac.gui import widgets
+from lispac.gui.appearance import quantities, theme, units
+from lispac.language import N_, Plural, gettext, number
+from lispac.message_texts import message_text
+from lispac.project import PickedSighting, Project, Target
+from lispac.targets.sighting_quality import Rating, SightingQuality
+from lispac.workflow.project.survey import Survey
+
+Role = Qt.ItemDataRole
+Index = QModelIndex | QPersistentModelIndex
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+EDITED = "\N{LOWER RIGHT PENCIL}"
+_EMPTY = N_("No targets yet. Hold Ctrl and click a target in the view.")
+_LIGHTS: dict[Rating, str] = {
+    "good": N_("Quality: good"),
+    "doubtful": N_("Quality: doubtful"),
+    "poor": N_("Quality: poor"),
+}
+
+
+class SightingsModel(QAbstractTableModel):
+    """Table model with targets as rows and lines as columns; the last row is whole lines."""
+
+    target_use_changed = Signal(str, bool)
+    line_use_changed = Signal(str, bool)
+    sighting_use_changed = Signal(str, str, bool)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._project: Project | None = None
+        self._heading: dict[str, float] = {}
+        self._qualities: Mapping[tuple[str, str], SightingQuality] = {}
+        self._lines: list[str] = []
+        self._colours: dict[str, tuple[int, int, int]] = {}
+
+    def show_project(self, project: Project | None, survey: Survey | None) -> None:
+        """Show another project."""
+        self.beginResetModel()
+        self._project = project
+        self._lines = [] if project is None else [line.name for line in project.lines]
+        self._colours = theme.line_colours(self._lines)
+        self._heading = {} if survey is None else dict(survey.heading)
+        self.endResetModel()
+
+    def show_qualities(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
+        """Show the quality of the sightings, by the names of target and line."""
+        self._qualities = qualities
+        if self.rowCount():
+            last = self.index(self.rowCount() - 1, self.columnCount() - 1)
+            self.dataChanged.emit(self.index(0, 0), last)
+
+    def key(self, index: Index) -> tuple[str, str] | None:
+        """Target and line of a cell; the line is empty in the column of names."""
+        if not index.isValid() or index.row() >= len(self._targets):
+            return None
+        line = "" if index.column() == 0 else self._lines[index.column() - 1]
+        return self._targets[index.row()].name, line
+
+    def row_of(self, name: str) -> int | None:
+        """Row of a target."""
+        return next((k for k, t in enumerate(self._targets) if t.name == name), None)
+
+    def column_of(self, line: str) -> int:
+        """Column of a line; the column of names if there is no such line."""
+        return 1 + self._lines.index(line) if line in self._lines else 0
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
+        """Number of rows: targets, and one for whole lines if a target is adjusted."""
+        targets = len(self._targets)
+        return 0 if parent.isValid() or not targets else targets + bool(self._adjusted_targets)
+
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """Number of columns: one for the names and one for each line."""
+        return 0 if parent.isValid() else len(self._lines) + 1
+
+    def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+        """Name of a line with its heading, and its colour."""
+        value = self._header_value(section, orientation, role)
+        return widgets.plain_tip(value) if role == Role.ToolTipRole and value else value
+
+    def _header_value(self, section: int, orientation: Qt.Orientation, role: int) -> Any:
+        if orientation == Qt.Orientation.Vertical:
+            return None
+        if role == Role.TextAlignmentRole:
+            return _LEFT if section == 0 else _RIGHT
+        if section == 0:
+            return gettext("Target") if role == Role.DisplayRole else None
+        line = self._lines[section - 1]
+        heading = self._heading.get(line)
+        if role == Role.DisplayRole:
+            return line if heading is None else f"{line}  {round(heading * 57.29578) % 360}°"
+        if role == Role.DecorationRole:
+            return theme.swatch(self._colours[line])
+        if role == Role.ToolTipRole:
+            return gettext(
+                "{line}: number of points, and RMS of their distances to the plane of the sighting "
+                "({unit})",
+                line=line, unit=units.shown_unit("mm").sign,
+            )  # fmt: skip
+        return None
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        """Flags of a cell, including whether it can be ticked."""
+        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+        if index.row() == len(self._targets):
+            on_line = index.column() > 0 and self._sightings_on_line(
+                self._lines[index.column() - 1]
+            )
+            return flags | Qt.ItemFlag.ItemIsUserCheckable if on_line else flags
+        if index.column() == 0 or self._sighting(index) is not None:
+            flags |= Qt.ItemFlag.ItemIsUserCheckable
+        return flags
+
+    def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
+        """Value of a cell for a role."""
+        value = self._cell_value(index, role)
+        return widgets.plain_tip(value) if role == Role.ToolTipRole and value else value
+
+    def _cell_value(self, index: Index, role: int) -> Any:
+        if index.row() == len(self._targets):
+            return self._line_cell_value(index.column(), role)
+        target = self._targets[index.row()]
+        if index.column() == 0:
+            return _name_cell_value(target, role)
+        line = self._lines[index.column() - 1]
+        sighting = target.sighting(line)
+        if role == Role.TextAlignmentRole:
+            return _RIGHT if sighting is not None else Qt.AlignmentFlag.AlignCenter
+        if sighting is None:
+            return _missing_cell_value(target, line, role)
+        return self._sighting_cell_value(target, sighting, role)
+
+    def setData(self, index: Index, value: Any, role: int = Role.EditRole) -> bool:
+        """Emit the signal of a ticked cell."""
+        if role != Role.CheckStateRole:
+            return False
+        used = Qt.CheckState(value) == Qt.CheckState.Checked
+        if index.row() == len(self._targets) and index.column() > 0:
+            self.line_use_changed.emit(self._lines[index.column() - 1], used)
+            return True
+        key = self.key(index)
+        if key is None:
+            return False
+        if key[1]:
+            self.sighting_use_changed.emit(*key, used)
+        else:
+            self.target_use_changed.emit(key[0], used)
+        return True
+
+    @property
+    def _targets(self) -> tuple[Target, ...]:
+        return () if self._project is None else self._project.targets
+
+    @property
+    def _adjusted_targets(self) -> tuple[Target, ...]:
+        return tuple(target for target in self._targets if target.role == "target")
+
+    def _sightings_on_line(self, line: str) -> list[PickedSighting]:
+        """Sightings of adjustment targets on a line."""
+        found = (target.sighting(line) for target in self._adjusted_targets)
+        return [sighting for sighting in found if sighting is not None]
+
+    def _line_cell_value(self, column: int, role: int) -> Any:
+        if column == 0:
+            values = {
+                Role.DisplayRole: gettext("Whole line"),
+                Role.ToolTipRole: gettext("Untick a line to exclude all its sightings"),
+                Role.ForegroundRole: QBrush(QColor(theme.MUTED)),
+            }
+            return values.get(Role(role))
+        line = self._lines[column - 1]
+        sightings = self._sightings_on_line(line)
+        used = sum(sighting.used for sighting in sightings)
+        if role == Role.TextAlignmentRole:
+            return _RIGHT if sightings else Qt.AlignmentFlag.AlignCenter
+        if role == Role.DisplayRole:
+            if not sightings:
+                return "–"
+            return gettext("{used:n} of {total:n} used", used=used, total=len(sightings))
+        if role == Role.ForegroundRole:
+            return QBrush(QColor(theme.MUTED))
+        if role == Role.CheckStateRole and sightings:
+            if 0 < used < len(sightings):
+                return Qt.CheckState.PartiallyChecked
+            return Qt.CheckState.Checked if used else Qt.CheckState.Unchecked
+        if role == Role.ToolTipRole and sightings:
+            return gettext(
+                "{line}: untick to exclude all sightings of this line, tick to use them", line=line
+            )
+        return None
+
+    def _sighting(self, index: Index) -> PickedSighting | None:
+        return self._targets[index.row()].sighting(self._lines[index.column() - 1])
+
+    def _sighting_cell_value(self, target: Target, sighting: PickedSighting, role: int) -> Any:
+        used = target.used and sighting.used
+        quality = self._qualities.get((target.name, sighting.line))
+        if role == Role.DisplayRole:
+            is_poor = quality is not None and quality.rating == "poor"
+            light = "   " + gettext("poor") if is_poor else ""
+            edited = f" {EDITED}" if sighting.by_hand else ""
+            return (
+                f"{number(len(sighting.indices), 0)}   {_millimetres(sighting.rms)}{light}{edited}"
+            )
+        if role == Role.DecorationRole and quality is not None:
+            return theme.quality_icon(quality.rating)
+        if role == Role.CheckStateRole:
+            return Qt.CheckState.Checked if sighting.used else Qt.CheckState.Unchecked
+        if role == Role.ForegroundRole and not used:
+            return QBrush(QColor(theme.DISABLED))
+        if role == Role.ToolTipRole:
+            return self._tip(target, sighting)
+        return None
+
+    def _tip(self, target: Target, sighting: PickedSighting) -> str:
+        lines = [
+            gettext(
+                Plural(
+                    "{target} in line {line}: {count:n} point, RMS distance to the plane of "
+                    "the sighting {rms}",
+                    "{target} in line {line}: {count:n} points, RMS distance to the plane of "
+                    "the sighting {rms}",
+                )
+                if target.shape == "plane"
+                else Plural(
+                    "{target} in line {line}: {count:n} point, RMS distance to the sphere of "
+                    "the sighting {rms}",
+                    "{target} in line {line}: {count:n} points, RMS distance to the sphere of "
+                    "the sighting {rms}",
+                ),
+                target=target.name, line=sighting.line, count=len(sighting.indices),
+                rms=_millimetres(sighting.rms),
+            )
+        ]  # fmt: skip
+        if (quality := self._qualities.get((target.name, sighting.line))) is not None:
+            lines.append(quality_text(quality))
+        if sighting.by_hand:
+            edited = gettext("Points edited with the lasso")
+            lines.append(f"{EDITED} {edited}")
+        if sighting.one_in > 1:
+            lines.append(
+                gettext("Subsampled: one of every {count:n} points near the seed is used",
+                        count=sighting.one_in)
+            )  # fmt: skip
+        result = None if self._project is None else self._project.result
+        for residual in () if result is None else result.sightings:
+            if (residual.sighting.target, residual.sighting.line) == (target.name, sighting.line):
+                lines.append(
+                    gettext(
+                        "RMS distance to the adjusted surface: {before} before, {after} after",
+                        before=_millimetres(residual.rms_before),
+                        after=_millimetres(residual.rms_after),
+                    )
+                )
+        lines.append(gettext("Untick to exclude this sighting"))
+        return "\n".join(lines)
+
+
+class SightingsTable(QTableView):
+    """Table view of the sightings; emits the selected sighting."""
+
+    sighting_selected = Signal(str, str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTabKeyNavigation(False)
+        self.setObjectName("sightings_table")
+        self.setAccessibleName(gettext("Targets by line"))
+        self.sightings = SightingsModel()
+        self.setModel(self.sightings)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setAlternatingRowColors(True)
+        self.setFont(theme.tabular_font(self.font()))
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(26)
+        self.horizontalHeader().setHighlightSections(False)
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.horizontalHeader().setMinimumSectionSize(110)
+        self.selectionModel().currentChanged.connect(self._emit_selected)
+
+    def show_project(self, project: Project | None, survey: Survey | None) -> None:
+        """Show another project; the selected cell stays selected if it still exists."""
+        key = self.sightings.key(self.currentIndex())
+        place = self.currentIndex()
+        row, column = place.row(), place.column()
+        self.sightings.show_project(project, survey)
+        if key is not None and self.sightings.row_of(key[0]) == row:
+            self._set_current(row, column)
+
+    def select(self, name: str) -> None:
+        """Select the row of a target, without a signal."""
+        row = self.sightings.row_of(name)
+        key = self.sightings.key(self.currentIndex())
+        if row is not None and (key is None or key[0] != name):
+            self._set_current(row, 0)
+
+    def go_to(self, name: str, line: str) -> None:
+        """Select the cell of a sighting, without a signal, and scroll to it."""
+        row = self.sightings.row_of(name)
+        if row is not None:
+            column = self.sightings.column_of(line)
+            self._set_current(row, column)
+            self.scrollTo(self.sightings.index(row, column))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the table, or how to fill it while it is empty."""
+        super().paintEvent(event)
+        if self.sightings.rowCount() == 0:
+            painter = QPainter(self.viewport())
+            painter.setPen(QColor(theme.MUTED))
+            area = self.viewport().rect().adjusted(16, 8, -16, -8)
+            painter.drawText(
+                area, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, gettext(_EMPTY)
+            )
+            painter.end()
+
+    def _set_current(self, row: int, column: int) -> None:
+        self.selectionModel().blockSignals(True)
+        self.selectionModel().setCurrentIndex(
+            self.sightings.index(row, column), QItemSelectionModel.SelectionFlag.ClearAndSelect
+        )
+        self.selectionModel().blockSignals(False)
+        self.viewport().update()
+
+    def _emit_selected(self, current: QModelIndex, _previous: QModelIndex) -> None:
+        key = self.sightings.key(current)
+        if key is not None:
+            self.sighting_selected.emit(*key)
+
+
+def _millimetres(metres: float) -> str:
+    return quantities.amount(1000 * metres, "mm", 1)
+
+
+def quality_text(quality: SightingQuality) -> str:
+    """Text of the quality, its reasons and the values behind them, one on each line."""
+    lines = [
+        gettext(_LIGHTS[quality.rating]),
+        *map(message_text, quality.reasons),
+        gettext("Range: {range}", range=quantities.amount(quality.range, "m", 1)),
+    ]
+    if quality.density is not None:
+        lines.append(gettext("Density: {density:x.0} points per m²", density=quality.density))
+    if quality.incidence is not None:
+        lines.append(gettext("Angle of incidence: {angle:deg.0}°", angle=quality.incidence))
+    if quality.extent is not None:
+        width, height = (quantities.amount(each, "m", 2) for each in quality.extent)
+        lines.append(gettext("Size: {width} × {height}", width=width, height=height))
+    if quality.visible_share is not None:
+        lines.append(
+            gettext(
+                "Extent observed: {share:percent.0} % of the extent in the other lines",
+                share=quality.visible_share,
+            )
+        )
+    if quality.smear is not None:
+        lines.append(
+            gettext(
+                "The prior boresight may cause up to {rms} of the RMS. Before the calibration, "
+                "the quality does not include this share.",
+                rms=_millimetres(quality.smear),
+            )
+        )
+    elif quality.incidence is not None:
+        lines.append(
+            gettext(
+                Plural(
+                    "Quality computed with the estimated boresight from {count:n} point, RMS "
+                    "{rms}",
+                    "Quality computed with the estimated boresight from {count:n} points, RMS "
+                    "{rms}",
+                ),
+                count=quality.points, rms=_millimetres(quality.rms),
+            )
+        )  # fmt: skip
+    return "\n".join(lines)
+
+
+def _name_cell_value(target: Target, role: int) -> Any:
+    is_target = target.role == "target"
+    if role == Role.DisplayRole:
+        return target.name
+    if role == Role.DecorationRole:
+        return QColor(*(theme.TARGET_COLOUR if is_target else theme.VALIDATION_COLOUR))
+    if role == Role.CheckStateRole:
+        return Qt.CheckState.Checked if target.used else Qt.CheckState.Unchecked
+    if role == Role.ToolTipRole:
+        role_name = (
+            gettext("{target}: used in the adjustment", target=target.name)
+            if is_target
+            else gettext(
+                "{target}: validation plane, not used in the adjustment", target=target.name
+            )
+        )
+        return role_name + "\n" + gettext("Tick to use the target")
+    return None
+
+
+def _missing_cell_value(target: Target, line: str, role: int) -> Any:
+    if role == Role.DisplayRole:
+        return "–"
+    if role == Role.ForegroundRole:
+        return QBrush(QColor(theme.DISABLED))
+    if role == Role.ToolTipRole:
+        if line in target.missing:
+            reason = gettext(
+                "{target} in line {line}: {reason}",
+                target=target.name, line=line, reason=message_text(target.missing[line]),
+            )  # fmt: skip
+        else:
+            reason = gettext(
+                "{target} was not searched for in line {line}", target=target.name, line=line
+            )
+        action = gettext(
+            "To pick the target in this line only, choose the line under “Search in” in step 2 "
+            "and Ctrl+click the target."
+        )
+        return f"{reason}\n{action}"
+    return None

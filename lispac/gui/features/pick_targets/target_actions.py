@@ -1,0 +1,193 @@
+"""Actions on targets besides the click: rate, find again, propose, change the role."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from lispac.errors import LispacError
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.features.pick_targets.dialogs import TargetDialogs
+from lispac.gui.features.pick_targets.sighting_quality import QualityComputation
+from lispac.gui.features.pick_targets.sightings_table import SightingsTable
+from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.language import N_, gettext
+from lispac.progress import Progress
+from lispac.project import Project, Target
+from lispac.workflow.calibration import edits
+from lispac.workflow.project.survey import Survey
+
+if TYPE_CHECKING:
+    from lispac.workflow.calibration.proposals import Proposal
+
+
+class TargetActions(QObject):
+    """Controls proposals, repeated searches and the quality of targets."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        dialogs: TargetDialogs,
+        actions: Actions,
+        panel: TargetsPanel,
+        table: SightingsTable,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner = document, runner
+        self._controller, self._dialogs = controller, dialogs
+        self._targets, self._actions = panel, actions
+        self.quality_computation = QualityComputation(document, runner, self)
+        self.quality_computation.qualities_changed.connect(table.sightings.show_qualities)
+        self.quality_computation.candidate_rated.connect(panel.candidate.lights.show_qualities)
+        controller.candidate_changed.connect(
+            lambda: self.quality_computation.rate_candidate(controller.candidate)
+        )
+        panel.propose_requested.connect(self.propose)
+        panel.accepted.connect(controller.accept)
+        panel.rejected.connect(controller.reject)
+        panel.removed.connect(controller.remove)
+        panel.used_changed.connect(controller.use_target)
+        panel.role_changed.connect(
+            lambda role: actions[
+                "seed_validation" if role == "validation" else "seed_target"
+            ].setChecked(True)
+        )
+        table.sightings.target_use_changed.connect(controller.use_target)
+        table.sightings.sighting_use_changed.connect(controller.use_sighting)
+        table.sightings.line_use_changed.connect(controller.use_line)
+        actions.connect_slots(
+            {
+                "propose": self.propose,
+                "find_again": self.find_again,
+                "accept": controller.accept,
+                "reject": controller.reject,
+            }
+        )
+        for changed in (
+            document.changed, document.survey_changed, runner.changed, panel.current_changed,
+        ):  # fmt: skip
+            changed.connect(self._enable_controls)
+        self._enable_controls()
+
+    def propose(self) -> None:
+        """Detect planes in all lines and propose targets."""
+        project, survey = self._current_data()
+        if project is None or survey is None:
+            return
+
+        def work(progress: Progress) -> "Proposal":
+            from lispac.workflow.calibration.proposal_acceptance import without_picked
+            from lispac.workflow.calibration.proposals import propose_targets
+
+            return without_picked(project, propose_targets(project, survey, progress=progress))
+
+        task = self._runner.run(
+            gettext("Searching for targets to propose"),
+            work,
+            lambda proposal: self._add_proposed_targets(project, proposal),
+            modal=True,
+        )
+        self._controller.cancel_on_edit(task)
+
+    def find_again(self) -> None:
+        """Search for the selected target at its seed with other settings."""
+        project, survey = self._current_data()
+        name = self._targets.current
+        if project is None or survey is None or name is None:
+            return
+        target = project.target(name)
+        settings = self._dialogs.find_again(target)
+        if settings is None:
+            return
+        threshold, radius, choices = settings
+
+        def work(progress: Progress) -> Target:
+            from lispac.workflow.calibration import picking
+
+            found = picking.find_target(
+                project, survey, target.seed, name=target.name, role=target.role,
+                shape=target.shape, sphere_radius=target.sphere_radius, threshold=threshold,
+                radius=radius, expected=target.expected, choices=choices, progress=progress,
+            )  # fmt: skip
+            return _used_as_before(found, target)
+
+        title = gettext("Searching for {target} again", target=name)
+        task = self._runner.run(title, work, self._controller.set_candidate)
+        self._controller.cancel_on_edit(task)
+
+    def _add_proposed_targets(self, project: Project, proposal: "Proposal") -> None:
+        from lispac.workflow.calibration.proposal_acceptance import with_accepted
+
+        if self._document.project is not project:
+            return
+        if not proposal.targets:
+            self._controller.logged.emit(gettext("No other suitable targets were found."))
+            return
+        names = self._dialogs.proposal(proposal)
+        if not names:
+            self._controller.logged.emit(gettext("The proposed targets were rejected."))
+            return
+        edited, accepted = with_accepted(project, proposal, names)
+        self._document.edit(N_("addition of proposed targets"), edited)
+        self._controller.logged.emit(gettext("Accepted {targets:names}", targets=accepted))
+
+    def _current_data(self) -> tuple[Project | None, Survey | None]:
+        project, survey = self._document.current_data
+        return project, None if self._runner.busy else survey
+
+    def _enable_controls(self) -> None:
+        ready = self._current_data()[1] is not None
+        self._targets.propose.setEnabled(ready)
+        self._actions["propose"].setEnabled(ready)
+        self._actions["find_again"].setEnabled(ready and self._targets.current is not None)
+
+
+def _used_as_before(target: Target, before: Target) -> Target:
+    """Exclude the sightings that were excluded before."""
+    excluded = {sighting.line for sighting in before.sightings if not sighting.used}
+    sightings = tuple(replace(s, used=s.line not in excluded) for s in target.sightings)
+    return replace(target, used=before.used, sightings=sightings)
+
+
+NOTHING_SELECTED = N_("Select a target or validation plane first, then change its role.")
+
+
+class TargetRoles(QObject):
+    """Changes a target into a validation plane, or the reverse."""
+
+    def __init__(
+        self,
+        document: Document,
+        scene: Scene,
+        actions: Actions,
+        note: Callable[[str], None],
+        refuse: Callable[[LispacError], None],
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._scene = document, scene
+        self._note, self._refuse = note, refuse
+        actions["change_role"].triggered.connect(lambda _=False: self._change_role())
+
+    def _change_role(self) -> None:
+        project, selected = self._document.project, self._scene.selected
+        if project is None or selected is None or not self._scene.selected_points:
+            self._note(gettext(NOTHING_SELECTED))
+            return
+        name = selected[0]
+        try:
+            edited = edits.with_switched_role(project, name)
+        except LispacError as error:
+            self._refuse(error)
+            return
+        self._document.edit(N_("change of role of {target}"), edited, target=name)
+        if edited.target(name).role == "validation":
+            self._note(gettext("{target} is now a validation plane.", target=name))
+        else:
+            self._note(gettext("{target} is now a target.", target=name))

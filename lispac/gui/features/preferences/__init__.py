@@ -1,0 +1,1 @@
+"""Preferences of the user and the library of sensors."""

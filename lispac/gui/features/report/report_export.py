@@ -1,0 +1,213 @@
+"""The report from the window: identity of the project, preview and export."""
+
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QImage
+
+from lispac.errors import InputError
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.settings import AppSettings, folder_outside_cache
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.features.report.dialogs import ReportDialogs
+from lispac.gui.features.report.report_panel import ReportPanel
+from lispac.gui.features.report.report_pictures import ReportPictures
+from lispac.gui.project.computations import Computations
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import Viewport
+from lispac.installation_paths import home_folder
+from lispac.language import N_, gettext
+from lispac.messages import error
+from lispac.progress import Progress
+from lispac.project import Project
+from lispac.report.options import ReportOptions
+from lispac.workflow.project.survey import Survey
+from lispac.workflow.project.survey_dates import survey_dates
+
+if TYPE_CHECKING:
+    from lispac.report.pdf import Preview
+
+PIXELS_PER_INCH = 96.0
+"""Pixels per inch of a page on the screen, where a pixel is one of the screen's."""
+
+
+class ReportExport(QObject):
+    """Asks for the details and options of the report, previews it and writes it."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        viewport: Viewport,
+        controller: Controller,
+        computations: Computations,
+        dialogs: ReportDialogs,
+        settings: AppSettings,
+        actions: Actions,
+        panel: ReportPanel,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._dialogs = document, dialogs
+        self._runner, self._controller = runner, controller
+        self._photographer = ReportPictures(document, runner, controller, scene, viewport, self)
+        self._computations = computations
+        self._panel, self._settings = panel, settings
+        self.show_choice()
+        panel.report_requested.connect(self.export)
+        panel.preview_requested.connect(self.preview)
+        panel.template_requested.connect(self.ask_template)
+        panel.details_requested.connect(self.ask_details)
+        panel.changed.connect(self._store_choice)
+        actions.connect_slots({"report": self.export})
+
+    def show_choice(self) -> None:
+        """Show the options of the settings in the panel."""
+        self._panel.show_choice(self._settings.report_choice())
+
+    def ask_details(self) -> None:
+        """Ask for surveyor, dates and equipment, and store them as one undo step."""
+        project, survey = self._document.project, self._survey
+        if project is None:
+            return
+        identity = self._dialogs.identity(
+            project.identity, lambda: "" if survey is None else survey_dates(project, survey)
+        )
+        current = self._document.project  # a task may have ended meanwhile
+        if identity is not None and current is not None and identity != current.identity:
+            self._document.edit(N_("change of report details"), current.with_identity(identity))
+
+    def ask_template(self) -> None:
+        """Ask for the template of the report."""
+        last = self._settings.report_choice()[0]
+        path = self._dialogs.report_template(Path(last).parent if last else home_folder())
+        if path is not None:
+            self._panel.show_template(path)
+            self._store_choice()
+
+    def export(self) -> None:
+        """Ask for a file and write the report with pictures of the view."""
+        project, survey, options = self._document.project, self._survey, self._options()
+        if project is None or project.result is None or survey is None or options is None:
+            return
+        path = self._dialogs.report_file(
+            folder_outside_cache(project.folder) / f"{project.name}.pdf"
+        )
+        if path is not None:
+            write = partial(self._write, project, survey, options, path)
+            self._computations.run_with_placed_lines(
+                project, survey, lambda: self._photographer.capture(project, write)
+            )
+
+    def _write(
+        self,
+        project: Project,
+        survey: Survey,
+        options: ReportOptions,
+        path: Path,
+        pictures: dict[str, QImage],
+    ) -> None:
+        refused = self._document.refused_since
+
+        def work(progress: Progress) -> Path:
+            from lispac.workflow.output.export import write_report
+
+            with _temporary_files(pictures) as files:
+                write_report(
+                    project, survey, path, pictures=files, options=options, refused=refused,
+                    progress=progress,
+                )  # fmt: skip
+            return path
+
+        title = gettext("Writing the report")
+        self._runner.run(title, work, partial(self._on_written, project), persistent=True)
+
+    def preview(self) -> None:
+        """Show the pages of the report as they are printed."""
+        project, survey, options = self._document.project, self._survey, self._options()
+        if project is None or project.result is None or survey is None or options is None:
+            return
+        set_pages = partial(self._lay_out_pages, project, survey, options)
+        self._computations.run_with_placed_lines(
+            project, survey, lambda: self._photographer.capture(project, set_pages)
+        )
+
+    def _lay_out_pages(
+        self,
+        project: Project,
+        survey: Survey,
+        options: ReportOptions,
+        pictures: dict[str, QImage],
+    ) -> None:
+        refused = self._document.refused_since
+        ppi = PIXELS_PER_INCH * self._panel.devicePixelRatioF()
+
+        def work(progress: Progress) -> "Preview":
+            from lispac.workflow.output.export import preview_report
+
+            with _temporary_files(pictures) as files:
+                return preview_report(
+                    project, survey, pictures=files, options=options, refused=refused, ppi=ppi,
+                    progress=progress,
+                )  # fmt: skip
+
+        self._runner.run(
+            gettext("Laying out the pages"),
+            work,
+            lambda preview: self._show_preview(project, preview),
+            modal=True,
+        )
+
+    def _show_preview(self, project: Project, preview: "Preview") -> None:
+        def save() -> str:
+            path = self._dialogs.pdf_file(project.folder / f"{project.name}.pdf")
+            if path is None:
+                return ""
+            from lispac.workflow.output.export import save_preview
+
+            try:
+                save_preview(preview, path)
+            except InputError as error:
+                self._controller.refused.emit(error)
+                return ""
+            self._on_written(project, path)
+            return gettext("Wrote {path}", path=path)
+
+        self._dialogs.preview(preview.pages, save)
+
+    def _on_written(self, project: Project, path: Path) -> None:
+        self._document.mark_reported(project, path.name)
+        self._controller.logged.emit(gettext("Wrote {path}", path=path))
+
+    def _options(self) -> ReportOptions | None:
+        """Options of the report; None if they cannot be used."""
+        try:
+            return self._panel.options()
+        except InputError as error:
+            self._controller.refused.emit(error)
+            return None
+
+    def _store_choice(self) -> None:
+        self._settings.save_report_choice(self._panel.choice)
+
+    @property
+    def _survey(self) -> Survey | None:
+        return self._document.survey if self._document.survey_is_current else None
+
+
+@contextmanager
+def _temporary_files(pictures: Mapping[str, QImage]) -> Iterator[dict[str, Path]]:
+    """Write pictures to temporary PNG files; slow, so used in the worker."""
+    with tempfile.TemporaryDirectory(prefix="lispac-") as folder:
+        files = {caption: Path(folder) / f"{k}.png" for k, caption in enumerate(pictures)}
+        for caption, file in files.items():
+            if not pictures[caption].save(str(file), "PNG"):
+                raise InputError(error("window.disk_full", file=str(file)))
+        yield files

@@ -1,0 +1,198 @@
+"""Step 5: options and export of the report and of the georeferenced lines."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
+
+from lispac.errors import InputError
+from lispac.gui import widgets
+from lispac.gui.project.status import StepStatus
+from lispac.language import LANGUAGES, N_, current_language, gettext
+from lispac.report.options import PAGES, USUAL, ReportOptions
+from lispac.survey.conventions.systems import OTHER_SYSTEMS, Status
+from lispac.workflow.output.report_options import report_options
+
+STATUS: dict[Status, str] = {
+    "verified": N_("{program} (verified)"),
+    "partly": N_("{program} (partly verified)"),
+    "unverified": N_("{program} (NOT VERIFIED)"),
+}
+"""Name of a program with the status of its convention."""
+_NAMES = (N_("Phoenix SpatialExplorer 6 and later"), N_("Phoenix SpatialExplorer 1 to 5"))
+"""Names of programs that have a translation."""
+NO_TEMPLATE = N_("None")
+AS_WINDOW = "window"
+"""The language of the report is that of the window."""
+LANGUAGE_KEYS = (AS_WINDOW, *LANGUAGES)
+
+
+class ReportPanel(QWidget):
+    """Options of the report, and buttons to export it and the georeferenced lines."""
+
+    report_requested = Signal()
+    lines_requested = Signal()
+    details_requested = Signal()
+    preview_requested = Signal()
+    template_requested = Signal()
+    changed = Signal()
+    """An option of the report was changed."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._template: Path | None = None
+        layout = widgets.vertical_layout(self)
+        self.advice = widgets.label("", "hint", wrap=True, name="report_advice")
+        layout.addWidget(self.advice)
+        self.details = widgets.button(
+            gettext("Details for the report…"), "report_details",
+            icon="card-account-details-outline",
+            tip=gettext("Enter surveyor, vessel, instruments and dates for the first page of "
+                        "the report"),
+        )  # fmt: skip
+        layout.addWidget(self.details)
+        layout.addLayout(self._create_choice_form())
+        self.template_error = widgets.label("", "error", wrap=True, name="report_message")
+        layout.addWidget(self.template_error)
+        self.report = widgets.button(
+            gettext("Export report…"), "export_report", icon="file-document-outline", primary=True,
+            tip=gettext(
+                "Write the report as PDF, HTML, JSON or tables (CSV in a ZIP file), with "
+                "pictures of the view before and after (Ctrl+E)"
+            ),
+        )  # fmt: skip
+        self.preview = widgets.button(
+            gettext("Preview"), "preview_report", icon="eye-outline",
+            tip=gettext("Show the pages of the report as they will be printed, and save them "
+                        "as PDF"),
+        )  # fmt: skip
+        self.lines = widgets.button(
+            gettext("Export georeferenced lines…"), "export_lines", icon="export-variant",
+            tip=gettext(
+                "Write each line as LAZ or LAS in a coordinate system of your choice "
+                "(Ctrl+Shift+E)"
+            ),
+        )  # fmt: skip
+        self.details.clicked.connect(self.details_requested)
+        self.preview.clicked.connect(self.preview_requested)
+        self.report.clicked.connect(self.report_requested)
+        self.lines.clicked.connect(self.lines_requested)
+        layout.addWidget(self.preview)
+        layout.addWidget(self.report)
+        layout.addWidget(self.lines)
+        self.show_template(None)
+
+    @property
+    def choice(self) -> tuple[str, str, str, str]:
+        """Template, page, convention and language, for the settings."""
+        template = "" if self._template is None else str(self._template)
+        options = self._with_choices(USUAL)
+        return template, options.page, options.convention, self._language_key
+
+    def options(self) -> ReportOptions:
+        """Options of the report.
+
+        Raises
+        ------
+        InputError
+            Where the template can no longer be used.
+        """
+        return self._with_choices(report_options(self._template))
+
+    def show_choice(self, choice: tuple[str, str, str, str]) -> None:
+        """Show the last choice; entries that no longer exist are ignored."""
+        template, page, convention, language_key = choice
+        self.show_template(Path(template) if template else None)
+        if page in PAGES:
+            self.page.setCurrentIndex(list(PAGES).index(page))
+        if language_key in LANGUAGE_KEYS:
+            self.language.setCurrentIndex(LANGUAGE_KEYS.index(language_key))
+        keys = ["", *(each.key for each in OTHER_SYSTEMS)]
+        self.convention.setCurrentIndex(keys.index(convention) if convention in keys else 0)
+
+    def show_template(self, path: Path | None) -> None:
+        """Use page, convention and language of a template, or show what is wrong with it."""
+        self._template = path
+        self.template.setText(gettext(NO_TEMPLATE) if path is None else path.name)
+        self.template.setToolTip(widgets.plain_tip("" if path is None else str(path)))
+        self.no_template.setVisible(path is not None)
+        self.template_error.setText("")
+        if path is not None:
+            try:
+                options = report_options(path)
+            except InputError as error:
+                self.template_error.setText(str(error))
+            else:
+                self.page.setCurrentIndex(list(PAGES).index(options.page))
+                self.language.setCurrentIndex(LANGUAGE_KEYS.index(options.language))
+                keys = ["", *(each.key for each in OTHER_SYSTEMS)]
+                if options.convention in keys:
+                    self.convention.setCurrentIndex(keys.index(options.convention))
+        self.template_error.setVisible(bool(self.template_error.text()))
+
+    def show_status(self, status: StepStatus, data_ready: bool, busy: bool) -> None:
+        """Enable what can be exported now."""
+        self.advice.setText(status.advice)
+        self.details.setEnabled(data_ready)
+        self.preview.update_enabled(status.ready and not busy)
+        self.report.update_enabled(status.ready and not busy)
+        self.lines.update_enabled(data_ready and not busy)
+
+    def _create_choice_form(self) -> QFormLayout:
+        self.page = widgets.ChoiceBox(
+            "report_page", list(map(gettext, PAGES.values())), gettext("Paper size")
+        )
+        self.language = widgets.ChoiceBox(
+            "report_language", [gettext("Same as window"), *LANGUAGES.values()],
+            gettext("Language of the report. JSON is always in English."),
+        )  # fmt: skip
+        names = [gettext(STATUS[each.status], program=gettext(each.name)) for each in OTHER_SYSTEMS]
+        self.convention = widgets.ChoiceBox(
+            "report_convention", [gettext("(none)"), *names],
+            gettext("Give the boresight also in the convention of another program"),
+        )  # fmt: skip
+        self.template = widgets.label(name="report_template")
+        self.template.setTextFormat(Qt.TextFormat.PlainText)
+        # A long name is cut off and does not widen the panel; the tip has all of it.
+        self.template.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        choose = widgets.button(
+            gettext("Choose…"), "report_template_choose",
+            tip=gettext("Template of the report: TOML file with logo, company, texts, page, "
+                        "convention and language"),
+        )  # fmt: skip
+        self.no_template = widgets.button(
+            gettext("Clear"), "report_template_none", tip=gettext("Do not use a template")
+        )
+        choose.clicked.connect(self.template_requested)
+        self.no_template.clicked.connect(lambda: self._on_template_changed(None))
+        row = QHBoxLayout()
+        row.addWidget(self.template, 1)
+        row.addWidget(self.no_template)
+        row.addWidget(choose)
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(gettext("Language"), self.language)
+        form.addRow(gettext("Paper size"), self.page)
+        form.addRow(gettext("Also give angles for"), self.convention)
+        form.addRow(gettext("Template"), row)
+        for box in (self.language, self.page, self.convention):
+            box.activated.connect(lambda _index: self.changed.emit())
+        return form
+
+    def _on_template_changed(self, template: Path | None) -> None:
+        self.show_template(template)
+        self.changed.emit()
+
+    def _with_choices(self, options: ReportOptions) -> ReportOptions:
+        keys = ["", *(each.key for each in OTHER_SYSTEMS)]
+        return replace(
+            options,
+            page=list(PAGES)[self.page.currentIndex()],
+            convention=keys[self.convention.currentIndex()],
+            language=current_language() if self._language_key == AS_WINDOW else self._language_key,
+        )
+
+    @property
+    def _language_key(self) -> str:
+        return LANGUAGE_KEYS[self.language.currentIndex()]

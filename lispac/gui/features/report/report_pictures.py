@@ -1,0 +1,92 @@
+"""Pictures of the view for the report, before and after, taken without blocking the window."""
+
+from collections.abc import Callable
+from contextlib import ExitStack
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QImage
+
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.appearance import units
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene, Which
+from lispac.gui.viewport.base import Viewport
+from lispac.language import N_, gettext
+from lispac.project import Project
+
+CAPTIONS: dict[Which, str] = {
+    "prior": N_("Lines georeferenced with the prior boresight"),
+    "estimated": N_("Lines georeferenced with the estimated boresight"),
+}
+"""Captions in English: the report translates them into its own language."""
+
+
+class ReportPictures(QObject):
+    """Takes pictures of the lines before and after with one camera and one colour scale."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        scene: Scene,
+        viewport: Viewport,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._runner, self._controller = document, runner, controller
+        self._scene, self._viewport = scene, viewport
+        self._as_it_was = ExitStack()
+        for ended in (runner.stopped, runner.idle):
+            ended.connect(self._restore_view)
+
+    def capture(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
+        """Take both pictures, by caption; the lines must be placed in both states.
+
+        Showing, the detail and taking have a turn each, for all at once would hold up the window.
+        An edit meanwhile, or cancelling, ends it.
+        """
+        pictures: dict[str, QImage] = {}
+
+        def prepare(which: Which) -> None:
+            self._show_lines(which)  # the user may have switched
+            self._scene.draw_due()
+            self._viewport.prepare()
+
+        def capture(which: Which) -> None:
+            prepare(which)  # which is nothing more where nothing has changed since
+            with units.standard_units():
+                pictures[CAPTIONS[which]] = self._viewport.picture()
+
+        steps: list[tuple[Callable[[Which], None], Which]] = [
+            (act, which) for which in CAPTIONS for act in (self._show_lines, prepare, capture)
+        ]
+
+        def step(_nothing: None) -> None:
+            act, which = steps.pop(0)
+            act(which)
+            if self._document.project is not project:
+                self._restore_view()
+            elif steps:
+                self._run_step(step)
+            else:
+                self._restore_view()
+                then(pictures)
+
+        self._as_it_was.enter_context(self._scene.common_residual_scale())
+        self._run_step(step)
+
+    def _run_step(self, step: Callable[[None], None]) -> None:
+        task = self._runner.run(
+            gettext("Taking pictures of the view"), lambda _progress: None, step
+        )
+        self._controller.cancel_on_edit(task)
+
+    def _show_lines(self, which: Which) -> None:
+        with units.standard_units():
+            self._scene.show(which)
+
+    def _restore_view(self) -> None:
+        """Restore the view as it was before."""
+        self._as_it_was.close()

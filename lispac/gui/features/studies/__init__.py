@@ -1,0 +1,1 @@
+"""Studies of a result, and results of alternative methods."""

@@ -1,0 +1,28 @@
+"""Actions that show studies."""
+
+from lispac.gui.app.actions import ActionRecord, by_name
+from lispac.language import N_
+
+ACTIONS = by_name(
+    ActionRecord("methods", N_("Compare with other &methods…"),
+        N_("Estimate the boresight from the validation planes and from the scene without "
+           "targets, and compare the results"), ("Adjust", 2, 2), keys="Ctrl+F9"),
+    ActionRecord("subsampling", N_("Point &spacing study…"),
+        N_("Repeat the adjustment with smaller and larger point spacings, and compare the results"),
+        ("Adjust", 2, 3), keys="Shift+F9"),
+    ActionRecord("visibility", N_("&Visibility of errors…"),
+        N_("Show for each systematic error the boards and lines that make it visible"),
+        ("Adjust", 2, 4)),
+    ActionRecord("check", N_("Check against a &reference…"),
+        N_("Compare the lines with a static scan or surveyed points"), ("Validate", 1, 2),
+        keys="Shift+F10"),
+    ActionRecord("line_quality", N_("&Differences between lines…"),
+        N_("Compute the distances between each two lines on flat areas of the scene, with the "
+           "boresight used in the view"), ("Validate", 1, 3), keys="Ctrl+F10"),
+    ActionRecord("budget", N_("Error &budget…"),
+        N_("Compute the effect of each error source on a point at a given range"),
+        ("Validate", 2, 1)),
+    ActionRecord("history", N_("Calibrations over the &years…"),
+        N_("Compare all calibrations of a vessel’s system to detect a change of its mounting"),
+        ("Validate", 2, 2), keys="F11"),
+)  # fmt: skip

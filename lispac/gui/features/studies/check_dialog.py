@@ -1,0 +1,286 @@
+"""Dialogues of the check against a reference: the request and its result."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QDialog,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLineEdit,
+    QWidget,
+)
+
+from lispac.gui import widgets
+from lispac.gui.app.actions import dialog_title
+from lispac.gui.appearance import theme
+from lispac.gui.features.studies.actions import ACTIONS
+from lispac.gui.features.studies.study_dialog import StudyDialog
+from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
+from lispac.gui.widgets.system_choice import HEIGHTS, system_box, system_text
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.present.absolute import (
+    AbsoluteCheckValues,
+    LineReferenceDistances,
+    ReferenceDistances,
+)
+from lispac.project import Project
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
+from lispac.workflow.output.output_crs import LOCAL
+
+AS_IN_FILE = N_("System of the file, or local frame if it has none")
+DISTANCE_COLUMNS = (
+    (
+        N_("Mean before calibration (mm)"),
+        N_(
+            "Mean distance of the line from the reference before calibration, positive towards the "
+            "vessel"
+        ),
+    ),
+    (
+        N_("± 95 % before calibration (mm)"),
+        N_(
+            "Half-width of the 95 % confidence interval of the mean before calibration. It "
+            "includes the uncertainties of the POS and the reference."
+        ),
+    ),
+    (
+        N_("RMS before calibration (mm)"),
+        N_("Root mean square distance of the line from the reference before calibration"),
+    ),
+    (
+        N_("Mean after calibration (mm)"),
+        N_(
+            "Mean distance of the line from the reference after calibration, positive towards the "
+            "vessel"
+        ),
+    ),
+    (
+        N_("± 95 % after calibration (mm)"),
+        N_(
+            "Half-width of the 95 % confidence interval of the mean after calibration. It includes "
+            "the uncertainties of the POS, the reference and the boresight."
+        ),
+    ),
+    (
+        N_("RMS after calibration (mm)"),
+        N_("Root mean square distance of the line from the reference after calibration"),
+    ),
+)
+"""Titles and tips of the columns of distances, in millimetres."""
+
+
+@dataclass(frozen=True)
+class CheckRequest:
+    """Reference of a check and the options of the comparison.
+
+    Attributes
+    ----------
+    crs, height : as `lispac check` takes them; empty as in the file
+    sigma : float, metres
+        Standard deviation of the reference where it has none.
+    reach : float, metres
+        Search distance for points of a line around the reference.
+    """
+
+    path: Path
+    crs: str
+    height: str
+    sigma: float
+    reach: float
+
+
+class CheckDialog(QDialog):
+    """Dialogue for a reference: file, coordinate system and standard deviation."""
+
+    def __init__(
+        self, project: Project, trajectory: LocalTrajectory, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("check_dialog")
+        self.setWindowTitle(dialog_title(ACTIONS["check"]))
+        self.setMinimumWidth(620)
+        self._start = project.folder.parent
+        layout = widgets.vertical_layout(self, 16)
+        layout.addWidget(
+            widgets.label(
+                gettext(
+                    "The lines are compared with a static scan of the site or with surveyed "
+                    "points. Each row of a point list has a name, three coordinates and, "
+                    "optionally, a standard deviation and the name of the plane of the point."
+                ),
+                wrap=True,
+            )
+        )
+        self.file = QLineEdit()
+        self.file.setObjectName("check_file")
+        self.file.setPlaceholderText(gettext("LAS, LAZ, E57, PTS or text file"))
+        browse = widgets.button(
+            gettext("Browse…"), "check_browse", tip=gettext("Choose the reference file")
+        )
+        browse.setAutoDefault(False)
+        browse.clicked.connect(self._browse)
+        row = QHBoxLayout()
+        row.addWidget(self.file, 1)
+        row.addWidget(browse)
+        self.system = system_box("check_system", project, trajectory, local_first=True)
+        known = self.system.findData("")
+        if known >= 0:  # the system of the lines is not that of the reference
+            self.system.removeItem(known)
+        self.system.insertItem(0, gettext(AS_IN_FILE), "")
+        self.system.setCurrentIndex(0)
+        self.height = QLineEdit()
+        self.height.setObjectName("check_height")
+        self.height.setPlaceholderText(gettext(HEIGHTS))
+        self.sigma = widgets.number(
+            "check_sigma", suffix=" mm", decimals=1, low=0, high=1000, step=1,
+            tip=gettext(
+                "Standard deviation of the reference. For a scan: error common to all points, "
+                "from registration and control. For a point list: value for points without their "
+                "own standard deviation."
+            ),
+        )  # fmt: skip
+        self.sigma.setValue(1000 * DEFAULT_SIGMA)
+        self.reach = widgets.number(
+            "check_reach", suffix=" m", decimals=2, low=0.05, high=20, step=0.25,
+            tip=gettext(
+                "Largest distance at which a line is compared with the reference. It must exceed "
+                "the displacement caused by the error of the prior boresight."
+            ),
+        )  # fmt: skip
+        self.reach.setValue(SEARCH_DISTANCE)
+        form = QFormLayout()
+        form.setVerticalSpacing(theme.SPACING)
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(gettext("Reference"), row)
+        form.addRow(gettext("Coordinate system"), self.system)
+        form.addRow(gettext("Vertical system"), self.height)
+        form.addRow(gettext("Reference uncertainty (1 σ)"), self.sigma)
+        form.addRow(gettext("Search distance"), self.reach)
+        layout.addLayout(form)
+        self.check = widgets.button(gettext("Run check"), "check_run", primary=True)
+        self.check.setDefault(True)
+        self.check.clicked.connect(self.accept)
+        cancel = widgets.button(gettext("Cancel"), "check_cancel")
+        cancel.setAutoDefault(False)
+        cancel.clicked.connect(self.reject)
+        row = QHBoxLayout()
+        row.addStretch(1)
+        for each in widgets.in_platform_order(self.check, cancel):
+            row.addWidget(each)
+        layout.addLayout(row)
+        self._form = form
+        self.file.textChanged.connect(self._show)
+        self.system.currentTextChanged.connect(self._show)
+        self._show()
+
+    @property
+    def request(self) -> CheckRequest:
+        """The check as filled in."""
+        code = system_text(self.system)
+        height = self.height.text().strip() if code != LOCAL else ""
+        return CheckRequest(
+            Path(self.file.text().strip()), code, height, self.sigma.value() / 1000,
+            self.reach.value(),
+        )  # fmt: skip
+
+    def _show(self) -> None:
+        self.check.setEnabled(bool(self.file.text().strip()))
+        self._form.setRowVisible(self.height, system_text(self.system) not in ("", LOCAL))
+
+    def _browse(self) -> None:
+        name, _ = QFileDialog.getOpenFileName(
+            self, gettext("Choose the reference file"), str(self._start),
+            ";;".join(
+                [
+                    gettext(
+                        "Scans and lists of points ({patterns})",
+                        patterns="*.las *.laz *.e57 *.txt *.csv *.asc *.xyz *.pts",
+                    ),
+                    gettext("All files (*)"),
+                ]
+            ),
+        )  # fmt: skip
+        if name:
+            self.file.setText(name)
+
+
+class CheckResultDialog(StudyDialog):
+    """Distances of each line from the reference, before and after calibration."""
+
+    def __init__(self, values: AbsoluteCheckValues, parent: QWidget | None = None) -> None:
+        from lispac.report.absolute_figure import reference_distance_figure
+
+        table = DiagnosticsTable("check_table", gettext("Lines and reference"), _columns())
+        super().__init__(
+            "checked", gettext("Check against {reference}", reference=values.reference),
+            gettext(
+                "The table shows the distances of the lines from the reference along the normal "
+                "of the reference, positive towards the vessel. The report contains the same "
+                "values."
+            ),
+            table, parent,
+        )  # fmt: skip
+        self.show_rows(
+            [
+                *(_line_row(each, Cell(each.line)) for each in values.lines),
+                _line_row(values.all_lines, Cell(gettext("all lines"))),
+            ]
+        )
+        not_compared = [
+            gettext("Not compared: {reason}", reason=message_text(reason))
+            for reason in values.not_compared
+        ]
+        self.message_label.setText("\n".join([*map(message_text, values.messages), *not_compared]))
+        reference_distance_figure(values, self.figure())
+        self.resize(1000, 760)
+
+
+def _columns() -> tuple[Column, ...]:
+    return (
+        Column(
+            gettext("Line"),
+            gettext("Line compared with the reference, or all lines together"),
+            is_text=True,
+        ),
+        Column(
+            gettext("Compared places"),
+            gettext(
+                "Number of places where line and reference are compared, the same before and "
+                "after calibration"
+            ),
+        ),
+        *(Column(gettext(title), gettext(tip), base="mm") for title, tip in DISTANCE_COLUMNS),
+        Column(
+            gettext("Result"),
+            gettext(
+                "The line agrees with the reference if the 95 % confidence interval of the "
+                "mean after calibration includes zero"
+            ),
+            is_text=True,
+        ),
+    )
+
+
+def _line_row(line: LineReferenceDistances, name: Cell) -> Row:
+    after = line.after
+    cells = [name, number_cell(after.distances.n, ",.0f")]
+    for state in (line.before, after):
+        cells += _distance_cells(state)
+    result = (
+        gettext("differs from reference")
+        if after.mean_significant
+        else gettext("agrees with reference")
+    )
+    return Row((*cells, Cell(result)), marked=after.mean_significant)
+
+
+def _distance_cells(state: ReferenceDistances) -> list[Cell]:
+    return [
+        number_cell(state.signed.mean_m, "+.1f", 1000.0),
+        number_cell(state.mean_interval95_m, ".1f", 1000.0),
+        number_cell(state.distances.rms_m, ".1f", 1000.0),
+    ]

@@ -1,0 +1,78 @@
+"""Dialogues that ask for a study and show its result."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog
+
+from lispac.alternative_methods import Method
+from lispac.gui.app.questions import Questions, run_dialog
+from lispac.gui.features.studies.budget_dialog import BudgetDialog
+from lispac.gui.features.studies.check_dialog import CheckDialog, CheckRequest, CheckResultDialog
+from lispac.gui.features.studies.history_dialog import HistoryDialog
+from lispac.gui.features.studies.line_quality_dialog import LineQualityDialog
+from lispac.gui.features.studies.methods_dialog import MethodsDialog
+from lispac.gui.features.studies.subsampling_dialog import SubsamplingDialog
+from lispac.gui.features.studies.visibility_dialog import VisibilityDialog
+from lispac.language import gettext
+from lispac.messages import Message
+from lispac.method_comparison import MethodResult
+from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.error_budget import ErrorBudgetValues
+from lispac.project import Project
+from lispac.simulation.visibility_study import VisibilityStudy
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.checking.calibration_history import CalibrationHistory
+from lispac.workflow.checking.line_quality import LineQuality
+from lispac.workflow.checking.subsampling import SubsamplingResult
+
+
+class StudyDialogs(Questions):
+    """Dialogues that ask for a study and show its result."""
+
+    def folder_of_projects(self, start: Path) -> Path | None:
+        """A folder that contains projects."""
+        name = QFileDialog.getExistingDirectory(
+            self.parent, gettext("Folder that contains the calibration projects"), str(start)
+        )
+        return Path(name) if name else None
+
+    def check(self, project: Project, trajectory: LocalTrajectory) -> CheckRequest | None:
+        """Ask for the reference of a check of the lines; None if cancelled."""
+        dialog = CheckDialog(project, trajectory, self.parent)
+        return dialog.request if run_dialog(dialog) else None
+
+    def show_check_result(self, values: AbsoluteCheckValues) -> None:
+        """Show the result of a check: distances of the lines from the reference."""
+        run_dialog(CheckResultDialog(values, self.parent))
+
+    def budget(self, budget: ErrorBudgetValues) -> None:
+        """Show the error budget."""
+        run_dialog(BudgetDialog(budget, self.parent))
+
+    def history(self, histories: Sequence[CalibrationHistory], messages: Sequence[Message]) -> None:
+        """Show the calibrations of each system."""
+        run_dialog(HistoryDialog(histories, messages, self.parent))
+
+    def subsampling(self, results: Sequence[SubsamplingResult], used: float) -> None:
+        """Show the results at several point spacings; ``used`` is that of the project."""
+        run_dialog(SubsamplingDialog(results, used, self.parent))
+
+    def line_quality(self, quality: LineQuality) -> None:
+        """Show the differences between the lines."""
+        run_dialog(LineQualityDialog(quality, self.parent))
+
+    def methods(
+        self,
+        results: Sequence[MethodResult],
+        absent: Sequence[Method],
+        refused: Mapping[str, Message],
+    ) -> bool:
+        """Show the results of all methods; return whether to run the missing ones."""
+        dialog = MethodsDialog(results, absent, refused, self.parent)
+        run_dialog(dialog)
+        return dialog.runs_missing
+
+    def visibility(self, studies: Sequence[VisibilityStudy]) -> None:
+        """Show the visibility of errors on each site."""
+        run_dialog(VisibilityDialog(studies, self.parent))

@@ -1,0 +1,116 @@
+"""Dialogue that compares the boresights of alternative methods (thesis table 4.4)."""
+
+from collections.abc import Mapping, Sequence
+
+from PySide6.QtWidgets import QWidget
+
+from lispac.alternative_methods import Method
+from lispac.gui import widgets
+from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.studies.actions import ACTIONS
+from lispac.gui.features.studies.study_dialog import StudyDialog
+from lispac.gui.widgets.diagnostics_table import Cell, DiagnosticsTable, Row
+from lispac.gui.widgets.result_tables import window_columns, window_rows
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.method_comparison import MethodResult, comparison_messages
+from lispac.present.methods import METHODS, WINDOW_METHODS, MethodValues
+from lispac.present.tables import title_text
+from lispac.present.text_format import UNKNOWN
+
+NOT_RUN: dict[Method, str] = {
+    "natural planes": N_(
+        "This method has not been run yet. It estimates the boresight from the validation planes "
+        "instead of the targets."
+    ),
+    "targetless": N_(
+        "This method has not been run yet. It estimates the boresight from natural surfaces of "
+        "the scene."
+    ),
+    "patch test": N_(
+        "This method has not been run yet. It estimates the boresight by rotating the lines until "
+        "they match on detected objects."
+    ),
+}
+"""Tips of the rows of methods without a result."""
+
+
+class MethodsDialog(StudyDialog):
+    """Dialogue with a row for each method, with or without a result.
+
+    Attributes
+    ----------
+    runs_missing : whether to run the missing methods after the dialogue is closed
+    """
+
+    def __init__(
+        self,
+        results: Sequence[MethodResult],
+        absent: Sequence[Method],
+        refused: Mapping[str, Message],
+        parent: QWidget | None = None,
+    ) -> None:
+        table = DiagnosticsTable(
+            "methods_table", title_text(WINDOW_METHODS.title), window_columns(WINDOW_METHODS)
+        )
+        super().__init__(
+            "methods", dialog_title(ACTIONS["methods"]),
+            gettext(
+                "The alternative methods estimate the boresight from the same lines without the "
+                "targets. If the results agree, they are more reliable. They are saved in the "
+                "project and shown in the report."
+            ),
+            table, parent,
+        )  # fmt: skip
+        self.runs_missing = False
+        self.show_rows(
+            [
+                *window_rows(
+                    WINDOW_METHODS,
+                    map(MethodValues.of, results),
+                    marked=lambda row: bool(row.differ),
+                    tip=lambda row: "\n".join(map(message_text, row.messages)),
+                ),
+                *(_row_not_run(each) for each in absent),
+            ]
+        )
+        messages = [
+            *refused.items(),
+            *((each.method, message) for each in results for message in each.messages),
+        ]
+        texts = [
+            *map(message_text, comparison_messages(tuple(results))),
+            *(_with_method_name(*each) for each in messages),
+        ]
+        self.message_label.setText("\n".join(texts))
+        self.message_label.setVisible(bool(texts))
+        self.run_missing = widgets.button(
+            gettext("Run the methods without a result"), "methods_ask",
+            tip=gettext(
+                "Run the adjustments on validation planes and on natural surfaces, and the patch "
+                "test on detected objects. One undo step removes all results."
+            ),
+        )  # fmt: skip
+        self.run_missing.setEnabled(any(each not in refused for each in absent))
+        self.run_missing.clicked.connect(self._request_missing)
+        self._buttons.insertWidget(self._buttons.count() - 1, self.run_missing)
+        self.resize(940, 360)
+
+    def _request_missing(self) -> None:
+        self.runs_missing = True
+        self.accept()
+
+
+def _method_name(method: str) -> str:
+    return gettext(METHODS[method])
+
+
+def _with_method_name(method: str, message: Message) -> str:
+    """Message on a method, preceded by its name."""
+    return gettext("{method}: {text}", method=_method_name(method), text=message_text(message))
+
+
+def _row_not_run(method: Method) -> Row:
+    cells = [Cell(_method_name(method)), *[Cell(UNKNOWN)] * (len(WINDOW_METHODS.columns) - 1)]
+    return Row(cells, tip=gettext(NOT_RUN[method]))

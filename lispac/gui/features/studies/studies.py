@@ -1,0 +1,243 @@
+"""Actions that compute and show a study.
+
+Of a result: comparison with a reference, history of calibrations, subsampling study, error budget,
+and differences between lines.
+"""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import QObject
+
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.tasks import TaskRunner, preload_matplotlib
+from lispac.gui.features.studies.dialogs import StudyDialogs
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.installation_paths import home_folder
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.method_comparison import method_results, missing_methods
+from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.error_budget import ErrorBudgetValues
+from lispac.progress import Progress, sub_progress
+from lispac.project import Project
+from lispac.simulation.thesis_site import SITES
+from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
+from lispac.workflow.calibration.method_runs import run_missing_methods
+from lispac.workflow.checking.absolute_check import check_absolute
+from lispac.workflow.checking.budget import error_budget_of
+from lispac.workflow.checking.calibration_history import CalibrationHistory, read_histories
+from lispac.workflow.checking.line_quality import LineQuality, line_quality
+from lispac.workflow.checking.subsampling import DISTANCES, SubsamplingResult, subsampling_study
+from lispac.workflow.project.survey import Survey
+
+
+class Studies(QObject):
+    """Runs the studies and shows their results in dialogues."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        controller: Controller,
+        dialogs: StudyDialogs,
+        actions: Actions,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner = document, runner
+        self._controller, self._dialogs = controller, dialogs
+        self._actions, self._scene = actions, scene
+        actions.connect_slots(
+            {
+                "check": self.check,
+                "history": self.history,
+                "subsampling": self.subsampling,
+                "budget": self.budget,
+                "line_quality": self.line_quality,
+                "visibility": self.visibility,
+            }
+        )
+        for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
+            moved.connect(self._enable_controls)
+        self._enable_controls()
+
+    def history(self) -> None:
+        """Show the calibrations of a vessel's system in a folder of projects."""
+        project = self._document.project
+        start = home_folder() if project is None else project.folder.parent
+        folder = self._dialogs.folder_of_projects(start)
+        if folder is None:
+            return
+
+        def work(progress: Progress) -> tuple[tuple[CalibrationHistory, ...], tuple[Message, ...]]:
+            preload_matplotlib()
+            # A result that is not saved yet counts too.
+            current = [] if project is None or project.result is None else [project]
+            return read_histories([folder], also=current, progress=progress)
+
+        self._runner.run(
+            gettext("Reading the calibrations"),
+            work,
+            lambda found: self._dialogs.history(*found),
+            modal=True,
+        )
+
+    def check(self) -> None:
+        """Compare the lines with a static scan or surveyed points, as one undo step."""
+        project, survey = self._document.current_data
+        if project is None or survey is None:
+            return
+        request = self._dialogs.check(project, survey.trajectory)
+        if request is None:
+            return
+
+        def work(progress: Progress) -> tuple[Project, tuple[Message, ...]]:
+            preload_matplotlib()
+            return check_absolute(
+                project, survey, request.path, crs=request.crs, height=request.height,
+                sigma=request.sigma, reach=request.reach, progress=progress,
+            )  # fmt: skip
+
+        def done(checked: tuple[Project, tuple[Message, ...]]) -> None:
+            found, notes = checked
+            self._document.edit(N_("check against {file}"), found, file=request.path.name)
+            for note in notes:
+                self._controller.logged.emit(message_text(note))
+            assert found.absolute is not None
+            self._dialogs.show_check_result(AbsoluteCheckValues.of(found.absolute))
+
+        title = gettext("Checking against {file}", file=request.path.name)
+        task = self._runner.run(title, work, done, modal=True)
+        self._controller.cancel_on_edit(task)
+
+    def budget(self) -> None:
+        """Show the effect of each source of error on a point."""
+        project, survey = self._document.current_data
+        if project is None or survey is None:
+            return
+        task = self._runner.run(
+            gettext("Computing the error budget"),
+            lambda _progress: ErrorBudgetValues.of(error_budget_of(project, survey)),
+            self._dialogs.budget,
+            modal=True,
+        )
+        self._controller.cancel_on_edit(task)
+
+    def line_quality(self) -> None:
+        """Show the differences between the lines as they are shown."""
+        project, survey = self._document.current_data
+        if project is None or survey is None:
+            return
+        which = self._scene.which
+
+        def work(progress: Progress) -> LineQuality:
+            preload_matplotlib()
+            return line_quality(project, survey, which=which, progress=progress)
+
+        task = self._runner.run(
+            gettext("Comparing the lines"), work, self._dialogs.line_quality, modal=True
+        )  # fmt: skip
+        self._controller.cancel_on_edit(task)
+
+    def subsampling(self) -> None:
+        """Adjust with smaller and larger point spacings."""
+        project, survey = self._document.current_data
+        if project is None or survey is None:
+            return
+        used = project.settings.subsample
+
+        def work(progress: Progress) -> tuple[SubsamplingResult, ...]:
+            return subsampling_study(project, survey, sorted({*DISTANCES, used}), progress=progress)
+
+        task = self._runner.run(
+            gettext("Point spacing study"), work,
+            lambda found: self._dialogs.subsampling(found, used), modal=True,
+        )  # fmt: skip
+        self._controller.cancel_on_edit(task)
+
+    def visibility(self) -> None:
+        """Show the boards and lines that make each error visible; no project is needed."""
+
+        def work(progress: Progress) -> list[VisibilityStudy]:
+            preload_matplotlib()
+            sites = list(SITES.values())
+            return [
+                study_visibility(
+                    site, progress=sub_progress(progress, k / len(sites), (k + 1) / len(sites))
+                )
+                for k, site in enumerate(sites)
+            ]
+
+        self._runner.run(gettext("Simulating boards"), work, self._dialogs.visibility, modal=True)
+
+    def _enable_controls(self) -> None:
+        (project, survey), busy = self._document.current_data, self._runner.busy
+        ready = survey is not None and not busy
+        picked = project is not None and bool(project.targets_of_role("target"))
+        estimated = project is not None and project.result is not None
+        for name in ("history", "visibility"):
+            self._actions[name].setEnabled(not busy)
+        self._actions["subsampling"].setEnabled(picked and ready)
+        self._actions["line_quality"].setEnabled(ready)
+        for name in ("check", "budget"):
+            self._actions[name].setEnabled(estimated and ready)
+
+
+MissingResults = tuple[Project, Mapping[str, Message]]
+
+
+class AlternativeMethods(QObject):
+    """Shows the results of alternative methods and runs those that have none."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        dialogs: StudyDialogs,
+        actions: Actions,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner = document, runner
+        self._controller, self._dialogs = controller, dialogs
+        self._action = actions["methods"]
+        actions.connect_slots({"methods": self.compare})
+        for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
+            moved.connect(self._enable_controls)
+        self._enable_controls()
+
+    def compare(self, refused: Mapping[str, Message] | None = None) -> None:
+        """Show the available results, and run the other methods on request.
+
+        Parameters
+        ----------
+        refused : why a method has no result, by its name
+        """
+        project, survey = self._document.current_data
+        if project is None or survey is None:
+            return
+        run_missing = self._dialogs.methods(
+            method_results(project), missing_methods(project), refused or {}
+        )
+        if run_missing and self._document.project is project:
+            self._run_missing(project, survey)
+
+    def _run_missing(self, project: Project, survey: Survey) -> None:
+        def work(progress: Progress) -> MissingResults:
+            return run_missing_methods(project, survey, progress=progress)
+
+        def done(results: MissingResults) -> None:
+            found, refused = results
+            if found is not project:
+                self._document.edit(N_("results of alternative methods"), found)
+            self.compare(refused)
+
+        task = self._runner.run(gettext("Running alternative methods"), work, done, modal=True)
+        self._controller.cancel_on_edit(task)
+
+    def _enable_controls(self) -> None:
+        ready = self._document.survey_is_current and not self._runner.busy
+        self._action.setEnabled(self._document.project is not None and ready)

@@ -1,0 +1,215 @@
+"""Dialogue with charts of the visibility of systematic errors on a board."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
+
+from lispac.gui import widgets
+from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.studies.actions import ACTIONS
+from lispac.gui.features.studies.study_dialog import StudyDialog
+from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row
+from lispac.language import N_, gettext
+
+if TYPE_CHECKING:
+    from lispac.simulation.visibility_study import VisibilityStudy
+
+COLUMNS = (
+    (N_("Error"), N_("Systematic error and its size")),
+    (
+        N_("Accepted inclinations (deg)"),
+        N_(
+            "Inclinations at which the points still form the board (type I criterion of "
+            "Shahraji's thesis)"
+        ),
+    ),
+    (
+        N_("Accepted, Shahraji (deg)"),
+        N_("Accepted inclinations in appendix C and section 3.9 of Shahraji's thesis"),
+    ),
+    (N_("Best inclination (deg)"), N_("Inclination at which the lines differ most")),
+    (
+        N_("Best, Shahraji (deg)"),
+        N_("Best inclination in table 3.2 and section 3.9 of Shahraji's thesis"),
+    ),
+    (
+        N_("Required lines (deg)"),
+        N_(
+            "Headings of the lines that show the error. Lines joined by / show the same, so one of "
+            "them is sufficient."
+        ),
+    ),
+    (
+        N_("Lines, Shahraji (deg)"),
+        N_("Headings of the lines in table 3.2 and section 4.4.1.1 of Shahraji's thesis"),
+    ),
+    (
+        N_("Inclination (vs. thesis)"),
+        N_(
+            "Whether the best inclination is the same as in Shahraji's thesis; the tooltip of the "
+            "row gives the reason for a difference"
+        ),
+    ),
+    (
+        N_("Lines (vs. thesis)"),
+        N_("Whether the headings of the required lines are the same as in Shahraji's thesis"),
+    ),
+)
+"""Titles and tips of the columns."""
+READ_HINT = N_("Move the mouse over the chart to read values")
+SITES = {"terrestrial": N_("Terrestrial site"), "marine": N_("Marine site")}
+
+
+class VisibilityDialog(StudyDialog):
+    """Dialogue that shows one site, one error and one criterion at a time.
+
+    Parameters
+    ----------
+    studies : results of each site
+    """
+
+    def __init__(self, studies: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
+        from lispac.report.visibility_figures import CRITERIA, systematic_error_label
+
+        columns = [Column(gettext(title), gettext(tip), is_text=True) for title, tip in COLUMNS]
+        table = DiagnosticsTable(
+            "visibility_table", gettext("Best inclination and lines for each error"), columns
+        )
+        super().__init__(
+            "visibility", dialog_title(ACTIONS["visibility"]),
+            gettext(
+                "One board is scanned on six lines with one systematic error at a time and no "
+                "noise. The chart shows at which inclinations and on which lines the error is "
+                "visible. Shaded: inclinations accepted by the type I criterion; dashed: best "
+                "inclination."
+            ),
+            table, parent,
+        )  # fmt: skip
+        self._found = tuple(studies)
+        self._criteria = tuple(CRITERIA)
+        self._reasons: list[str] = []
+        self._summary = ""
+        self.site = widgets.ChoiceBox(
+            "visibility_site", [gettext(SITES[each.site.name]) for each in studies],
+            gettext(
+                "Terrestrial site: scanner 2.5 m above a board on the ground. Marine site: vessel "
+                "15 m from a quay 5 m high."
+            ),
+        )  # fmt: skip
+        self.error = widgets.ChoiceBox(
+            "visibility_error", [systematic_error_label(each) for each in studies[0].site.errors],
+            gettext("Systematic error to show"),
+        )  # fmt: skip
+        self.criterion = widgets.ChoiceBox(
+            "visibility_criterion", [gettext(each.title) for each in CRITERIA.values()],
+            gettext("Criterion shown in the chart"),
+        )  # fmt: skip
+        choices = QHBoxLayout()
+        for choice in (self.site, self.error, self.criterion):
+            choice.setSizeAdjustPolicy(choice.SizeAdjustPolicy.AdjustToContents)
+            choices.addWidget(choice)
+        choices.addStretch(1)
+        self.body.insertLayout(1, choices)
+        self.reading = widgets.label(gettext(READ_HINT), "muted", name="visibility_reading")
+        self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.body.insertWidget(self.body.indexOf(self._buttons), self.reading)
+        self.copy_numbers.setToolTip(
+            gettext("Copy the values of the chart as a table for a spreadsheet")
+        )
+        self.site.currentIndexChanged.connect(self._on_site_changed)
+        self.error.currentIndexChanged.connect(lambda _index: self._draw())
+        table.itemSelectionChanged.connect(self._row_selected)
+        self.criterion.currentIndexChanged.connect(lambda _index: self._draw())
+        canvas = self.figure().canvas
+        connections = (
+            canvas.mpl_connect("motion_notify_event", self._show_values_at),
+            canvas.mpl_connect("axes_leave_event", lambda _event: self._clear_reading()),
+        )
+        # The mouse may leave the canvas after the label is destroyed
+        self.reading.destroyed.connect(
+            lambda: [canvas.mpl_disconnect(each) for each in connections]
+        )
+        self.resize(1180, 860)
+        self._on_site_changed()
+
+    @property
+    def _shown(self) -> "VisibilityStudy":
+        return self._found[self.site.currentIndex()]
+
+    @property
+    def _drawn(self) -> "tuple[VisibilityStudy, str, str]":
+        found = self._shown
+        return (
+            found,
+            found.site.errors[self.error.currentIndex()],
+            self._criteria[self.criterion.currentIndex()],
+        )
+
+    def _on_site_changed(self) -> None:
+        from lispac.report.visibility_figures import systematic_error_label
+        from lispac.report.visibility_tables import all_errors_text, comparison_table
+
+        found = self._shown
+        self.error.blockSignals(True)
+        chosen = self.error.currentIndex()
+        self.error.clear()
+        self.error.addItems([systematic_error_label(each) for each in found.site.errors])
+        self.error.setCurrentIndex(min(chosen, self.error.count() - 1))
+        self.error.blockSignals(False)
+        rows = comparison_table(found, found.site.errors).rows
+        self._reasons = [reason for *_, reason in rows]
+        self._summary = all_errors_text(found)
+        self.show_rows(
+            [
+                Row(
+                    [Cell(cell) for cell in cells], key=(error, ""), marked=bool(reason), tip=reason
+                )
+                for error, (*cells, reason) in zip(found.site.errors, rows, strict=True)
+            ]
+        )
+        self._draw()
+
+    def _row_selected(self) -> None:
+        key = self.table.key(self.table.currentRow())
+        if key is not None:
+            self.error.setCurrentIndex(self._shown.site.errors.index(key[0]))
+
+    def _draw(self) -> None:
+        from lispac.report.visibility_figures import systematic_error_label, visibility_figure
+
+        found, error, criterion = self._drawn
+        visibility_figure(found, error, criterion, self.figure())
+        self.canvas.draw_idle()
+        self.canvas.setAccessibleName(f"{self.criterion.currentText()}, {self.error.currentText()}")
+        self._clear_reading()
+        texts = [self._summary]
+        if reason := self._reasons[self.error.currentIndex()]:
+            name = systematic_error_label(error)
+            texts.insert(
+                0,
+                gettext(
+                    "{error}, difference from Shahraji's thesis: {reason}",
+                    error=name,
+                    reason=reason,
+                ),
+            )
+        self.message_label.setText("\n".join(texts))
+
+    def _clear_reading(self) -> None:
+        self.reading.setText(gettext(READ_HINT))
+
+    def _show_values_at(self, event) -> None:
+        """Show the values of the lines under the mouse."""
+        from lispac.report.visibility_tables import values_at_inclination
+
+        if event.inaxes is not None:
+            self.reading.setText(values_at_inclination(*self._drawn, event.xdata))
+
+    def numbers(self) -> str:
+        """Values of the chart as text, tabs between the columns."""
+        from lispac.report.visibility_tables import plot_table
+
+        table = plot_table(*self._drawn)
+        lines = [[column.title for column in table.columns], *table.rows]
+        return "\n".join("\t".join(line) for line in lines) + "\n"

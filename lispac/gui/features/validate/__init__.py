@@ -1,0 +1,1 @@
+"""Step 4: distances between the lines on validation planes."""

@@ -1,0 +1,455 @@
+"""Distances between the lines on each validation plane, before and after."""
+
+import csv
+from io import StringIO
+from typing import Literal
+
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QSizePolicy,
+    QSplitter,
+    QStackedLayout,
+    QTableWidget,
+    QTableWidgetItem,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import widgets
+from lispac.gui.appearance import theme, units
+from lispac.gui.features.validate import pairs_table
+from lispac.gui.widgets.idle_tasks import IdleTask
+from lispac.language import N_, gettext, number
+from lispac.message_texts import message_text
+from lispac.project import Project
+from lispac.untrusted_values import as_csv_cell
+from lispac.validation.comparison_results import DistanceStatistics, PlaneComparison
+from lispac.validation.distance_bins import BEYOND, merge_bins
+from lispac.validation.distance_profile import DistanceProfile
+
+TAB = "\t"
+"""Separates the columns, so that a spreadsheet splits them."""
+
+Against = Literal["height", "range"]
+"""Abscissa of the distances of a profile."""
+
+
+def histogram_bar_text(comparison: PlaneComparison, low: float, high: float) -> str:
+    """Text on the distances in a bar of the histogram, from ``low`` to ``high`` metres."""
+    edges = comparison.bin_edges
+    beyond = high >= float(edges[-1]) * (1.0 - 1e-9)
+    middles = 0.5 * (edges[:-1] + edges[1:])
+    inside, up_to = [], []
+    for counts in (comparison.counts_before, comparison.counts_after):
+        inside.append(int(counts[(middles > low) & (middles < high)].sum()))
+        up_to.append(int(counts[middles < high].sum()) / max(int(counts.sum()), 1))
+    if beyond:
+        reach = gettext("{start} and beyond", start=units.local_amount(1000 * low, "mm", ".4g"))
+    else:
+        start = units.local_figure(1000 * low, "mm", ".4g")
+        reach = f"{start}–{units.local_amount(1000 * high, 'mm', '.4g')}"
+    return gettext(
+        "{reach}: {before:n} points before ({up_to_before:percent.1} % cumulative), {after:n} "
+        "points after ({up_to_after:percent.1} % cumulative)",
+        reach=reach, before=inside[0], up_to_before=up_to[0], after=inside[1],
+        up_to_after=up_to[1],
+    )  # fmt: skip
+
+
+def profile_bin_text(profile: DistanceProfile, against: Against, place: float) -> str:
+    """Text on the distances at a height or range, metres."""
+    k = int(np.clip(np.searchsorted(profile.edges, place) - 1, 0, len(profile.n) - 1))
+    low, high = profile.edges[k : k + 2]
+    start, end = units.local_figure(low, "m", ".1f"), units.local_amount(high, "m", ".1f")
+    if against == "height":
+        reach = gettext("Height {start}–{end}", start=start, end=end)
+    else:
+        reach = gettext("Range {start}–{end}", start=start, end=end)
+    count = int(profile.n[k])
+    if not np.isfinite(profile.median_before[k]):
+        return gettext("{reach}: too few distances ({count:n})", reach=reach, count=count)
+    return gettext(
+        "{reach}: median {median_before} → {median_after}, 95th percentile {p95_before} → "
+        "{p95_after}, {count:n} distances",
+        reach=reach,
+        median_before=_millimetres(profile.median_before[k]),
+        median_after=_millimetres_with_unit(profile.median_after[k]),
+        p95_before=_millimetres(profile.p95_before[k]),
+        p95_after=_millimetres_with_unit(profile.p95_after[k]),
+        count=count,
+    )
+
+
+def _millimetres(metres: float) -> str:
+    return units.local_figure(1000 * metres, "mm", ".1f")
+
+
+def _millimetres_with_unit(metres: float) -> str:
+    return units.local_amount(1000 * metres, "mm", ".1f")
+
+
+def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
+    """Bars as tab-separated table: edges (mm), points before and after.
+
+    Parameters
+    ----------
+    shown : float, metres
+        Width of the visible part, which has at most ``bars`` bars.
+    """
+    edges, before = merge_bins(comparison.bin_edges, comparison.counts_before, shown, bars)
+    _, after = merge_bins(comparison.bin_edges, comparison.counts_after, shown, bars)
+    ends = [*(f"{1000 * edge:.6g}" for edge in edges[1:-1]), BEYOND]
+    rows = zip(1000 * edges[:-1], ends, before, after, strict=True)
+    return _tabbed_text(
+        ("From (mm)", "To (mm)", "Points before calibration", "Points after calibration"),
+        [(f"{low:.6g}", end, str(b), str(a)) for low, end, b, a in rows],
+    )
+
+
+def profiles_text(comparison: PlaneComparison) -> str:
+    """Distances against height and range as tab-separated table."""
+    rows = []
+    for title, profile in (("Height", comparison.by_height), ("Range", comparison.by_range)):
+        if profile is None:
+            continue
+        values = (
+            profile.median_before, profile.median_after, profile.p95_before, profile.p95_after
+        )  # fmt: skip
+        for k, n in enumerate(profile.n):
+            low, high = profile.edges[k : k + 2]
+            cells = ("" if np.isnan(each[k]) else f"{1000 * each[k]:.3f}" for each in values)
+            rows.append((title, f"{low:.3f}", f"{high:.3f}", str(n), *cells))
+    heads = (
+        "Quantity", "From (m)", "To (m)", "Distances", "Median before (mm)", "Median after (mm)",
+        "95 % before (mm)", "95 % after (mm)",
+    )  # fmt: skip
+    return _tabbed_text(heads, rows)
+
+
+def _tabbed_text(heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+    stream = StringIO()
+    writer = csv.writer(stream, delimiter=TAB, lineterminator="\n")
+    writer.writerows([as_csv_cell(cell) for cell in row] for row in (heads, *rows))
+    return stream.getvalue()
+
+
+_COLUMNS = (
+    (N_("Plane"), N_("Validation plane")),
+    (N_("n"), N_("Number of distances between points of one line and the surface of another")),
+    # Units in a second line: all columns fit a small screen
+    (N_("Median\n({unit})"), N_("Median distance, before → after")),
+    (N_("RMS\n({unit})"), N_("Root mean square distance, before → after")),
+    (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
+)
+"""Heading and tooltip of each column."""
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_PART_STRETCH = (3, 4)
+"""Shares of the width for tables and plot, until the user moves the handle between them."""
+PLOTS = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
+PERCENT_PLOT, PROFILE_PLOT = 1, 2
+"""Places of two of the plots."""
+ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
+POOLED_TIPS = {
+    "reciprocal pairs": N_("{plane}: distances between reciprocal lines, {model}"),
+    "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
+}
+"""Line pairs that the distances of a plane are from."""
+STATISTICS = (
+    N_("before: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
+    N_("after: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
+)
+"""Legend of the histogram, as in the report."""
+
+
+class HistogramsPanel(QWidget):
+    """Validation: tables of planes and pairs of lines, and the histograms of one plane."""
+
+    plane_selected = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._comparisons: tuple[PlaneComparison, ...] = ()
+        self._drawing = IdleTask(self._redraw_selected, self)
+        self._stack = QStackedLayout(self)
+        empty = QWidget()
+        layout = widgets.vertical_layout(empty)
+        layout.addWidget(
+            widgets.label(
+                gettext(
+                    "No comparison yet. Pick validation planes, estimate the boresight, then press "
+                    "Validate in step 4."
+                ),
+                "muted", wrap=True, name="histograms_empty",
+            )
+        )  # fmt: skip
+        layout.addStretch(1)
+        self._stack.addWidget(empty)
+        filled = QSplitter(Qt.Orientation.Horizontal)
+        filled.setObjectName("comparison_splitter")
+        filled.setContentsMargins(6, 6, 6, 6)
+        filled.setChildrenCollapsible(False)
+        self.table = _create_table()
+        self.table.itemSelectionChanged.connect(self._on_plane_selected)
+        self.pairs = pairs_table.create_pairs_table()
+        self.tabs = QTabWidget()
+        self.tabs.setObjectName("comparison_tabs")
+        self.tabs.addTab(self.table, gettext("Planes"))
+        self.tabs.addTab(self.pairs, gettext("Pairs of lines"))
+        filled.addWidget(self.tabs)
+        plots = QWidget()
+        self._plots = QVBoxLayout(plots)
+        self._plots.setContentsMargins(0, 0, 0, 0)
+        self._plots.setSpacing(2)
+        self._plots.addLayout(self._create_tool_row())
+        self._plots.addWidget(self.reading)
+        filled.addWidget(plots)
+        for part, share in enumerate(_PART_STRETCH):
+            filled.setStretchFactor(part, share)
+        self._parts = filled
+        self._stack.addWidget(filled)
+        self.canvas: QWidget | None = None
+
+    def _create_tool_row(self) -> QHBoxLayout:
+        self.plot = widgets.ChoiceBox(
+            "comparison_plot", [gettext(plot) for plot in PLOTS],
+            gettext(
+                "Number of points by distance, share of the points by distance, or distance "
+                "against height and range. After a calibration the distances should not grow with "
+                "height or range."
+            ),
+        )  # fmt: skip
+        self.plot.setMinimumContentsLength(len(PLOTS[PROFILE_PLOT]))
+        self.plot.currentIndexChanged.connect(self._redraw_selected)
+        self.reading = widgets.label(gettext(ZOOM_HINT), "muted", name="comparison_reading")
+        # A long text is cut off, so that it does not widen the plot.
+        self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.copy_picture = widgets.button(
+            gettext("Copy picture"), "copy_plot",
+            tip=gettext("Copy the plot as shown to the clipboard"),
+        )  # fmt: skip
+        self.copy_picture.clicked.connect(self._copy_picture)
+        self.copy_numbers = widgets.button(
+            gettext("Copy numbers"), "copy_numbers",
+            tip=gettext("Copy the data of the plot to the clipboard, as a table for a spreadsheet"),
+        )  # fmt: skip
+        self.copy_numbers.clicked.connect(self._copy_numbers)
+        row = QHBoxLayout()
+        row.addWidget(self.plot)
+        row.addStretch(1)
+        row.addWidget(self.copy_picture)
+        row.addWidget(self.copy_numbers)
+        return row
+
+    @property
+    def current(self) -> str | None:
+        """Name of the plane whose histograms are drawn."""
+        each = self._current_comparison
+        return None if each is None else each.name
+
+    @property
+    def _current_comparison(self) -> PlaneComparison | None:
+        rows = self.table.selectionModel().selectedRows()
+        return self._comparisons[rows[0].row()] if rows else None
+
+    def show_project(self, project: Project | None) -> None:
+        """Show the comparisons of a project."""
+        comparisons = () if project is None else project.validation
+        self._stack.setCurrentIndex(1 if comparisons else 0)
+        if comparisons is self._comparisons:
+            return
+        if self.canvas is None:
+            self._parts.setSizes([share * self.width() for share in _PART_STRETCH])
+        self._comparisons = comparisons
+        self.table.blockSignals(True)
+        self.table.setRowCount(len(comparisons))
+        font = theme.tabular_font(self.table.font())
+        for row, each in enumerate(comparisons):
+            model = message_text(each.model.name)
+            tip = gettext(POOLED_TIPS[each.pooled_from], plane=each.name, model=model)
+            for column, text in enumerate(_comparison_texts(each)):
+                item = QTableWidgetItem(text)
+                item.setFont(font)
+                if column:
+                    item.setTextAlignment(_RIGHT)
+                item.setToolTip(widgets.plain_tip(tip))
+                self.table.setItem(row, column, item)
+        self.table.clearSelection()
+        self.table.blockSignals(False)
+        if comparisons:
+            self.table.blockSignals(True)
+            self.table.selectRow(0)
+            self.table.blockSignals(False)
+            self._drawing.start()
+
+    def select(self, name: str) -> None:
+        """Draw the histograms of one plane without emitting a signal."""
+        names = [each.name for each in self._comparisons]
+        if name in names and self.current != name:
+            self.table.blockSignals(True)
+            self.table.selectRow(names.index(name))
+            self.table.blockSignals(False)
+            self._draw(self._comparisons[names.index(name)])
+
+    def _on_plane_selected(self) -> None:
+        if self._current_comparison is not None:
+            self._draw(self._current_comparison)
+            self.plane_selected.emit(self._current_comparison.name)
+
+    def _redraw_selected(self) -> None:
+        if self._current_comparison is not None:
+            self._draw(self._current_comparison)
+
+    def _draw(self, comparison: PlaneComparison) -> None:
+        # Imported here, so that the start of the window does not wait for it.
+        from lispac.report.distance_profiles import profile_figure
+        from lispac.report.histograms import histogram_figure
+
+        self.pairs.show_rows(pairs_table.pair_rows(comparison))
+        self.tabs.setTabText(1, gettext("Pairs of lines on {plane}", plane=comparison.name))
+        canvas = self._plot_canvas()
+        if self.plot.currentIndex() == PROFILE_PLOT:
+            profile_figure(comparison, canvas.figure)
+        else:
+            share = self.plot.currentIndex() == PERCENT_PLOT
+            histogram_figure(comparison, canvas.figure, share=share)
+        self._show_units(canvas.figure)
+        self._zooming.set_home(upright=self.plot.currentIndex() == PROFILE_PLOT)
+        self.reading.setText(gettext(ZOOM_HINT))
+        canvas.draw_idle()
+        canvas.setAccessibleName(
+            gettext(
+                "{plot}: distances on {plane}, before in blue and after in brown",
+                plot=gettext(PLOTS[self.plot.currentIndex()]),
+                plane=comparison.name,
+            )
+        )
+
+    def _show_units(self, figure) -> None:
+        from lispac.gui.widgets.ticks import convert_axis_units
+
+        is_profile = self.plot.currentIndex() == PROFILE_PLOT
+        legend = None if is_profile or not units.is_converted("mm") else figure.axes[0].get_legend()
+        if legend is not None and self._current_comparison is not None:
+            each = self._current_comparison
+            for text, template, state in zip(
+                legend.get_texts(), STATISTICS, (each.before, each.after), strict=True
+            ):
+                text.set_text(_statistics_text(template, state))
+        for axes in figure.axes:
+            convert_axis_units(axes.xaxis, "m" if is_profile else "mm")
+            if is_profile:
+                convert_axis_units(axes.yaxis, "mm")
+
+    def _plot_canvas(self):
+        if self.canvas is None:
+            from lispac.gui.widgets.chart import Chart
+            from lispac.gui.widgets.plot_zoom import PlotZoom
+
+            self.canvas = Chart(260, 120)
+            self.canvas.setObjectName("histogram_canvas")
+            self._zooming = PlotZoom(self.canvas)
+            canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM_HINT))
+            connections = (
+                canvas.mpl_connect("motion_notify_event", self._show_values_at),
+                canvas.mpl_connect("axes_leave_event", leave),
+            )
+            # The label may be deleted before the mouse leaves the canvas
+            self.reading.destroyed.connect(
+                lambda: [canvas.mpl_disconnect(each) for each in connections]
+            )
+            self._plots.insertWidget(1, self.canvas, 1)
+        return self.canvas
+
+    def _show_values_at(self, event) -> None:
+        """Show the values under the mouse."""
+        comparison, axes = self._current_comparison, event.inaxes
+        if comparison is None or axes is None:
+            return
+        if self.plot.currentIndex() == PROFILE_PLOT:
+            profiles: tuple[tuple[Against, DistanceProfile | None], ...] = (
+                ("height", comparison.by_height), ("range", comparison.by_range)
+            )  # fmt: skip
+            drawn = [(against, each) for against, each in profiles if each is not None]
+            for place, (against, profile) in zip(axes.figure.axes, drawn, strict=False):
+                if place is axes:
+                    self.reading.setText(profile_bin_text(profile, against, event.xdata))
+            return
+        edges = axes.patches[0].get_data().edges
+        k = int(edges.searchsorted(event.xdata, side="right")) - 1
+        if 0 <= k < len(edges) - 1:
+            low, high = edges[k] / 1000.0, edges[k + 1] / 1000.0
+            self.reading.setText(histogram_bar_text(comparison, low, high))
+
+    def _copy_picture(self) -> None:
+        if self.canvas is not None:
+            QGuiApplication.clipboard().setPixmap(self.canvas.picture())
+            self.reading.setText(gettext("The picture was copied to the clipboard"))
+
+    def _copy_numbers(self) -> None:
+        comparison = self._current_comparison
+        if comparison is None or self.canvas is None:
+            return
+        if self.plot.currentIndex() == PROFILE_PLOT:
+            text = profiles_text(comparison)
+        else:
+            from lispac.report.histograms import BARS
+
+            low, high = self.canvas.figure.axes[0].get_xlim()
+            text = histogram_text(comparison, (high - low) / 1000.0, BARS)
+        QGuiApplication.clipboard().setText(text)
+        self.reading.setText(gettext("The numbers were copied to the clipboard"))
+
+
+def _statistics_text(template: str, state: DistanceStatistics) -> str:
+    median, rms, p95 = (
+        units.local_figure(1000 * value, "mm", ".1f")
+        for value in (state.median, state.rms, state.p95)
+    )
+    return gettext(
+        template, count=state.n, median=median, rms=rms, p95=p95, unit=units.local_sign("mm")
+    )
+
+
+def _comparison_texts(each: PlaneComparison) -> list[str]:
+    def change(*states: float) -> str:
+        before, after = (units.local_figure(1000 * each, "mm", ".1f") for each in states)
+        return f"{before} → {after}"
+
+    return [
+        each.name,
+        number(each.before.n, 0),
+        change(each.before.median, each.after.median),
+        change(each.before.rms, each.after.rms),
+        change(each.before.p95, each.after.p95),
+    ]
+
+
+def _create_table() -> QTableWidget:
+    table = QTableWidget(0, len(_COLUMNS))
+    table.setTabKeyNavigation(False)
+    table.setObjectName("comparison_table")
+    table.setAccessibleName(gettext("Validation planes before and after"))
+    unit = units.local_sign("mm")
+    table.setHorizontalHeaderLabels([gettext(title, unit=unit) for title, _ in _COLUMNS])
+    for column, (_, tip) in enumerate(_COLUMNS):
+        head = table.horizontalHeaderItem(column)
+        head.setToolTip(gettext(tip))
+        if column:
+            head.setTextAlignment(_RIGHT)
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(26)
+    table.setShowGrid(False)
+    table.setAlternatingRowColors(True)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.horizontalHeader().setHighlightSections(False)
+    table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+    table.setSizeAdjustPolicy(QAbstractItemView.SizeAdjustPolicy.AdjustToContents)
+    return table

@@ -1,0 +1,139 @@
+"""Step 4: distances between the lines on validation planes, before and after."""
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
+
+from lispac.gui import widgets
+from lispac.gui.project.status import StepStatus
+from lispac.language import N_, gettext
+from lispac.project import Project
+from lispac.validation.comparison_results import PlaneComparison
+from lispac.validation.local_models import (
+    FEWEST,
+    SIX_POINT_PLANE,
+    USUAL_NEIGHBOURS,
+    Kind,
+    LocalModel,
+)
+
+KINDS: tuple[tuple[Kind, str], ...] = (
+    ("plane", N_("Local plane")), ("quadric", N_("Local quadric")), ("point", N_("Nearest point")),
+)  # fmt: skip
+
+
+class ValidatePanel(QWidget):
+    """Options of the comparison, and the choice of the clouds shown."""
+
+    validate_requested = Signal()
+    shown_changed = Signal(str)
+    """The view is to show the clouds with the "prior" or the "estimated" boresight."""
+    model_changed = Signal(object)
+    """Distances are to be measured to this `LocalModel`."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._shown: tuple[PlaneComparison, ...] = ()
+        layout = widgets.vertical_layout(self)
+        layout.addWidget(
+            widgets.label(
+                gettext(
+                    "The lines are compared with each other, cloud to cloud, on planes that "
+                    "are not used in the adjustment."
+                ),
+                "hint", wrap=True,
+            )
+        )  # fmt: skip
+        self.advice = widgets.label("", wrap=True, name="validate_advice")
+        layout.addWidget(self.advice)
+        self.kind = widgets.ChoiceBox(
+            "distance_to", [gettext(title) for _, title in KINDS],
+            gettext(
+                "Model of the surface between the points of a line. Use a plane for walls and "
+                "boards and a quadric for curved surfaces. Distances to the nearest point include "
+                "the point spacing."
+            ),
+        )  # fmt: skip
+        self.neighbours = widgets.number(
+            "distance_neighbours", suffix="", decimals=0, low=3, high=200, step=1,
+            tip=gettext(
+                "Number of points that the plane or quadric is fitted to (default 6, quadric 12). "
+                "More points reduce the noise, fewer points follow the surface more closely."
+            ),
+        )  # fmt: skip
+        self.neighbours.setValue(SIX_POINT_PLANE.neighbours)
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.setHorizontalSpacing(10)
+        form.setVerticalSpacing(6)
+        form.addRow(gettext("Surface model"), self.kind)
+        form.addRow(gettext("Points per fit"), self.neighbours)
+        layout.addLayout(form)
+        self.kind.currentIndexChanged.connect(self._kind_chosen)
+        self.neighbours.valueChanged.connect(lambda _value: self.model_changed.emit(self.model))
+        self.run = widgets.button(
+            gettext("Validate"), "validate", icon="check-decagram-outline", primary=True,
+            tip=gettext("Compare the lines on all validation planes, before and after (F10)"),
+        )  # fmt: skip
+        self.run.clicked.connect(self.validate_requested)
+        layout.addWidget(self.run)
+        layout.addWidget(widgets.label(gettext("Lines in the view"), "heading"))
+        self.before = widgets.button(
+            gettext("Before"), "show_before", tip=gettext("Lines with the prior boresight")
+        )
+        self.after = widgets.button(
+            gettext("After"), "show_after", tip=gettext("Lines with the estimated boresight")
+        )
+        group = QButtonGroup(self)
+        row = QHBoxLayout()
+        row.setSpacing(0)
+        for each, which in ((self.before, "prior"), (self.after, "estimated")):
+            each.setCheckable(True)
+            each.setProperty("segment", True)
+            each.clicked.connect(lambda _=False, which=which: self.shown_changed.emit(which))
+            group.addButton(each)
+            row.addWidget(each)
+        self.before.setChecked(True)
+        layout.addLayout(row)
+
+    @property
+    def model(self) -> LocalModel:
+        """The chosen model of the surface."""
+        return LocalModel(KINDS[self.kind.currentIndex()][0], int(self.neighbours.value()))
+
+    def _kind_chosen(self) -> None:
+        kind = KINDS[self.kind.currentIndex()][0]
+        self._fill_neighbours(kind, USUAL_NEIGHBOURS[kind])
+        self.model_changed.emit(self.model)
+
+    def _fill_neighbours(self, kind: Kind, number: int) -> None:
+        self.neighbours.blockSignals(True)
+        self.neighbours.setRange(FEWEST[kind], 200)
+        self.neighbours.setValue(number)
+        self.neighbours.setEnabled(kind != "point")
+        self.neighbours.blockSignals(False)
+
+    def _show_last_model(self, project: Project) -> None:
+        """Show the model of the last validation, once for each validation."""
+        if project.validation is self._shown:
+            return
+        self._shown = project.validation
+        if project.validation:
+            model = project.validation[0].model
+            self.kind.blockSignals(True)
+            self.kind.setCurrentIndex([kind for kind, _ in KINDS].index(model.kind))
+            self.kind.blockSignals(False)
+            self._fill_neighbours(model.kind, model.neighbours)
+            # A radius given on the command line has no field; it stays until another choice.
+            self.model_changed.emit(model)
+
+    def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
+        """Enable the controls that can be used now."""
+        if project is not None:
+            self._show_last_model(project)
+        self.advice.setText(status.advice)
+        self.run.update_enabled(status.ready and not busy)
+        self.after.setEnabled(project is not None and project.result is not None)
+
+    def show_before_after(self, which: str) -> None:
+        """Show whether the view displays the lines before or after."""
+        (self.after if which == "estimated" else self.before).setChecked(True)

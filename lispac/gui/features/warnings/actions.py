@@ -1,0 +1,10 @@
+"""Action of the list of warnings."""
+
+from lispac.gui.app.actions import ActionRecord, by_name
+from lispac.language import N_
+
+ACTIONS = by_name(
+    ActionRecord("warnings", N_("&Warnings"),
+        N_("List all warnings; click a warning to go to its cause"), ("View", 5, 1),
+        icon="alert-outline", keys="F12"),
+)  # fmt: skip

@@ -1,0 +1,144 @@
+"""List of warnings, collected and displayed after each change.
+
+They are collected in a thread of their own, so that the list is up to date also while an adjustment
+runs.
+"""
+
+from collections.abc import Callable, Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.docks import raise_panel
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.features.warnings.warnings_panel import WarningsButton, WarningsPanel
+from lispac.gui.project.document import Document
+from lispac.messages import Message
+from lispac.targets.sighting_quality import SightingQuality
+from lispac.workflow.checking.warnings import warnings_of
+
+DEBOUNCE_MS = 60
+"""Several changes in a row make one list."""
+
+CollectedWarnings = tuple[int, tuple[Message, ...]]
+
+
+class WarningList(QObject):
+    """Collects the warnings of the project and shows them.
+
+    Parameters
+    ----------
+    storage_problem : returns why no recovery copy is written, or None
+    """
+
+    shown = Signal()
+    """The list is up to date."""
+    _collected = Signal(object)
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        panel: WarningsPanel,
+        button: WarningsButton,
+        actions: Actions,
+        storage_problem: Callable[[], Message | None],
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner = document, runner
+        self._panel, self._button, self._storage_problem = panel, button, storage_problem
+        self._worker = ThreadPoolExecutor(1, "lispac-warnings")
+        self._qualities: Mapping[tuple[str, str], SightingQuality] = {}
+        self._requested = self._shown_request = 0
+        self._had_result = False
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(DEBOUNCE_MS)
+        self._debounce.timeout.connect(self._collect_warnings)
+        self._collected.connect(self._show)
+        document.opened.connect(self._on_project_opened)
+        document.changed.connect(self.update)
+        actions.connect_slots({"warnings": self.open})
+        button.clicked.connect(self.open)
+        self.update()
+
+    @property
+    def is_current(self) -> bool:
+        """Whether the list is up to date."""
+        return self._requested == self._shown_request and not self._debounce.isActive()
+
+    def open(self) -> None:
+        """Bring the list to the front and give it the focus."""
+        raise_panel(self._panel)
+        self._panel.focus_list()
+
+    def stop(self) -> None:
+        """Stop the worker."""
+        self._debounce.stop()
+        self._requested += 1
+        self._worker.shutdown(wait=True)
+
+    # -- gathering -------------------------------------------------------------------------------
+
+    def set_qualities(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
+        """Set the quality of each sighting, by target and line, and update the list."""
+        self._qualities = qualities
+        self.update()
+
+    def _on_project_opened(self) -> None:
+        """Reset the flag of an earlier result when another project is opened."""
+        self._had_result = False
+
+    def update(self) -> None:
+        """Collect the warnings again."""
+        if self._document.project is None:
+            self._debounce.stop()
+            self._requested += 1
+            self._shown_request = self._requested
+            self._panel.show_nothing()
+            self._button.show_warnings(None)
+            return
+        self._had_result |= self._document.project.result is not None
+        if self._document.awaits_result:
+            self._panel.show_waiting()  # those from before stay until the result is there
+        else:
+            self._debounce.start()
+
+    def _collect_warnings(self) -> None:
+        document = self._document
+        project, refusal = document.project, document.refusal
+        refused_since = document.refused_since
+        survey = document.survey if document.survey_is_current else None
+        qualities, storage = self._qualities, self._storage_problem()
+        outdated = self._had_result
+        if project is None or document.awaits_result:
+            return
+        self._requested += 1
+        requested = self._requested
+
+        def work() -> CollectedWarnings:
+            if requested != self._requested:
+                return requested, ()  # there was another change meanwhile
+            found = warnings_of(
+                project, survey, qualities, refusal=refusal, refused_since=refused_since,
+                outdated=outdated, storage=storage,
+            )  # fmt: skip
+            return requested, found
+
+        self._worker.submit(work).add_done_callback(self._emit_result)
+
+    def _emit_result(self, future: "Future[CollectedWarnings]") -> None:
+        """Pass on the result; called in the worker."""
+        if (error := future.exception()) is not None:
+            self._runner.failed.emit(error)
+        else:
+            self._collected.emit(future.result())
+
+    def _show(self, collected: CollectedWarnings) -> None:
+        requested, found = collected
+        if requested == self._requested:
+            self._shown_request = requested
+            self._panel.show_warnings(found)
+            self._button.show_warnings(found)
+            self.shown.emit()

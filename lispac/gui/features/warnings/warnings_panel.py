@@ -1,0 +1,227 @@
+"""List of all warnings; a click or Enter goes to the cause."""
+
+import time
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFrame,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import widgets
+from lispac.gui.appearance import theme
+from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Level, Message
+from lispac.warning_causes import RESULT
+
+TITLE = N_("Warnings")
+ACTIVATE_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
+
+LEVEL_STYLES: dict[Level, tuple[str, str, str]] = {
+    Level.ERROR: ("alert-octagon", "error", N_("Error")),
+    Level.WARNING: ("alert", "warning", N_("Warning")),
+    Level.NOTE: ("information-outline", "muted", N_("Note")),
+}
+"""Icon, colour and name. The shapes differ too, for colour-blind users."""
+
+MAX_SLICE_S = 0.015
+"""Seconds in which texts are added before the window reacts again: each takes a millisecond."""
+
+NO_PROJECT = N_("Open or create a project to see its warnings.")
+NO_WARNINGS = N_("No warnings about the files, the targets or the result.")
+CLICK_HINT = N_("Click a warning, or press Enter on it, to go to its cause.")
+WAITING = N_("A new estimate is running. These warnings are from before the change.")
+
+
+COUNTS = {
+    Level.ERROR: Plural("{count:n} error", "{count:n} errors"),
+    Level.WARNING: Plural("{count:n} warning", "{count:n} warnings"),
+    Level.NOTE: Plural("{count:n} note", "{count:n} notes"),
+}
+
+
+def level_counts_text(messages: Sequence[Message]) -> str:
+    """Text of the number of messages of each level: ``2 warnings, 3 notes``."""
+    counts = {level: sum(each.level is level for each in messages) for level in Level}
+    return ", ".join(
+        gettext(COUNTS[level], count=count) for level, count in counts.items() if count
+    )
+
+
+class WarningsPanel(QWidget):
+    """List of warnings, or the reason why there is none."""
+
+    cause_activated = Signal(object)
+    """The `Cause` to show."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.messages: tuple[Message, ...] = ()
+        self.head = widgets.label("", "muted", wrap=True, name="warnings_head")
+        self.list = _WarningListWidget()
+        self.list.itemClicked.connect(lambda item: self._emit_cause(self.list.row(item)))
+        self.list.entered_.connect(self._emit_cause)
+        self.empty = widgets.label("", "muted", wrap=True, name="warnings_empty")
+        self.empty.setMargin(4)
+        self.empty.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        filled = QWidget()
+        column = QVBoxLayout(filled)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        column.addWidget(self.head)
+        column.addWidget(self.list, 1)
+        self._current_message: Message | None = None
+        self._texts: dict[Message, str] = {}
+        self._turn = QTimer(self)
+        self._turn.setSingleShot(True)
+        self._turn.timeout.connect(self._fill)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self.empty)
+        self._pages.addWidget(filled)
+        outer = QVBoxLayout(self)
+        outer.setContentsMargins(8, 6, 8, 0)
+        outer.addWidget(self._pages)
+        self.show_nothing()
+
+    def show_nothing(self) -> None:
+        """Show that no project is open."""
+        self.messages = ()
+        self.list.clear()
+        self._show_empty(NO_PROJECT)
+
+    def show_waiting(self) -> None:
+        """Show that the list is out of date and a new result is being computed."""
+        self.head.setText(gettext(WAITING))
+
+    def show_warnings(self, messages: Sequence[Message]) -> None:
+        """Show the list; the current message stays current if it is still there."""
+        current = self.list.currentRow()
+        current_message = self.messages[current] if 0 <= current < len(self.messages) else None
+        self.messages = tuple(messages)
+        self.list.clear()
+        self._current_message = current_message
+        if not messages:
+            self._show_empty(NO_WARNINGS)
+            return
+        self._fill()
+        self.head.setText(f"{level_counts_text(messages)}. {gettext(CLICK_HINT)}")
+        self._pages.setCurrentIndex(1)
+
+    @property
+    def is_filled(self) -> bool:
+        """Whether all messages are in the list."""
+        return self.list.count() == len(self.messages)
+
+    def _fill(self) -> None:
+        """Add messages for a short time, and the others in the next turn of the event loop."""
+        until = time.monotonic() + MAX_SLICE_S
+        texts = self._texts
+        while not self.is_filled and time.monotonic() < until:
+            message = self.messages[self.list.count()]
+            if message not in texts:
+                texts[message] = message_text(message)
+            self.list.addItem(_message_item(message, texts[message]))
+            if message == self._current_message:
+                self.list.setCurrentRow(self.list.count() - 1)
+        if not self.is_filled:
+            self._turn.start()
+        elif len(texts) > len(self.messages):
+            self._texts = {each: texts[each] for each in self.messages}
+
+    def focus_list(self) -> None:
+        """Give the list the keyboard focus."""
+        if self.list.count():
+            if self.list.currentRow() < 0:
+                self.list.setCurrentRow(0)
+            self.list.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def _show_empty(self, text: str) -> None:
+        self.empty.setText(gettext(text))
+        self._pages.setCurrentIndex(0)
+
+    def _emit_cause(self, row: int) -> None:
+        if 0 <= row < len(self.messages):
+            self.cause_activated.emit(self.messages[row].subject or RESULT)
+
+
+class _WarningListWidget(QListWidget):
+    """List with wrapped texts; Enter and Space act like a click."""
+
+    entered_ = Signal(int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("warnings_list")
+        self.setAccessibleName(gettext(TITLE))
+        self.setWordWrap(True)
+        self.setTextElideMode(Qt.TextElideMode.ElideNone)
+        self.setResizeMode(QListWidget.ResizeMode.Adjust)
+        self.setLayoutMode(QListWidget.LayoutMode.Batched)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setIconSize(QSize(18, 18))
+        self.setStyleSheet("QListWidget { border: none; } QListWidget::item { padding: 4px; }")
+
+    def event(self, event: QEvent) -> bool:
+        # Elsewhere in the window Enter accepts the candidate.
+        pressed = event.type() == QEvent.Type.ShortcutOverride
+        if pressed and isinstance(event, QKeyEvent) and event.key() in ACTIVATE_KEYS:
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in ACTIVATE_KEYS and self.currentRow() >= 0:
+            self.entered_.emit(self.currentRow())
+        else:
+            super().keyPressEvent(event)
+
+
+def _message_item(message: Message, text: str) -> QListWidgetItem:
+    icon, colour, level = LEVEL_STYLES[message.level]
+    made = QListWidgetItem(theme.icon(icon, theme.colour(colour).name()), text)
+    action = gettext("Click, or press Enter, to go to the cause")
+    made.setToolTip(widgets.plain_tip(f"{gettext(level)}\n{action}"))
+    made.setData(
+        Qt.ItemDataRole.AccessibleTextRole,
+        gettext("{level}: {message}", level=gettext(level), message=text),
+    )
+    return made
+
+
+class WarningsButton(QPushButton):
+    """Number of warnings in the status bar; a click opens the list."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("warnings_button")
+        self.setStyleSheet("padding: 1px 8px;")
+        self.show_warnings(None)
+
+    def show_warnings(self, messages: Sequence[Message] | None) -> None:
+        """Count the messages of the highest level; None where no project is open."""
+        self.setVisible(messages is not None)
+        worst = next(
+            (level for level in Level if any(m.level is level for m in messages or ())), None
+        )
+        icon, colour = LEVEL_STYLES[worst][:2] if worst else ("check-circle-outline", "done")
+        self.setIcon(theme.icon(icon, theme.colour(colour).name()))
+        text = (
+            level_counts_text([each for each in messages or () if each.level is worst])
+            if worst
+            else gettext("No warnings")
+        )
+        self.setText(text)
+        counts = f"{level_counts_text(messages)}. " if messages else ""
+        self.setToolTip(counts + gettext("Click to see them all (F12)"))
+        self.setAccessibleName(text)

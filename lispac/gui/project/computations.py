@@ -1,0 +1,210 @@
+"""Computations on a project in the background: counts, validation and placed lines."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from PySide6.QtCore import QObject, Signal
+
+from lispac.errors import AdjustmentError, Cancelled
+from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene, Which
+from lispac.language import N_, Plural, Template, gettext
+from lispac.message_texts import message_text
+from lispac.progress import Progress
+from lispac.project import Project
+from lispac.survey.cloud import Cloud
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.workflow.project.survey import Survey
+
+PLANE_THROUGH_POINTS = Plural(
+    "validation with local planes through {count:n} point",
+    "validation with local planes through {count:n} points",
+)
+QUADRIC_THROUGH_POINTS = Plural(
+    "validation with local quadrics through {count:n} point",
+    "validation with local quadrics through {count:n} points",
+)
+
+
+@dataclass(frozen=True)
+class PointCount:
+    """Number of points that a point spacing keeps.
+
+    Attributes
+    ----------
+    kept : None while they are counted, and where they cannot be
+    reason : why they cannot be counted, in the language of the window
+    """
+
+    kept: int | None
+    total: int
+    sightings: int
+    reason: str = ""
+
+
+class Computations(QObject):
+    """Runs long computations and stores their results in the document.
+
+    Attributes
+    ----------
+    distance_to : LocalModel
+        What a validation measures distances to.
+    """
+
+    counted = Signal(object)
+    """A PointCount."""
+    validated = Signal()
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        controller: Controller,
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._runner, self._scene = document, runner, scene
+        self._controller = controller
+        self._subsample = 0.0
+        self._outdated_count = False
+        self._counting: Task | None = None
+        self.distance_to = SIX_POINT_PLANE
+        runner.idle.connect(self._count_again)
+
+    def count(self, subsample: float) -> None:
+        """Count the points that a point spacing, metres, would keep; emits `counted`."""
+        self._subsample = subsample
+        project, survey = self._document.current_data
+        sightings = _used_sightings(project)
+        total = sum(len(sighting.indices) for sighting in sightings)
+        if project is None or survey is None or not sightings or subsample <= 0:
+            self._outdated_count = False
+            self.counted.emit(PointCount(total, total, len(sightings)))
+            return
+        self._outdated_count = True
+        self.counted.emit(PointCount(None, total, len(sightings)))
+        if self._runner.busy or self._document.awaits_result:
+            return  # counted when the runner is idle
+
+        def work(_progress: Progress) -> int | str:
+            from lispac.workflow.calibration.estimation import count_points
+
+            try:
+                return count_points(project, survey, replace(project.settings, subsample=subsample))
+            except AdjustmentError as error:
+                return str(error)
+
+        def done(kept: int | str) -> None:
+            self._outdated_count = False
+            if isinstance(kept, str):
+                self.counted.emit(PointCount(None, total, len(sightings), kept))
+            else:
+                self.counted.emit(PointCount(kept, total, len(sightings)))
+
+        title = gettext("Counting points")
+        self._counting = self._runner.run(title, work, done, quiet=True, key="count")
+
+    def set_surface_model(self, model: LocalModel) -> None:
+        """Set the surface model of the next validation."""
+        self.distance_to = model
+
+    def validate(self) -> None:
+        """Compare the lines on the validation planes."""
+        project, survey = self._document.current_data
+        if project is None or survey is None:
+            return
+
+        model = self.distance_to
+
+        def work(progress: Progress) -> Project:
+            from lispac.workflow.checking.validation import validate
+
+            preload_matplotlib()
+            return validate(project, survey, model=model, progress=progress)
+
+        def done(validated: Project) -> None:
+            if self._document.project is project:
+                self._document.edit(_validation_edit_name(model), validated, **_model_params(model))
+                self.validated.emit()
+                for reason in validated.not_compared.values():
+                    self._controller.logged.emit(message_text(reason))
+                compared = Plural(
+                    "Compared the lines on {count:n} validation plane",
+                    "Compared the lines on {count:n} validation planes",
+                )
+                self._controller.logged.emit(gettext(compared, count=len(validated.validation)))
+
+        task = self._runner.run(gettext("Validating"), work, done, key="validate")
+        self._controller.cancel_on_edit(task)
+
+    def show(self, which: Which) -> None:
+        """Show the lines before or after the adjustment; place them first if necessary."""
+        project, survey = self._document.current_data
+        if which == "prior" or self._scene.has_estimated:
+            self._scene.show(which)
+            return
+        if project is None or survey is None or project.result is None:
+            self._scene.show("prior")
+            return
+        self._place_lines(project, survey, lambda: self._scene.show("estimated"), "placed")
+
+    def run_with_placed_lines(
+        self, project: Project, survey: Survey, then: Callable[[], None]
+    ) -> None:
+        """Call ``then`` once the lines are placed with the prior and the estimated boresight.
+
+        An edit meanwhile ends it.
+        """
+        if project.result is None or self._scene.has_estimated:
+            then()
+            return
+        task = self._place_lines(project, survey, then)
+        self._controller.cancel_on_edit(task)
+
+    def _place_lines(
+        self, project: Project, survey: Survey, then: Callable[[], None], key: str = ""
+    ) -> Task:
+        def done(clouds: Mapping[str, Cloud]) -> None:
+            if self._document.project is not None and self._document.survey is survey:
+                self._scene.keep_estimated(project.result, clouds)
+                then()
+
+        return self._runner.run(
+            gettext("Georeferencing the lines with the estimated boresight"),
+            lambda progress: survey.displayed_clouds(project, "estimated", progress=progress),
+            done,
+            key=key,
+        )
+
+    def _count_again(self) -> None:
+        last = self._counting
+        if last is not None and last.error is not None and not isinstance(last.error, Cancelled):
+            return  # it would fail again with the same message
+        if self._outdated_count:
+            self.count(self._subsample)
+
+
+def _used_sightings(project: Project | None):
+    targets = () if project is None else project.targets_of_role("target")
+    return [sighting for target in targets for sighting in target.used_sightings]
+
+
+def _validation_edit_name(model: LocalModel) -> Template:
+    """Name of the edit by the surface that distances are measured to."""
+    if model.kind == "point":
+        return N_("validation with distances to the nearest point")
+    if model.radius is not None:
+        if model.kind == "plane":
+            return N_("validation with local planes within a radius of {radius:m} m")
+        return N_("validation with local quadrics within a radius of {radius:m} m")
+    if model.kind == "plane":
+        return PLANE_THROUGH_POINTS
+    return QUADRIC_THROUGH_POINTS
+
+
+def _model_params(model: LocalModel) -> dict[str, float]:
+    if model.radius is not None:
+        return {"radius": model.radius}
+    return {"count": model.neighbours}

@@ -1,0 +1,450 @@
+"""Controller of the project: opening, saving, seeds and edits of the targets."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from lispac.caches import DEMO, usable_cache_folder
+from lispac.duplicate_targets import project_warnings
+from lispac.errors import LispacError, ProjectChanged
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.gui.project.seed_options import SeedOptions
+from lispac.gui.viewport.base import PickedPoint
+from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message, error
+from lispac.progress import Progress, sub_progress
+from lispac.project import LineSource, Project, Settings, Target, Triple
+from lispac.workflow.calibration import edits
+from lispac.workflow.calibration.target_search import thinned_notes
+from lispac.workflow.importing.input_files import ImportRequest
+from lispac.workflow.project.survey import Survey, load_survey
+
+OpenedProject = tuple[Project, Survey]
+
+
+class Controller(QObject):
+    """Carries out the actions of the user on the project."""
+
+    candidate_changed = Signal()
+    accepted = Signal(str)
+    """Name of the target that was just accepted."""
+    logged = Signal(str)
+    """A message for the log and the status bar."""
+    refused = Signal(object)
+    """An error to show to the user."""
+    files_missing = Signal(object)
+    """A project that cannot be opened before its files are found."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        settings: AppSettings,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._runner, self._scene = document, runner, scene
+        self._settings = settings
+        self._based: tuple[Task, Project] | None = None
+        self.candidate: Target | None = None
+        self.may_save: Callable[[Project], bool] = lambda _project: True
+        self.may_overwrite: Callable[[Project], bool] = lambda _project: False
+        """Whether a project that another program wrote meanwhile is overwritten."""
+        document.changed.connect(self._on_document_changed)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a task is running that the user waits for."""
+        return self._runner.busy
+
+    # -- the project's life ------------------------------------------------------------------
+
+    def open(self, path: Path) -> None:
+        """Open a project from its folder, its project.json or its .lispac file."""
+
+        def read() -> tuple[Project, tuple[str, ...]]:
+            from lispac.workflow.project.projects import open_project_with_notes
+
+            return open_project_with_notes(path)
+
+        self._open(path.name, read)
+
+    def open_relocated(self, project: Project) -> None:
+        """Open a project whose moved files were found, and mark it as modified."""
+        self._open(project.name, lambda: (project, ()), has_recovery_copy=True)
+
+    def _open(
+        self,
+        name: str,
+        read: Callable[[], tuple[Project, tuple[Message, ...]]],
+        *,
+        has_recovery_copy: bool = False,
+    ) -> None:
+        def work(progress: Progress) -> OpenedProject | Project:
+            from lispac.workflow.project.moved_files import missing_files
+
+            project, notes = read()
+            if missing_files(project):
+                return project
+            if project.validation:
+                preload_matplotlib()
+            _, survey = _load_lines(project, progress)
+            return project, replace(survey, notes=(*notes, *survey.notes))
+
+        def done(opened: OpenedProject | Project) -> None:
+            if isinstance(opened, Project):
+                self.files_missing.emit(opened)
+                return
+            self._show_opened_project(opened)
+            if has_recovery_copy and self._document.project is opened[0]:
+                self._document.undo_stack.resetClean()
+                self.logged.emit(
+                    gettext("The files were found. Save the project to keep their new location.")
+                )
+
+        self._runner.run(gettext("Opening {name}", name=name), work, done, modal=True)
+
+    def create(self, request: ImportRequest) -> None:
+        """Create a project from imported files and open it."""
+
+        def work(progress: Progress) -> OpenedProject:
+            from lispac.workflow.project.projects import new_project
+
+            return new_project(
+                request.folder,
+                trajectory=request.trajectory,
+                lines=request.lines,
+                settings=request.settings,
+                accuracy=request.accuracy,
+                trajectory_reading=request.trajectory_reading,
+                accuracy_reading=request.accuracy_reading,
+                identity=request.identity,
+                progress=progress,
+            )
+
+        title = gettext("Creating {name}", name=request.folder.name)
+        self._runner.run(title, work, self._show_opened_project, persistent=True, modal=True)
+
+    def add_lines(self, lines: Sequence[LineSource]) -> None:
+        """Add lines to the project: one undo step."""
+        project = self._document.project
+        if project is None:
+            return
+        count, name = len(lines), lines[0].name
+
+        def work(progress: Progress) -> OpenedProject:
+            from lispac.workflow.project.projects import with_lines_added
+
+            return with_lines_added(project, lines, progress=progress)
+
+        def done(added: OpenedProject) -> None:
+            edited, survey = added
+            self._discard_candidate()  # it was searched for in the lines of that time
+            edit = N_("addition of {line}") if count == 1 else N_("addition of {count:n} lines")
+            self._document.edit(edit, edited, survey=survey, count=count, line=name)
+            for note in survey.notes:
+                self.logged.emit(message_text(note))
+            if count == 1:
+                template = N_("{line} was added to {project}. Save the project to keep it.")
+            else:
+                template = N_(
+                    "{count:n} lines were added to {project}. Save the project to keep them."
+                )
+            self.logged.emit(gettext(template, count=count, line=name, project=project.name))
+
+        template = N_("Adding {line}") if count == 1 else N_("Adding {count:n} lines")
+        title = gettext(template, count=count, line=name)
+        self.cancel_on_edit(self._runner.run(title, work, done))
+
+    def open_demo(
+        self, folder: Path | None = None, *, first: Callable[[], None] = lambda: None
+    ) -> None:
+        """Open the demo survey, which is simulated on its first use.
+
+        ``first`` is called when it has been read and is about to be shown, and never otherwise.
+        """
+        place = folder or demo_folder()
+
+        def work(progress: Progress) -> OpenedProject:
+            from lispac.workflow.planning.demo import make_demo
+            from lispac.workflow.project.projects import open_project
+
+            if (place / "project.json").is_file():
+                project = open_project(place)
+            else:
+                project = make_demo(place, progress=sub_progress(progress, 0.0, 0.8))
+            return _load_lines(project, sub_progress(progress, 0.8, 1.0))
+
+        def done(opened: OpenedProject) -> None:
+            first()
+            self._show_opened_project(opened)
+
+        self._runner.run(gettext("Opening the demo survey"), work, done, modal=True)
+
+    def save(self) -> bool:
+        """Save the project; return whether it was saved."""
+        from lispac.workflow.project.projects import save_project
+
+        project = self._document.project
+        if project is None:
+            return True
+        if not self.may_save(project):
+            return False
+        try:
+            try:
+                saved = save_project(project, expected=self._document.file_digest)
+            except ProjectChanged:
+                if not self.may_overwrite(project):
+                    return False
+                saved = save_project(project)
+        except LispacError as failure:
+            self.refused.emit(type(failure)(error("window.not_saved", reason=failure.reason)))
+            return False
+        except OSError as failure:
+            self.refused.emit(failure)
+            return False
+        self._document.mark_saved(saved.file_digest)
+        self.logged.emit(gettext("Saved {project}", project=project.name))
+        return True
+
+    def save_as(self, folder: Path) -> None:
+        """Save the project in another folder and continue there with the same undo steps."""
+        project, survey = self._document.project, self._document.survey
+        if project is None or survey is None:
+            return
+
+        def work(progress: Progress) -> OpenedProject:
+            from lispac.workflow.project.project_copy import save_project_as
+
+            return save_project_as(project, survey, folder, progress=progress)
+
+        def done(saved: OpenedProject) -> None:
+            saved_project, found = saved
+            self._document.move(saved_project, found)
+            self._settings.add_recent(saved_project.folder)
+            self.logged.emit(
+                gettext(
+                    "Saved as {folder}. The project in {former} stays as it was last saved.",
+                    folder=saved_project.folder,
+                    former=project.folder,
+                )
+            )
+
+        title = gettext("Saving as {name}", name=folder.name)
+        self._runner.run(title, work, done, persistent=True)
+
+    def _show_opened_project(self, opened: OpenedProject) -> None:
+        project, survey = opened
+        self._discard_candidate()
+        self._document.open(project, survey)
+        self._settings.add_recent(project.folder)
+        if self._document.project is None:  # closed again: another window has it
+            return
+        for note in survey.notes:
+            self.logged.emit(message_text(note))
+        self.logged.emit(gettext("Opened {folder}", folder=project.folder))
+
+    def _on_document_changed(self) -> None:
+        """Reload the data and cancel dependent tasks after a change of the project."""
+        project = self._document.project
+        if self._based is not None and self._based[1] is not project:
+            self._based[0].cancel.set()
+            self._based = None
+        if project is None or self._document.survey_is_current:
+            return
+        self._discard_candidate()
+
+        def done(survey: Survey) -> None:
+            if self._document.project is not None:
+                self._document.set_survey(project, survey)
+
+        self._runner.run(
+            gettext("Georeferencing the lines"),
+            lambda progress: load_survey(project, progress=progress),
+            done,
+            key="survey",
+        )
+
+    def cancel_on_edit(self, task: Task) -> None:
+        """Cancel the task when the project is edited, as its result would be out of date."""
+        assert self._document.project is not None
+        self._based = (task, self._document.project)
+
+    # -- seeds -------------------------------------------------------------------------------
+
+    def seed(self, point: PickedPoint, seed_options: SeedOptions) -> None:
+        """Search for the target at a clicked point and show it as the candidate.
+
+        If the search is in one line only and a target is selected, the sighting is for that target,
+        with its role and shape.
+        """
+        if self._can_seed():
+            self._search_target(
+                self._scene.prior_position_finder(point), seed_options, first_line=point.line
+            )
+
+    def search_at(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
+        """Search for the target at a position; an empty ``name`` means the next free name.
+
+        Parameters
+        ----------
+        position : metres, local frame
+        """
+        self._search_target(lambda: position, seed_options, name=name)
+
+    def _search_target(
+        self,
+        position: Callable[[], Triple],
+        seed_options: SeedOptions,
+        *,
+        name: str = "",
+        first_line: str | None = None,
+    ) -> None:
+        project, survey = self._document.project, self._document.survey
+        if project is None or survey is None or not self._can_seed():
+            return
+        from lispac.workflow.calibration import picking
+
+        role, line, how = seed_options.role, seed_options.line, seed_options.finder_arguments
+        if line is not None and seed_options.selected is not None and not name:
+            known = project.target(seed_options.selected)
+            name, role = known.name, known.role
+            how |= {"shape": known.shape, "sphere_radius": known.sphere_radius}
+        name = name or picking.next_name(project, role)
+
+        def work(progress: Progress) -> Target:
+            return picking.find_target(
+                project, survey, position(), name=name, role=role, line=line, first_line=first_line,
+                progress=progress, **how,
+            )  # fmt: skip
+
+        if line is None:
+            title = gettext("Searching for {target} in all lines", target=name)
+        else:
+            title = gettext("Searching for {target} in {line}", target=name, line=line)
+        self.cancel_on_edit(self._runner.run(title, work, self.set_candidate))
+
+    def _can_seed(self) -> bool:
+        if self._document.project is None:
+            return False
+        if self._runner.busy or not self._document.survey_is_current:
+            self.logged.emit(
+                gettext("A task is running. Wait until it has ended, then pick the target again.")
+            )
+            return False
+        return True
+
+    def accept(self) -> None:
+        """Add the candidate to the project as one undo step."""
+        candidate, project = self.candidate, self._document.project
+        if candidate is None or project is None:
+            return
+        self._discard_candidate()
+        name, sightings = candidate.name, len(candidate.sightings)
+        self._document.edit(
+            N_("detection of {target}"), project.with_target(candidate), target=name
+        )
+        found = Plural(
+            "{target}: found in {sightings:n} of {count:n} line",
+            "{target}: found in {sightings:n} of {count:n} lines",
+        )
+        self.logged.emit(gettext(found, target=name, sightings=sightings, count=len(project.lines)))
+        self.accepted.emit(candidate.name)
+
+    def reject(self) -> None:
+        """Discard the candidate."""
+        if self.candidate is not None:
+            self.logged.emit(
+                gettext("The detected target {target} was rejected.", target=self.candidate.name)
+            )
+            self._discard_candidate()
+
+    def set_candidate(self, candidate: Target) -> None:
+        """Show a detected target, which the user then accepts or rejects."""
+        self.candidate = candidate
+        self._scene.show_candidate(candidate)
+        for each in thinned_notes(candidate):
+            self.logged.emit(message_text(each))
+        self.candidate_changed.emit()
+
+    def _discard_candidate(self) -> None:
+        if self.candidate is not None:
+            self.candidate = None
+            self._scene.show_candidate(None)
+            self.candidate_changed.emit()
+
+    # -- edits -------------------------------------------------------------------------------
+
+    def rename(self, old: str, new: str) -> None:
+        """Rename a target."""
+        if self._project is None:
+            return
+        try:
+            edited = edits.with_renamed_target(self._project, old, new)
+            self._document.edit(N_("renaming of {target}"), edited, target=old)
+        except LispacError as error:
+            self.refused.emit(error)
+            self._document.changed.emit()
+
+    def remove(self, name: str) -> None:
+        """Remove a target."""
+        if self._project is not None:
+            edited = self._project.without_target(name)
+            self._document.edit(N_("removal of {target}"), edited, target=name)
+
+    def use_target(self, name: str, used: bool) -> None:
+        """Include or exclude a target."""
+        if self._project is not None:
+            title = N_("inclusion of {target}") if used else N_("exclusion of {target}")
+            edited = edits.with_use_of_target(self._project, name, used)
+            self._document.edit(title, edited, recompute=True, target=name)
+
+    def use_sighting(self, name: str, line: str, used: bool) -> None:
+        """Include or exclude a sighting."""
+        if self._project is not None:
+            included = N_("inclusion of {target} in {line}")
+            title = included if used else N_("exclusion of {target} in {line}")
+            edited = edits.with_use_of_sighting(self._project, name, line, used)
+            self._document.edit(title, edited, recompute=True, target=name, line=line)
+
+    def use_line(self, line: str, used: bool) -> None:
+        """Include or exclude all sightings of a line."""
+        if self._project is not None:
+            title = N_("inclusion of line {line}") if used else N_("exclusion of line {line}")
+            edited = edits.with_use_of_line(self._project, line, used)
+            self._document.edit(title, edited, recompute=True, line=line)
+
+    def change_settings(self, settings: Settings) -> None:
+        """Apply edited settings to the project."""
+        if self._project is None:
+            return
+        try:
+            settings.require_sound()
+        except LispacError as error:
+            self.refused.emit(error)
+            return
+        edited = self._project.with_settings(settings)
+        self._document.edit(N_("change of mounting settings"), edited)
+
+    @property
+    def _project(self) -> Project | None:
+        return self._document.project
+
+
+def demo_folder() -> Path:
+    """Folder of the demo survey in the cache."""
+    return usable_cache_folder() / DEMO
+
+
+def _load_lines(project: Project, progress: Progress) -> OpenedProject:
+    """Load the lines of a project, and compute the warnings that are shown first."""
+    survey = load_survey(project, progress=progress)
+    project_warnings(project)
+    return project, survey

@@ -1,0 +1,196 @@
+"""Recovery copies of unsaved changes, and the lock of the open project.
+
+After every edit the project is written beside its saved state, in a thread of its own so that it is
+on the disk also while an adjustment runs. Saving or discarding the changes removes the copy; one
+that is found when a project is opened was left by a crash, and is offered for recovery.
+"""
+
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QLockFile, QObject, Signal
+
+from lispac.errors import InputError, LispacError
+from lispac.gui.app.language import local_datetime
+from lispac.gui.app.questions import Questions
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.io.project.project_file import remove_unsaved, write_unsaved
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message, error
+from lispac.project import Project
+from lispac.workflow.project.moved_files import with_files_of
+from lispac.workflow.project.projects import UnsavedProject, read_unsaved_project, require_folder
+
+LOCK_NAME = "open.lock"
+LOCKED_ELSEWHERE = error("window.unsaved_work_elsewhere")
+
+
+class RecoveryCopies(QObject):
+    """Writes the recovery copy and holds the lock of the project in a window."""
+
+    problem_changed = Signal()
+    """`problem` has changed."""
+    _failed = Signal(object)
+    _written = Signal()
+
+    def __init__(
+        self,
+        document: Document,
+        controller: Controller,
+        questions: Questions,
+        settings: AppSettings,
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._questions = document, questions
+        self._settings, self._note = settings, controller.logged.emit
+        self._writer = ThreadPoolExecutor(1, "lispac-keeping")
+        self._latest: Project | None = None
+        self._failed.connect(self._on_write_failed)
+        self._written.connect(lambda: self._set_problem(None) if self.problem is not None else None)
+        self._folder: Path | None = None
+        self._lock: QLockFile | None = None
+        self._writes_copies = False
+        self.problem: Message | None = None
+        """Why no recovery copy is written; None if it is."""
+        controller.may_save = self._may_save
+        controller.may_overwrite = lambda project: self._questions.ask_to_overwrite(project.name)
+        document.opened.connect(self._on_project_opened)
+        document.changed.connect(self._write_copy)
+        # An edit is announced before the stack knows that it is no longer clean
+        document.modified.connect(
+            lambda modified: self._write_copy() if modified else self.discard()
+        )
+        document.saved.connect(self._on_saved)
+
+    # -- a project comes and goes ----------------------------------------------------------------
+
+    def _on_project_opened(self) -> None:
+        """Lock the project that was opened, and offer unsaved changes for recovery."""
+        project = self._document.project
+        self.discard()
+        self.release_lock()
+        self._set_problem(None)
+        if project is None:
+            return
+        self._folder, self._writes_copies = project.folder, True
+        self._settings.last_project = project.folder
+        if not self._lock_project(project):
+            self._writes_copies = False
+            if self._questions.ask_to_open_locked(project.name, self._lock_holder()):
+                self._set_problem(LOCKED_ELSEWHERE)
+            else:
+                self._document.open(None, None)
+        elif not self._document.is_modified:
+            self._ask_recovery(project)
+
+    def _lock_project(self, project: Project) -> bool:
+        """Lock the project; False if another window has it. True where nothing can be written."""
+        lock = QLockFile(str(project.folder / LOCK_NAME))
+        lock.setStaleLockTime(0)  # one whose program has ended is stale, however young
+        self._lock = lock
+        return lock.tryLock(0) or lock.error() != QLockFile.LockError.LockFailedError
+
+    def _lock_holder(self) -> str:
+        """Computer and process of the window that holds the lock."""
+        process, host, _ = self._lock.getLockInfo()
+        if not process:
+            return gettext("another program")
+        return gettext("{host}, process {process}", host=host, process=process)
+
+    def _ask_recovery(self, project: Project) -> None:
+        """Ask whether to recover the changes that a crash left unsaved."""
+        try:
+            found = read_unsaved_project(project.folder)
+        except LispacError as failure:
+            self._note(str(failure))
+            return
+        if found is None:
+            remove_unsaved(project.folder)
+        elif self._questions.ask_to_recover(project.name, _copy_time_text(found)):
+            again = with_files_of(found.project, project)
+            self._document.edit(N_("recovery of unsaved changes"), again)
+            self._note(gettext("Unsaved changes were recovered. Save the project to keep them."))
+        else:
+            remove_unsaved(project.folder)
+
+    def discard(self) -> None:
+        """Remove the recovery copy."""
+        if self._folder is not None and self._writes_copies:
+            self._latest = None
+            self._run_in_worker(remove_unsaved, self._folder)
+
+    def release_lock(self) -> None:
+        """Release the lock of the project."""
+        if self._lock is not None:
+            self._lock.unlock()
+        self._lock = self._folder = None
+
+    def stop(self) -> None:
+        """Finish writing, stop the worker and release the lock."""
+        self._writer.shutdown(wait=True)
+        self.release_lock()
+
+    # -- an edit, a save -------------------------------------------------------------------------
+
+    def _write_copy(self) -> None:
+        project = self._document.project
+        if project is None:
+            return
+        if project.folder != self._folder:  # saved as another
+            self._folder = project.folder
+            self._settings.last_project = project.folder
+            self._writes_copies = self._lock_project(project)
+        if self._writes_copies and self._document.is_modified:
+            self._latest = project
+            self._run_in_worker(self._write_latest_copy, project)
+
+    def _write_latest_copy(self, project: Project) -> None:
+        if project is self._latest:  # else there was another edit meanwhile
+            require_folder(project)
+            write_unsaved(project)
+            self._written.emit()
+
+    def _run_in_worker(self, write: Callable[[Any], None], what: object) -> None:
+        def ended(done: Future[None]) -> None:
+            if (failure := done.exception()) is not None:
+                self._failed.emit(failure)
+
+        self._writer.submit(write, what).add_done_callback(ended)
+
+    def _on_saved(self) -> None:
+        """Update the problem shown after the project was saved."""
+        self._set_problem(None if self._writes_copies else LOCKED_ELSEWHERE)
+
+    def _may_save(self, project: Project) -> bool:
+        """Whether the folder of the project still exists; shows an error otherwise."""
+        try:
+            require_folder(project)
+        except InputError as failure:
+            self._questions.show_error(failure)
+            return False
+        return True
+
+    def _on_write_failed(self, failure: BaseException) -> None:
+        # The next edit tries again: the disk may have space then, or the drive may be back.
+        reason = failure.reason if isinstance(failure, LispacError) else str(failure)
+        problem = error("window.unsaved_work_not_kept", reason=reason)
+        if problem != self.problem:
+            self._set_problem(problem)
+            self._note(message_text(problem))
+
+    def _set_problem(self, problem: Message | None) -> None:
+        self.problem = problem
+        self.problem_changed.emit()
+
+
+def _copy_time_text(unsaved: UnsavedProject) -> str:
+    """Text of the time of the recovery copy, and of a later save of the project."""
+    kept, saved = local_datetime(unsaved.kept), local_datetime(unsaved.saved)
+    if unsaved.saved <= unsaved.kept:
+        return kept
+    return gettext("{time}; the project was saved later, at {saved}", time=kept, saved=saved)

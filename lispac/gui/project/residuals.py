@@ -1,0 +1,145 @@
+"""Colours of the points of sightings by their distance from the surface.
+
+Of a target it is the adjusted one. Of a validation plane, which was not used in the adjustment, it
+is the plane through all lines as they are shown: before the calibration its lines differ in colour,
+after it they share one.
+"""
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.planes import Plane, fit_plane
+from lispac.geometry.spheres import Sphere
+from lispac.gui.appearance import units
+from lispac.gui.viewport.base import Array, PointColouring
+from lispac.language import N_, gettext
+from lispac.project import Project
+from lispac.survey.cloud import Cloud
+from lispac.workflow.project.survey import Survey
+
+TITLE = N_("Distance from the surface (mm)")
+GREY = (188, 194, 200)
+"""Colour of points that belong to no target."""
+OUTER_PERCENT = 2.0
+"""Percent of the points, half at either end, that share the last colour."""
+
+Key = tuple[str, str]
+
+
+def residuals(project: Project, survey: Survey) -> dict[Key, Array]:
+    """Signed distances of all points of the adjusted sightings from their surfaces.
+
+    Returns
+    -------
+    ndarray of shape (n,), metres, by target and line; after the adjustment
+
+    Raises
+    ------
+    ValueError
+        If nothing has been adjusted yet; the text is in the language of the window.
+    """
+    if project.result is None:
+        raise ValueError(
+            gettext("There are no residuals before an adjustment. Estimate the boresight first.")
+        )
+    clouds = survey.placed(project, "estimated")
+    found = {}
+    for fit in project.result.targets:
+        values = fit.plane
+        surface = Sphere(values[:3], float(values[3])) if fit.sphere else None
+        plane = Plane(values[:3], float(values[3]))
+        target = next((each for each in project.targets if each.name == fit.target), None)
+        for sighting in target.used_sightings if target is not None else ():
+            points = clouds[sighting.line][sighting.indices]
+            distances = plane.distances(points) if surface is None else surface.distances(points)
+            found[fit.target, sighting.line] = distances
+    return found
+
+
+def validation_distances(project: Project, clouds: Mapping[str, Cloud]) -> dict[Key, Array]:
+    """Signed distances of the points on validation planes from the plane through all lines.
+
+    Parameters
+    ----------
+    clouds : of each line, as it is shown
+
+    Returns
+    -------
+    ndarray of shape (n,), metres, by plane and line
+    """
+    found = {}
+    for target in project.targets_of_role("validation"):
+        points = {
+            sighting.line: clouds[sighting.line][sighting.indices]
+            for sighting in (target.used_sightings if target.used else ())
+            if sighting.line in clouds
+        }
+        if len(points) > 1:
+            plane = fit_plane(np.concatenate(list(points.values())))
+            found |= {(target.name, line): plane.distances(own) for line, own in points.items()}
+    return found
+
+
+def residual_colour_limit(
+    project: Project, survey: Survey, states: Iterable[Mapping[str, Cloud]]
+) -> float:
+    """Distance, metres, at which the colour scale ends: the largest of several states.
+
+    Raises
+    ------
+    ValueError
+        If nothing has been adjusted yet; the text is in the language of the window.
+    """
+    return max(
+        _colour_limit(residuals(project, survey) | validation_distances(project, clouds))
+        for clouds in states
+    )
+
+
+def _colour_limit(residuals_by_sighting: Mapping[Key, Array]) -> float:
+    everything = np.abs(np.concatenate(list(residuals_by_sighting.values())))
+    return float(np.percentile(everything, 100 - OUTER_PERCENT)) or 1e-3
+
+
+def residual_shading(
+    project: Project, survey: Survey, clouds: Mapping[str, Cloud], *, reach: float | None = None
+) -> tuple[PointColouring, dict[Key, NDArray[np.uint8]]]:
+    """Grey lines with a legend, and colours of the points of the sightings.
+
+    Parameters
+    ----------
+    clouds : of each line, as it is shown
+    reach : float, metres
+        Where the colours end; None: as it suits these clouds.
+
+    Raises
+    ------
+    ValueError
+        If nothing has been adjusted yet; the text is in the language of the window.
+    """
+    from matplotlib import colormaps
+
+    found = residuals(project, survey) | validation_distances(project, clouds)
+    reach = _colour_limit(found) if reach is None else reach
+    scale = np.asarray(
+        np.round(255 * colormaps["coolwarm"](np.linspace(0, 1, 255))[:, :3]), dtype=np.uint8
+    )
+    colours = {
+        key: scale[np.clip(np.round(127 * (1 + values / reach)), 0, 254).astype(np.int64)]
+        for key, values in found.items()
+    }
+    grey = {
+        line: np.broadcast_to(np.array(GREY, np.uint8), (len(cloud.sample), 3))
+        for line, cloud in clouds.items()
+    }
+    low, high = _legend_ends(reach)
+    with units.standard_units():
+        metric = _legend_ends(reach)
+    return PointColouring(grey, gettext(TITLE), low, high, scale, metric), colours
+
+
+def _legend_ends(reach: float) -> tuple[str, str]:
+    end = units.local_figure(1000 * reach, "mm", ".1f" if reach < 0.02 else ".0f")
+    return f"\N{MINUS SIGN}{end}", f"+{end}"

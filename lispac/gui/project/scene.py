@@ -1,0 +1,335 @@
+"""Content of the viewport: lines before or after, sightings and labels."""
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, Signal
+
+from lispac.geometry.radius_search import nearest_point
+from lispac.gui.app.point_colours import Colouring, point_shading
+from lispac.gui.appearance import theme
+from lispac.gui.project.document import Document
+from lispac.gui.project.residuals import residual_colour_limit, residual_shading
+from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, PointColouring, Viewport
+from lispac.gui.widgets.idle_tasks import IdleTask
+from lispac.project import Target, Triple
+from lispac.survey.cloud import Cloud
+
+Which = Literal["prior", "estimated"]
+Residuals = Mapping[tuple[str, str], NDArray[np.uint8]]
+"""Colours of the points of a sighting, by target and line."""
+ColouredPoints = tuple[PointColouring | None, Residuals]
+
+
+class Scene(QObject):
+    """Updates the viewport from the document, the candidate and the before/after switch."""
+
+    which_changed = Signal(str)
+    focused = Signal(object, str)
+    """Points (n, 3) that the view moves to, and the name of their target or line."""
+    selection_changed = Signal()
+    drawn = Signal()
+    """The lines are drawn anew."""
+    placement_requested = Signal()
+    """The lines after are shown, and the project has another result by now."""
+
+    def __init__(self, document: Document, viewport: Viewport, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._viewport = document, viewport
+        self._estimated: tuple[object, Mapping[str, Cloud]] | None = None
+        self.which: Which = "prior"
+        self.candidate: Target | None = None
+        self.selected: tuple[str, str] | None = None
+        self.colouring: Colouring = "line"
+        self._drawn: Mapping[str, Cloud] = {}
+        self._residuals: Residuals = {}
+        self._reach: float | None = None
+        self._shaded: ColouredPoints | None = None
+        """Colours that wait to be drawn."""
+        # Once for all that changes in one: a new project has enough to show.
+        self._lines_due = IdleTask(self._draw_due_lines, self)
+        self._targets_due = IdleTask(self._draw_due_targets, self)
+        document.about_to_open.connect(self._clear)
+        document.survey_changed.connect(self._reload)
+        document.changed.connect(self._project_changed)
+
+    @property
+    def clouds(self) -> Mapping[str, Cloud]:
+        """Lines as displayed."""
+        survey = self._document.survey
+        if survey is None:
+            return {}
+        if self.which == "estimated" and self._estimated is not None:
+            return self._estimated[1]
+        return survey.clouds
+
+    @property
+    def has_estimated(self) -> bool:
+        """Whether the lines are placed with the current result."""
+        project = self._document.project
+        return (
+            self._estimated is not None
+            and project is not None
+            and project.result is not None
+            and self._estimated[0] is project.result
+        )
+
+    @property
+    def selected_points(self) -> dict[str, Array]:
+        """Points (n, 3) of the selection by line, as displayed; empty without a selection."""
+        project = self._document.project
+        if project is None or self.selected is None:
+            return {}
+        name, line = self.selected
+        target = next((target for target in project.targets if target.name == name), None)
+        return {} if target is None else self._points_by_line(target, line)
+
+    def prior_position_finder(self, point: PickedPoint) -> Callable[[], Triple]:
+        """Function that finds the prior position of a clicked point, for any thread.
+
+        Targets are searched for in those lines.
+        """
+        survey = self._document.survey
+        if survey is None or self.which == "prior":
+            return lambda: point.position
+        shown, prior = self.clouds[point.line].sample, survey.clouds[point.line].sample
+
+        def find() -> Triple:
+            nearest, _ = nearest_point(shown, np.array(point.position))
+            north, west, up = (float(v) for v in prior[nearest])
+            return north, west, up
+
+        return find
+
+    def colour_by(self, colouring: Colouring) -> None:
+        """Colour the points by line or by a value.
+
+        Raises
+        ------
+        ValueError
+            Where a line has nothing to colour by; nothing changes then.
+        """
+        shaded = self._point_colours(colouring)
+        self.colouring = colouring
+        if self._document.survey is not None:
+            self._draw_clouds(shaded)
+            self._schedule_targets()
+
+    def keep_estimated(self, result: object, clouds: Mapping[str, Cloud]) -> None:
+        """Store the lines placed with ``result``."""
+        self._estimated = (result, clouds)
+
+    def reassign_estimated(self, old: object, new: object) -> None:
+        """Assign the placed lines of one result to another with the same mounting."""
+        if self._estimated is not None and self._estimated[0] is old:
+            self._estimated = (new, self._estimated[1])
+
+    def show(self, which: Which) -> None:
+        """Show the lines before or after the adjustment."""
+        if which == "estimated" and not self.has_estimated:
+            which = "prior"
+        if which != self.which or self.clouds is not self._drawn:
+            self.which = which
+            self._draw_clouds()
+            self._schedule_targets()
+        self.which_changed.emit(self.which)
+
+    def copy_state_from(self, former: "Scene") -> None:
+        """Copy state and placed lines of another scene of the same document."""
+        self._estimated, self.which = former._estimated, former.which
+        self.colouring = former.colouring
+        self._schedule_lines()
+        self.which_changed.emit(self.which)
+
+    def show_candidate(self, candidate: Target | None) -> None:
+        """Show the candidate beside the other targets."""
+        self.candidate = candidate
+        self._schedule_targets()
+        self._viewport.select(None if candidate is None else (candidate.name, ""))
+
+    def select(self, name: str) -> None:
+        """Highlight a target on all its lines without moving the view."""
+        self.selected = (name, "")
+        self._viewport.select(self.selected)
+        self.selection_changed.emit()
+
+    def focus_on(self, name: str, line: str) -> None:
+        """Highlight a sighting, or a target if ``line`` is empty, and move the view to it."""
+        project = self._document.project
+        if project is None:
+            return
+        target = project.target(name)
+        self.selected = (name, line)
+        self._viewport.select((name, line))
+        points = self._points(target, line)
+        if points is not None:
+            self.focused.emit(points, name)
+            self._viewport.fit(points)
+        self.selection_changed.emit()
+
+    @contextmanager
+    def common_residual_scale(self) -> Iterator[None]:
+        """Context in which residual colours have the same scale before and after."""
+        project, survey, shown = self._document.project, self._document.survey, self.which
+        estimated = self._estimated
+        coloured = self.colouring == "residual" and self.has_estimated
+        if coloured and project and survey and estimated:
+            self._reach = residual_colour_limit(project, survey, (survey.clouds, estimated[1]))
+            self._drawn = {}  # drawn anew, with the other colours
+        try:
+            yield
+        finally:
+            if self._reach is not None:
+                self._reach, self._drawn = None, {}
+            self.show(shown)
+
+    def _clear(self) -> None:
+        self.candidate = self.selected = None
+        self._viewport.clear()  # nothing of it is drawn once more on the way to another
+        self._drawn = {}
+
+    def _reload(self) -> None:
+        self._estimated = None
+        self.which = "prior"
+        survey = self._document.survey
+        if survey is None:
+            self._viewport.clear()
+            self._drawn = {}
+        else:
+            # Standard views look from the water, where the vessel was while it scanned.
+            self._viewport.set_station(_mean_vessel_position(survey))
+        self._schedule_lines()
+        self.which_changed.emit(self.which)
+
+    def _project_changed(self) -> None:
+        project = self._document.project
+        if self.which == "estimated" and not self.has_estimated:
+            if project is not None and project.result is not None:
+                self.placement_requested.emit()  # the lines drawn stay until then
+            elif not self._document.awaits_result:
+                self.which = "prior"
+                self.which_changed.emit(self.which)
+        outdated = self.colouring == "residual" and not self._document.awaits_result
+        if outdated or self.clouds is not self._drawn:
+            self._schedule_lines()
+        self._schedule_targets()
+
+    @property
+    def awaits_lines(self) -> bool:
+        """Whether lines are still to be drawn; `drawn` follows."""
+        return self._lines_due.isActive()
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether no drawing is pending."""
+        return not (self._lines_due.isActive() or self._targets_due.isActive())
+
+    def draw_due(self) -> None:
+        """Do the pending drawing now."""
+        while self._lines_due.isActive():
+            self._draw_due_lines()
+        if self._targets_due.isActive():
+            self._draw_due_targets()
+
+    def _schedule_lines(self) -> None:
+        self._shaded = None
+        self._lines_due.start()
+
+    def _draw_due_lines(self) -> None:
+        self._lines_due.stop()
+        if self._document.survey is not None:
+            if self.colouring != "line" and self._shaded is None:
+                self._shaded = self._available_colours()  # in a turn of its own
+                self._lines_due.start()
+                return
+            self._draw_clouds(self._shaded)
+        self._schedule_targets()
+
+    def _draw_clouds(self, shaded: ColouredPoints | None = None) -> None:
+        clouds = self._drawn = self.clouds
+        samples = {name: cloud.sample for name, cloud in clouds.items()}
+        shading, self._residuals = shaded or self._available_colours()
+        self._shaded = None
+        self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), shading)
+        self.drawn.emit()
+
+    def _available_colours(self) -> ColouredPoints:
+        try:
+            return self._point_colours(self.colouring)
+        except ValueError:  # another survey, without intensities or a result
+            self.colouring = "line"
+            return None, {}
+
+    def _point_colours(self, colouring: Colouring) -> ColouredPoints:
+        """Colours of the points of the lines, and of sightings with their own colours."""
+        if colouring != "residual":
+            return point_shading(colouring, self.clouds), {}
+        project, survey = self._document.project, self._document.survey
+        if project is None or survey is None:
+            return None, {}
+        return residual_shading(project, survey, self.clouds, reach=self._reach)
+
+    def _schedule_targets(self) -> None:
+        if not self._lines_due.isActive():  # which they follow
+            self._targets_due.start()
+
+    def _draw_due_targets(self) -> None:
+        self._targets_due.stop()
+        project = self._document.project
+        targets = [] if project is None or self._document.survey is None else list(project.targets)
+        if self.candidate is not None:
+            targets = [t for t in targets if t.name != self.candidate.name] + [self.candidate]
+        highlights, markers = [], []
+        for target in targets:
+            groups = self._points_by_line(target, "")
+            for sighting in target.sightings:
+                used = target.used and sighting.used
+                colour = self._colour(target) if used else theme.UNUSED_COLOUR
+                points = groups.get(sighting.line)
+                if points is not None:
+                    key = target.name, sighting.line
+                    shades = self._residuals.get(key)
+                    if shades is not None and len(shades) != len(points):
+                        shades = None  # edited since the adjustment
+                    highlights.append(Highlight(key, points, colour, shades))
+            label = f"{target.name}?" if target is self.candidate else target.name
+            markers.append(Marker(label, _label_position(target, groups), self._colour(target)))
+        self._viewport.show_highlights(highlights)
+        self._viewport.show_markers(markers)
+
+    def _points(self, target: Target, line: str) -> Array | None:
+        groups = self._points_by_line(target, line)
+        return np.concatenate(list(groups.values())) if groups else None
+
+    def _points_by_line(self, target: Target, line: str) -> dict[str, Array]:
+        clouds = self.clouds
+        return {
+            s.line: clouds[s.line][s.indices]
+            for s in target.sightings
+            if s.line in clouds and line in ("", s.line)
+        }
+
+    def _colour(self, target: Target):
+        if target is self.candidate:
+            return theme.CANDIDATE_COLOUR
+        return theme.TARGET_COLOUR if target.role == "target" else theme.VALIDATION_COLOUR
+
+
+def _label_position(target: Target, groups: dict[str, Array]) -> tuple[float, float, float]:
+    """Position of the label of a target: the mean of its points, or its seed."""
+    if not any(len(points) for points in groups.values()):
+        return target.seed
+    x, y, z = (float(v) for v in np.concatenate(list(groups.values())).mean(axis=0))
+    return x, y, z
+
+
+def _mean_vessel_position(survey) -> tuple[float, float, float]:
+    """Mean position of the vessel during the scans, from which standard views look."""
+    times = np.concatenate(
+        [np.linspace(scan.first_time, scan.last_time, 21) for scan in survey.scans.values()]
+    )
+    north, west, up = (float(v) for v in survey.trajectory.at(times).position.mean(axis=0))
+    return north, west, up

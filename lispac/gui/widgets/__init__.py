@@ -1,0 +1,311 @@
+"""Widgets of the panels and dialogues; the small ones are in this module."""
+
+from collections.abc import Sequence
+from html import escape
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QDialogButtonBox,
+    QDoubleSpinBox,
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QMessageBox,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QStyle,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui.appearance import theme, units
+from lispac.gui.appearance.units import Base
+from lispac.gui.widgets.number_field import BASES, NumberField
+from lispac.gui.widgets.tab_order import ENTER_KEYS
+from lispac.language import N_, gettext
+
+
+def label(
+    text: str = "", role: str = "", *, wrap: bool = False, name: str = "", rich: bool = False
+) -> QLabel:
+    """Label; ``role`` is one of the style sheet: muted, heading, error, hint.
+
+    Parameters
+    ----------
+    rich : bool
+        Whether its texts are HTML; names in them have to be escaped.
+    """
+    made = QLabel(text)
+    made.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
+    made.setProperty("role", role)
+    made.setWordWrap(wrap)
+    made.setObjectName(name)
+    if wrap:
+        made.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+    return made
+
+
+class MessageBox(QMessageBox):
+    """Message box with plain text, since file names may look like HTML."""
+
+    def __init__(self, *args: Any, **named: Any) -> None:
+        super().__init__(*args, **named)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+
+    def setInformativeText(self, text: str) -> None:
+        """Set the text below the main one."""
+        super().setInformativeText(text)
+        for each in self.findChildren(QLabel):
+            each.setTextFormat(Qt.TextFormat.PlainText)
+
+
+def plain_tip(text: str) -> str:
+    """Tooltip as plain text, even if it looks like HTML."""
+    return f"<p>{escape(text)}</p>".replace("\n", "<br>") if Qt.mightBeRichText(text) else text
+
+
+class Button(QPushButton):
+    """Push button that regains the focus after it was disabled for a while.
+
+    Enter presses it where it has the focus, also in a dialogue that has another for Enter.
+    """
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._focus_went_to: QWidget | None = None
+
+    def update_enabled(self, enabled: bool) -> None:
+        """Enable or disable."""
+        had_focus = self.hasFocus()
+        self.setEnabled(enabled)
+        if had_focus and not enabled:
+            self._focus_went_to = QApplication.focusWidget()
+        elif enabled and self._focus_went_to is not None:
+            # Where the user has gone elsewhere meanwhile, the focus stays there.
+            if QApplication.focusWidget() is self._focus_went_to:
+                self.setFocus()
+            self._focus_went_to = None
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Press the button with Enter only if it has the focus."""
+        if event.key() in ENTER_KEYS and not event.isAutoRepeat():
+            self.click()
+        else:
+            super().keyPressEvent(event)
+
+
+def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool = False) -> Button:
+    """A push button."""
+    made = Button(text)
+    made.setObjectName(name)
+    made.setToolTip(tip)
+    if primary:
+        made.setProperty("primary", True)
+    if icon:
+        made.setIcon(theme.icon(icon, theme.ON_FILL if primary else ""))
+        made.setIconSize(QSize(16, 16))
+    return made
+
+
+def in_platform_order(accept: QPushButton, reject: QPushButton) -> tuple[QPushButton, QPushButton]:
+    """Two buttons from left to right, in the order of the system's dialogues."""
+    layouts = QDialogButtonBox.ButtonLayout
+    how = QApplication.style().styleHint(QStyle.StyleHint.SH_DialogButtonLayout)
+    accept_first = how in (layouts.WinLayout.value, layouts.KdeLayout.value)
+    return (accept, reject) if accept_first else (reject, accept)
+
+
+def number(
+    name: str,
+    *,
+    suffix: str,
+    decimals: int,
+    low: float,
+    high: float,
+    step: float,
+    tip: str = "",
+    ranged: bool = False,
+    fixed: bool = False,
+) -> NumberField:
+    """Number field with a unit; the mouse wheel changes it only if it has the focus.
+
+    Parameters
+    ----------
+    suffix, decimals, low, high, step : in the unit that `value` has
+    ranged : bool
+        Add the range and the unit to the tip.
+    fixed : bool
+        Show and take this very unit, whatever the user has chosen.
+    """
+    base = None if fixed else BASES.get(suffix)
+    bases = () if base is None else (base,)
+    if ranged:
+        tip = _tip_with_range(tip, low, high, suffix.strip(), base)
+    tip = units.convert_unit_signs(tip, *bases, figures=ranged)
+    made = NumberField(base)
+    made.setObjectName(name)
+    made.setAccessibleName(tip or name)
+    made.setDecimals(decimals)
+    made.setRange(low, high)
+    made.setSingleStep(step if base is None else units.shown_step(step, base))
+    made.setSuffix(f" {units.shown_unit(base).sign}" if units.is_converted(base) else suffix)
+    made.setToolTip(tip)
+    made.setAlignment(Qt.AlignmentFlag.AlignRight)
+    made.setFont(theme.tabular_font(made.font()))
+    made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    made.setKeyboardTracking(True)
+    return made
+
+
+def convert_tip_units(made: QWidget, *bases: Base) -> None:
+    """Tooltip with the signs of the units shown, for numbers from `lispac.gui.appearance.units`."""
+    made.setToolTip(units.convert_unit_signs(made.toolTip(), *bases))
+    made.setAccessibleName(units.convert_unit_signs(made.accessibleName(), *bases))
+
+
+def _tip_with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
+    first, last = (f"{v:,.10g}" if base is None else units.limit_text(v, base) for v in (low, high))
+    sign = "deg" if unit == "°" else unit
+    first, last = units.localised(first), units.localised(last)
+    if not unit:
+        return gettext("{tip}, {low} to {high}", tip=tip, low=first, high=last)
+    return gettext("{tip}, {low} to {high} {unit}", tip=tip, low=first, high=last, unit=sign)
+
+
+class ChoiceBox(QComboBox):
+    """Combo box; the mouse wheel changes it only if it has the focus."""
+
+    def __init__(self, name: str, items: Sequence[str], tip: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.addItems(list(items))
+        self.setToolTip(tip)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        # Long items are to be cut off rather than to widen the panel.
+        if max(len(item) for item in items) > 12:
+            self.setSizeAdjustPolicy(self.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            self.setMinimumContentsLength(12)
+
+    def wheelEvent(self, event) -> None:
+        """Change the value only with the focus; otherwise scroll the page."""
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
+class VerticalScrollArea(QScrollArea):
+    """Scroll area that scrolls vertically only and is as wide as its content.
+
+    Parameters
+    ----------
+    min_width : smallest width, pixels
+    """
+
+    def __init__(self, inside: QWidget, min_width: int) -> None:
+        super().__init__()
+        self._min_width, self._content_width = min_width, 0
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWidget(inside)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Update the width when the content becomes wider."""
+        if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
+            wide = self.minimumSizeHint().width()
+            if wide != self._content_width:
+                self._content_width = wide
+                self.updateGeometry()
+        return super().eventFilter(watched, event)
+
+    def minimumSizeHint(self) -> QSize:
+        """Smallest size for content and scroll bar, in pixels."""
+        inside = self.widget().minimumSizeHint().width()
+        bar = self.verticalScrollBar().sizeHint().width()
+        return QSize(max(inside + bar, self._min_width), super().minimumSizeHint().height())
+
+
+class TripleField(QWidget):
+    """Three number fields side by side with a title above each."""
+
+    def __init__(self, titles: Sequence[str], fields: Sequence[QDoubleSpinBox]) -> None:
+        super().__init__()
+        self.fields = tuple(fields)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(6)
+        grid.setVerticalSpacing(2)
+        for column, (title, field) in enumerate(zip(titles, fields, strict=True)):
+            above = label(title, "muted")
+            above.setBuddy(field)
+            grid.addWidget(above, 0, column)
+            field.setMinimumWidth(86)
+            grid.addWidget(field, 1, column)
+            grid.setColumnStretch(column, 1)
+
+    def value(self) -> tuple[float, float, float]:
+        """The three numbers."""
+        a, b, c = (field.value() for field in self.fields)
+        return a, b, c
+
+    def set_value(self, values: Sequence[float]) -> None:
+        """Set the three numbers without emitting signals."""
+        for field, value in zip(self.fields, values, strict=True):
+            field.blockSignals(True)
+            field.setValue(value)
+            field.blockSignals(False)
+
+
+_LEVER_ARM = (
+    (N_("X forward"),
+     N_("Lever arm X from the POS centre to the LiDAR optical centre, metres, positive forward")),
+    (N_("Y left"),
+     N_("Lever arm Y from the POS centre to the LiDAR optical centre, metres, positive left")),
+    (N_("Z up"),
+     N_("Lever arm Z from the POS centre to the LiDAR optical centre, metres, positive up")),
+)  # fmt: skip
+_BORESIGHT = (
+    (N_("Roll"), N_("Prior roll of the LiDAR in the body frame, degrees, positive port side up")),
+    (N_("Pitch"), N_("Prior pitch of the LiDAR in the body frame, degrees, positive bow down")),
+    (N_("Yaw"),
+     N_("Prior yaw of the LiDAR in the body frame, degrees, positive clockwise from above")),
+)  # fmt: skip
+"""Title and tip of each field."""
+
+
+def lever_arm_fields(prefix: str) -> TripleField:
+    """Fields of the lever arm, metres."""
+    fields = [
+        number(
+            f"{prefix}_{axis}", suffix=" m", decimals=4, low=-100, high=100, step=0.01,
+            tip=gettext(tip),
+        )
+        for axis, (_, tip) in zip("xyz", _LEVER_ARM, strict=True)
+    ]  # fmt: skip
+    return TripleField([gettext(title) for title, _ in _LEVER_ARM], fields)
+
+
+def boresight_fields(prefix: str) -> TripleField:
+    """Fields of the prior boresight, degrees."""
+    fields = [
+        number(
+            f"{prefix}_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=0.1,
+            tip=gettext(tip),
+        )
+        for angle, (_, tip) in zip(("roll", "pitch", "yaw"), _BORESIGHT, strict=True)
+    ]  # fmt: skip
+    return TripleField([gettext(title) for title, _ in _BORESIGHT], fields)
+
+
+def vertical_layout(parent: QWidget, margin: int = 12) -> QVBoxLayout:
+    """Vertical layout with the spacing of all panels."""
+    layout = QVBoxLayout(parent)
+    layout.setContentsMargins(margin, margin, margin, margin)
+    layout.setSpacing(theme.SPACING)
+    return layout

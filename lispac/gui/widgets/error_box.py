@@ -1,0 +1,61 @@
+"""Message box for errors."""
+
+import traceback
+
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QWidget
+
+from lispac.errors import LispacError, system_reason
+from lispac.gui import widgets
+from lispac.language import gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
+
+
+def exception_text(error: LispacError) -> str:
+    """Text of an error in the language of the user."""
+    return str(error)
+
+
+def error_text_and_details(error: BaseException) -> tuple[str, str]:
+    """Text of an error in the language of the user, and the traceback where it is needed."""
+    if isinstance(error, LispacError):
+        foreign = error.__cause__ is not None and not isinstance(error.__cause__, LispacError)
+        return exception_text(error), "".join(traceback.format_exception(error)) if foreign else ""
+    if isinstance(error, MemoryError):
+        return gettext("Not enough memory. Close other programs or use fewer lines."), ""
+    if isinstance(error, OSError) and error.strerror:
+        found = system_reason(error)
+        reason = message_text(found) if isinstance(found, Message) else found
+        if not error.filename:
+            return gettext("A file cannot be read or written: {reason}.", reason=reason), ""
+        return gettext("{file}: {reason}.", file=error.filename, reason=reason), ""
+    details = "".join(traceback.format_exception(error))
+    return (
+        gettext(
+            "An unexpected error has stopped this step; the project is unchanged. Save the "
+            "project and send the details to the developers of LISPAC."
+        ),
+        details,
+    )
+
+
+def error_box(parent: QWidget | None, error: BaseException) -> QMessageBox:
+    """Message box for an error, not yet shown."""
+    text, details = error_text_and_details(error)
+    box = widgets.MessageBox(QMessageBox.Icon.Warning, "LISPAC", text, parent=parent)
+    box.setObjectName("error_dialog")
+    box.setStandardButtons(QMessageBox.StandardButton.Close)
+    box.setDefaultButton(QMessageBox.StandardButton.Close)
+    if details:
+        box.setIcon(QMessageBox.Icon.Critical)
+        box.setDetailedText(details)
+        copy = box.addButton(gettext("Copy details"), QMessageBox.ButtonRole.ActionRole)
+        copy.setObjectName("copy_details")
+        # A message box closes with any of its buttons; this one leaves it open.
+        copy.clicked.disconnect()
+        copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(details))
+    buttons = box.findChild(QDialogButtonBox)
+    if buttons is not None:
+        buttons.setCenterButtons(False)
+    return box

@@ -1,0 +1,51 @@
+"""Transfer of choices and numbers between the fields of two widgets."""
+
+from typing import TypeVar
+
+from PySide6.QtWidgets import QAbstractButton, QComboBox, QWidget
+
+from lispac.errors import InputError
+from lispac.gui.widgets.number_field import NumberField
+from lispac.gui.widgets.optional_number import OptionalNumber
+
+W = TypeVar("W", bound=QWidget)
+
+
+def copy_fields(before: QWidget, after: QWidget) -> None:
+    """Copy choices and numbers between the fields that have the same names.
+
+    Choices first: they may set the unit of a number.
+    """
+    _copy_choices(before, after)
+    _copy_numbers(before, after)
+
+
+def _copy_choices(before: QWidget, after: QWidget) -> None:
+    for list_, own in _matching_fields(QComboBox, before, after):
+        if list_.count() == own.count():
+            own.setCurrentIndex(list_.currentIndex())
+    for button, own in _matching_fields(QAbstractButton, before, after):
+        # A radio button cannot be switched off, only another one on.
+        if button.isCheckable() and (button.isChecked() or not own.autoExclusive()):
+            own.setChecked(button.isChecked())
+
+
+def _copy_numbers(before: QWidget, after: QWidget) -> None:
+    for number, own in _matching_fields(NumberField, before, after):
+        own.setValue(number.value())
+    for optional, own in _matching_fields(OptionalNumber, before, after):
+        try:
+            own.show_value(optional.value())
+        except InputError:
+            own.setText(optional.text())
+        own.textChanged.emit(own.text())
+
+
+def _matching_fields(kind: type[W], before: QWidget, after: QWidget) -> list[tuple[W, W]]:
+    """Pairs of fields of one kind with the same name in both widgets."""
+    named = {each.objectName(): each for each in after.findChildren(kind) if each.objectName()}
+    return [
+        (each, named[each.objectName()])
+        for each in before.findChildren(kind)
+        if each.objectName() in named
+    ]

@@ -1,0 +1,334 @@
+"""Mounting of the scanner on the vessel, drawn to scale from above and from starboard, and as text.
+
+A wrong sign of the lever arm puts the scanner on the wrong side, which the sketch shows at once.
+"""
+
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+)
+from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
+
+from lispac.gui import widgets
+from lispac.gui.appearance import quantities, theme, units
+from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
+from lispac.gui.widgets.scanner_axes_view import (
+    SCANNER_AXES,
+    exaggerated_rotation,
+    exaggeration_text,
+)
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.survey.lever_arm_warnings import lever_arm_warnings
+
+View = Literal["above", "starboard"]
+VIEWS: tuple[View, ...] = ("above", "starboard")
+TITLES: dict[View, str] = {"above": N_("From above"), "starboard": N_("From starboard")}
+
+_ONTO: dict[View, np.ndarray] = {
+    "above": np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]]),
+    "starboard": np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
+}
+"""Right and up of the picture along the body's axes (forward, left, up)."""
+_SIDES: dict[View, tuple[str, str, str, str]] = {
+    "above": (N_("bow +X"), N_("stern"), N_("port +Y"), N_("starboard")),
+    "starboard": (N_("up +Z"), N_("down"), N_("stern"), N_("bow +X")),
+}
+"""Labels at the top, the bottom, the left and the right of the picture, with the positive axes."""
+_HULLS: dict[View, tuple[tuple[float, float], ...]] = {
+    "above": ((0.0, 0.86), (0.3, 0.45), (0.34, 0.1), (0.32, -0.84), (-0.32, -0.84), (-0.34, 0.1),
+              (-0.3, 0.45)),
+    "starboard": ((0.9, 0.14), (0.62, -0.4), (-0.8, -0.4), (-0.86, 0.06), (0.3, 0.06)),
+}  # fmt: skip
+"""Outline of a vessel, not to scale: right and up, in halves of the picture."""
+
+EXTENTS = (
+    0.5,
+    0.75,
+    1.0,
+    1.5,
+    2.0,
+    3.0,
+    5.0,
+    7.5,
+    10.0,
+    15.0,
+    20.0,
+    30.0,
+    50.0,
+    75.0,
+    100.0,
+    150.0,
+)
+"""Metres from the POS centre to the edge, in steps: typing a value rarely changes the scale."""
+_BARS = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
+"""Lengths of the scale bar, in the unit shown."""
+HEIGHT = 220
+"""Pixels."""
+_MAX_ARM_SHARE = 0.66
+"""Largest part of a lever arm, as a share of the distance to the edge."""
+_AXIS, _BODY_AXIS, _DOT, _MIN_LABEL = 22.0, 20.0, 5.0, 24.0
+"""Pixels: axes of the scanner, axes of the body, dot of the scanner, and shortest distance that
+gets a label. The axes of the body are shorter, so that they cross no letter of the scanner's."""
+_SIDE_LABEL_Y = 0.86
+"""Place of the labels at the left and the right, as a share of the way down: below the hull."""
+_MIN_AXIS_SHARE = 0.25
+"""Smallest share of its length with which an axis is drawn: a shorter one points at the eye."""
+
+
+class MountingSketch(QWidget):
+    """Two views of the vessel with the POS centre and the scanner at its lever arm."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("mounting_sketch")
+        self.setAccessibleName(gettext("Mounting of the scanner on the vessel"))
+        self.setToolTip(
+            gettext(
+                "The lever arm of the scanner is to scale, the vessel is not. Grey: body axes. "
+                "Coloured: scanner axes rotated by the prior boresight, small rotations "
+                "enlarged."
+            )
+        )
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.lever_arm = np.zeros(3)
+        self.factor, self._rotation_body_scanner = 1, np.eye(3)
+        self.has_warning = False
+
+    def sizeHint(self) -> QSize:
+        """Preferred size, in pixels."""
+        return QSize(330, HEIGHT)
+
+    def minimumSizeHint(self) -> QSize:
+        """Smallest useful size, in pixels."""
+        return QSize(300, HEIGHT)
+
+    def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
+        """Draw a lever arm (metres; forward, left, up) and a boresight (roll, pitch, yaw)."""
+        self.lever_arm = np.array(lever_arm, dtype=float)
+        self.factor, self._rotation_body_scanner = exaggerated_rotation(np.radians(boresight_deg))
+        self.has_warning = bool(lever_arm_warnings(lever_arm))
+        self.update()
+
+    # -- where things are ------------------------------------------------------------------------
+
+    @property
+    def extent(self) -> float:
+        """Metres from the POS centre to the edge of a view."""
+        longest = float(np.abs(self.lever_arm).max())
+        return next((each for each in EXTENTS if longest <= _MAX_ARM_SHARE * each), EXTENTS[-1])
+
+    @property
+    def pixels_per_metre(self) -> float:
+        """Scale of both views, along all axes."""
+        return self._half_size / self.extent
+
+    def at(self, view: View, point_body: Sequence[float] | np.ndarray) -> QPointF:
+        """Pixel of a point of the body frame (metres from the POS centre) in a view."""
+        right, up = self.pixels_per_metre * (_ONTO[view] @ np.asarray(point_body, dtype=float))
+        return self._centre(view) + QPointF(float(right), -float(up))
+
+    def axis_ends(self, view: View, axis: int) -> tuple[QPointF, QPointF]:
+        """Start and end of an axis of the scanner in a view."""
+        start = self.at(view, self.lever_arm)
+        right, up = _AXIS * (_ONTO[view] @ self._rotation_body_scanner[:, axis])
+        return start, start + QPointF(float(right), -float(up))
+
+    def hull(self, view: View) -> QPolygonF:
+        """Outline of the vessel in a view."""
+        centre, half = self._centre(view), self._half_size
+        return QPolygonF([centre + QPointF(half * x, -half * y) for x, y in _HULLS[view]])
+
+    def side_labels(self, view: View) -> dict[str, QRectF]:
+        """Labels at the sides of a view, with their places."""
+        left, width = self.width() / 2 * VIEWS.index(view), self.width() / 2
+        half, y = self._half_size, self._centre(view).y()
+        metrics = QFontMetricsF(self._font)
+        line = metrics.height()
+        top, bottom, port, starboard = (gettext(label) for label in _SIDES[view])
+        wide = {
+            each: metrics.horizontalAdvance(each) + 2 for each in (top, bottom, port, starboard)
+        }
+        side, middle = y + half * _SIDE_LABEL_Y, left + width / 2
+        return {
+            top: QRectF(middle - wide[top] / 2, y - half - line - 3, wide[top], line),
+            bottom: QRectF(middle - wide[bottom] / 2, side + line, wide[bottom], line),
+            port: QRectF(left + 4, side, wide[port], line),
+            starboard: QRectF(left + width - 4 - wide[starboard], side, wide[starboard], line),
+        }
+
+    @property
+    def _font(self) -> QFont:
+        font = QFont(self.font())
+        font.setPixelSize(11)
+        return font
+
+    @property
+    def _half_size(self) -> float:
+        return min(self.width() / 4 - 6, (self.height() - 40) / 2 - 13)
+
+    def _centre(self, view: View) -> QPointF:
+        quarter = self.width() / 4
+        return QPointF(quarter * (1 + 2 * VIEWS.index(view)), 18 + (self.height() - 40) / 2)
+
+    # -- painting --------------------------------------------------------------------------------
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint vessel and scanner from above and from starboard."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.fillRect(self.rect(), QColor(theme.PAPER))
+        painter.setPen(QPen(QColor(theme.BORDER)))
+        painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+        middle = round(self.width() / 2)
+        painter.drawLine(middle, 6, middle, self.height() - 24)
+        painter.setFont(self._font)
+        for view in VIEWS:
+            self._paint_vessel(painter, view)
+            self._paint_body_axes(painter, view)
+            self._paint_lever_arm(painter, view)
+            self._paint_scanner(painter, view)
+        self._paint_scale(painter)
+        painter.end()
+
+    def _paint_vessel(self, painter: QPainter, view: View) -> None:
+        painter.setPen(QPen(QColor(theme.EDGE)))
+        painter.setBrush(QColor(theme.HULL))
+        painter.drawPolygon(self.hull(view))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QColor(theme.TEXT))
+        left = self.width() / 2 * VIEWS.index(view)
+        painter.drawText(QPointF(left + 7, 15), gettext(TITLES[view]))
+        painter.setPen(QColor(theme.MUTED))
+        for label, area in self.side_labels(view).items():
+            painter.drawText(area, Qt.AlignmentFlag.AlignCenter, label)
+
+    def _paint_body_axes(self, painter: QPainter, view: View) -> None:
+        centre = self._centre(view)
+        painter.setPen(QPen(theme.colour("body_axis"), 1.5))
+        for right, up in _ONTO[view].T:
+            painter.drawLine(centre, centre + _BODY_AXIS * QPointF(float(right), -float(up)))
+        painter.setBrush(QColor(theme.MUTED))
+        painter.drawRect(QRectF(centre.x() - 3, centre.y() - 3, 6, 6))
+        painter.setPen(QColor(theme.TEXT))
+        # Away from the scanner, which lies on one of the other sides.
+        away, metrics = centre - self.at(view, self.lever_arm), painter.fontMetrics()
+        x = 7.0 if away.x() > 0 else -7.0 - metrics.horizontalAdvance(gettext("POS"))
+        y = 4.0 + metrics.ascent() if away.y() >= 0 else -7.0
+        painter.drawText(centre + QPointF(x, y), gettext("POS"))
+
+    def _paint_lever_arm(self, painter: QPainter, view: View) -> None:
+        """Paint the lever arm along the axes of the view, with its components."""
+        onto = _ONTO[view]
+        along_up = np.abs(onto[1]) * self.lever_arm  # first up or down the picture, then across
+        across = np.abs(onto[0]) * self.lever_arm
+        corner, end = self.at(view, along_up), self.at(view, self.lever_arm)
+        pen = QPen(self._colour, 1.2, Qt.PenStyle.DashLine)
+        painter.setPen(pen)
+        painter.drawLine(self._centre(view), corner)
+        painter.drawLine(corner, end)
+        painter.setPen(QColor(theme.TEXT))
+        leftwards = end.x() < self._centre(view).x()
+        for amount, place in (
+            (np.abs(along_up).max(), (self._centre(view) + corner) / 2),
+            (np.abs(across).max(), (corner + end) / 2),
+        ):
+            if amount * self.pixels_per_metre < _MIN_LABEL:
+                continue  # the text below the sketch has it
+            label = length_with_unit(amount, ".2f")
+            width, high = painter.fontMetrics().horizontalAdvance(label), 12.0
+            if place.x() == corner.x() == self._centre(view).x():  # beside the upright part
+                x = place.x() + 5 if leftwards else place.x() - 5 - width
+                box = QRectF(x, place.y() - high / 2, width, high)
+            else:
+                lower = end.y() >= self._centre(view).y()
+                y = place.y() + 3 if lower else place.y() - 3 - high
+                box = QRectF(place.x() - width / 2, y, width, high)
+            painter.fillRect(box.adjusted(-1, 0, 1, 0), theme.colour("paper", 0.75))
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, label)
+
+    def _paint_scanner(self, painter: QPainter, view: View) -> None:
+        for axis, (letter, colour) in enumerate(SCANNER_AXES):
+            start, tip = self.axis_ends(view, axis)
+            direction = tip - start
+            if np.hypot(direction.x(), direction.y()) < _MIN_AXIS_SHARE * _AXIS:
+                continue
+            painter.setPen(QPen(theme.colour(colour), 2.2))
+            painter.drawLine(start, tip)
+            _paint_axis_letter(painter, start, tip, letter)
+        painter.setPen(QPen(QColor(theme.PAPER)))
+        painter.setBrush(self._colour)
+        painter.drawEllipse(self.at(view, self.lever_arm), _DOT, _DOT)
+
+    @property
+    def _colour(self) -> QColor:
+        return QColor(theme.WARNING if self.has_warning else theme.ACCENT)
+
+    def _paint_scale(self, painter: QPainter) -> None:
+        metres = 1 / units.shown_unit("m").factor  # of one of the unit shown
+        length = metres * max(
+            (bar for bar in _BARS if metres * bar <= self.extent / 2), default=_BARS[0]
+        )
+        y, x = self.height() - 9, self.width() - 8.0
+        bar = length * self.pixels_per_metre
+        label = length_with_unit(length, ".3g")
+        painter.setPen(QPen(QColor(theme.MUTED), 1.5))
+        painter.drawLine(QPointF(x - bar, y), QPointF(x, y))
+        for end in (x - bar, x):
+            painter.drawLine(QPointF(end, y - 3), QPointF(end, y + 3))
+        wide = painter.fontMetrics().horizontalAdvance(label)
+        painter.drawText(QPointF(x - bar - wide - 5, y + 4), label)
+        painter.drawText(QPointF(7, y + 4), exaggeration_text(self.factor))
+
+
+class MountingView(QWidget):
+    """The sketch with a description below it and warnings above it.
+
+    Above the sketch the warnings are visible beside the fields, on a low screen too.
+    """
+
+    def __init__(self, prefix: str) -> None:
+        super().__init__()
+        self.sketch = MountingSketch()
+        self.text_label = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
+        self.file_warnings = widgets.label("", "warning", wrap=True, name=f"{prefix}_file_warnings")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        for each in (self.file_warnings, self.sketch, self.text_label):
+            column.addWidget(each)
+        self.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+
+    def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
+        """Show a lever arm (metres; forward, left, up) and a boresight (degrees)."""
+        self.sketch.show_mounting(lever_arm, boresight_deg)
+        text = f"{lever_arm_sentence(lever_arm)} {boresight_sentence(np.radians(boresight_deg))}"
+        self.text_label.setText(text)
+        self.sketch.setAccessibleDescription(text)
+        file_warnings = lever_arm_warnings(lever_arm)
+        self.file_warnings.setText("\n".join(map(message_text, file_warnings)))
+        self.file_warnings.setVisible(bool(file_warnings))
+
+
+def length_with_unit(length: float, form: str) -> str:
+    """Text of a length (metres) with the unit shown."""
+    return units.localised(units.figure(length, "m", form)) + quantities.unit_suffix("m")
+
+
+def _paint_axis_letter(painter: QPainter, start: QPointF, tip: QPointF, letter: str) -> None:
+    """Paint the letter of an axis beyond its tip."""
+    direction = tip - start
+    place = tip + direction * (7.0 / max(float(np.hypot(direction.x(), direction.y())), 1e-9))
+    painter.drawText(
+        QRectF(place.x() - 8, place.y() - 8, 16, 16), Qt.AlignmentFlag.AlignCenter, letter
+    )

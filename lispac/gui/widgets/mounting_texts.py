@@ -1,0 +1,43 @@
+"""Lever arm, boresight and their convention in sentences, in the user's language and units."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.gui.appearance import units
+from lispac.language import N_, gettext
+from lispac.survey.conventions.mounting_texts import decimals_of, lever_arm_text, orientation_text
+
+_FRAMES = N_("The boresight rotates LiDAR coordinates into the body frame (forward, left, up):")
+_FORMULA = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
+_ROTATIONS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
+_SIGNS = N_(
+    "Roll is positive port side up, pitch positive bow down, yaw positive clockwise seen from "
+    "above."
+)
+
+
+def lever_arm_sentence(lever_arm: Sequence[float] | NDArray[np.float64]) -> str:
+    """Text on the optical centre; metres, body frame (forward, left, up)."""
+    return str(lever_arm_text(lever_arm, lambda values: _amount_texts(values, "m")))
+
+
+def boresight_sentence(boresight: NDArray[np.float64]) -> str:
+    """Text on the orientation of the scanner; radians, roll, pitch, yaw."""
+    return str(orientation_text(boresight, lambda values: _amount_texts(np.degrees(values), "°")))
+
+
+def convention_html() -> str:
+    """Definition of the three angles."""
+    formula = gettext(_FORMULA, **_ROTATIONS)
+    return f"{gettext(_FRAMES)}<br><b>{formula}</b><br>{gettext(_SIGNS)}"
+
+
+def _amount_texts(values: Sequence[float], base: units.Base) -> list[str]:
+    """Texts of absolute values with their unit; empty for zero."""
+    sizes = [float(abs(value)) for value in values]
+    return [
+        units.local_amount(size, base, f".{decimals_of(size)}f") if round(size, 4) else ""
+        for size in sizes
+    ]

@@ -1,0 +1,103 @@
+"""Tables of results in the window: with the units and the language of the user."""
+
+from collections.abc import Callable, Iterable, Mapping
+
+from lispac.gui.appearance import units
+from lispac.gui.appearance.units import Base
+from lispac.gui.widgets.diagnostics_table import Cell, Column, Key, Row, number_cell
+from lispac.language import gettext
+from lispac.present.angles import ANGLE_TITLES
+from lispac.present.cross_checks import CrossCheckValues, spread_rows
+from lispac.present.tables import Column as ResultColumn
+from lispac.present.tables import Format, Table, Unit, title_text
+from lispac.present.tables import Row as ResultRow
+from lispac.present.text_format import UNKNOWN, with_unit
+
+BASES: Mapping[Unit, Base] = {"m": "m", "mm": "mm", "deg": "°", "mdeg": "m°"}
+
+
+def window_columns(table: Table[ResultRow]) -> tuple[Column, ...]:
+    """Columns of a table of results."""
+    return tuple(_window_column(each) for each in table.columns)
+
+
+def _window_column(column: ResultColumn[ResultRow]) -> Column:
+    title = title_text(column.title)
+    tip = title_text(column.tip) or title
+    if not column.unit:
+        return Column(title, tip, column.is_text)
+    base = BASES.get(column.unit)
+    sign = column.unit if base is None else units.local_sign(base)
+    return Column(f"{title} ({sign})", tip, column.is_text, base)
+
+
+def window_rows(
+    table: Table[ResultRow],
+    rows: Iterable[ResultRow],
+    *,
+    key: Callable[[ResultRow], Key | None] = lambda row: None,
+    marked: Callable[[ResultRow], bool] = lambda row: False,
+    tip: Callable[[ResultRow], str] = lambda row: "",
+) -> list[Row]:
+    """Rows of a table of results, with what they lead to, whether they are marked, and tooltips."""
+    return [
+        Row([_cell(column, row) for column in table.columns], key(row), marked(row), tip(row))
+        for row in rows
+    ]
+
+
+def _cell(column: ResultColumn[ResultRow], row: ResultRow) -> Cell:
+    value, form = column.value_of(row), column.format_of(row)
+    if value is None:
+        return Cell(column.unknown_text())
+    if form is None:
+        return Cell(str(value))
+    if column.has_unit_in_cells:
+        return Cell(_with_unit(value, form), value)
+    sigma = column.sigma_of(row)
+    if sigma is not None:
+        text = gettext(
+            "{error} (σ {sigma})", error=_number(value, form), sigma=_number(sigma, form)
+        )
+        return Cell(text, value)
+    if form.unit not in BASES:
+        return Cell(form.text(value), value)
+    return number_cell(value, _python_form(form), form.factor)
+
+
+def _python_form(form: Format) -> str:
+    sign, group = "+" if form.is_signed else "", "," if form.is_grouped else ""
+    return f"{sign}{group}.{form.decimals}f"
+
+
+def _number(value: float, form: Format) -> str:
+    base = BASES.get(form.unit)
+    if base is None:
+        return form.text(value)
+    return units.local_figure(form.factor * value, base, _python_form(form))
+
+
+def _with_unit(value: float, form: Format) -> str:
+    base = BASES.get(form.unit)
+    if base is None:
+        return with_unit(form.text(value), form.unit)
+    return units.local_amount(form.factor * value, base, _python_form(form))
+
+
+def spread_text(checks: CrossCheckValues) -> str:
+    """Jackknife standard deviations beside those from the adjustment, as rich text."""
+    title = gettext("1 σ, {unit}", unit=units.local_sign("°"))
+    heads = [title, *map(gettext, ANGLE_TITLES)]
+    rows = [[f"<b>{head}</b>" for head in heads]]
+    for row in spread_rows(checks):
+        numbers = [UNKNOWN] * 3 if row.values is None else [
+            units.local_figure(value, "°", ".4f") for value in row.values
+        ]  # fmt: skip
+        rows.append([row.name.replace(", ", ",<br>"), *numbers])
+    return "<table>" + "".join(map(_html_row, rows)) + "</table>"
+
+
+def _html_row(cells: list[str]) -> str:
+    first, *others = cells
+    numbers = "".join(f"<td align='right' style='padding-left:10px'>{each}</td>" for each in others)
+    return f"<tr><td>{first}</td>{numbers}</tr>"

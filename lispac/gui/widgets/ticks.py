@@ -1,0 +1,71 @@
+"""Tick labels of a plot, in the unit shown and with the decimal sign of the language."""
+
+from collections.abc import Sequence
+
+from matplotlib.axis import Axis
+from matplotlib.figure import Figure
+from matplotlib.ticker import Formatter, FuncFormatter, MaxNLocator, ScalarFormatter
+from PySide6.QtCore import QLocale
+
+from lispac.gui.appearance import units
+from lispac.gui.appearance.units import Base
+
+
+def convert_axis_units(axis: Axis, base: Base) -> None:
+    """Label an axis with round values of the unit shown instead of its base unit."""
+    if not units.is_converted(base):
+        return
+    factor = units.shown_unit(base).factor
+    axis.set_major_locator(_RoundLocator(factor))
+    axis.set_major_formatter(
+        FuncFormatter(lambda value, _: _localised_label(f"{value * factor:.6g}"))
+    )
+    axis.set_label_text(units.convert_unit_signs(axis.get_label_text(), base, figures=False))
+
+
+def localise_ticks(figure: Figure) -> None:
+    """Label all plain axes with the decimal sign of the user's language."""
+    if QLocale().decimalPoint() == ".":
+        return
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            plain = axis.get_major_formatter()
+            if type(plain) is ScalarFormatter:
+                axis.set_major_formatter(_LocalFormatter(plain))
+
+
+def _localised_label(text: str) -> str:
+    return text.replace(".", QLocale().decimalPoint()).replace("-", "\N{MINUS SIGN}")
+
+
+class _RoundLocator(MaxNLocator):
+    """Ticks at round values of another unit."""
+
+    def __init__(self, factor: float) -> None:
+        super().__init__(nbins="auto", steps=[1, 2, 2.5, 5, 10])
+        self._factor = factor
+
+    def tick_values(self, vmin: float, vmax: float) -> Sequence[float]:
+        found = super().tick_values(vmin * self._factor, vmax * self._factor)
+        return [float(each) / self._factor for each in found]
+
+
+class _LocalFormatter(Formatter):
+    """Labels of another formatter, with the decimal sign of the language."""
+
+    def __init__(self, plain: ScalarFormatter) -> None:
+        self._plain = plain
+
+    def __call__(self, value: float, place: int | None = None) -> str:
+        return _localised_label(self._plain(value, place))
+
+    def set_axis(self, axis: Axis) -> None:
+        super().set_axis(axis)
+        self._plain.set_axis(axis)
+
+    def set_locs(self, locs: Sequence[float]) -> None:
+        super().set_locs(locs)
+        self._plain.set_locs(locs)
+
+    def get_offset(self) -> str:
+        return _localised_label(self._plain.get_offset())

@@ -1,0 +1,87 @@
+"""Menus of the main window, its own actions, and those of all features."""
+
+from PySide6.QtGui import QKeySequence
+
+from lispac.gui.app.actions import ActionRecord, Menu, by_name
+from lispac.gui.features.design import actions as design
+from lispac.gui.features.estimate import actions as estimate
+from lispac.gui.features.export import actions as export
+from lispac.gui.features.help import actions as help
+from lispac.gui.features.inspect import actions as inspect
+from lispac.gui.features.open_project import actions as open_project
+from lispac.gui.features.patch_test import actions as patch_test
+from lispac.gui.features.pick_targets import actions as pick_targets
+from lispac.gui.features.preferences import actions as preferences
+from lispac.gui.features.report import actions as report
+from lispac.gui.features.studies import actions as studies
+from lispac.gui.features.validate import actions as validate
+from lispac.gui.features.warnings import actions as warnings
+from lispac.gui.project.status import STEP_TITLES
+from lispac.language import N_
+
+MENUS = {
+    "File": Menu(N_("&File")),
+    "Recent": Menu(N_("Open &recent"), "File", 1, 4),
+    "Edit": Menu(N_("&Edit")),
+    "View": Menu(N_("&View")),
+    "Look from": Menu(N_("&Look from"), "View", 2, 3),
+    "Colour by": Menu(N_("&Colour by"), "View", 3, 3),
+    "Steps": Menu(N_("S&teps"), "View", 5, 2),
+    "Panels": Menu(N_("&Panels"), "View", 5, 3),
+    "Theme": Menu(N_("T&heme"), "View", 5, 4),
+    "Language": Menu(N_("Lan&guage · Langue"), "View", 5, 5),
+    "Inspect": Menu(N_("&Inspect")),
+    "Targets": Menu(N_("&Targets")),
+    "Adjust": Menu(N_("&Adjust")),
+    "Validate": Menu(N_("Va&lidate")),
+    "Help": Menu(N_("&Help")),
+}
+"""Menus and submenus by name; those of the menu bar in their order."""
+
+STEP_ACTIONS = by_name(
+    *(
+        ActionRecord(
+            f"step_{k}",
+            title,
+            N_("Go to step {number:n} of the workflow"),
+            ("Steps", 1, k),
+            keys=f"Ctrl+{k}",
+            number=k,
+        )
+        for k, title in enumerate(STEP_TITLES, 1)
+    )
+)
+"""Actions that open the steps, in the order of the steps."""
+
+ACTIONS = by_name(
+    ActionRecord("undo", N_("&Undo"), N_("Undo the last edit"), ("Edit", 1, 1), toolbar=(2, 1),
+        short=N_("Undo"), icon="undo", keys=QKeySequence.StandardKey.Undo),
+    ActionRecord("redo", N_("&Redo"), N_("Redo the edit that was undone"), ("Edit", 1, 2),
+        toolbar=(2, 2), short=N_("Redo"), icon="redo", keys=("Ctrl+Y", "Ctrl+Shift+Z")),
+    ActionRecord("cancel", N_("&Cancel the running task"),
+        N_("Cancel the running task; the project stays unchanged"), ("Adjust", 3, 1),
+        icon="close-circle-outline", keys="Ctrl+."),
+    ActionRecord("arrange", N_("&Restore default layout"),
+        N_("Restore the default layout of all panels"), ("Panels", 2, 1)),
+    ActionRecord("quit", N_("&Quit"), N_("Quit the program"), ("File", 6, 1),
+        keys=QKeySequence.StandardKey.Quit),
+)  # fmt: skip
+
+ALL_ACTIONS = {
+    **open_project.ACTIONS,
+    **report.ACTIONS,
+    **export.ACTIONS,
+    **pick_targets.ACTIONS,
+    **estimate.ACTIONS,
+    **patch_test.ACTIONS,
+    **studies.ACTIONS,
+    **design.ACTIONS,
+    **validate.ACTIONS,
+    **inspect.ACTIONS,
+    **preferences.ACTIONS,
+    **warnings.ACTIONS,
+    **help.ACTIONS,
+    **STEP_ACTIONS,
+    **ACTIONS,
+}
+"""All actions by name; the place of each in the menus is in its record."""

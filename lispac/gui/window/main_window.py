@@ -1,0 +1,407 @@
+"""Main window: creates its parts and connects their signals."""
+
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QSize, Qt, QUrl, Signal
+from PySide6.QtGui import QCloseEvent, QDesktopServices, QKeyEvent
+from PySide6.QtWidgets import QMainWindow
+
+from lispac.gui.app import docks
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.log_file import LOG
+from lispac.gui.app.log_file import LOG_NAME as LOG_NAME
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.status_bar import TaskStatusBar
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.appearance.theme import without_style_sheet
+from lispac.gui.features.design.controller import SiteDesign
+from lispac.gui.features.estimate.estimation import Estimation
+from lispac.gui.features.export.data_export import DataExport
+from lispac.gui.features.export.script_export import ScriptExport
+from lispac.gui.features.help.manual import Manual
+from lispac.gui.features.help.tour import Tour
+from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
+from lispac.gui.features.inspect.section_panel import TITLE as SECTION
+from lispac.gui.features.inspect.view_menu import ViewMenu
+from lispac.gui.features.open_project.project_lifecycle import ProjectLifecycle
+from lispac.gui.features.pick_targets.hover_preview import HoverPreviewSettings
+from lispac.gui.features.pick_targets.seeds import SeedActions
+from lispac.gui.features.pick_targets.target_actions import TargetActions
+from lispac.gui.features.preferences.controller import PreferencesController
+from lispac.gui.features.report.report_export import ReportExport
+from lispac.gui.features.studies.studies import AlternativeMethods, Studies
+from lispac.gui.features.warnings.warning_list import WarningList
+from lispac.gui.features.warnings.warnings_panel import WarningsButton
+from lispac.gui.project import status
+from lispac.gui.project.computations import Computations
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.recovery_copies import RecoveryCopies
+from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import PickedPoint, Viewport
+from lispac.gui.widgets import tab_order
+from lispac.gui.widgets.field_transfer import copy_fields
+from lispac.gui.widgets.file_drops import FileDrops
+from lispac.gui.window.actions import ALL_ACTIONS, MENUS, STEP_ACTIONS
+from lispac.gui.window.cause_navigation import CauseNavigation
+from lispac.gui.window.central_widget import CentralWidget
+from lispac.gui.window.desktop_notifications import DesktopNotifications
+from lispac.gui.window.dialogs import Dialogs
+from lispac.gui.window.panel_refresh import PanelRefresh
+from lispac.gui.window.panels import Panels
+from lispac.gui.window.tools import InspectionTools
+from lispac.language import gettext
+
+NOTE_MS = 6000
+TITLE_BAR_HEIGHT = 40
+"""Pixels a window needs for it, at most: they are not in the window's size."""
+
+
+class MainWindow(QMainWindow):
+    """Assembles document, tasks, viewport and panels.
+
+    Parameters
+    ----------
+    viewport : Viewport
+        Belongs to the window from now on.
+    settings, dialogs
+        Others than the user's own, for tests.
+    document : Document, optional
+        Shown at once; it belongs to the window from now on.
+    """
+
+    renewal_requested = Signal()
+    """Another language or theme: a new window replaces this one."""
+
+    def __init__(
+        self,
+        viewport: Viewport,
+        settings: AppSettings | None = None,
+        dialogs: Dialogs | None = None,
+        document: Document | None = None,
+    ) -> None:
+        super().__init__()
+        self.setObjectName("main_window")
+        self.settings = settings or AppSettings()
+        self.dialogs = dialogs or Dialogs()
+        self.dialogs.parent = self
+        self.viewport = viewport
+        self.document = document or Document()
+        self.document.setParent(self)
+        self.runner = TaskRunner(self)
+        self.scene = Scene(self.document, viewport, self)
+        self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
+        self.computations = Computations(self.document, self.runner, self.scene, self.controller)
+        self.estimation = Estimation(
+            self.document, self.runner, self.scene, self.controller, self.dialogs
+        )
+        self.actions_ = Actions(self, ALL_ACTIONS, MENUS)
+        self.actions_.submenus["Recent"].setObjectName("recent_menu")
+        self.actions_.connect_undo_stack(self.document.undo_stack)
+        self.lifecycle = ProjectLifecycle(
+            self.document, self.controller, self.dialogs, self.settings, self.actions_
+        )
+        self.view_menu = ViewMenu(
+            viewport, self.scene, self.controller, self.computations, self.actions_, self.settings
+        )
+        self.tools = InspectionTools(
+            self.document, self.runner, self.scene, viewport, self.computations, self.controller,
+            self.dialogs, self.actions_, self._preview_settings,
+        )  # fmt: skip
+        with without_style_sheet():
+            self._build()
+        self._connect_panels()
+        self._connect_actions()
+        self._connect_tasks()
+        self._create_controllers()
+        if document is None:
+            self.panel_refresh.refresh()
+            self._set_title()
+        else:
+            document.notify_opened()
+
+    # -- assembly ----------------------------------------------------------------------------
+
+    def _name_panels(self) -> None:
+        panels = self.panels
+        self.data, self.targets, self.adjust = panels.data, panels.targets, panels.adjust
+        self.validate, self.report = panels.validate, panels.report
+        self.workflow, self.results, self.log = panels.workflow, panels.results, panels.log
+        self.table, self.histograms = panels.table, panels.histograms
+        self.diagnostics, self.convention = panels.diagnostics, panels.convention
+        self.warnings = panels.warnings
+
+    def _create_controllers(self) -> None:
+        """Create the controllers of the features and of the window."""
+        document, runner, scene, control = (
+            self.document, self.runner, self.scene, self.controller
+        )  # fmt: skip
+        viewport, dialogs, actions, settings = (
+            self.viewport, self.dialogs, self.actions_, self.settings
+        )  # fmt: skip
+        panels, computations = self.panels, self.computations
+        self.panel_refresh = PanelRefresh(
+            document, runner, control, computations, scene, settings, actions, panels,
+            self.central_widget,
+        )  # fmt: skip
+        document.changed.connect(self._set_title)
+        document.modified.connect(lambda _modified: self._set_title())
+        self.target_work = TargetActions(
+            document, runner, control, dialogs, actions, panels.targets, panels.table
+        )
+        control.accepted.connect(self._select_accepted)
+        seeds = SeedActions(document, runner, control, dialogs, actions, panels.targets)
+        self.lifecycle.list_dropped.connect(seeds.list_seeds)
+        export = DataExport(document, runner, scene, control, dialogs, actions)
+        panels.report.lines_requested.connect(export.export)
+        report = ReportExport(
+            document, runner, scene, viewport, control, computations, dialogs, settings, actions,
+            panels.report,
+        )  # fmt: skip
+        panels.data.details_requested.connect(report.ask_details)
+        Studies(document, runner, scene, control, dialogs, actions)
+        AlternativeMethods(document, runner, control, dialogs, actions)
+        ScriptExport(document, runner, control, dialogs, actions)
+        preferences = PreferencesController(
+            viewport, control, dialogs, settings, actions, self.rebuild_window
+        )
+        preferences.report_choice_changed.connect(report.show_choice)
+        Manual(runner, control, actions, lambda: panels.workflow.opened)
+        self.site_design = SiteDesign(
+            document, viewport.create_empty_viewport, dialogs, settings, actions,
+            dialogs.shortcuts, self,
+        )  # fmt: skip
+        self.recovery_copies = RecoveryCopies(document, control, dialogs, settings)
+        self.warning_list = WarningList(
+            document, runner, panels.warnings, self.warnings_button, actions,
+            lambda: self.recovery_copies.problem,
+        )  # fmt: skip
+        self.recovery_copies.problem_changed.connect(self.warning_list.update)
+        quality = self.target_work.quality_computation
+        quality.qualities_changed.connect(self.warning_list.set_qualities)
+        self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._select)
+        panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
+        self.notifications = DesktopNotifications(self, runner)
+        self.tour = Tour(
+            document, scene, viewport, control, self.central_widget.card,
+            self.lifecycle.may_leave, panels.workflow.open,
+        )  # fmt: skip
+        FileDrops(self).dropped.connect(self.lifecycle.open_dropped)
+
+    def _build(self) -> None:
+        self.panels = Panels()
+        self._name_panels()
+        self.central_widget = CentralWidget(self.viewport)
+        self.setCentralWidget(self.central_widget)
+        self.task_bar = TaskStatusBar()
+        self.warnings_button = WarningsButton()
+        self.task_bar.insertPermanentWidget(0, self.warnings_button)
+        self.warnings_button.hide()
+        self.setStatusBar(self.task_bar)
+        self.actions_.create_toolbar("toolbar")
+        self.docks = docks.create_docks(self, self.panels.docks(self.tools.panels))
+        self._at_first = self.saveState()
+        # A dock behind another counts as visible; only this signal is reliable.
+        self.docks[SECTION].visibilityChanged.connect(self.tools.sections.set_panel_visible)
+        self.actions_.fill_menus(docks.dock_actions(self.docks))
+        screen = self.screen().availableGeometry()
+        self.resize(min(1600, screen.width()), min(1000, screen.height()))
+        kept = self.settings.layout()
+        if kept is None:
+            if screen.height() < self.height() + TITLE_BAR_HEIGHT:
+                self.setWindowState(Qt.WindowState.WindowMaximized)
+            docks.set_initial_sizes(self, self.docks)
+        else:
+            self.restoreGeometry(kept[0])
+            self.restoreState(kept[1])
+
+    def sizeHint(self) -> QSize:
+        """Preferred size, in pixels."""
+        return QSize(1600, 1000)
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        """Move the focus with Tab and Shift+Tab."""
+        return tab_order.focus_next(self, forward)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Press the focused button with Enter."""
+        if not tab_order.press_focused_button(self, event):
+            super().keyPressEvent(event)
+
+    def _connect_panels(self) -> None:
+        data, targets, control = self.data, self.targets, self.controller
+        data.line_shown.connect(self.viewport.set_line_visible)
+        data.settings_edited.connect(control.change_settings)
+        data.new_requested.connect(self.lifecycle.new)
+        data.open_requested.connect(self.lifecycle.open)
+        data.demo_requested.connect(self.lifecycle.demo)
+        targets.renamed.connect(self._rename)
+        targets.selected.connect(lambda name: self._select(name, ""))
+        self.table.sighting_selected.connect(self._select)
+        self.diagnostics.row_activated.connect(self._select)
+        self.histograms.plane_selected.connect(self.table.select)
+        self.adjust.subsample_changed.connect(self.computations.count)
+        self.adjust.estimate_requested.connect(self.estimation.request_estimate)
+        self.adjust.cancel_requested.connect(self.runner.cancel)
+        self.validate.validate_requested.connect(self.computations.validate)
+        self.validate.shown_changed.connect(self.computations.show)
+        self.validate.model_changed.connect(self.computations.set_surface_model)
+        self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
+        self.central_widget.start.project_chosen.connect(self.open_project)
+
+    def _connect_actions(self) -> None:
+        actions = self.actions_
+        actions.connect_slots(
+            {
+                "quit": self.close,
+                "seed_target": lambda: self._set_seed_role("target"),
+                "seed_validation": lambda: self._set_seed_role("validation"),
+                "estimate": self.adjust.request_estimate,
+                "validate": self.computations.validate,
+                "cancel": self.runner.cancel,
+                **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
+                "arrange": lambda: docks.restore_default_layout(self, self.docks, self._at_first),
+                "keys": self.dialogs.shortcuts,
+                "tour": lambda: self.tour.start(),
+                "log_file": self._open_log_file,
+                "about": self.dialogs.about,
+            }
+        )
+
+    def _connect_tasks(self) -> None:
+        self.document.changed.connect(self.task_bar.clearMessage)  # it concerned the former state
+        self.task_bar.cancel_requested.connect(self.runner.cancel)
+        self.runner.progress_changed.connect(lambda: self.task_bar.show_task(self.runner.current))
+        self.runner.failed.connect(self.dialogs.show_error)
+        self.runner.stopped.connect(self._note_cancelled)
+        self.runner.cancelled_too_late.connect(self._note)
+        self.controller.refused.connect(self.dialogs.show_error)
+        self.controller.logged.connect(self._note)
+        self.controller.candidate_changed.connect(self.docks[docks.SIGHTINGS].raise_)
+        self.computations.validated.connect(self.docks[docks.HISTOGRAMS].raise_)
+        self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
+        self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
+        self.viewport.signals.missed.connect(
+            lambda: self._note(gettext("No point under the cursor. Ctrl+click on a target."))
+        )
+
+    def _note_cancelled(self, task: str) -> None:
+        self._note(gettext("{task}: cancelled", task=task))
+
+    def _note(self, text: str) -> None:
+        LOG.info(text)
+        self.log.note(text)
+        self.task_bar.showMessage(text, NOTE_MS)
+
+    # -- requests --------------------------------------------------------------------------
+
+    def open_project(self, path: Path) -> None:
+        """Open a project, after asking about changes to the present one."""
+        self.lifecycle.open_project(path)
+
+    def _open_log_file(self) -> None:
+        file = self.settings.folder / LOG_NAME
+        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(file))):
+            self._note(gettext("No program is set up to open {file}.", file=file))
+
+    def _set_seed_role(self, role: str) -> None:
+        self.targets.set_role(role)
+        self.workflow.open(status.TARGETS)
+
+    def _on_seed_clicked(self, point: PickedPoint) -> None:
+        self.controller.seed(point, self.targets.seed_options)
+
+    def _select(self, name: str, line: str) -> None:
+        self.scene.focus_on(name, line)
+        self.targets.select(name)
+        self.table.select(name)
+        self.diagnostics.select(name, line)
+        self.histograms.select(name)
+
+    def _select_accepted(self, name: str) -> None:
+        """Select the accepted target without moving the view."""
+        self.scene.select(name)
+        self.table.select(name)
+        self.histograms.select(name)
+        if self.targets.line is None:  # else the next seed on that line would be its sighting
+            self.targets.select(name)
+
+    def _preview_settings(self) -> HoverPreviewSettings:
+        targets = self.targets
+        return HoverPreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
+
+    def _set_title(self) -> None:
+        project = self.document.project
+        self.setWindowTitle("LISPAC" if project is None else f"{project.name}[*] – LISPAC")
+        self.setWindowModified(self.document.is_modified)
+
+    def _rename(self, old: str, new: str) -> None:
+        self.controller.rename(old, new)
+        if new.strip() in self.targets.names:  # still the one that was chosen
+            self._select(new.strip(), "")
+
+    def rebuild_window(self) -> None:
+        """Request a new window with the language and theme of the settings, once no task runs."""
+        for runner in (self.runner, *self.site_design.runners):
+            if runner.busy:
+                self._note(
+                    gettext(
+                        "A task is running. The new language or theme is used when it has ended."
+                    )
+                )
+                runner.idle.connect(self.rebuild_window, Qt.ConnectionType.SingleShotConnection)
+                return
+        self.renewal_requested.emit()
+
+    def copy_state_from(self, former: "MainWindow") -> None:
+        """Take over the fields, choices, open step, view and candidate of a former window."""
+        self.log.copy_state_from(former.log)
+        for before, after in (
+            (former.data, self.data),
+            (former.targets, self.targets),
+            (former.adjust, self.adjust),
+            (former.validate, self.validate),
+        ):
+            copy_fields(before, after)
+        self.workflow.open(former.workflow.opened)
+        if former.controller.candidate is not None:
+            self.controller.set_candidate(former.controller.candidate)
+        self.scene.copy_state_from(former.scene)
+        for name in ("wipe", COLOUR_ACTIONS[former.scene.colouring]):
+            self.actions_[name].setChecked(former.actions_[name].isChecked())
+        if former.tour.is_running:
+            self.tour.resume()
+
+    # -- the end -----------------------------------------------------------------------------
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Close the window, unless the user keeps unsaved changes."""
+        if not (self.lifecycle.may_leave() and self.site_design.leave()):
+            event.ignore()
+            return
+        self.save_layout()
+        self.recovery_copies.discard()
+        self.settings.last_project = None
+        self.stop_and_hide()
+        event.accept()
+
+    def save_layout(self) -> None:
+        """Store the layout of window and panels in the settings."""
+        self.settings.save_layout(self.saveGeometry(), self.saveState())
+        self.settings.sync()
+
+    def stop_and_hide(self) -> None:
+        """Hide the window and stop all work without asking.
+
+        Out of sight first: work that was asked to stop may take seconds to hear of it.
+        """
+        docks.hide_floating_docks(self.docks)
+        self.hide()
+        self.site_design.end()
+        self.adjust.stop()
+        self.estimation.stop()
+        self.warning_list.stop()
+        self.runner.close()
+        self.recovery_copies.stop()
+        self.viewport.close()

@@ -1,0 +1,166 @@
+"""Refresh of the panels from the document, and availability of the actions."""
+
+from PySide6.QtCore import QObject
+
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.project import status
+from lispac.gui.project.computations import Computations, PointCount
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.gui.project.status import ADJUST, DATA, REPORT, TARGETS, VALIDATE
+from lispac.gui.window.central_widget import CentralWidget
+from lispac.gui.window.panels import Panels
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.project import Project
+from lispac.workflow.project.survey import Survey
+
+
+class PanelRefresh(QObject):
+    """Refreshes the panels and enables the actions after every change."""
+
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        computations: Computations,
+        scene: Scene,
+        settings: AppSettings,
+        actions: Actions,
+        panels: Panels,
+        central_widget: CentralWidget,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner, self._controller = document, runner, controller
+        self._computations, self._settings, self._actions = computations, settings, actions
+        self._panels, self._central_widget = panels, central_widget
+        self._opening = False
+        document.changed.connect(self.refresh)
+        document.changed.connect(self._count_points)
+        panels.workflow.step_opened.connect(lambda _step: self.refresh())
+        document.modified.connect(actions["save"].setEnabled)
+        document.opened.connect(self._open_step)
+        runner.changed.connect(self._show_task)
+        runner.progress_changed.connect(self._show_progress)
+        controller.candidate_changed.connect(self._show_candidate)
+        computations.counted.connect(self._show_count)
+        scene.which_changed.connect(self._show_before_after)
+
+    def refresh(self) -> None:
+        """Show the current document in all panels."""
+        if self._opening:
+            return
+        panels = self._panels
+        project, survey, statuses = self._project_state()
+        waiting = self._document.awaits_result
+        busy = self._runner.busy
+        self._central_widget.show_view(project is not None)
+        if project is None:
+            self._central_widget.start.show_recent(self._settings.recent())
+        panels.workflow.show_status(statuses)
+        panels.data.show_project(project, survey)
+        panels.targets.show_project(project, survey)
+        panels.adjust.show_project(project, statuses[ADJUST], busy)
+        panels.validate.show_project(project, statuses[VALIDATE], busy)
+        panels.report.show_status(statuses[REPORT], survey is not None, busy)
+        panels.table.show_project(project, survey)
+        panels.results.show_project(
+            project, waiting=waiting, refusal=_reason_text(self._document.refusal),
+            refused_since=self._document.refused_since,
+        )  # fmt: skip
+        panels.diagnostics.show_project(project, waiting=waiting)
+        panels.convention.show_project(project)
+        panels.histograms.show_project(project)
+        self._enable_controls(statuses, busy)
+
+    def _open_step(self) -> None:
+        """Open the first step that is not done, without refreshing the panels twice."""
+        self._opening = True
+        try:
+            self._panels.workflow.open(self._first_open_step())
+        finally:
+            self._opening = False
+
+    def _project_state(self) -> tuple[Project | None, Survey | None, tuple[status.StepStatus, ...]]:
+        document = self._document
+        survey = document.survey if document.survey_is_current else None
+        statuses = status.step_statuses(
+            document.project, survey, waiting=document.awaits_result, refusal=document.refusal,
+            reported=document.reported,
+        )  # fmt: skip
+        return document.project, survey, statuses
+
+    def _enable_controls(self, statuses: tuple[status.StepStatus, ...], busy: bool) -> None:
+        project, actions = self._document.project, self._actions
+        estimated = project is not None and project.result is not None
+        for name, enabled in {
+            "save": self._document.is_modified,
+            "new": not busy,
+            "open": not busy,
+            "demo": not busy,
+            "tour": not busy,
+            **dict.fromkeys(("add_lines", "save_as"), statuses[DATA].ready and not busy),
+            "report": statuses[REPORT].ready and not busy,
+            "accept": self._controller.candidate is not None,
+            "reject": self._controller.candidate is not None,
+            "estimate": statuses[ADJUST].ready and not busy,
+            "validate": statuses[VALIDATE].ready and not busy,
+            "cancel": self._runner.active,
+            "before": project is not None,
+            "after": estimated,
+            "toggle": estimated,
+        }.items():
+            actions[name].setEnabled(enabled)
+        actions.submenus["Recent"].setEnabled(not busy)
+
+    def _show_progress(self) -> None:
+        task = self._runner.current
+        self._panels.adjust.show_task(task if task is not None and task.key == "estimate" else None)
+
+    def _show_task(self) -> None:
+        panels = self._panels
+        project, survey, statuses = self._project_state()
+        busy = self._runner.busy
+        panels.adjust.show_project(project, statuses[ADJUST], busy)
+        panels.validate.show_project(project, statuses[VALIDATE], busy)
+        panels.report.show_status(statuses[REPORT], survey is not None, busy)
+        self._enable_controls(statuses, busy)
+
+    def _show_candidate(self) -> None:
+        panels = self._panels
+        candidate, project = self._controller.candidate, self._document.project
+        if candidate is not None:
+            panels.workflow.open(TARGETS)
+        panels.targets.show_candidate(candidate, project)
+        if candidate is not None:
+            panels.workflow.scroll_to(panels.targets.candidate)
+        for name in ("accept", "reject"):
+            self._actions[name].setEnabled(candidate is not None)
+
+    def _show_count(self, count: PointCount) -> None:
+        self._panels.adjust.show_count(count.kept, count.total, count.sightings, count.reason)
+
+    def _count_points(self) -> None:
+        self._computations.count(self._panels.adjust.subsample)
+
+    def _show_before_after(self, which: str) -> None:
+        self._panels.validate.show_before_after(which)
+        self._actions["after" if which == "estimated" else "before"].setChecked(True)
+
+    def _first_open_step(self) -> int:
+        project = self._document.project
+        if project is None:
+            return DATA
+        if not project.targets_of_role("target"):
+            return TARGETS
+        if project.result is None:
+            return ADJUST
+        return REPORT if project.validation else VALIDATE
+
+
+def _reason_text(reason: Message | str) -> str:
+    return message_text(reason) if isinstance(reason, Message) else reason

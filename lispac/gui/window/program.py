@@ -1,0 +1,111 @@
+"""The program with a window: ``lispac-gui [PROJECT]``."""
+
+import argparse
+import gc
+import os
+import sys
+import threading
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, QTimer, Signal
+from PySide6.QtGui import QFileOpenEvent, QIcon
+from PySide6.QtWidgets import QApplication
+
+import lispac
+from lispac import caches
+from lispac.installation_paths import resource_path
+
+if TYPE_CHECKING:
+    from lispac.gui.viewport.base import Viewport
+
+IMPORT_AFTER_MS = 300
+
+
+class Application(QApplication):
+    """Qt application that opens the documents that macOS asks it to open."""
+
+    document_requested = Signal(Path)
+
+    def event(self, event: QEvent) -> bool:
+        """Handle requests of the system to open a document."""
+        if isinstance(event, QFileOpenEvent) and event.file():
+            self.document_requested.emit(Path(event.file()))
+            return True
+        return super().event(event)
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the program with a window; open a project if one is given."""
+    parser = argparse.ArgumentParser(
+        prog="lispac-gui", description="Boresight calibration of a LiDAR and an INS/GNSS."
+    )
+    parser.add_argument(
+        "project", nargs="?", type=Path, help="project folder, project.json or project.lispac"
+    )
+    parser.add_argument("--demo", action="store_true", help="open the demo survey")
+    parser.add_argument("--version", action="version", version=f"LISPAC {lispac.__version__}")
+    arguments = parser.parse_args(argv)
+
+    if _is_screen_missing():
+        print("lispac-gui: no display found. Use the command lispac instead.", file=sys.stderr)
+        return 1
+    application = QApplication.instance() or Application(sys.argv[:1])
+    application.setApplicationName("LISPAC")
+    application.setApplicationVersion(lispac.__version__)
+    application.setWindowIcon(QIcon(str(resource_path("icons/lispac.png"))))
+    # Wayland takes the icon from the desktop entry of this name
+    application.setDesktopFileName("lispac")
+
+    message = caches.set_cache_variables(os.environ)
+    gc.disable()  # `GuiThreadGarbageCollector` takes over; what is imported holds no garbage
+    from lispac.gui.app.garbage_collection import GuiThreadGarbageCollector
+    from lispac.gui.app.log_file import LogFile
+    from lispac.gui.viewport.lazy_viewport import LazyViewport
+    from lispac.gui.window.session import Session
+    from lispac.message_texts import message_text
+
+    collector = GuiThreadGarbageCollector(application)
+    session = Session(application, lambda: LazyViewport(_create_viewport))
+    # It is there when the first project has been read, and the window is drawn before
+    importing = threading.Thread(target=_import_viewport, name="lispac-import")
+    QTimer.singleShot(IMPORT_AFTER_MS, importing.start)
+    if isinstance(application, Application):
+        application.document_requested.connect(lambda path: session.window.open_project(path))
+    logbook = LogFile(session.log_folder, session.report_uncaught)
+    logbook.begin()
+    if message is not None:
+        session.window.controller.logged.emit(message_text(message))
+    if arguments.project is not None:
+        QTimer.singleShot(0, lambda: session.window.open_project(arguments.project))
+    elif (crashed := session.crashed_project()) is not None:
+        QTimer.singleShot(0, lambda: session.window.open_project(crashed))
+    elif arguments.demo:
+        QTimer.singleShot(0, session.window.controller.open_demo)
+    try:
+        return application.exec()
+    finally:
+        logbook.end()
+        collector.end()
+
+
+def _import_viewport() -> "type[Viewport]":
+    """Import the VTK viewport; the application must exist, since VTK and Qt share graphics."""
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
+
+    return VtkViewport
+
+
+def _create_viewport() -> "Viewport":
+    return _import_viewport()()
+
+
+def _is_screen_missing() -> bool:
+    """Whether Linux has no display, without which Qt would abort the process."""
+    named = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    return sys.platform.startswith("linux") and not any(os.environ.get(name) for name in named)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

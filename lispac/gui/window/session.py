@@ -1,0 +1,127 @@
+"""Window on the screen, and its replacement when language or theme change.
+
+Widgets are given their texts and colours when they are made. So the window is made anew around the
+same document: the project, its data and every undo step stay.
+"""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtWidgets import QApplication
+
+from lispac.gui.app.docks import show_window_and_docks
+from lispac.gui.app.garbage_collection import collect_all
+from lispac.gui.app.language import set_language
+from lispac.gui.app.point_colours import set_colour_scale
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.appearance import theme, units
+from lispac.gui.viewport.base import Viewport
+from lispac.gui.window.dialogs import Dialogs
+from lispac.gui.window.main_window import MainWindow
+from lispac.io.project.project_file import UNSAVED_NAME
+
+THEME_DELAY_MS = 500
+"""Delay after a change of the system theme; systems send several signals."""
+
+
+class Session(QObject):
+    """Shows one window at a time.
+
+    Parameters
+    ----------
+    viewport : makes the view of a window
+    settings, dialogs : others than the user's own, for tests
+    """
+
+    _uncaught = Signal(object)
+
+    def __init__(
+        self,
+        application: QApplication,
+        viewport: Callable[[], Viewport],
+        settings: AppSettings | None = None,
+        dialogs: Dialogs | None = None,
+    ) -> None:
+        super().__init__(application)
+        # Queued: a thread may not open a dialogue
+        self._uncaught.connect(self._show_error, Qt.ConnectionType.QueuedConnection)
+        self._application, self._viewport = application, viewport
+        self._settings, self._dialogs = settings or AppSettings(), dialogs or Dialogs()
+        self.window = self._create_window(None)
+        self._theme_timer = QTimer(self, singleShot=True, interval=THEME_DELAY_MS)
+        self._theme_timer.timeout.connect(self._follow_system_theme)
+        application.styleHints().colorSchemeChanged.connect(self._delay_theme_change)
+
+    def _create_window(self, former: MainWindow | None) -> MainWindow:
+        in_front = QApplication.activeWindow()
+        set_language(self._settings.language)
+        units.set_units(*self._settings.units)
+        set_colour_scale(self._settings.colour_scale)
+        theme.apply_theme(self._application, self._settings.theme)
+        document = None if former is None else former.document.copy_for_new_window()
+        window = MainWindow(self._viewport(), self._settings, self._dialogs, document)
+        if former is not None:
+            window.copy_state_from(former)
+        # Queued: the action that asks for it belongs to the window that goes.
+        window.renewal_requested.connect(self.rebuild_window, Qt.ConnectionType.QueuedConnection)
+        show_window_and_docks(window, window.docks)
+        window.activateWindow()
+        if former is not None:
+            window.site_design.copy_state_from(former.site_design)
+            designed = in_front is not None and in_front is former.site_design.window
+            (window.site_design.window if designed else window).activateWindow()
+        return window
+
+    @property
+    def log_folder(self) -> Path:
+        """Folder of the log file."""
+        return self._settings.folder
+
+    def report_uncaught(self, error: BaseException) -> None:
+        """Show an uncaught exception of any thread."""
+        if isinstance(error, KeyboardInterrupt):
+            self._application.quit()
+        else:
+            self._uncaught.emit(error)
+
+    def crashed_project(self) -> Path | None:
+        """Project with unsaved changes that the program did not close; None if there is none."""
+        folder = self._settings.last_project
+        if folder is None or not (folder / UNSAVED_NAME).is_file():
+            return None
+        return folder
+
+    def _show_error(self, error: BaseException) -> None:
+        self.window.dialogs.show_error(error)
+
+    def _delay_theme_change(self, _scheme: Qt.ColorScheme) -> None:
+        self._theme_timer.start()
+
+    def _follow_system_theme(self) -> None:
+        """Apply the theme of the system, unless a dialogue is open or a plan is dragged."""
+        if theme.choose_scheme(self._application, self._settings.theme) is theme.current_scheme():
+            return
+        if (
+            QApplication.activeModalWidget()
+            or QApplication.activePopupWidget()
+            or self.window.site_design.workspace.is_dragging
+        ):
+            self._theme_timer.start()
+        else:
+            self.window.rebuild_window()
+
+    def rebuild_window(self) -> None:
+        """Replace the window by a new one in the language and theme of the settings."""
+        former = self.window
+        former.save_layout()
+        former.recovery_copies.stop()
+        self.window = self._create_window(
+            former
+        )  # shown before the other goes: the last one ends Qt
+        former.stop_and_hide()
+        former.deleteLater()
+        # Its points and graphics: nothing else frees so much, and now everybody waits anyhow
+        QCoreApplication.sendPostedEvents(former, QEvent.Type.DeferredDelete)
+        del former
+        collect_all()

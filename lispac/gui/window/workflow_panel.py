@@ -1,0 +1,124 @@
+"""The five steps, one below the other; the open one shows its panel."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import widgets
+from lispac.gui.app.docks import raise_panel
+from lispac.gui.appearance import theme
+from lispac.gui.project.status import STEPS, State, StepStatus
+from lispac.language import N_, gettext
+
+_HEIGHT = 46
+_STATE_STYLES: dict[State, tuple[str, str, str]] = {
+    "empty": ("circle-outline", "waiting", N_("not started")),
+    "todo": ("circle-slice-4", "accent", N_("to do")),
+    "done": ("check-circle", "done", N_("done")),
+    "warning": ("alert-circle", "warning", N_("check this step")),
+}
+"""Icon, colour and text of each state."""
+
+
+class WorkflowPanel(QWidget):
+    """Five headers with their state; one panel open at a time."""
+
+    step_opened = Signal(int)
+
+    def __init__(self, panels: Sequence[QWidget]) -> None:
+        super().__init__()
+        outer = QVBoxLayout(self)
+        outer.setContentsMargins(0, 0, 0, 0)
+        outer.setSpacing(0)
+        self.headers = [_StepHeader(k + 1, title) for k, title in enumerate(STEPS)]
+        self._areas = []
+        for k, (header, panel) in enumerate(zip(self.headers, panels, strict=True)):
+            header.clicked.connect(lambda _=False, k=k: self.open(k))
+            area = widgets.VerticalScrollArea(_top_aligned(panel), 340)
+            self._areas.append(area)
+            outer.addWidget(header)
+            outer.addWidget(area, 1)
+        self.opened = -1
+        self.open(0)
+
+    def open(self, step: int) -> None:
+        """Open one step, numbered from 0, and close the others."""
+        for k, (header, area) in enumerate(zip(self.headers, self._areas, strict=True)):
+            header.setChecked(k == step)
+            area.setVisible(k == step)
+        if step != self.opened:
+            self.opened = step
+            self.step_opened.emit(step)
+
+    def go_to(self, step: int) -> None:
+        """Open one step, numbered from 0, before other panels, and give its header the focus."""
+        raise_panel(self)
+        self.open(step)
+        self.headers[step].setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def scroll_to(self, widget: QWidget) -> None:
+        """Scroll to a widget of the open step, once it is laid out."""
+        area = self._areas[self.opened]
+        QTimer.singleShot(0, area, lambda: area.ensureWidgetVisible(widget, 0, 0))
+
+    def show_status(self, statuses: Sequence[StepStatus]) -> None:
+        """Show the state of each step."""
+        for header, status in zip(self.headers, statuses, strict=True):
+            header.show_status(status)
+
+
+class _StepHeader(QPushButton):
+    """Header with number, name and status of a step; a click opens the step."""
+
+    def __init__(self, number: int, title: str) -> None:
+        super().__init__()
+        self.setObjectName(f"step_{title.lower()}")
+        self.setProperty("step", True)
+        self.setCheckable(True)
+        self.setMinimumHeight(_HEIGHT)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        self._title = f"{number}  {gettext(title)}"
+        row = QHBoxLayout(self)
+        row.setContentsMargins(12, 3, 12, 3)
+        row.setSpacing(10)
+        self._glyph = QLabel()
+        name = widgets.label("", "heading")
+        name.setText(self._title)
+        self.sentence = widgets.label("", "muted")
+        texts = QVBoxLayout()
+        texts.setSpacing(0)
+        texts.addWidget(name)
+        texts.addWidget(self.sentence)
+        row.addWidget(self._glyph)
+        row.addLayout(texts, 1)
+        for inner in (self._glyph, name, self.sentence):
+            inner.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, _HEIGHT)
+
+    def show_status(self, status: StepStatus) -> None:
+        icon, colour, state = _STATE_STYLES[status.state]
+        self._glyph.setPixmap(theme.icon(icon, theme.colour(colour).name()).pixmap(18, 18))
+        sentence = status.sentence
+        self.sentence.setText(sentence)
+        described = gettext("{step}: {status}", step=self._title, status=sentence)
+        self.setAccessibleName(described)
+        self.setToolTip(widgets.plain_tip(f"{described} ({gettext(state)})"))
+
+
+def _top_aligned(panel: QWidget) -> QWidget:
+    holder = QWidget()
+    layout = QVBoxLayout(holder)
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.addWidget(panel)
+    layout.addStretch(1)
+    return holder

@@ -1,0 +1,219 @@
+"""Values of a report from the comparison with a reference."""
+
+from dataclasses import dataclass
+
+from lispac.language import N_, gettext
+from lispac.messages import Message
+from lispac.present.tables import COUNT, PERCENT, PLAIN_MILLIMETRES, Column, Table
+from lispac.present.validation import STATES, DistanceValues, SignedDistances
+from lispac.validation.absolute_check import (
+    ALL_LINES,
+    AbsoluteCheck,
+    AbsoluteState,
+    LineCheck,
+    SigmaSources,
+)
+from lispac.validation.absolute_messages import absolute_check_messages
+
+
+@dataclass(frozen=True)
+class UncertaintyBySource:
+    """Standard deviations by source; that of the prior boresight is unknown."""
+
+    reference_m: float
+    pos_position_m: float
+    pos_attitude_m: float
+    boresight_m: float | None
+    scatter_m: float
+    total_m: float
+
+    @classmethod
+    def of(cls, values: SigmaSources) -> "UncertaintyBySource":
+        """Copy the standard deviations of a `SigmaSources`."""
+        return cls(
+            values.reference, values.position, values.attitude, values.boresight, values.scatter,
+            values.total,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class ReferenceDistances:
+    """Lines against the reference with one boresight; see `AbsoluteState`."""
+
+    distances: DistanceValues
+    signed: SignedDistances
+    mean_interval95_m: float
+    mean_significant: bool
+    mean_sigma: UncertaintyBySource
+    rms_expected: UncertaintyBySource
+    reference_share: float
+
+    @classmethod
+    def of(cls, state: AbsoluteState) -> "ReferenceDistances":
+        """Values of a comparison with one boresight."""
+        return cls(
+            DistanceValues.of(state.distances),
+            SignedDistances.of(state.signed),
+            state.interval_95,
+            state.significant,
+            UncertaintyBySource.of(state.mean_sigma),
+            UncertaintyBySource.of(state.rms_expected),
+            state.reference_share,
+        )
+
+
+@dataclass(frozen=True)
+class LineReferenceDistances:
+    """A line, or all of them, before and after at the same places."""
+
+    line: str
+    before: ReferenceDistances
+    after: ReferenceDistances
+
+    @classmethod
+    def of(cls, line: LineCheck) -> "LineReferenceDistances":
+        """Values of the check of a line."""
+        return cls(line.line, ReferenceDistances.of(line.before), ReferenceDistances.of(line.after))
+
+
+@dataclass(frozen=True)
+class SurveyedPoint:
+    """A check point, or a plane through several, on the mean of the lines that saw it."""
+
+    name: str
+    lines: int
+    sigma_m: float
+    before_m: float
+    after_m: float
+    after_interval95_m: float | None
+
+    @property
+    def significant(self) -> bool:
+        """True if the lines differ from it at 95 %; False if the interval is unknown."""
+        half = self.after_interval95_m
+        return half is not None and abs(self.after_m) > half
+
+
+@dataclass(frozen=True)
+class AbsoluteCheckValues:
+    """Lines against a static scan or surveyed points; the end bins hold what lies beyond."""
+
+    reference: str
+    kind: str
+    system: str
+    reference_sigma_m: float
+    search_distance_m: float
+    lines: tuple[LineReferenceDistances, ...]
+    all_lines: LineReferenceDistances
+    points: tuple[SurveyedPoint, ...]
+    not_compared: tuple[Message, ...]
+    bin_edges_m: tuple[float, ...]
+    counts_before: tuple[int, ...]
+    counts_after: tuple[int, ...]
+    messages: tuple[Message, ...]
+
+    @classmethod
+    def of(cls, check: AbsoluteCheck) -> "AbsoluteCheckValues":
+        """Values of a check against a reference."""
+        return cls(
+            reference=check.reference,
+            kind=check.kind,
+            system=check.system,
+            reference_sigma_m=check.sigma,
+            search_distance_m=check.search_distance,
+            lines=tuple(map(LineReferenceDistances.of, check.lines)),
+            all_lines=LineReferenceDistances.of(check.all_lines),
+            points=tuple(
+                SurveyedPoint(p.name, p.lines, p.sigma, p.before, p.after, p.interval_95)
+                for p in check.points
+            ),
+            not_compared=check.not_compared,
+            bin_edges_m=check.bin_edges,
+            counts_before=check.counts_before,
+            counts_after=check.counts_after,
+            messages=absolute_check_messages(check),
+        )
+
+
+# -- tables ----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class LineState:
+    """A line, or all of them, with one boresight."""
+
+    line: str
+    state: str
+    distances: ReferenceDistances
+
+
+def _line_name(row: "LineState | LineReferenceDistances") -> str:
+    return gettext("all lines") if row.line == ALL_LINES else row.line
+
+
+def lines_and_all(check: AbsoluteCheckValues) -> tuple[LineReferenceDistances, ...]:
+    """Each line, then all together."""
+    return (*check.lines, check.all_lines)
+
+
+def line_states(check: AbsoluteCheckValues) -> list[LineState]:
+    """Each line, then all together, before and after the calibration."""
+    return [
+        LineState(line.line, state, getattr(line, state))
+        for line in lines_and_all(check)
+        for state in ("before", "after")
+    ]
+
+
+YES_NO = {True: N_("yes"), False: N_("no")}
+REFERENCE_DISTANCES = Table[LineState](
+    N_("Distances of the lines from the reference (mm)"),
+    (
+        Column(_line_name, N_("Line")),
+        Column("state", N_("State"), texts=STATES),
+        Column("distances.distances.n", N_("Compared\nplaces"), COUNT),
+        Column("distances.signed.mean_m", N_("Mean"), PLAIN_MILLIMETRES.signed),
+        Column(
+            "distances.mean_interval95_m", N_("95 %\ninterval\nof mean"),
+            PLAIN_MILLIMETRES.half_interval,
+        ),
+        Column("distances.signed.median_m", N_("Median"), PLAIN_MILLIMETRES.signed),
+        Column("distances.distances.rms_m", N_("RMS"), PLAIN_MILLIMETRES),
+        Column("distances.distances.p68_m", N_("68 %"), PLAIN_MILLIMETRES),
+        Column("distances.distances.p95_m", N_("95 %"), PLAIN_MILLIMETRES),
+        Column("distances.distances.p99_m", N_("99 %"), PLAIN_MILLIMETRES),
+        Column("distances.signed.robust_sigma_m", N_("Robust\nsigma"), PLAIN_MILLIMETRES),
+        Column("distances.mean_significant", N_("Mean\nsignificant"), texts=YES_NO),
+    ),
+)  # fmt: skip
+MEAN_UNCERTAINTY = Table[LineReferenceDistances](
+    N_("Uncertainty of the mean distance after the calibration, 1 sigma (mm)"),
+    (
+        Column(_line_name, N_("Line")),
+        Column("after.mean_sigma.reference_m", N_("Reference"), PLAIN_MILLIMETRES),
+        Column("after.mean_sigma.pos_position_m", N_("POS\nposition"), PLAIN_MILLIMETRES),
+        Column("after.mean_sigma.pos_attitude_m", N_("POS\nattitude"), PLAIN_MILLIMETRES),
+        Column("after.mean_sigma.boresight_m", N_("Boresight"), PLAIN_MILLIMETRES),
+        Column("after.mean_sigma.scatter_m", N_("Scatter"), PLAIN_MILLIMETRES),
+        Column("after.mean_sigma.total_m", N_("Total"), PLAIN_MILLIMETRES),
+        Column("after.rms_expected.total_m", N_("Expected\nRMS"), PLAIN_MILLIMETRES),
+        Column(
+            "after.reference_share", N_("RMS share due\nto the reference"), PERCENT,
+            has_unit_in_cells=True,
+        ),
+    ),
+)  # fmt: skip
+SURVEYED_POINTS = Table[SurveyedPoint](
+    N_("Distances from surveyed points and planes, mean of the lines (mm)"),
+    (
+        Column("name", N_("Name")),
+        Column("lines", N_("Lines"), COUNT),
+        Column("sigma_m", N_("Sigma"), PLAIN_MILLIMETRES),
+        Column("before_m", N_("Before"), PLAIN_MILLIMETRES.signed),
+        Column("after_m", N_("After"), PLAIN_MILLIMETRES.signed),
+        Column(
+            "after_interval95_m", N_("95 %\ninterval\nof mean"), PLAIN_MILLIMETRES.half_interval
+        ),
+        Column("significant", N_("Mean\nsignificant"), texts=YES_NO),
+    ),
+)  # fmt: skip

@@ -1,0 +1,378 @@
+"""Result of an adjustment as values: boresight, fit, tests.
+
+Field names end with the unit of their values. They are the keys of ``lispac estimate --json`` and
+of the JSON report.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from lispac.adjustment.diagnostics.findings import critical_test_value
+from lispac.adjustment.model.parameters import OUTPUT_UNITS
+from lispac.adjustment.result import (
+    ANGLES,
+    AdjustmentResult,
+    ContradictedParameter,
+    Observability,
+    PossibleCause,
+)
+from lispac.adjustment.solve.determinability import have_one_orientation
+from lispac.language import N_, LazyText, gettext, gettext_lazy
+from lispac.messages import Message
+from lispac.present.angles import (
+    SIGMAS,
+    Angles,
+    AnglesRow,
+    angles,
+    degrees,
+    degrees_or_none,
+    finite_or_none,
+    floats,
+    matrix,
+)
+from lispac.present.displacement import (
+    EFFECT_DISTANCES_M,
+    DisplacementByAngle,
+    S44Contribution,
+    angle_displacements,
+    s44_contributions,
+)
+from lispac.present.parameters import (
+    ParameterValues,
+    VarianceComponentValues,
+    component_values,
+    parameter_values,
+)
+from lispac.present.sightings import SightingValues, sighting_values
+from lispac.present.tables import (
+    DEGREES,
+    Column,
+    Table,
+)
+from lispac.present.targets import TargetValues, target_values
+from lispac.present.text_format import TITLES
+from lispac.survey.conventions.mounting_texts import orientation_text
+
+NORMAL_95 = 1.96
+"""Half width of the 95 % interval of a normal variable, in standard deviations."""
+
+
+@dataclass(frozen=True)
+class ObservabilityValues:
+    """Observability of the angles by lines and targets.
+
+    The directions are combinations of roll, pitch and yaw, the weakest first. The sigmas without a
+    line are None where the other lines do not determine the angles.
+    """
+
+    direction_sigma_deg: tuple[float, ...]
+    directions: tuple[Angles, ...]
+    condition: float | None
+    sigma_without_line_deg: Mapping[str, Angles | None]
+    messages: tuple[Message, ...]
+
+
+def observability_values(observability: Observability | None) -> ObservabilityValues | None:
+    """Observability of the angles."""
+    if observability is None:
+        return None
+    return ObservabilityValues(
+        direction_sigma_deg=floats(np.degrees(observability.eigenvalues**-0.5)),
+        directions=tuple(angles(column) for column in observability.directions.T),
+        condition=finite_or_none(observability.condition),
+        sigma_without_line_deg={
+            line: degrees_or_none(sigma) for line, sigma in observability.sigma_without_line.items()
+        },
+        messages=observability.messages,
+    )
+
+
+NOT_TESTED = N_("Not tested: there are no more points than unknowns.")
+PASSED = N_("Passed: the residuals agree with the given sigmas.")
+TOO_LARGE = N_(
+    "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
+    "LiDAR sigma is too small, a target is rough, or there are outliers."
+)
+TOO_LARGE_NOISE = N_(
+    "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
+    "LiDAR sigma is too small, a target is rough, or there are outliers. The sigmas of the angles "
+    "are computed with the noise found in the residuals."
+)
+TOO_LARGE_CLASSICAL = N_(
+    "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
+    "sigmas are too small, or a target is not the same plane on all lines. The sigmas of the "
+    "angles are then too small as well."
+)
+TOO_SMALL = N_(
+    "Failed: the residuals are smaller than expected. The given LiDAR or POS sigmas are too "
+    "large. If there is no other warning, the sigmas of the angles are too large as well."
+)
+
+
+@dataclass(frozen=True)
+class VarianceFactorTest:
+    """Two-sided test of the variance factor at 95 %; bounds are None without redundancy."""
+
+    statistic: float
+    lower: float | None
+    upper: float | None
+    passed: bool | None
+    text: LazyText
+
+
+def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
+    test = result.chi_square
+    if result.degrees_of_freedom <= 0:
+        return VarianceFactorTest(test.statistic, None, None, None, gettext_lazy(NOT_TESTED))
+    if test.passed:
+        finding = PASSED
+    elif test.statistic <= test.upper:
+        finding = TOO_SMALL
+    elif not result.model.correlated:
+        finding = TOO_LARGE_CLASSICAL
+    elif any(target.noise > 1 for target in result.targets):
+        finding = TOO_LARGE_NOISE
+    else:
+        finding = TOO_LARGE
+    return VarianceFactorTest(
+        test.statistic, test.lower, test.upper, test.passed, gettext_lazy(finding)
+    )
+
+
+@dataclass(frozen=True)
+class ContradictionValues:
+    """A given value that the data contradict; ``change`` and ``sigma`` are in its own unit."""
+
+    name: str
+    unit: str
+    change: float
+    sigma: float
+    w: float
+    angle_change_deg: Angles
+    surface_sigma_m: float
+
+
+def _contradiction_values(found: ContradictedParameter) -> ContradictionValues:
+    factor, unit = OUTPUT_UNITS[found.name]
+    return ContradictionValues(
+        found.name, unit, factor * found.change, factor * found.sigma, found.w,
+        degrees(found.angle_change), found.surface_sigma,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class CauseValues:
+    """An error that may cause residuals that contradict the model.
+
+    ``size`` and ``sigma`` are in ``unit``: of a line's position north, west, up, of its boresight
+    roll, pitch, yaw, of a surface two tilts and the offset. ``evidence`` is twice the logarithm of
+    the Bayes factor.
+    """
+
+    kind: str
+    target: str | None
+    line: str | None
+    unit: str
+    size: tuple[float, ...]
+    sigma: tuple[float, ...]
+    angle_change_deg: Angles
+    effect_m: float
+    evidence: float
+
+
+def _cause_values(cause: PossibleCause) -> CauseValues:
+    factor, unit = OUTPUT_UNITS.get(cause.kind, (1.0, "m"))
+    if cause.kind == "line_time":
+        factor, unit = OUTPUT_UNITS["latency"]
+    elif cause.kind == "line_boresight":
+        factor, unit = math.degrees(1.0), "deg"
+    return CauseValues(
+        cause.kind, cause.target or None, cause.line or None, unit, floats(factor * cause.size),
+        floats(factor * cause.sigma), degrees(cause.angle_change), cause.effect, cause.evidence,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class AdjustmentValues:
+    """Boresight, fit, reliability and all other results of an adjustment.
+
+    ``sigma_about``: the standard deviations are those of roll, pitch, yaw, or, where the pitch is
+    steep, of small rotations about the body axes; ``rotation_text`` is empty otherwise.
+    ``correlation`` is that of the three angles, ``correlation_all`` that of all ``estimated``.
+    ``critical_w`` is the test value beyond which a sighting disagrees. ``single_orientation``: all
+    targets are planes with the same normal.
+    """
+
+    boresight_deg: Angles
+    sigma_deg: Angles
+    interval95_deg: Angles
+    prior_boresight_deg: Angles
+    rotation_body_lidar: tuple[tuple[float, ...], ...]
+    sigma_about: str
+    rotation_text: LazyText
+    correlation: tuple[tuple[float, ...], ...]
+    estimated: tuple[str, ...]
+    correlation_all: tuple[tuple[float, ...], ...]
+    parameters: tuple[ParameterValues, ...]
+    observability: ObservabilityValues | None
+    pos_errors: str
+    loss: str
+    components: tuple[VarianceComponentValues, ...]
+    surface_sigma_m: float
+    offset_sigma_m: float | None
+    variance_factor: float | None
+    degrees_of_freedom: int
+    chi_square: VarianceFactorTest
+    iterations: int
+    points: int
+    excluded_outliers: int
+    rms_before_m: float
+    rms_after_m: float
+    effect_distances_m: tuple[float, ...]
+    effects: tuple[DisplacementByAngle, ...]
+    s44: tuple[S44Contribution, ...]
+    targets: tuple[TargetValues, ...]
+    single_orientation: bool
+    critical_w: float | None
+    sightings: tuple[SightingValues, ...]
+    contradictions: tuple[ContradictionValues, ...]
+    causes: tuple[tuple[CauseValues, ...], ...]
+
+    @property
+    def are_sightings_tested(self) -> bool:
+        """Whether sightings were tested against each other."""
+        return self.critical_w is not None and any(each.is_tested for each in self.sightings)
+
+
+def adjustment_values(
+    result: AdjustmentResult, headings_deg: Mapping[str, float] | None = None
+) -> AdjustmentValues:
+    """Result of an adjustment.
+
+    Parameters
+    ----------
+    headings_deg : degrees by name of the line, where they are known
+    """
+    is_steep = result.mounting.axes is not None
+    return AdjustmentValues(
+        boresight_deg=degrees(result.angles),
+        sigma_deg=degrees(result.sigma),
+        interval95_deg=degrees(NORMAL_95 * result.sigma),
+        prior_boresight_deg=degrees(result.prior_angles),
+        rotation_body_lidar=matrix(result.mounting.rotation_body_lidar),
+        sigma_about="body axes" if is_steep else "roll, pitch, yaw",
+        rotation_text=orientation_text(result.angles) if is_steep else LazyText(""),
+        correlation=matrix(result.correlation),
+        estimated=result.estimated,
+        correlation_all=matrix(result.correlation_all),
+        parameters=parameter_values(result),
+        observability=observability_values(result.observability),
+        pos_errors=result.model.pos_errors,
+        loss=result.model.loss,
+        components=component_values(result),
+        surface_sigma_m=result.surface,
+        offset_sigma_m=result.offset,
+        variance_factor=finite_or_none(result.variance_factor),
+        degrees_of_freedom=result.degrees_of_freedom,
+        chi_square=_variance_factor_test(result),
+        iterations=result.iterations,
+        points=result.points,
+        excluded_outliers=result.excluded_outliers,
+        rms_before_m=result.rms_before,
+        rms_after_m=result.rms_after,
+        effect_distances_m=EFFECT_DISTANCES_M,
+        effects=angle_displacements(result),
+        s44=s44_contributions(result),
+        targets=target_values(result),
+        single_orientation=have_one_orientation(
+            np.array([t.plane[:3] for t in result.targets]),
+            np.array([t.sphere for t in result.targets]),
+        ),
+        critical_w=critical_test_value(result),
+        sightings=sighting_values(result, headings_deg),
+        contradictions=tuple(map(_contradiction_values, result.contradictions)),
+        causes=tuple(tuple(map(_cause_values, group)) for group in result.causes or ()),
+    )
+
+
+SIGMAS_WITHOUT_LINE = Table[AnglesRow](
+    N_("1 sigma of the angles with one line omitted"), SIGMAS.columns
+)
+
+
+def sigma_without_line_rows(result: "AdjustmentValues") -> list[AnglesRow]:
+    """Standard deviations with all lines, and without each."""
+    without = {} if result.observability is None else result.observability.sigma_without_line_deg
+    return [
+        AnglesRow(gettext("All lines"), result.sigma_deg),
+        *(
+            AnglesRow(gettext("Without line {name}", name=line), sigma)
+            for line, sigma in without.items()
+        ),
+    ]
+
+
+@dataclass(frozen=True)
+class AngleValues:
+    """One boresight angle in degrees; None where it is not known."""
+
+    name: str
+    prior_deg: float
+    estimated_deg: float | None
+    sigma_deg: float | None
+    interval95_deg: float | None
+    true_deg: float | None
+    error_deg: float | None
+
+
+def angle_errors(result: AdjustmentValues, true_deg: Angles) -> Angles:
+    """Estimated boresight minus the true one, degrees."""
+    return angles(np.subtract([*result.boresight_deg], [*true_deg]))
+
+
+def angle_values(
+    prior: Angles,
+    result: AdjustmentValues | None = None,
+    true: Angles | None = None,
+) -> tuple[AngleValues, ...]:
+    """The boresight, a row for each angle; the error is the estimated value minus the true one."""
+    error = None if true is None or result is None else angle_errors(result, true)
+
+    estimated: tuple[Angles | None, ...] = (None, None, None)
+    if result is not None:
+        estimated = (result.boresight_deg, result.sigma_deg, result.interval95_deg)
+    return tuple(
+        AngleValues(
+            name,
+            getattr(prior, name),
+            *(
+                None if values is None else getattr(values, name)
+                for values in (*estimated, true, error)
+            ),
+        )
+        for name in ANGLES
+    )
+
+
+_NAME = Column[AngleValues]("name", N_("Angle"), texts=TITLES)
+_PRIOR = Column[AngleValues]("prior_deg", N_("Prior"), DEGREES.signed)
+_ESTIMATED = (
+    Column[AngleValues]("estimated_deg", N_("Estimated"), DEGREES.signed),
+    Column[AngleValues]("sigma_deg", N_("1 sigma"), DEGREES),
+    Column[AngleValues]("interval95_deg", N_("95 % interval"), DEGREES.half_interval),
+)
+_TRUE = Column[AngleValues]("true_deg", N_("True value"), DEGREES.signed)
+_ERROR = Column[AngleValues]("error_deg", N_("Error"), DEGREES.signed)
+
+
+def boresight_table(*, calibrated: bool, simulated: bool) -> Table[AngleValues]:
+    """Columns of what is known of the boresight."""
+    columns = [_NAME, _PRIOR]
+    if calibrated:
+        columns += _ESTIMATED
+    if simulated:
+        columns += [_TRUE, _ERROR] if calibrated else [_TRUE]
+    return Table(N_("Boresight"), tuple(columns))

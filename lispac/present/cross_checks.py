@@ -1,0 +1,150 @@
+"""Results of subsets of the data, as values and tables."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from lispac.adjustment.result import (
+    CrossCheck,
+    CrossChecks,
+)
+from lispac.language import N_, gettext
+from lispac.messages import Message
+from lispac.present.angles import Angles, AnglesRow, angles, degrees, degrees_or_none
+from lispac.present.tables import (
+    DEGREES,
+    Column,
+    Table,
+    ratio,
+)
+
+
+@dataclass(frozen=True)
+class SubsetValues:
+    """Result of a subset of the data; None where the subset does not determine the angles.
+
+    The difference is this subset minus what it is compared with: a half minus the other half, any
+    other subset minus the result of all points.
+    """
+
+    kind: str
+    part: str
+    boresight_deg: Angles | None
+    sigma_deg: Angles | None
+    difference_deg: Angles | None
+    significance: Angles | None
+    disagrees: bool
+    reason: Message | Literal[""]
+
+
+@dataclass(frozen=True)
+class CrossCheckValues:
+    """Results of subsets of the data, and their spread beside the sigmas of the adjustment."""
+
+    sigma_deg: Angles
+    spread_lines_deg: Angles | None
+    spread_targets_deg: Angles | None
+    parts: tuple[SubsetValues, ...]
+
+
+def cross_check_values(checks: CrossChecks) -> CrossCheckValues:
+    """Results of the cross-checks with subsets of the data."""
+    return CrossCheckValues(
+        sigma_deg=degrees(checks.sigma),
+        spread_lines_deg=degrees_or_none(checks.spread_lines),
+        spread_targets_deg=degrees_or_none(checks.spread_targets),
+        parts=tuple(_subset_values(part) for part in checks.parts),
+    )
+
+
+def _subset_values(part: CrossCheck) -> SubsetValues:
+    return SubsetValues(
+        kind=part.kind,
+        part=part.part,
+        boresight_deg=degrees_or_none(part.boresight),
+        sigma_deg=degrees_or_none(part.sigma),
+        difference_deg=degrees_or_none(part.difference),
+        significance=None if part.significance is None else angles(part.significance),
+        disagrees=part.disagrees,
+        reason=part.reason or "",
+    )
+
+
+def spread_rows(checks: CrossCheckValues) -> list[AnglesRow]:
+    """Standard deviations from the adjustment and from the scatter of the subsets."""
+    return [
+        AnglesRow(gettext("Adjustment"), checks.sigma_deg),
+        AnglesRow(gettext("Jackknife, one line omitted"), checks.spread_lines_deg),
+        AnglesRow(gettext("Jackknife, one target omitted"), checks.spread_targets_deg),
+    ]
+
+
+@dataclass(frozen=True)
+class SubsetRow:
+    """A subset with its name; two halves that are compared with each other are one row."""
+
+    name: str
+    subset: SubsetValues
+
+
+def subset_rows(checks: CrossCheckValues) -> list[SubsetRow]:
+    """Subsets in the order of the survey, with their names in the language in use."""
+    named = [
+        SubsetRow(
+            gettext("Without line {name}", name=each.part)
+            if each.kind == "line"
+            else gettext("Without target {name}", name=each.part),
+            each,
+        )
+        for each in checks.parts
+        if each.kind != "half"
+    ]
+    halves = [each for each in checks.parts if each.kind == "half"]
+    if halves and all(half.boresight_deg is not None for half in halves):
+        return [*named, SubsetRow(gettext("Second minus first half"), halves[1])]
+    names = {
+        "first": gettext("First half of the lines only"),
+        "second": gettext("Second half of the lines only"),
+    }
+    return [*named, *(SubsetRow(names[half.part], half) for half in halves)]
+
+
+def _agreement(row: SubsetRow) -> str:
+    if row.subset.boresight_deg is None:
+        return "no result"
+    return "disagrees" if row.subset.disagrees else "agrees"
+
+
+AGREEMENT: Mapping[str, str] = {
+    "no result": N_("no result"), "disagrees": N_("disagrees"), "agrees": N_("agrees"),
+}  # fmt: skip
+_DIFFERENCE = N_("Difference from the result with all points, or between the halves")
+_IN_SIGMA = N_("Difference divided by its standard deviation")
+SUBSETS = Table[SubsetRow](
+    N_("Results of subsets of the data: differences from the full adjustment"),
+    (
+        Column(
+            "name", N_("Subset"),
+            tip=N_("Line or target that was omitted, or halves that were compared"),
+        ),
+        Column("subset.difference_deg.roll", N_("Roll\ndifference"), DEGREES.signed, _DIFFERENCE),
+        Column("subset.significance.roll", N_("in σ"), ratio(1).signed, _IN_SIGMA),
+        Column("subset.difference_deg.pitch", N_("Pitch\ndifference"), DEGREES.signed, _DIFFERENCE),
+        Column("subset.significance.pitch", N_("in σ"), ratio(1).signed, _IN_SIGMA),
+        Column("subset.difference_deg.yaw", N_("Yaw\ndifference"), DEGREES.signed, _DIFFERENCE),
+        Column("subset.significance.yaw", N_("in σ"), ratio(1).signed, _IN_SIGMA),
+        Column(
+            _agreement, N_("Finding"), texts=AGREEMENT,
+            tip=N_("Agreement with the result from all points, or between the halves"),
+        ),
+    ),
+)  # fmt: skip
+
+WINDOW_SUBSETS = replace(
+    SUBSETS,
+    columns=(
+        *SUBSETS.columns,
+        Column("subset.reason", N_("Reason"), tip=N_("Why there is no result")),
+    ),
+)
+"""With the reasons, which the report lists below the table."""

@@ -1,0 +1,78 @@
+"""Displacement of a point by the uncertainty of the boresight.
+
+A small change of the angles turns the cloud by a vector w with covariance W = J C J'. It moves a
+point at distance d in direction u by d (w x u).
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.result import ANGLES, AdjustmentResult
+
+EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
+
+ONE_95 = 1.96
+TWO_95 = 2.45
+"""Standard deviations that make 95 % of a quantity in one and in two dimensions (IHO S-44)."""
+
+
+@dataclass(frozen=True)
+class DisplacementByAngle:
+    """Displacement of a point caused by one sigma of an angle, or of all in the worst direction."""
+
+    angle: str
+    displacement_m: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class S44Contribution:
+    """Contribution of the boresight to the uncertainty of a point, for the worst beam.
+
+    Horizontal (THU) and vertical (TVU), at 95 % as IHO S-44 has it, for a level vessel.
+    """
+
+    distance_m: float
+    thu95_m: float
+    tvu95_m: float
+
+
+def angle_displacements(result: AdjustmentResult) -> tuple[DisplacementByAngle, ...]:
+    """Displacements by the sigma of each angle, and by all together in the worst direction.
+
+    The mean square length of the displacement is d^2 (trace W - u' W u): largest along the
+    eigenvector of W's smallest eigenvalue.
+    """
+    eigenvalues = np.linalg.eigvalsh(_turn_covariance(result))
+    rates = [*result.sigma, math.sqrt(eigenvalues[1] + eigenvalues[2])]
+    return tuple(
+        DisplacementByAngle(name, tuple(float(rate * distance) for distance in EFFECT_DISTANCES_M))
+        for name, rate in zip((*ANGLES, "worst direction"), rates, strict=True)
+    )
+
+
+def s44_contributions(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
+    """Contribution to the horizontal and vertical uncertainty, for a level vessel.
+
+    The variance of the displacement along a unit vector e is d^2 (u x e)' W (u x e). Upwards, the
+    vectors u x e are the horizontal ones, so the worst beam has the largest eigenvalue of the
+    horizontal part of W; along all horizontal e together they are all there are, so the longest
+    axis of the worst horizontal ellipse has the largest eigenvalue of W itself.
+    """
+    turns = _turn_covariance(result)
+    horizontal = TWO_95 * math.sqrt(np.linalg.eigvalsh(turns)[-1])
+    vertical = ONE_95 * math.sqrt(np.linalg.eigvalsh(turns[:2, :2])[-1])
+    return tuple(
+        S44Contribution(distance, horizontal * distance, vertical * distance)
+        for distance in EFFECT_DISTANCES_M
+    )
+
+
+def _turn_covariance(result: AdjustmentResult) -> NDArray[np.float64]:
+    """Covariance of the small turn about the body's axes, shape (3, 3), radians squared."""
+    rotation = result.mounting.rotation_body_lidar
+    turning = result.mounting.rotation_derivatives @ rotation.T  # skew matrices of J's columns
+    jacobian = np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]])
+    return np.asarray(jacobian @ result.covariance @ jacobian.T)

@@ -1,0 +1,118 @@
+"""Results of alternative methods beside that of the targets, as values and tables."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from lispac.adjustment.result import ANGLES
+from lispac.language import N_, gettext_lazy
+from lispac.messages import Message
+from lispac.method_comparison import MethodResult
+from lispac.present.angles import Angles, angles, degrees
+from lispac.present.tables import COUNT, DEGREES, Column, Table, ratio
+from lispac.present.text_format import TITLES
+
+METHODS: Mapping[str, str] = {
+    "targets": N_("Targets"),
+    "natural planes": N_("Natural planes"),
+    "targetless": N_("Targetless"),
+    "patch test": N_("Patch test"),
+}
+
+
+@dataclass(frozen=True)
+class MethodValues:
+    """Result of a method; the differences are this method minus the first, which has none.
+
+    ``significance``: differences over their sigmas; ``probability``: chance of differences as large
+    where both are right.
+    """
+
+    method: str
+    lines: int
+    surfaces: int
+    boresight_deg: Angles
+    sigma_deg: Angles
+    difference_deg: Angles | None
+    significance: Angles | None
+    probability: float | None
+    differ: bool | None
+    messages: tuple[Message, ...]
+
+    @classmethod
+    def of(cls, result: MethodResult) -> "MethodValues":
+        """Values of the result of a method."""
+        calibration, against = result.calibration, result.against
+        return cls(
+            result.method,
+            result.lines,
+            result.surfaces,
+            degrees(calibration.boresight),
+            degrees(calibration.sigma),
+            None if against is None else degrees(against.angles),
+            None if against is None else angles(against.significance),
+            None if against is None else against.probability,
+            None if against is None else against.differ,
+            result.messages,
+        )
+
+
+M = MethodValues
+METHOD = Column[M]("method", N_("Method"), tip=N_("Method of estimation"), texts=METHODS)
+LINES = Column[M]("lines", N_("Lines"), COUNT, N_("Number of lines used"))
+SURFACES = Column[M](
+    "surfaces", N_("Surfaces"), COUNT,
+    N_("Number of targets, planes, natural surfaces or objects used"),
+)  # fmt: skip
+_IN_SIGMA = N_("Difference from the first row, divided by its standard deviation")
+
+
+def _estimate_columns(name: str) -> tuple[Column[M], Column[M]]:
+    return (
+        Column(f"boresight_deg.{name}", TITLES[name], DEGREES.signed),
+        Column(
+            f"sigma_deg.{name}", N_("1 sigma"), DEGREES,
+            N_("Standard deviation of the angle to the left"),
+        ),
+    )  # fmt: skip
+
+
+METHOD_RESULTS = Table[M](
+    N_("Boresight by each method"),
+    (METHOD, LINES, SURFACES, *(column for name in ANGLES for column in _estimate_columns(name))),
+)
+WINDOW_METHODS = Table[M](
+    N_("Results of all methods"),
+    (
+        METHOD, LINES, SURFACES,
+        *(
+            column
+            for name in ANGLES
+            for column in (
+                *_estimate_columns(name),
+                Column(f"significance.{name}", N_("in σ"), ratio(1).signed, _IN_SIGMA),
+            )
+        ),
+    ),
+)  # fmt: skip
+"""With the significance of the differences, which the report has in a table of its own."""
+
+
+def method_differences(methods: Sequence[M]) -> tuple[Table[M], list[M]]:
+    """Table of the differences from the first method, and its rows."""
+    first = gettext_lazy(METHODS[methods[0].method])
+    title = gettext_lazy("Differences from the first method, {method}", method=first)
+    columns = (
+        METHOD,
+        *(
+            column
+            for name in ANGLES
+            for column in (
+                Column[M](f"difference_deg.{name}", TITLES[name], DEGREES.signed),
+                Column[M](f"significance.{name}", N_("in σ"), ratio(1).signed, _IN_SIGMA),
+            )
+        ),
+        Column[M](
+            "differ", N_("Significant\ndifference"), texts={True: N_("yes"), False: N_("no")}
+        ),
+    )
+    return Table(title, columns), [each for each in methods if each.difference_deg is not None]

@@ -1,0 +1,106 @@
+"""Quality of the sightings, as values and table."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.present.angles import floats
+from lispac.present.tables import COUNT, MILLIMETRES, PERCENT, Column, Format, Table
+from lispac.targets.sighting_quality import SightingQuality
+
+RATINGS: Mapping[str, str] = {
+    "good": N_("Good."),
+    "doubtful": N_("Doubtful."),
+    "poor": N_("Poor."),
+}
+
+
+@dataclass(frozen=True)
+class SightingQualityValues:
+    """Quality of a sighting; None where a value does not apply or is not known.
+
+    ``boresight_error_rms_m`` is the RMS that an error of the boresight can explain. Curvature and
+    roughness are judged without it.
+    """
+
+    target: str
+    line: str
+    rating: str
+    reasons: tuple[Message, ...]
+    points: int
+    rms_m: float
+    range_m: float
+    density_per_m2: float | None
+    incidence_deg: float | None
+    coverage: float
+    visible_share: float | None = None
+    extent_m: tuple[float, ...] | None = None
+    curvature_m: float | None = None
+    roughness_m: float | None = None
+    boresight_error_rms_m: float | None = None
+    edited_by_hand: bool = False
+
+
+def sighting_quality_values(
+    target: str, line: str, quality: SightingQuality, *, edited_by_hand: bool = False
+) -> SightingQualityValues:
+    """Quality of one sighting."""
+    incidence = quality.incidence
+    return SightingQualityValues(
+        target=target,
+        line=line,
+        rating=quality.rating,
+        reasons=quality.reasons,
+        points=quality.points,
+        rms_m=quality.rms,
+        range_m=quality.range,
+        density_per_m2=quality.density,
+        incidence_deg=None if incidence is None else float(np.degrees(incidence)),
+        coverage=quality.coverage,
+        visible_share=quality.visible_share,
+        extent_m=None if quality.extent is None else floats(quality.extent),
+        curvature_m=quality.curvature,
+        roughness_m=quality.roughness,
+        boresight_error_rms_m=quality.smear,
+        edited_by_hand=edited_by_hand,
+    )
+
+
+def quality_list(
+    qualities: Mapping[tuple[str, str], SightingQuality],
+) -> tuple[SightingQualityValues, ...]:
+    """Qualities by the names of target and line, as rows."""
+    return tuple(sighting_quality_values(*key, each) for key, each in qualities.items())
+
+
+def rating_text(quality: SightingQualityValues) -> str:
+    """Rating with its reasons, in the language in use."""
+    edited = [gettext("The points of this sighting were edited manually.")]
+    return " ".join(
+        [
+            gettext(RATINGS[quality.rating]),
+            *map(message_text, quality.reasons),
+            *(edited if quality.edited_by_hand else ()),
+        ]
+    )
+
+
+QUALITIES = Table[SightingQualityValues](
+    N_("Quality of each sighting"),
+    (
+        Column("target", N_("Target")),
+        Column("line", N_("Line")),
+        Column("points", N_("Points"), COUNT),
+        Column("rms_m", N_("RMS"), MILLIMETRES),
+        Column("range_m", N_("Range"), Format("m", 1)),
+        Column("density_per_m2", N_("Points\nper m²"), COUNT),
+        Column("incidence_deg", N_("Incidence"), Format("deg", 0)),
+        Column("coverage", N_("Coverage"), PERCENT),
+        Column("visible_share", N_("Extent\nobserved"), PERCENT),
+        Column(rating_text, N_("Quality"), is_wide=True),
+    ),
+)

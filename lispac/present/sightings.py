@@ -1,0 +1,286 @@
+"""Sightings: fit to the surfaces of their targets, tests, POS errors, as values and tables.
+
+Field names are the keys of ``sightings`` in JSON, with the unit of their values at the end.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from lispac.adjustment.diagnostics.findings import (
+    UNCHECKED_SHIFT,
+    critical_test_value,
+    sighting_status,
+)
+from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
+from lispac.adjustment.result import (
+    AdjustmentResult,
+    SightingReliability,
+    SightingResidual,
+)
+from lispac.language import N_, gettext_lazy
+from lispac.present.angles import Angles, degrees, finite_or_none, floats
+from lispac.present.tables import (
+    COUNT,
+    DEGREES,
+    MILLIDEGREES,
+    MILLIMETRES,
+    SECONDS,
+    Column,
+    Format,
+    Table,
+    ratio,
+)
+
+MANY_OUTLIERS = 0.05
+"""Share of the points of a sighting from which its outliers are mentioned."""
+
+SightingStatus = Literal[
+    "rejected", "not tested", "not checked", "disagrees", "many outliers", "agrees"
+]
+STATUS: Mapping[SightingStatus, str] = {
+    "rejected": N_("rejected"),
+    "not tested": N_("not tested"),
+    "not checked": N_("not checked"),
+    "disagrees": N_("disagrees"),
+    "many outliers": N_("many outliers"),
+    "agrees": N_("agrees"),
+}
+
+
+@dataclass(frozen=True)
+class PosErrorValues:
+    """Estimated POS error at a sighting, and its sigmas before and after the adjustment.
+
+    Metres are north, west, up, degrees roll, pitch, heading.
+    """
+
+    error_m: tuple[float, ...]
+    sigma_m: tuple[float, ...]
+    sigma_after_m: tuple[float, ...]
+    error_deg: tuple[float, ...]
+    sigma_deg: tuple[float, ...]
+    sigma_after_deg: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class SightingValues:
+    """Fit of a sighting to the surface of its target, and its test against all other sightings.
+
+    The values of the test are None with uncorrelated POS errors; shift, w, detectable shift and its
+    effect also where no other data check the sighting. ``largest_w`` is the largest test value of a
+    point, at ``largest_w_time_s``; that is None in results of earlier versions.
+    """
+
+    target: str
+    line: str
+    heading_deg: float | None
+    points: int
+    rms_before_m: float
+    rms_after_m: float
+    mean_after_m: float
+    status: SightingStatus
+    shift_m: float | None = None
+    w: float | None = None
+    detectable_m: float | None = None
+    effect_deg: Angles | None = None
+    redundancy: float | None = None
+    outliers: int | None = None
+    largest_w: float | None = None
+    largest_w_time_s: float | None = None
+    point_detectable_m: float | None = None
+    weight: float | None = None
+    pos_error: PosErrorValues | None = None
+
+    @property
+    def is_tested(self) -> bool:
+        """Whether the stochastic model tests sightings."""
+        return self.status != "not tested"
+
+    @property
+    def is_marked(self) -> bool:
+        """Whether the sighting should be looked at."""
+        return self.status in ("rejected", "disagrees")
+
+
+def sighting_values(
+    result: AdjustmentResult, headings_deg: Mapping[str, float] | None = None
+) -> tuple[SightingValues, ...]:
+    """Fit and test of every sighting.
+
+    Parameters
+    ----------
+    headings_deg : degrees by name of the line, where they are known
+    """
+    critical = critical_test_value(result) or math.inf
+    tests = {(r.sighting.target, r.sighting.line): r for r in result.reliability}
+    return tuple(
+        _sighting_values(
+            each,
+            tests.get((each.sighting.target, each.sighting.line)),
+            (headings_deg or {}).get(each.sighting.line),
+            critical,
+        )
+        for each in result.sightings
+    )
+
+
+def _sighting_values(
+    fit: SightingResidual, test: SightingReliability | None, heading: float | None, critical: float
+) -> SightingValues:
+    sighting = fit.sighting
+    values = SightingValues(
+        sighting.target, sighting.line, heading, fit.points, fit.rms_before, fit.rms_after,
+        fit.mean_after, "not tested",
+    )  # fmt: skip
+    if test is None:
+        return values
+    status: SightingStatus = sighting_status(test, critical)
+    if status == "agrees" and test.outliers > MANY_OUTLIERS * fit.points:
+        status = "many outliers"
+    is_checked = bool(test.detectable < UNCHECKED_SHIFT)
+    return replace(
+        values,
+        status=status,
+        shift_m=test.shift if is_checked else None,
+        w=test.w if is_checked else None,
+        detectable_m=test.detectable if is_checked else None,
+        effect_deg=degrees(test.effect) if is_checked else None,
+        redundancy=test.redundancy,
+        outliers=test.outliers,
+        largest_w=test.largest_w,
+        largest_w_time_s=test.largest_at,
+        point_detectable_m=finite_or_none(test.point_detectable),
+        weight=test.weight,
+        pos_error=PosErrorValues(
+            floats(test.pos_error[:3]),
+            floats(test.pos_sigma[:3]),
+            floats(test.pos_sigma_after[:3]),
+            floats(np.degrees(test.pos_error[3:])),
+            floats(np.degrees(test.pos_sigma[3:])),
+            floats(np.degrees(test.pos_sigma_after[3:])),
+        ),
+    )
+
+
+def _pos_length(sighting: SightingValues, name: str) -> float | None:
+    """Length of the vector of that name in the POS error."""
+    error = sighting.pos_error
+    return None if error is None else math.hypot(*getattr(error, name))
+
+
+S = SightingValues
+TARGET = Column[S]("target", N_("Target"), tip=N_("Target"))
+LINE = Column[S]("line", N_("Line"), tip=N_("Line"))
+HEADING = Column[S](
+    lambda s: None if s.heading_deg is None else s.heading_deg % 360, N_("Heading"),
+    Format("deg", 1),
+)  # fmt: skip
+POINTS = Column[S]("points", N_("Points"), COUNT, N_("Points used, after averaging or thinning"))
+BEFORE = Column[S](
+    "rms_before_m", N_("Before"), MILLIMETRES,
+    N_("RMS distance to the surface with the prior boresight"),
+)  # fmt: skip
+AFTER = Column[S](
+    "rms_after_m", N_("After"), MILLIMETRES,
+    N_("RMS distance to the adjusted surface; POS errors not removed"),
+)  # fmt: skip
+MEAN_AFTER = Column[S]("mean_after_m", N_("Mean\nafter"), MILLIMETRES.signed)
+SHIFT = Column[S](
+    "shift_m", N_("Shift"), MILLIMETRES.signed,
+    N_("Shift of the sighting from the surface fitted to all other sightings"),
+)  # fmt: skip
+W = Column[S](
+    "w", "w", ratio(2).signed, N_("Shift divided by its standard deviation (Baarda's test)")
+)
+DETECTABLE = Column[S](
+    "detectable_m", N_("Detectable\nshift"), MILLIMETRES,
+    N_("Smallest shift that the test detects with a power of 80 %"),
+)  # fmt: skip
+EFFECTS = (
+    Column[S]("effect_deg.roll", N_("Effect on\nroll"), DEGREES.signed),
+    Column[S]("effect_deg.pitch", N_("Pitch"), DEGREES.signed),
+    Column[S]("effect_deg.yaw", N_("Yaw"), DEGREES.signed),
+)
+LARGEST_EFFECT = Column[S](
+    lambda s: None if s.effect_deg is None else max(map(abs, s.effect_deg)),
+    N_("Effect on angles"), MILLIDEGREES,
+    N_("Largest change of an angle that an undetected shift of this size can cause"),
+)  # fmt: skip
+OUTLIERS = Column[S](
+    "outliers", N_("Outliers"), COUNT,
+    gettext_lazy("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL_VALUE),
+)  # fmt: skip
+LARGEST_W = Column[S](
+    "largest_w", N_("Largest w\nof a point"), ratio(1), N_("Largest test value of a point")
+)
+LARGEST_W_TIME = Column[S](
+    "largest_w_time_s", N_("Time of\nlargest w"), SECONDS,
+    N_("Time of this point in the line. For averaged points: the mean of their times."),
+)  # fmt: skip
+REDUNDANCY = Column[S](
+    "redundancy", N_("Redundancy"), ratio(2),
+    N_("Mean redundancy number of the points, from 0 (not checked) to 1"),
+)  # fmt: skip
+POS_POSITION = Column[S](
+    lambda s: _pos_length(s, "error_m"), N_("POS position"), MILLIMETRES,
+    N_("Estimated position error and its prior σ (3D lengths)"),
+    sigma=lambda s: _pos_length(s, "sigma_m"),
+)  # fmt: skip
+POS_ATTITUDE = Column[S](
+    lambda s: _pos_length(s, "error_deg"), N_("POS attitude"), MILLIDEGREES,
+    N_("Estimated attitude error and its prior σ (3D lengths)"),
+    sigma=lambda s: _pos_length(s, "sigma_deg"),
+)  # fmt: skip
+FINDING = Column[S]("status", N_("Finding"), texts=STATUS, tip=N_("Result of the test"))
+
+SIGHTINGS = Table[S](
+    N_("Sightings"),
+    (
+        TARGET, LINE, POINTS, BEFORE, AFTER, SHIFT, W, DETECTABLE, LARGEST_EFFECT, OUTLIERS,
+        LARGEST_W, LARGEST_W_TIME, REDUNDANCY, POS_POSITION, POS_ATTITUDE, FINDING,
+    ),
+)  # fmt: skip
+"""All of a sighting, as the window shows it; the report has a table for each topic."""
+SIGHTING_FIT = Table[S](
+    N_("Fit of each sighting to the surface of its target"),
+    (
+        TARGET, LINE, HEADING, POINTS, BEFORE.with_title(N_("RMS\nbefore")),
+        AFTER.with_title(N_("RMS\nafter")), MEAN_AFTER,
+    ),
+)  # fmt: skip
+SIGHTING_TESTS = Table[S](
+    N_("Agreement of the sightings"), (TARGET, LINE, SHIFT, W, DETECTABLE, *EFFECTS, FINDING)
+)
+POINT_TESTS = Table[S](
+    N_("Tests of single points"),
+    (TARGET, LINE, POINTS, REDUNDANCY, OUTLIERS, LARGEST_W, LARGEST_W_TIME),
+)
+POS_COMPONENTS = (
+    N_("North"), N_("West"), N_("Up"), N_("Roll"), N_("Pitch"), N_("Heading")
+)  # fmt: skip
+"""In the order of `SightingReliability.pos_error`."""
+
+
+def _pos_error_component(k: int) -> Callable[[S], float | None]:
+    def component(sighting: S) -> float | None:
+        error = sighting.pos_error
+        return None if error is None else (*error.error_m, *error.error_deg)[k]
+
+    return component
+
+
+POS_ERRORS = Table[S](
+    N_("Estimated POS error at the middle of each sighting"),
+    (
+        TARGET,
+        LINE,
+        *(
+            Column(_pos_error_component(k), name, (MILLIMETRES if k < 3 else DEGREES).signed)
+            for k, name in enumerate(POS_COMPONENTS)
+        ),
+    ),
+)

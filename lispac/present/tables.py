@@ -1,0 +1,204 @@
+"""Tables of results: which value a column has, its title, and how its numbers are written."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Generic, Literal, TypeVar
+
+from lispac.language import LazyText, gettext
+from lispac.messages import Message
+from lispac.present.text_format import (
+    UNKNOWN,
+    degrees_unit,
+    fixed_number,
+    grouped_number,
+    interval_text,
+    sentence_text,
+    with_unit,
+)
+
+Row = TypeVar("Row")
+Unit = Literal["", "m", "mm", "deg", "mdeg", "ms", "s", "%"]
+
+
+@dataclass(frozen=True)
+class Format:
+    """How a number is written.
+
+    Attributes
+    ----------
+    unit : as displayed
+    decimals : in this unit
+    factor : of these units to one of the value
+    is_signed : whether a plus sign is written
+    is_grouped : whether groups of three digits are separated
+    is_half_interval : whether a plus-minus sign is written
+    """
+
+    unit: Unit = ""
+    decimals: int = 0
+    factor: float = 1.0
+    is_signed: bool = False
+    is_grouped: bool = True
+    is_half_interval: bool = False
+
+    @property
+    def signed(self) -> "Format":
+        """Format with a plus sign before positive numbers."""
+        return replace(self, is_signed=True)
+
+    @property
+    def half_interval(self) -> "Format":
+        """Format with a plus-minus sign, for half the width of an interval."""
+        return replace(self, is_half_interval=True)
+
+    def text(self, value: float) -> str:
+        """The number in the language in use, without its unit."""
+        shown = self.factor * value
+        if not float(f"{shown:.{self.decimals}f}"):
+            shown = 0.0  # no minus sign before a zero
+        if self.is_half_interval:
+            return interval_text(fixed_number(shown, self.decimals))
+        if self.is_signed or not self.is_grouped:
+            return fixed_number(shown, self.decimals, sign=self.is_signed)
+        return grouped_number(shown, self.decimals)
+
+
+COUNT = Format()
+MILLIMETRES = Format("mm", 1, 1e3)
+PLAIN_CENTIMETRES = Format("", 2, 1e2, is_grouped=False)
+PLAIN_MILLIMETRES = Format("", 1, 1e3)
+"""Of tables that have the unit in their title."""
+DEGREES = Format("deg", 4)
+MILLIDEGREES = Format("mdeg", 1, 1e3)
+PERCENT = Format("%", 0, 100.0)
+SECONDS = Format("s", 3, is_grouped=False)
+
+
+def ratio(decimals: int) -> Format:
+    """Format of a number without a unit."""
+    return Format("", decimals)
+
+
+@dataclass(frozen=True)
+class Column(Generic[Row]):
+    """One column: its value in a row, and its presentation.
+
+    Attributes
+    ----------
+    value : str or callable
+        Path of the field of a row, also of one of its parts: ``effect_deg.roll``; or a function of
+        the row. Numbers, texts, messages, or None where it is not known.
+    title : str or LazyText
+        In English or translated later, without the unit.
+    format : Format, callable or None
+        Of its numbers, where each row has its own as a function of the row; None for texts.
+    tip : str
+        Explanation in English, for the window.
+    texts : mapping
+        English text of each value, where the values are names.
+    sigma : str, callable or None
+        Standard deviation that is written beside the value.
+    half_interval : str or None
+        Path of half the width of its 95 % interval, which is written behind the value.
+    has_unit_in_cells : bool
+        Whether the unit is written in each cell and not below the title.
+    is_wide : bool
+        Whether its texts are sentences.
+    unknown : str
+        English text of an unknown value; a dash if empty.
+    """
+
+    value: str | Callable[[Row], Any]
+    title: str | LazyText
+    format: Format | Callable[[Row], Format] | None = None
+    tip: str | LazyText = ""
+    texts: Mapping[Any, str] | None = None
+    sigma: str | Callable[[Row], Any] | None = None
+    half_interval: str | None = None
+    has_unit_in_cells: bool = False
+    is_wide: bool = False
+    unknown: str = ""
+
+    @property
+    def is_text(self) -> bool:
+        """Whether its cells are texts."""
+        return self.format is None
+
+    @property
+    def unit(self) -> Unit:
+        """Unit below the title; empty where it is in the cells, or where there is none."""
+        if isinstance(self.format, Format) and not self.has_unit_in_cells:
+            return self.format.unit
+        return ""
+
+    def value_of(self, row: Row) -> Any:
+        """Value in a row; a message or a named value as text in the language in use."""
+        value = _part_of(row, self.value)
+        if value is not None and self.texts is not None:
+            return gettext(self.texts[value])
+        return sentence_text(value) if isinstance(value, Message) else value
+
+    def sigma_of(self, row: Row) -> float | None:
+        """Standard deviation of the value in a row, in the unit of the value."""
+        return None if self.sigma is None else _part_of(row, self.sigma)
+
+    def format_of(self, row: Row) -> Format | None:
+        """Format of the number in a row."""
+        return self.format(row) if callable(self.format) else self.format
+
+    def unknown_text(self) -> str:
+        """Text of a value that is not known."""
+        return gettext(self.unknown) if self.unknown else UNKNOWN
+
+    def with_title(self, title: str | LazyText) -> "Column[Row]":
+        """The same column under another title, in English."""
+        return replace(self, title=title)
+
+
+@dataclass(frozen=True)
+class Table(Generic[Row]):
+    """Columns over rows of one kind, with a title in English or one that is translated later."""
+
+    title: str | LazyText
+    columns: tuple[Column[Row], ...]
+
+
+def title_text(title: str | LazyText) -> str:
+    """Title of a table or a column, or a tooltip, in the language in use."""
+    return str(title) if isinstance(title, LazyText) or not title else gettext(title)
+
+
+def unit_text(unit: Unit) -> str:
+    """Name of a unit in the language in use."""
+    if unit == "deg":
+        return degrees_unit()
+    return with_unit(fixed_number(0.001, 3), "deg") if unit == "mdeg" else unit
+
+
+def cell_text(column: Column[Row], row: Row) -> str:
+    """Text of a cell in standard units and the language in use."""
+    value, form = column.value_of(row), column.format_of(row)
+    if value is None:
+        return column.unknown_text()
+    if form is None:
+        return str(value)
+    text = form.text(value)
+    if column.has_unit_in_cells:
+        text = with_unit(text, form.unit)
+    if column.half_interval is not None:
+        half = form.half_interval.text(_part_of(row, column.half_interval))
+        return f"{text} {half}"
+    sigma = column.sigma_of(row)
+    if sigma is None:
+        return text
+    return gettext("{error} (σ {sigma})", error=text, sigma=form.text(sigma))
+
+
+def _part_of(row: Any, path: str | Callable[[Any], Any]) -> Any:
+    if callable(path):
+        return path(row)
+    for name in path.split("."):
+        if row is None:
+            return None
+        row = getattr(row, name)
+    return row

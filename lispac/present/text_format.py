@@ -1,0 +1,182 @@
+"""Numbers, units and names as the report writes them, in the language in use."""
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from datetime import datetime
+
+from lispac.adjustment.model.parameters import OUTPUT_UNITS, QUANTITIES
+from lispac.adjustment.model.parameters import mounting_value_name as quantity_name
+from lispac.language import N_, gettext, number
+from lispac.message_texts import message_text
+from lispac.messages import Message
+
+UNKNOWN = "\u2013"
+MINUS = "\u2212"
+HYPHEN = re.compile(r"(?<![^\s(])-(?=\d)")
+"""A hyphen before a number."""
+
+TITLES: Mapping[str, str] = {
+    "roll": N_("Roll"),
+    "pitch": N_("Pitch"),
+    "yaw": N_("Yaw"),
+    "lever_x": N_("Lever arm X"),
+    "lever_y": N_("Lever arm Y"),
+    "lever_z": N_("Lever arm Z"),
+    "range_offset": N_("Range offset"),
+    "scan_angle_offset": N_("Scan-angle offset"),
+    "latency": N_("Latency"),
+}
+"""Names of the estimated values, as they begin a row of a table."""
+
+
+def format_known(
+    value: float | None, formatted: Callable[[float], str], unknown: str = UNKNOWN
+) -> str:
+    """Formatted value, or a dash if it is not known."""
+    return unknown if value is None else formatted(value)
+
+
+def grouped_number(value: float, decimals: int = 0) -> str:
+    """A number with separators between groups of three digits."""
+    return localised_number(f"{value:,.{decimals}f}")
+
+
+def fixed_number(value: float, decimals: int, *, sign: bool = False) -> str:
+    """A number without separators between groups of three digits."""
+    return localised_number(f"{value:{'+' if sign else ''}.{decimals}f}")
+
+
+def signed_number(value: float, decimals: int) -> str:
+    """A number that always shows its sign."""
+    return fixed_number(value, decimals, sign=True)
+
+
+def shortest_number(value: float) -> str:
+    """A number with as many decimals as it needs, six significant digits at most."""
+    return localised_number(f"{value:g}")
+
+
+def localised_number(text: str) -> str:
+    """A number, as Python writes it, with the signs of the language in use."""
+    # Not by `number`: it rounds the shortest decimals of a number, and so the last digit of a
+    # number halfway between two may differ.
+    whole, point, decimals = text.partition(".")
+    signs = decimal_sign() if point else ""
+    return f"{whole.replace(',', group_sign())}{signs}{decimals}".replace("-", MINUS)
+
+
+def decimal_sign() -> str:
+    """The sign before the decimals."""
+    return number(0.5, 1).strip("05")
+
+
+def group_sign() -> str:
+    """The sign between groups of three digits."""
+    return number(1000, 0).strip("01")
+
+
+def millimetres(metres: float) -> str:
+    """Length in metres formatted as millimetres with one decimal."""
+    return grouped_number(1000 * metres, 1)
+
+
+def centimetres(metres: float) -> str:
+    """Length in metres formatted as centimetres with two decimals."""
+    return fixed_number(100 * metres, 2)
+
+
+def percent_text(ratio: float) -> str:
+    """A ratio in whole percent, with its sign."""
+    return f"{fixed_number(100 * ratio, 0)}\u00a0%"
+
+
+def angle_text(value: float) -> str:
+    """An angle in degrees, four decimals."""
+    return signed_number(value, 4)
+
+
+def heading_text(value: float) -> str:
+    """A heading in degrees, 0 to 360."""
+    return fixed_number(value % 360, 1)
+
+
+def interval_text(half: str) -> str:
+    """Half-width of a confidence interval, with a plus-minus sign."""
+    return f"\u00b1 {half}"
+
+
+def with_interval(value: str, half: str) -> str:
+    """A value with half the width of its confidence interval."""
+    return f"{value} {interval_text(half)}"
+
+
+def triple_text(values: Sequence[float], decimals: int) -> str:
+    """Three numbers in a row."""
+    x, y, z = (fixed_number(value, decimals) for value in values)
+    return gettext("{x}, {y}, {z}", x=x, y=y, z=z)
+
+
+def title_with_unit(title: str, unit: str) -> str:
+    """Title of a column with its unit below."""
+    return f"{title}\n({unit})"
+
+
+def degrees_unit() -> str:
+    """The unit of angles, as it stands below the title of a column or beside an axis."""
+    return gettext("deg")
+
+
+def sentence_text(message: Message) -> str:
+    """Text of a message with true minus signs, as the tables have them."""
+    return with_minus_signs(message_text(message))
+
+
+def with_minus_signs(text: str, names: Iterable[str] = ()) -> str:
+    """Text of a message with true minus signs, except in names."""
+    whole = "|".join(map(re.escape, sorted(names, key=len, reverse=True)))
+    pattern = re.compile(f"{whole}|{HYPHEN.pattern}" if whole else HYPHEN.pattern)
+    return pattern.sub(lambda found: MINUS if found.group() == "-" else found.group(), text)
+
+
+def title(name: str) -> str:
+    """Title of an estimated value, for the first cell of a table row."""
+    return gettext(TITLES[name])
+
+
+def parameter_name(name: str) -> str:
+    """Name of an estimated value, for use within a sentence."""
+    return message_text(quantity_name(name))
+
+
+def origin_text(origin: Sequence[float] | None) -> str:
+    """Latitude and longitude in degrees, and height in metres."""
+    if origin is None:
+        return gettext("mean position of the trajectory")
+    latitude, longitude, height = origin
+    return gettext(
+        "latitude {latitude} deg, longitude {longitude} deg, height {height} m",
+        latitude=fixed_number(latitude, 8),
+        longitude=fixed_number(longitude, 8),
+        height=fixed_number(height, 3),
+    )
+
+
+def quantity_text(name: str, value: float, *, sign: bool = False) -> str:
+    """A value of the mounting, in metres, degrees or seconds, with the unit it is shown in."""
+    shown, (shown_factor, _) = QUANTITIES[name], OUTPUT_UNITS[name]
+    number = fixed_number(shown.factor / shown_factor * value, shown.decimals, sign=sign)
+    return with_unit(number, shown.unit)
+
+
+def with_unit(number: str, unit: str) -> str:
+    """A number with its unit."""
+    # French writes the sign of degrees without a space before it.
+    if unit == "deg":
+        return gettext("{number}\u00a0deg", number=number)
+    return f"{number}\u00a0{unit}"
+
+
+def time_text(stamp: str) -> str:
+    """An ISO 8601 time to the minute."""
+    at = datetime.fromisoformat(stamp)
+    return f"{at:%Y-%m-%d %H:%M} {at.tzname()}"

@@ -1,0 +1,440 @@
+"""Values of the validation, from the comparisons of the lines."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import degrees, sqrt
+from typing import Any
+
+import numpy as np
+
+from lispac.language import N_
+from lispac.messages import Message
+from lispac.present.tables import (
+    COUNT,
+    MILLIMETRES,
+    PERCENT,
+    PLAIN_MILLIMETRES,
+    Column,
+    Format,
+    Table,
+)
+from lispac.validation.comparison_results import (
+    DistanceStatistics,
+    PairComparison,
+    PairState,
+    PlaneComparison,
+    SignedStatistics,
+)
+from lispac.validation.distance_map import DistanceMap
+from lispac.validation.distance_profile import DistanceProfile
+from lispac.validation.plane_offset import PlaneOffset
+
+
+@dataclass(frozen=True)
+class DistanceValues:
+    """Statistics of the unsigned distances between lines; see `DistanceStatistics`."""
+
+    n: int
+    mean_m: float
+    median_m: float
+    rms_m: float
+    p68_m: float
+    p95_m: float
+    p99_m: float
+    maximum_m: float
+    robust_sigma_m: float | None
+    outliers: int | None
+
+    @classmethod
+    def of(cls, values: DistanceStatistics) -> "DistanceValues":
+        """Values of the statistics of distances."""
+        return cls(
+            values.n, values.mean, values.median, values.rms, values.p68, values.p95, values.p99,
+            values.maximum, values.robust_sigma, values.outliers,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class SignedDistances:
+    """Distances of the first line from the second along the normal; see `SignedStatistics`."""
+
+    places: int
+    mean_m: float
+    median_m: float
+    robust_sigma_m: float
+    interval95_m: float
+    significant_share: float
+    rms_m: float | None
+
+    @classmethod
+    def of(cls, values: SignedStatistics) -> "SignedDistances":
+        """Values of the statistics of signed distances."""
+        return cls(
+            values.n, values.mean, values.median, values.robust_sigma, values.half_width,
+            values.significant, values.rms,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class PlaneOffsetValues:
+    """The first line's plane from the second's; see `PlaneOffset`."""
+
+    offset_m: float
+    offset_interval95_m: float
+    rotation_horizontal_axis_deg: float
+    rotation_horizontal_axis_interval95_deg: float
+    rotation_slope_axis_deg: float
+    rotation_slope_axis_interval95_deg: float
+    angle_deg: float
+    outliers: int
+
+    @classmethod
+    def of(cls, values: PlaneOffset) -> "PlaneOffsetValues":
+        """Values of a plane offset, angles in degrees."""
+        return cls(
+            offset_m=values.offset,
+            offset_interval95_m=values.offset_95,
+            rotation_horizontal_axis_deg=degrees(values.rotation_horizontal_axis),
+            rotation_horizontal_axis_interval95_deg=degrees(values.rotation_horizontal_axis_95),
+            rotation_slope_axis_deg=degrees(values.rotation_slope_axis),
+            rotation_slope_axis_interval95_deg=degrees(values.rotation_slope_axis_95),
+            angle_deg=degrees(values.angle),
+            outliers=values.outliers,
+        )
+
+
+@dataclass(frozen=True)
+class PairStateValues:
+    """Two lines with one boresight; what could not be measured is None."""
+
+    distances: DistanceValues
+    signed: SignedDistances | None
+    planes: PlaneOffsetValues | None
+
+    @classmethod
+    def of(cls, state: PairState) -> "PairStateValues":
+        """Values of a pair with one boresight."""
+        return cls(
+            DistanceValues.of(state.distances),
+            None if state.signed is None else SignedDistances.of(state.signed),
+            None if state.planes is None else PlaneOffsetValues.of(state.planes),
+        )
+
+
+@dataclass(frozen=True)
+class PairValues:
+    """Comparison of two lines on one validation plane."""
+
+    line_a: str
+    line_b: str
+    reciprocal: bool
+    before: PairStateValues
+    after: PairStateValues
+
+    @classmethod
+    def of(cls, pair: PairComparison) -> "PairValues":
+        """Values of the comparison of two lines."""
+        return cls(
+            pair.line_a,
+            pair.line_b,
+            pair.reciprocal,
+            PairStateValues.of(pair.before),
+            PairStateValues.of(pair.after),
+        )
+
+
+@dataclass(frozen=True)
+class DistancesBySteps:
+    """Distances in steps of height or range; None where a step holds too few."""
+
+    edges_m: tuple[float, ...]
+    n: tuple[int, ...]
+    median_before_m: tuple[float | None, ...]
+    median_after_m: tuple[float | None, ...]
+    p95_before_m: tuple[float | None, ...]
+    p95_after_m: tuple[float | None, ...]
+
+    @classmethod
+    def of(cls, profile: DistanceProfile) -> "DistancesBySteps":
+        """Values of a profile of distances."""
+        return cls(
+            tuple(profile.edges.tolist()),
+            tuple(profile.n.tolist()),
+            *(
+                tuple(None if np.isnan(each) else each for each in figures.tolist())
+                for figures in (
+                    profile.median_before, profile.median_after, profile.p95_before,
+                    profile.p95_after,
+                )
+            ),
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class DistanceMapValues:
+    """Distances of the first line from the second, cell by cell; see `DistanceMap`."""
+
+    line_a: str
+    line_b: str
+    cell_m: float
+    across_m: tuple[float, ...]
+    up_m: tuple[float, ...]
+    before_m: tuple[float, ...]
+    after_m: tuple[float, ...]
+
+    @classmethod
+    def of(cls, values: DistanceMap) -> "DistanceMapValues":
+        """Values of a map of distances."""
+        figures = (values.across, values.up, values.before, values.after)
+        return cls(values.line_a, values.line_b, values.cell, *(tuple(f.tolist()) for f in figures))
+
+
+@dataclass(frozen=True)
+class LocalModelValues:
+    """Local surface to which distances are measured; its size is the one or the other."""
+
+    kind: str
+    neighbours: int | None
+    radius_m: float | None
+
+
+@dataclass(frozen=True)
+class ValidationPlane:
+    """Distances between the lines on one validation plane, with their histogram.
+
+    The last bin also holds the distances beyond it.
+    """
+
+    name: str
+    pooled_from: str
+    measured_to: Message
+    model: LocalModelValues
+    before: DistanceValues
+    after: DistanceValues
+    pairs: tuple[PairValues, ...]
+    not_compared: tuple[tuple[str, str], ...]
+    bin_edges_m: tuple[float, ...]
+    counts_before: tuple[int, ...]
+    counts_after: tuple[int, ...]
+    by_height: DistancesBySteps | None
+    by_range: DistancesBySteps | None
+    maps: tuple[DistanceMapValues, ...] = ()
+
+    @classmethod
+    def of(cls, plane: PlaneComparison) -> "ValidationPlane":
+        """Values of the comparison on a plane."""
+        return cls(
+            name=plane.name,
+            pooled_from=plane.pooled_from,
+            measured_to=plane.model.name,
+            model=LocalModelValues(plane.model.kind, plane.model.neighbours, plane.model.radius),
+            before=DistanceValues.of(plane.before),
+            after=DistanceValues.of(plane.after),
+            pairs=tuple(map(PairValues.of, plane.pairs)),
+            not_compared=plane.not_compared,
+            bin_edges_m=tuple(map(float, plane.bin_edges)),
+            counts_before=tuple(map(int, plane.counts_before)),
+            counts_after=tuple(map(int, plane.counts_after)),
+            by_height=None if plane.by_height is None else DistancesBySteps.of(plane.by_height),
+            by_range=None if plane.by_range is None else DistancesBySteps.of(plane.by_range),
+            maps=tuple(map(DistanceMapValues.of, plane.maps)),
+        )
+
+
+@dataclass(frozen=True)
+class SwathDifference:
+    """Root mean square of the signed distances between the lines that overlap on a plane.
+
+    ``plane`` is empty where all planes are taken together; ``places`` are those after.
+    """
+
+    plane: str
+    pairs: int
+    places: int
+    rmsd_before_m: float
+    rmsd_after_m: float
+
+
+def swath_overlap(planes: Sequence[PlaneComparison]) -> tuple[SwathDifference, ...]:
+    """Swath overlap differences of each plane, then of all; empty without normal distances."""
+    per_plane = [(plane.name, _measured_pairs(plane)) for plane in planes]
+    known = [(name, pairs) for name, pairs in per_plane if pairs]
+    if not known:
+        return ()
+    every = [pair for _, pairs in known for pair in pairs]
+    return tuple(_swath_difference(name, pairs) for name, pairs in (*known, ("", every)))
+
+
+_Measured = tuple[SignedStatistics, SignedStatistics]
+"""The signed distances of a pair of lines, before and after."""
+
+
+def _measured_pairs(plane: PlaneComparison) -> list[_Measured]:
+    return [
+        (before, after)
+        for before, after in ((pair.before.signed, pair.after.signed) for pair in plane.pairs)
+        if before is not None and after is not None
+        if before.rms is not None and after.rms is not None
+    ]
+
+
+def _swath_difference(name: str, pairs: Sequence[_Measured]) -> SwathDifference:
+    def pooled(statistics: Sequence[SignedStatistics]) -> float:
+        squares = sum(each.n * (each.rms or 0.0) ** 2 for each in statistics)
+        return sqrt(squares / sum(each.n for each in statistics))
+
+    before, after = [b for b, _ in pairs], [a for _, a in pairs]
+    places = sum(each.n for each in after)
+    return SwathDifference(name, len(pairs), places, pooled(before), pooled(after))
+
+
+# -- tables ----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class PooledDistances:
+    """Statistics of the distances on a plane, before or after the calibration."""
+
+    plane: str
+    state: str
+    distances: DistanceValues
+
+
+@dataclass(frozen=True)
+class PairOnPlane:
+    """Two lines on a plane."""
+
+    plane: ValidationPlane
+    pair: PairValues
+
+    @property
+    def lines(self) -> str:
+        """Names of the two lines."""
+        return f"{self.pair.line_a} / {self.pair.line_b}"
+
+
+def pooled_rows(planes: Sequence[ValidationPlane]) -> list[PooledDistances]:
+    """Two rows for each plane."""
+    return [
+        PooledDistances(plane.name, state, getattr(plane, state))
+        for plane in planes
+        for state in ("before", "after")
+    ]
+
+
+def pair_rows(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
+    """All pairs of lines on all planes."""
+    return [PairOnPlane(plane, pair) for plane in planes for pair in plane.pairs]
+
+
+def pairs_that_show_the_boresight(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
+    """Reciprocal pairs; of a plane without any, all."""
+    return [
+        each
+        for each in pair_rows(planes)
+        if each.pair.reciprocal or each.plane.pooled_from == "all pairs"
+    ]
+
+
+ROTATION = Format("deg", 3)
+STATES = {"before": N_("before"), "after": N_("after")}
+POOLED_DISTANCES = Table[PooledDistances](
+    N_("Distances between lines on each plane (mm)"),
+    (
+        Column("plane", N_("Plane")),
+        Column("state", N_("State"), texts=STATES),
+        Column("distances.n", N_("Points"), COUNT),
+        Column("distances.mean_m", N_("Mean"), PLAIN_MILLIMETRES),
+        Column("distances.median_m", N_("Median"), PLAIN_MILLIMETRES),
+        Column("distances.rms_m", N_("RMS"), PLAIN_MILLIMETRES),
+        Column("distances.p68_m", N_("68 %"), PLAIN_MILLIMETRES),
+        Column("distances.p95_m", N_("95 %"), PLAIN_MILLIMETRES),
+        Column("distances.p99_m", N_("99 %"), PLAIN_MILLIMETRES),
+        Column("distances.robust_sigma_m", N_("Robust\nsigma"), PLAIN_MILLIMETRES),
+        Column("distances.outliers", N_("Outliers"), COUNT),
+    ),
+)
+
+
+def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
+    """Points, median, RMS and 95 % of distances, at these paths before and after."""
+    return (
+        Column(f"{before}.n", N_("Points"), COUNT),
+        Column(f"{before}.median_m", N_("Median\nbefore"), PLAIN_MILLIMETRES),
+        Column(f"{after}.median_m", N_("Median\nafter"), PLAIN_MILLIMETRES),
+        Column(f"{before}.rms_m", N_("RMS\nbefore"), PLAIN_MILLIMETRES),
+        Column(f"{after}.rms_m", N_("RMS\nafter"), PLAIN_MILLIMETRES),
+        Column(f"{before}.p95_m", N_("95 %\nbefore"), PLAIN_MILLIMETRES),
+        Column(f"{after}.p95_m", N_("95 %\nafter"), PLAIN_MILLIMETRES),
+    )
+
+
+PLANE_DISTANCES = Table[ValidationPlane](
+    N_("Validation: distances between lines on planes not used in the adjustment (mm)"),
+    (Column("name", N_("Plane")), *distance_columns("before", "after")),
+)
+PAIR_DISTANCES = Table[PairOnPlane](
+    N_("Distances for every pair of lines (mm)"),
+    (
+        Column("plane.name", N_("Plane")),
+        Column("lines", N_("Lines")),
+        Column("pair.reciprocal", N_("Reciprocal"), texts={True: N_("yes"), False: N_("no")}),
+        *distance_columns("pair.before.distances", "pair.after.distances"),
+    ),
+)
+PAIR_PLACES = Table[PairOnPlane](
+    N_("Signed distances along the normal, reciprocal pairs (mm)"),
+    (
+        Column("plane.name", N_("Plane")),
+        Column("lines", N_("Lines")),
+        Column("pair.after.signed.places", N_("Compared\nplaces"), COUNT),
+        Column("pair.before.signed.median_m", N_("Median\nbefore"), PLAIN_MILLIMETRES.signed),
+        Column(
+            "pair.before.signed.interval95_m", N_("95 % interval\nof a place\nbefore"),
+            PLAIN_MILLIMETRES.half_interval,
+        ),
+        Column(
+            "pair.before.signed.significant_share", N_("Significant\nplaces\nbefore"), PERCENT,
+            has_unit_in_cells=True,
+        ),
+        Column("pair.after.signed.median_m", N_("Median\nafter"), PLAIN_MILLIMETRES.signed),
+        Column(
+            "pair.after.signed.interval95_m", N_("95 % interval\nof a place\nafter"),
+            PLAIN_MILLIMETRES.half_interval,
+        ),
+        Column(
+            "pair.after.signed.significant_share", N_("Significant\nplaces\nafter"), PERCENT,
+            has_unit_in_cells=True,
+        ),
+    ),
+)  # fmt: skip
+PAIR_PLANES = Table[PairOnPlane](
+    N_("Comparison of the planes fitted to two lines, reciprocal pairs"),
+    (
+        Column("plane.name", N_("Plane")),
+        Column("lines", N_("Lines")),
+        *(
+            Column(
+                f"pair.{state}.planes.{value}_{unit}", title, form.signed,
+                half_interval=f"pair.{state}.planes.{value}_interval95_{unit}",
+            )
+            for state, titles in (
+                ("before", (
+                    N_("Offset\nbefore"), N_("Rotation about\nhoriz. axis\nbefore"),
+                    N_("Rotation about\nvert. axis\nbefore"),
+                )),
+                ("after", (
+                    N_("Offset\nafter"), N_("Rotation about\nhoriz. axis\nafter"),
+                    N_("Rotation about\nvert. axis\nafter"),
+                )),
+            )
+            for (value, unit, form), title in zip(
+                (
+                    ("offset", "m", MILLIMETRES), ("rotation_horizontal_axis", "deg", ROTATION),
+                    ("rotation_slope_axis", "deg", ROTATION),
+                ),
+                titles, strict=True,
+            )
+        ),
+    ),
+)  # fmt: skip

@@ -1,0 +1,191 @@
+"""Seeds whose coordinates are typed, through the real dialogue."""
+
+import time
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushButton
+
+from lispac.gui.features.pick_targets.seed_coordinates import SeedCoordinatesDialog
+from lispac.survey.crs import coordinate_system
+from lispac.workflow.planning.demo import demo_seeds
+from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press
+from tests.message_codes import is_shown
+
+TARGETS = 1
+T1 = demo_seeds()["T1"][1]
+
+
+def hand(
+    driver: Driver, answer: Callable[[SeedCoordinatesDialog], None]
+) -> list[SeedCoordinatesDialog]:
+    """Let a hand answer the next dialogue; a failure there comes out of the test."""
+    seen: list[SeedCoordinatesDialog] = []
+    until = time.monotonic() + WAIT_MS / 1000
+
+    def inspect_window() -> None:
+        dialog = QApplication.activeModalWidget()
+        if dialog is None:
+            if time.monotonic() < until:
+                QTimer.singleShot(20, inspect_window)
+            return
+        seen.append(dialog)
+        try:
+            answer(dialog)
+        finally:
+            if dialog.isVisible():
+                driver.bot.keyClick(dialog, Key.Key_Escape)
+
+    QTimer.singleShot(20, inspect_window)
+    return seen
+
+
+def fill(driver: Driver, dialog: SeedCoordinatesDialog, name: str, text: str) -> None:
+    field = dialog.findChild(QLineEdit, name)
+    driver.bot.mouseClick(field, Qt.MouseButton.LeftButton)
+    field.selectAll()
+    driver.bot.keyClick(field, Key.Key_Delete)
+    driver.bot.keyClicks(field, text)
+
+
+def shown_result(dialog: SeedCoordinatesDialog) -> str:
+    return dialog.findChild(QLabel, "seed_message").text()
+
+
+def find(dialog: SeedCoordinatesDialog) -> QPushButton:
+    return dialog.findChild(QPushButton, "seed_find")
+
+
+def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> None:
+    before = opened.project
+
+    def answer(dialog: SeedCoordinatesDialog) -> None:
+        assert not find(dialog).isEnabled()
+        assert shown_result(dialog) == "Enter North, West and Up."
+        assert dialog.focusWidget() is dialog.fields[0]
+        for value in T1:
+            opened.bot.keyClicks(dialog.focusWidget(), f"{value:.3f}")
+            opened.bot.keyClick(dialog.focusWidget(), Key.Key_Tab)
+        assert "Distance from the trajectory: " in shown_result(dialog)
+        assert dialog.focusWidget() is find(dialog)
+        opened.bot.keyClick(dialog.focusWidget(), Key.Key_Return)
+
+    seen = hand(opened, answer)
+    press(opened, Key.Key_F3)
+    opened.rest()
+    assert len(seen) == 1
+    candidate = opened.window.controller.candidate
+    assert candidate.name == "T1"
+    assert candidate.seed == pytest.approx(T1, abs=1e-3)
+    assert len(candidate.sightings) == 6
+    assert opened.project is before
+    opened.window.activateWindow()  # no window manager does it here
+    opened.bot.waitUntil(opened.window.isActiveWindow, timeout=WAIT_MS)
+    press(opened, Key.Key_Return)
+    assert opened.window.document.undo_stack.undoText() == "detection of T1"
+    opened.window.document.undo_stack.undo()
+    assert opened.project is before
+
+
+def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
+    open_step(picked, TARGETS)
+    told: list[str] = []
+
+    def answer(dialog: SeedCoordinatesDialog) -> None:
+        def typed(name: str, text: str) -> str:
+            fill(picked, dialog, name, text)
+            told.append(shown_result(dialog))
+            return told[-1]
+
+        assert dialog.name.text() == "T3"
+        assert is_shown("window.not_a_number", typed("seed_coordinate_0", "abc"))
+        assert dialog.fields[0].property("wrong")
+        assert "Enter West and Up." in typed("seed_coordinate_0", "1,15")
+        assert not dialog.fields[0].property("wrong")
+        typed("seed_coordinate_1", "-14.7")
+        assert "Distance from the trajectory: " in typed("seed_coordinate_2", "8.1")
+        assert find(dialog).isEnabled()
+        assert "The name T1 is already used" in typed("seed_name", "T1")
+        assert not find(dialog).isEnabled()
+        assert "printable" in typed("seed_name", " ")
+        assert "slash" in typed("seed_name", "a/b")
+        typed("seed_name", "T9")
+        assert is_shown("coordinates.too_far_local", typed("seed_coordinate_0", "5041234"))
+        assert not find(dialog).isEnabled()
+
+    seen = hand(picked, answer)
+    before = picked.project
+    click(picked, picked.window.targets.type_seed)
+    picked.rest()
+    assert len(told) == 9
+    assert seen
+    assert picked.project is before
+    assert picked.window.controller.candidate is None
+
+
+def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
+    open_step(opened, TARGETS)
+    trajectory = opened.window.document.survey.trajectory
+    zone = coordinate_system("EPSG:32619")
+    east, north, height = zone.from_local(np.array([T1]), trajectory.frame)[0]
+
+    def answer(dialog: SeedCoordinatesDialog) -> None:
+        box = dialog.findChild(QComboBox, "seed_system")
+        box.setFocus()
+        opened.bot.keyClick(box, Key.Key_Down)
+        assert "EPSG:32618" in box.currentText()
+        labels = [dialog._form.labelForField(field).text() for field in dialog.fields]
+        assert labels == ["Easting (m)", "Northing (m)", "Height (m)"]
+        box.lineEdit().selectAll()
+        opened.bot.keyClicks(box.lineEdit(), "EPSG:99999")
+        opened.bot.waitUntil(lambda: is_shown("crs.unknown", shown_result(dialog)), timeout=WAIT_MS)
+        box.lineEdit().selectAll()
+        opened.bot.keyClicks(box.lineEdit(), "EPSG:32619")
+        opened.bot.waitUntil(lambda: "Enter" in shown_result(dialog), timeout=WAIT_MS)
+        QApplication.clipboard().setText(f"{north:.4f}; {east:.4f}; {height:.4f}")
+        first = dialog.fields[0]
+        opened.bot.mouseClick(first, Qt.MouseButton.LeftButton)
+        opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+        assert is_shown("coordinates.swapped_projected", shown_result(dialog))
+        first.selectAll()
+        QApplication.clipboard().setText(f"{east:.4f}\t{north:.4f}\t−0{-height:.4f}")
+        opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+        assert "Local frame: " in shown_result(dialog)
+        opened.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
+
+    hand(opened, answer)
+    click(opened, opened.window.targets.type_seed)
+    opened.rest()
+    candidate = opened.window.controller.candidate
+    assert candidate.seed == pytest.approx(T1, abs=1e-3)
+    click(opened, opened.window.targets.candidate.accept)
+    assert len(opened.project.target("T1").sightings) == 6
+
+
+def test_for_one_line_it_goes_to_the_selected_target(picked: Driver) -> None:
+    open_step(picked, TARGETS)
+    line = picked.project.lines[2].name
+    picked.window.targets.select("T1")
+    picked.window.targets.line_choice.setCurrentText(line)
+
+    def answer(dialog: SeedCoordinatesDialog) -> None:
+        assert dialog.name.text() == "T1"
+        assert not dialog.name.isEnabled()
+        for k, value in enumerate(T1):
+            fill(picked, dialog, f"seed_coordinate_{k}", f"{value:.3f}")
+        picked.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
+
+    hand(picked, answer)
+    click(picked, picked.window.targets.type_seed)
+    picked.rest()
+    candidate = picked.window.controller.candidate
+    assert candidate.name == "T1"
+    others = {s.line: s for s in picked.project.target("T1").sightings if s.line != line}
+    assert all(candidate.sighting(name) is sighting for name, sighting in others.items())
+
+
+def test_nothing_to_seed_without_a_survey(driver: Driver) -> None:
+    assert not driver.window.actions_["seed_coordinates"].isEnabled()
+    assert not driver.window.targets.type_seed.isEnabled()
