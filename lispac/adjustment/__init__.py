@@ -1,1 +1,1 @@
-"""Least squares: observations, stochastic model, normal equations, diagnostics."""
+"""Least-squares adjustment: observations, stochastic model, solution, diagnostics."""

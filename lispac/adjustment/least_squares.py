@@ -1,4 +1,4 @@
-"""The least-squares adjustment of mounting and targets, with its diagnostics (thesis B.3)."""
+"""Least-squares adjustment of mounting and targets, with diagnostics (thesis B.3)."""
 
 from collections.abc import Mapping
 from contextlib import suppress
@@ -29,7 +29,7 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 SHORTER_TIMES = (0.3, 0.1, 0.03)
-"""Factors on the correlation times that are tried where the residuals are too large."""
+"""Factors on the correlation times that are tried if the chi-square test rejects the model."""
 
 
 def adjust(
@@ -46,46 +46,48 @@ def adjust(
     test_model: bool = True,
     progress: Progress = no_progress,
 ) -> AdjustmentResult:
-    """Find the boresight that makes each target's points, over all lines, one surface.
+    """Estimate the boresight with which the points of each target, in all lines, form one surface.
 
-    Gauss-Helmert model with unit normals kept exactly: a plane moves by two turns of its normal
-    and its offset. The products summed over groups of points carry all the points say, so an
-    iteration costs one pass over them and a small solve. A target no point of which agrees with the
-    others is excluded, and named in the result.
+    Gauss-Helmert model. Planes are parametrised by two rotations of the normal and an offset, so
+    that normals keep unit length. Each iteration sums the products of the Jacobian rows over groups
+    of points in one pass, and solves a small system of equations. A target that does not agree with
+    the others at any point is excluded, and the result names it.
 
     Parameters
     ----------
     mounting : Mounting
-        The prior boresight as the starting value; all other values as they are known.
+        Prior boresight, used as starting value, and the given values of all other quantities.
     parameters : tuple of Parameter
-        Values of the mounting to estimate besides the boresight. One that the geometry does not
+        Values of the mounting to estimate besides the boresight. A value that the geometry does not
         determine is fixed, and the result reports it.
     shapes : ndarray of shape (targets, 4), optional
-        Starting planes and spheres; fitted to the points placed with ``mounting`` where not given.
+        Starting planes and spheres. By default, they are fitted to the points georeferenced with
+        ``mounting``.
     noise : mapping of str to float, optional
-        Noise of each target over the given one (correlated model), as known from an adjustment of
-        more of its points; estimated from the residuals where not given.
+        Ratio of the noise of each target to the given one (correlated model), from an adjustment of
+        more points. By default, it is estimated from the residuals.
     components : bool
-        Whether to take the sigmas of LiDAR and POS from the data (correlated model).
+        Estimate variance components of LiDAR and POS (correlated model).
     accept_single_orientation : bool
-        Whether to accept that all targets are planes that face one way.
+        Accept targets that are all planes of one orientation.
     diagnostics : bool
-        Whether to work out observability and reliability too.
+        Also compute observability and reliability.
     test_model : bool
-        Whether, with diagnostics, the model of the errors follows the data where these contradict
-        it: shorter correlation times where the chi-square test asks for them, and sigmas raised
-        where results without single lines or targets scatter too much (`leave_out_sigma_factors`).
+        With diagnostics, adapt the stochastic model if the data contradict it: use shorter
+        correlation times if the chi-square test rejects the model, and raise the sigmas if results
+        without single lines or targets scatter too much (`leave_out_sigma_factors`).
 
     Raises
     ------
     AdjustmentError
-        Where a sighting has too few points.
+        A sighting has too few points.
     RankDeficient
-        Where lines and targets do not determine the boresight, or nothing checks it.
+        Lines and targets do not determine the boresight, or nothing checks it.
     TargetDisagrees
-        Where two targets are left at most, or starting shapes are given.
+        A target disagrees and cannot be excluded, because only two are left or starting shapes are
+        given.
     NotConverged
-        If the iteration diverges or does not converge.
+        The iteration diverges or does not converge.
     """
     settings = SolverSettings(
         model, parameters, shapes, noise, components, accept_single_orientation
@@ -107,7 +109,11 @@ def adjust(
 
 
 def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:
-    """Result with diagnostics, and with sigmas raised where parts of the data scatter too much."""
+    """Result with diagnostics.
+
+    With ``raise_sigmas``, the sigmas of the angles are raised if results without parts of the data
+    scatter more than predicted (`leave_out_sigma_factors`).
+    """
     linearised, correlated = solution.linearised, solution.linearised.problem.model.correlated
     factors = leave_out_sigma_factors(linearised) if raise_sigmas and correlated else None
     has_surfaces = correlated and bool(linearised.normal.layout.surfaces)
@@ -130,7 +136,7 @@ def _with_shorter_correlation_times(
     settings: SolverSettings,
     progress: Progress,
 ) -> AdjustmentResult:
-    """Result with the longest correlation times that pass the test; ``found`` if none does."""
+    """Result with the longest correlation times that pass the test; ``found`` if none pass."""
     given = settings.model.position_time, settings.model.attitude_time
     for factor in SHORTER_TIMES:
         model = replace(
@@ -154,9 +160,10 @@ def _passes_without_cause(
     settings: SolverSettings,
     progress: Progress,
 ) -> bool:
-    """Whether the residuals pass the test without the error named as their cause.
+    """Whether the chi-square test passes once the probable causes of the residuals are removed.
 
-    Correlation times as short as a second or two explain nearly everything, a late line as well.
+    Shorter correlation times are then not tried: times of a second or two would explain nearly any
+    residuals, even those of a line with a time error.
     """
     causes = [group[0] for group in found.causes or () if len(group) == 1]
     values = [Parameter(each.kind) for each in causes if each.kind in OPTIONAL_NAMES]
@@ -185,16 +192,16 @@ def adjust_or_explain(
     diagnostics: bool = True,
     progress: Progress = no_progress,
 ) -> AdjustmentResult:
-    """`adjust`, with the possible causes in the reason where it does not converge.
+    """Call `adjust`, and add the possible causes to the error if it does not converge.
 
     Raises
     ------
     AdjustmentError
-        If the observations determine no boresight, or the adjustment does not converge.
+        The observations do not determine the boresight, or the adjustment does not converge.
     RankDeficient
-        If a parameter is not determined.
+        A parameter is not determined.
     NotConverged
-        With the causes that were found, the one that fits best first.
+        The adjustment does not converge; the reason includes possible causes, the best one first.
     """
     try:
         return adjust(

@@ -22,7 +22,7 @@ ANGLES = ("roll", "pitch", "yaw")
 
 @dataclass(frozen=True)
 class ChiSquare:
-    """Two-sided test of the variance factor against 1 at 95 %."""
+    """Two-sided chi-square test of the variance factor against 1, at a level of 5 %."""
 
     statistic: float
     lower: float
@@ -40,8 +40,9 @@ class SightingResidual:
 
     Attributes
     ----------
+    points : int
     rms_before, rms_after, mean_after : float, metres
-        Mounting and surface alone: no POS error is taken off.
+        RMS and mean distance before and after the adjustment. Estimated POS errors are not removed.
     """
 
     sighting: Sighting
@@ -54,38 +55,38 @@ class SightingResidual:
 @accept_script_names
 @dataclass(frozen=True, eq=False)
 class SightingReliability:
-    """Reliability of a sighting, and whether it agrees (correlated model).
+    """Reliability of a sighting, and test of its agreement (correlated model).
 
     Attributes
     ----------
     pos_error, pos_sigma, pos_sigma_after : ndarray of shape (6,), metres and radians
         Estimated POS error (north, west, up, roll, pitch, heading) in the middle of the sighting,
-        its standard deviation before and after the adjustment.
+        and its standard deviation before and after the adjustment.
     shift : float, metres
-        Offset of the whole sighting from the result of all others, along the normal, without
-        its own prior.
+        Offset of the whole sighting along the normal from the result of all others, estimated
+        without a prior.
     w : float
-        The shift over its standard deviation (Baarda's test); a unit normal variable where the
-        sighting has no blunder.
+        ``shift`` divided by its standard deviation (Baarda's test); standard normal if the sighting
+        has no blunder.
     detectable : float, metres
-        Smallest shift that the test finds with 80 % power (minimal detectable bias).
+        Minimal detectable bias: smallest shift that the test detects with a power of 80 %.
     effect : ndarray of shape (3,), radians
-        What a shift of that size that stays unfound does to roll, pitch, yaw.
+        Change of roll, pitch and yaw by an undetected shift of that size.
     redundancy : float
-        Mean of the points' redundancy numbers, 0 (unchecked) to 1.
+        Mean redundancy number of the points, from 0 (not controlled) to 1.
     outliers : int
-        Points whose own test is beyond the critical value.
+        Number of points whose test value exceeds the critical value.
     largest_w : float
-        Largest test value among the points.
+        Largest test value of the points.
     largest_at : float or None, seconds
-        Time of the point that has it; of an average, the mean of its points. None in results of
-        earlier versions.
+        Time of the point with the largest test value; for an averaged point, the mean time. None in
+        results of earlier versions.
     point_detectable : float, metres
-        Median of the points' minimal detectable biases.
+        Median of the minimal detectable biases of the points.
     weight : float
-        Mean weight the loss left to the points.
+        Mean weight of the points by the loss function.
     rejected : bool
-        Whether it is a blunder: rejected, or without weight.
+        Whether the sighting is a blunder: rejected, or without weight.
     """
 
     sighting: Sighting
@@ -107,22 +108,23 @@ class SightingReliability:
 
 @dataclass(frozen=True, eq=False)
 class TargetResidual:
-    """Distances of one target's points, over all lines, to one joint surface, metres.
-
-    Before, the surface is the best one through the points placed with the prior boresight.
+    """Distances of the points of one target, in all lines, from one common surface.
 
     Attributes
     ----------
     rms_before, rms_after : float, metres
+        RMS distance from the surface fitted to the points with the prior boresight, and from the
+        adjusted surface.
     plane : ndarray of shape (4,), local frame
         Unit normal and offset (metres); of a sphere centre and radius.
     sphere : bool
     noise : float
-        Noise found in the residuals over the given one, at least 1, with what neighbouring points
-        have in common; the sigmas of the angles are computed with it (correlated model).
+        Ratio of the noise estimated from the residuals to the given one, at least 1. It includes
+        the correlation of neighbouring points, and the sigmas of the angles are computed with it
+        (correlated model).
     noise_of_form : float or None
-        Noise that form errors of the surface explain, over the given one, at least 1; of planes
-        with more than the given noise only.
+        Ratio of the noise explained by form errors of the surface to the given one, at least 1;
+        only for planes with more than the given noise.
     """
 
     target: str
@@ -144,10 +146,10 @@ class RadiusDiscrepancy:
     target : str
     smallest, largest : float, metres
     cause : str
-        With what changed the radii agree: ``roll_sign``, ``pitch_sign``, ``roll_pitch_signs``,
-        ``latency`` or ``range_offset``; empty where nothing of that does.
+        Change with which the radii agree: ``roll_sign``, ``pitch_sign``, ``roll_pitch_signs``,
+        ``latency`` or ``range_offset``; empty if there is none.
     value : float, seconds or metres
-        What has to be added to the latency or the range offset.
+        Correction to add to the latency or the range offset.
     """
 
     target: str
@@ -165,13 +167,14 @@ class UncontrolledObservations:
     ----------
     kind : {"line", "target", "sighting", "clustered"}
         A line or a target without which the angles are not determined, a sighting without which
-        some of them are known much worse, or targets that stand together as one.
+        some angles have much larger sigmas, or targets so close together that they act as one.
     target, line : str
-        Empty where it is not one.
+        Names; empty if they do not apply.
     angles : tuple of str
-        That hang on a sighting.
+        Angles that depend on a sighting.
     size : float
-        Of ``together``: the largest distance of two targets over their distance from the scanner.
+        For ``clustered``: largest distance of two targets divided by their distance from the
+        scanner.
     """
 
     kind: str
@@ -188,17 +191,17 @@ class Observability:
     Attributes
     ----------
     eigenvalues : ndarray of shape (3,), per square radian, ascending
-        Of the normal matrix of the three angles, all else eliminated.
+        Eigenvalues of the normal matrix of the three angles, with all other unknowns eliminated.
     directions : ndarray of shape (3, 3)
-        Their directions in (roll, pitch, yaw), one a column.
+        Eigenvectors in (roll, pitch, yaw), in columns.
     condition : float
-        Largest over smallest eigenvalue.
+        Ratio of the largest to the smallest eigenvalue.
     sigma_without_line : dict of str to ndarray of shape (3,) or None, radians
-        Sigmas of roll, pitch, yaw without a line; None if they could not be computed.
+        Sigmas of roll, pitch and yaw without each line; None if they could not be computed.
     messages : tuple of Message
         The weakest and the strongest direction first, then what each angle depends on.
     unchecked : tuple of UncontrolledObservations
-        What an error of would not show.
+        Observations in which a blunder would not be detected.
     """
 
     eigenvalues: Annotated[Array, ArrayShape(3)]
@@ -218,13 +221,13 @@ class VarianceComponent:
     name : {"LiDAR", "POS position", "POS attitude"}
     factor : float
     lower, upper : float
-        95 % interval by the likelihood.
+        95 % confidence interval from the likelihood.
     applied : bool
-        Whether the sigmas were changed by it: raised if the data show larger errors, lowered
-        if the whole interval is below 1.
+        Whether the sigmas were changed: raised if the data show larger errors, lowered if the whole
+        interval is below 1.
     used : float or None
-        Factor by which the sigmas were changed, if any; the adjustment converges a little off
-        the one found with it. None in results of earlier versions.
+        Factor by which the sigmas were changed; ``factor``, estimated with these sigmas, may differ
+        slightly. None in results of earlier versions.
     """
 
     name: str
@@ -242,13 +245,13 @@ class ContradictedParameter:
     Attributes
     ----------
     name : str
-        A value of the mounting other than its angles.
+        Name of a value of the mounting other than the angles.
     change, sigma : float, radians, metres or seconds
-        What the data would add to the given value.
+        Correction of the given value according to the data, and its standard deviation.
     angle_change : ndarray of shape (3,), radians
-        What roll, pitch, yaw would change by with it.
+        Change of roll, pitch and yaw if the value were corrected.
     surface_sigma : float, metres
-        Sigma of the surfaces that would be left.
+        Sigma of the form errors if the value were corrected.
     """
 
     name: str
@@ -259,7 +262,7 @@ class ContradictedParameter:
 
     @property
     def w(self) -> float:
-        """Test value, standard normal where the value is right."""
+        """Test value, standard normal if the given value is correct."""
         return self.change / self.sigma
 
 
@@ -273,16 +276,17 @@ class PossibleCause:
         A value of the mounting other than its angles (`OPTIONAL_NAMES`), ``line_position``,
         ``line_boresight``, ``line_time``, ``sighting_shift`` or ``sighting_surface``.
     target, line : str
-        Where it is; empty where it is everywhere.
+        Target and line with the error; empty if it affects all.
     size, sigma : ndarray of shape (k,), radians, metres or seconds
-        What the data would add to the given value; of a line's position north, west, up, of a
-        boresight roll, pitch, yaw, of a surface two tilts (at its border) and the offset.
+        Size of the error according to the data, and its standard deviation. The components are
+        north, west, up for the position of a line; roll, pitch, yaw for a boresight; two tilts (at
+        the border) and the offset for a surface.
     angle_change : ndarray of shape (3,), radians
-        What roll, pitch, yaw would change by with it.
+        Change of roll, pitch and yaw if the error were corrected.
     effect : float, metres
-        Root mean square of what it does to the distances of all points from their surfaces.
+        RMS effect of the error on the distances of all points from their surfaces.
     evidence : float
-        Twice the logarithm of the Bayes factor against a model without it.
+        Twice the logarithm of the Bayes factor against a model without the error.
     """
 
     kind: str
@@ -298,57 +302,58 @@ class PossibleCause:
 @accept_script_names
 @dataclass(frozen=True, eq=False)
 class AdjustmentResult:
-    """Boresight, its uncertainty, and how well the model fits.
+    """Boresight, its uncertainty, and the fit of the model.
 
     Attributes
     ----------
     mounting : Mounting
-        As estimated; values that were not estimated are as they went in.
+        Estimated mounting; values that were not estimated are the given ones.
     prior_boresight : ndarray of shape (3,), radians; roll, pitch, yaw
     estimated : tuple of str
-        Names of the estimated values: boresight, and those of ``parameters`` with a number.
+        Names of the estimated values: the boresight, and those of ``parameters`` with a value.
     covariance_all : ndarray of shape (e, e), radians, metres, seconds
-        Covariance of ``estimated``. Not scaled by the variance factor.
+        Covariance of ``estimated``, not scaled by the variance factor.
     parameters : tuple of ParameterEstimate
-        What became of every value that was switched on besides the boresight.
+        Result of each value that was to be estimated besides the boresight.
     path : ndarray of shape (iterations, 3), radians
         Roll, pitch, yaw after each iteration.
     variance_factor : float
-        From the given sigmas, times the applied ``components``, before any noise was taken from
-        the residuals.
+        Variance factor with the given sigmas, multiplied by the applied ``components`` but not by
+        the noise estimated from the residuals.
     rms_before, rms_after : float, metres
+        RMS distance of all points from their surfaces before and after the adjustment.
     surface : float, metres
-        Sigma of how the sightings depart from their target's shape; 0 with
-        independent POS errors.
+        Sigma of the form errors: deviations of the sightings from the shape of their target. Zero
+        with independent POS errors.
     reliability : tuple of SightingReliability
         Empty with independent POS errors.
     components : tuple of VarianceComponent
         Empty if they were not requested.
     elapsed : float, seconds
     excluded_outliers : int
-        Points that stood out from their sighting and went into no average.
+        Number of outliers of their sighting that were excluded from the averages.
     contradictions : tuple of ContradictedParameter
         Given values that the data contradict; empty with independent POS errors.
     causes : tuple of tuple of PossibleCause, or None
-        Errors behind residuals that contradict the model, from `possible_causes`; None in results
-        of earlier versions.
+        Possible causes of residuals that contradict the model, from `find_possible_causes`; None in
+        results of earlier versions.
     offset : float or None, metres
-        That of their offsets, where the data insist on another one; ``surface`` is that of the
-        tilts then.
+        Sigma of the offsets of the sightings if it is estimated or given separately; ``surface`` is
+        then that of their tilts.
     angle_sigma_factors : ndarray of shape (3,), or None
-        Factors by which the sigmas of the angles were multiplied, because parts of the data scatter
-        by more than the model predicts; None where that is not known.
+        Factors by which the sigmas of the angles were raised, because results without parts of the
+        data scatter more than predicted; None if they were not computed.
     given_correlation_times : tuple of float, seconds, or None
         Given correlation times of position and attitude, if the residuals required
         the shorter ones of ``model``.
     radius_discrepancies : tuple of RadiusDiscrepancy
-        Of the balls.
+        Balls whose radius differs between lines.
     excluded_targets : tuple of str
-        Targets no point of which agrees with the others. They take no part in the result.
+        Targets that do not agree with the others at any point; they are not used.
     common_parts : tuple of CommonCoverage
         Targets of which the lines show different parts.
     messages : tuple of Message
-        Of the method that found the targets: what the result is based on, and what limits it.
+        Messages of the method that found the targets, on the data used and on the limitations.
     """
 
     mounting: Mounting
@@ -384,14 +389,14 @@ class AdjustmentResult:
 
     @property
     def surfaces(self) -> Array:
-        """Sigmas of a sighting's two tilts and its offset, shape (3,), metres."""
+        """Sigmas of the two tilts and of the offset of a sighting, shape (3,), metres."""
         return np.array(
             [self.surface, self.surface, self.surface if self.offset is None else self.offset]
         )
 
     @property
     def noise_factors(self) -> dict[str, float]:
-        """Noise of each target over the given one, as in `TargetResidual`."""
+        """Ratio of the noise of each target to the given one, as in `TargetResidual`."""
         return {target.target: target.noise for target in self.targets}
 
     @property
@@ -401,17 +406,17 @@ class AdjustmentResult:
 
     @property
     def angles(self) -> Array:
-        """Roll, pitch, yaw of the whole rotation, shape (3,), radians."""
+        """Roll, pitch, yaw of the estimated rotation with nominal axes included, (3,), radians."""
         return self.mounting.without_nominal_axes.boresight
 
     @property
     def prior_angles(self) -> Array:
-        """Roll, pitch, yaw of the prior rotation, shape (3,), radians."""
+        """Roll, pitch, yaw of the prior rotation with nominal axes included, (3,), radians."""
         return self.mounting.with_boresight(self.prior_boresight).without_nominal_axes.boresight
 
     @property
     def with_formal_sigmas(self) -> "AdjustmentResult":
-        """Result with the formal sigmas of the model, none of them raised."""
+        """Result with the formal sigmas of the model, without `angle_sigma_factors`."""
         if self.angle_sigma_factors is None:
             return self
         whole = np.ones(len(self.covariance_all))
@@ -464,7 +469,7 @@ class AdjustmentResult:
         Parameters
         ----------
         level : float
-            Probability that it rejects a right model.
+            Significance level: probability that a correct model is rejected.
         """
         from scipy.special import chdtri
 
@@ -478,7 +483,7 @@ class AdjustmentResult:
 
     @property
     def rejected_lines(self) -> tuple[str, ...]:
-        """Lines whose sightings were all rejected: their position jumped."""
+        """Lines with several sightings that were all rejected, as after a jump of the position."""
         count = Counter(item.sighting.line for item in self.reliability)
         named = Counter(sighting.line for sighting in self.rejected_sightings)
         return tuple(line for line in named if named[line] == count[line] > 1)
@@ -486,7 +491,7 @@ class AdjustmentResult:
 
 @dataclass(frozen=True, eq=False)
 class CrossCheck:
-    """Result of a part of the data compared with that of all.
+    """Comparison of the result of a part of the data with that of all data.
 
     Attributes
     ----------
@@ -494,13 +499,13 @@ class CrossCheck:
     part : str
         Omitted line or target, or the half of the survey (in time) that was used.
     boresight, sigma : ndarray of shape (3,) or None, radians
-        None where the part does not determine the angles.
+        Result of the part; None if it does not determine the angles.
     difference : ndarray of shape (3,) or None, radians
-        This part minus the result of all points, or a half minus the other half.
+        Result of this part minus that of all points, or of one half minus the other.
     significance : ndarray of shape (3,) or None
-        The difference over the standard deviation it should have.
+        The difference divided by its predicted standard deviation.
     reason : Message or None
-        Why there is no result; None where there is one.
+        Reason why there is no result; None if there is one.
     """
 
     kind: str
@@ -519,14 +524,15 @@ class CrossCheck:
 
 @dataclass(frozen=True, eq=False)
 class CrossChecks:
-    """All cross-checks, and the spread of their results beside the formal sigmas.
+    """All cross-checks, and the spread of their results compared with the formal sigmas.
 
     Attributes
     ----------
+    parts : tuple of CrossCheck
     spread_lines, spread_targets : ndarray of shape (3,) or None, radians
         Jackknife standard deviation from omitting one line, or one target, at a time.
     sigma : ndarray of shape (3,), radians
-        Formal, of the result of all points.
+        Formal sigmas of the result of all points.
     """
 
     parts: tuple[CrossCheck, ...]
@@ -536,5 +542,5 @@ class CrossChecks:
 
     @property
     def disagreements(self) -> tuple[CrossCheck, ...]:
-        """Parts that disagree with the whole."""
+        """Parts whose result disagrees with that of all data."""
         return tuple(part for part in self.parts if part.disagrees)

@@ -1,1 +1,1 @@
-"""Which boards and lines to choose: prediction, search, Monte Carlo."""
+"""Design of calibration surveys: predicted precision, search for a plan, Monte Carlo check."""

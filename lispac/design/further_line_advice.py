@@ -23,22 +23,22 @@ Array = NDArray[np.float64]
 HEADINGS = np.radians(np.arange(0, 360, 15))
 SPEED = 1.0  # metres per second
 MAX_SIGMA_RATIO = 0.85
-"""Share of the sigma: a line that does not reduce it below this share is not recommended."""
+"""Largest ratio of an angle's sigma with a further line to that without, for a useful line."""
 
 
 @dataclass(frozen=True, eq=False)
 class FurtherLine:
-    """A suggested further line.
+    """A possible further line, and the sigmas predicted with it.
 
     Attributes
     ----------
     heading : float, radians clockwise from north
     sigma : ndarray of shape (3,), radians
-        Of roll, pitch, yaw with the line added.
+        Predicted sigmas of roll, pitch and yaw with the line added.
     distance : float, metres
-        From the middle of the targets, over ground.
+        Horizontal distance from the middle of the targets when abeam.
     to_starboard : bool
-        Whether they lie there, and not to port.
+        Whether the targets lie to starboard; to port otherwise.
     """
 
     heading: float
@@ -48,11 +48,12 @@ class FurtherLine:
 
 
 def further_lines(observations: Observations, result: AdjustmentResult) -> tuple[FurtherLine, ...]:
-    """Every heading that sees a target, with the sigmas predicted with that line.
+    """Predict the sigmas with a further line, for every heading from which a target is visible.
 
-    The line passes the targets at the distance and height of those there are, on the same side.
-    Sigmas follow from the geometry alone: the same model and Jacobians as in the adjustment. The
-    observations carry the sigmas that the result was found with (`AdjustmentResult.sigma_factors`).
+    The line passes on the same side of the targets as the existing lines, at their usual distance
+    and height. The sigmas follow from the geometry alone, with the model and the Jacobians of the
+    adjustment. The observations must have the sigmas with which the result was computed
+    (`AdjustmentResult.sigma_factors`).
     """
     found = []
     with single_blas_thread():
@@ -79,7 +80,7 @@ def _parameters_with_sigmas(result: AdjustmentResult) -> tuple[Parameter, ...]:
 def _predicted_sigmas(
     observations: Observations, result: AdjustmentResult, parameters: tuple[Parameter, ...]
 ) -> Array:
-    """Sigmas (radians) of roll, pitch, yaw that the observations would give, shape (3,)."""
+    """Predicted sigmas of roll, pitch and yaw from the observations, shape (3,), radians."""
     shapes = np.stack([target.plane for target in result.targets])
     suspects = set(result.rejected_sightings)
     rejected = [k for k, s in enumerate(observations.sightings) if s in suspects]
@@ -95,10 +96,10 @@ def _predicted_sigmas(
 def further_line_advice(
     observations: Observations, result: AdjustmentResult
 ) -> tuple[Message, ...]:
-    """The line that would lower the largest standard deviation most.
+    """Advise on the further line that reduces the largest standard deviation most.
 
-    Angles whose standard deviation is mostly that of a given value are named first, since no line
-    lowers it; the line is for the next angle.
+    If no line reduces it because given values with a standard deviation limit it, a message names
+    these values, and the advice is for the angle with the next largest standard deviation.
     """
     lines = further_lines(observations, result)
     if not lines:
@@ -144,9 +145,10 @@ def _advice_for_angle(
 def _limiting_parameters(
     observations: Observations, result: AdjustmentResult
 ) -> tuple[list[str], ...]:
-    """Given values that are not determined and that limit the sigma of each angle.
+    """Names of the given values, not determined by the data, that limit the sigma of each angle.
 
-    They are found by what the sigmas would be if a value were known exactly.
+    The sigmas are predicted with each of these values known exactly. A value limits an angle if its
+    sigma then decreases enough.
     """
     everything = _parameters_with_sigmas(result)
     values = {each.name: each.value for each in result.parameters}
@@ -176,13 +178,13 @@ def _limiting_parameters(
 def _angle_to_upright_plane(
     result: AdjustmentResult, line: FurtherLine
 ) -> tuple[str, float] | None:
-    """Name of the most upright plane, and angle (radians) between its face and the heading."""
+    """Name of the most upright plane, and angle (radians) between its trace and the heading."""
     planes = [target for target in result.targets if not target.sphere]
     if not planes:
         return None
     upright = min(planes, key=lambda target: abs(float(target.plane[2])))
     north, west = upright.plane[:2]
-    along = np.arctan2(north, west)  # heading along the face: at right angles to the normal
+    along = np.arctan2(north, west)  # heading parallel to the plane
     off = abs((line.heading - along + np.pi / 2) % np.pi - np.pi / 2)
     return upright.target, float(off)
 
@@ -190,7 +192,7 @@ def _angle_to_upright_plane(
 def _add_simulated_line(
     observations: Observations, result: AdjustmentResult, heading: float
 ) -> tuple[Observations, float, bool] | None:
-    """Observations with a line added, distance to the targets, and whether to starboard."""
+    """Observations with a simulated line, its distance, and whether targets are to starboard."""
     places = points_local(observations, result.mounting)
     suspects = set(result.rejected_sightings)
     best = [_best_sighting(observations, k, suspects) for k in range(len(observations.targets))]
@@ -263,7 +265,7 @@ def _best_sighting(
 
 
 def _usual_time_between_lines(observations: Observations) -> float:
-    """Usual time from one line to the next, seconds."""
+    """Median time from one line to the next, seconds."""
     times = observations.mean_by_sighting(observations.time)
     lines = [s.line for s in observations.sightings]
     middles = [

@@ -1,8 +1,8 @@
-"""Monte Carlo check of the sigmas: a plan simulated and adjusted many times.
+"""Monte Carlo check of the sigmas: a plan is simulated and adjusted many times.
 
-The simulation is independent of the prediction (`lispac.design.prediction`), except for how many
-points a sighting has: the boards lie off their shape, the LiDAR has noise, the POS errors drift,
-and the vessel rolls.
+The simulation is independent of the prediction (`lispac.design.prediction`), except for the number
+of points of a sighting. It includes form errors of the boards, LiDAR noise, POS errors correlated
+in time, and the motion of the vessel.
 """
 
 from dataclasses import dataclass, replace
@@ -34,9 +34,9 @@ from lispac.simulation.closed_form_survey import (
 Array = NDArray[np.float64]
 ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
 CHANCE_SIGMAS = 3.0
-"""Standard deviations of chance beyond which a share of intervals is not by chance."""
+"""Critical value of the tests of coverage and mean error, in standard deviations."""
 MIN_SURVEYS = 20
-"""Surveys that determine a standard deviation to a sixth; fewer give no result."""
+"""Smallest number of surveys for a result; they give a standard deviation to about 16 %."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,13 +46,13 @@ class MonteCarloResult:
     Attributes
     ----------
     errors, sigmas : ndarray of shape (surveys, 3), radians
-        Of roll, pitch, yaw; of the surveys that could be adjusted.
+        Errors and formal sigmas of roll, pitch and yaw in each survey that could be adjusted.
     predicted : ndarray of shape (3,), radians
-        Sigmas from the plan alone.
+        Sigmas predicted from the plan.
     correlation : ndarray of shape (3, 3)
-        Between the angles, from the plan alone.
+        Correlations of the angles predicted from the plan.
     failed : int
-        Surveys that could not be adjusted.
+        Number of surveys that could not be adjusted.
     """
 
     errors: Array
@@ -63,12 +63,12 @@ class MonteCarloResult:
 
     @property
     def empirical_sigma(self) -> Array:
-        """Standard deviation of the estimates about the truth, shape (3,), radians."""
+        """RMS error of the estimated angles, shape (3,), radians."""
         return np.asarray(np.sqrt((self.errors**2).mean(axis=0)))
 
     @property
     def mean_formal_sigma(self) -> Array:
-        """Mean sigma of the adjustments, shape (3,), radians."""
+        """Mean formal sigma of the adjustments, shape (3,), radians."""
         return np.asarray(self.sigmas.mean(axis=0))
 
     @property
@@ -78,12 +78,12 @@ class MonteCarloResult:
 
     @property
     def ratio(self) -> Array:
-        """``empirical`` divided by ``predicted``, shape (3,)."""
+        """``empirical_sigma`` divided by ``predicted``, shape (3,)."""
         return self.empirical_sigma / self.predicted
 
     @property
     def ratio_sigma(self) -> float:
-        """Standard deviation by chance of ``empirical`` over its true value, no unit."""
+        """Relative standard deviation of ``empirical_sigma``, no unit, from the sample size."""
         return float(1 / np.sqrt(2 * len(self.errors)))
 
     @property
@@ -98,13 +98,13 @@ class MonteCarloResult:
 
     @property
     def chi_square(self) -> float:
-        """Chi-square of the errors with the predicted covariance; expected: number of angles."""
+        """Chi-square of errors with the predicted covariance; expectation: ``errors.size``."""
         unit, inverse = self.errors / self.predicted, np.linalg.inv(self.correlation)
         return float(np.einsum("ni,ij,nj->", unit, inverse, unit))
 
     @property
     def chi_square_bounds(self) -> tuple[float, float]:
-        """Bounds of ``chi_square`` in 95 of 100 campaigns."""
+        """Bounds of the central 95 % of the distribution of ``chi_square``."""
         from scipy.special import chdtri  # takes the upper tail
 
         count = self.errors.size
@@ -144,7 +144,7 @@ class MonteCarloResult:
 
     @property
     def summary_texts(self) -> tuple[str, ...]:
-        """Conclusions as sentences."""
+        """Conclusions on the sigmas, the mean errors and chi-square, as sentences."""
         chance = np.sqrt(0.95 * 0.05 / len(self.errors))
         names = tuple(map(gettext, ANGLE_NAMES))
         found = [
@@ -216,22 +216,24 @@ def run_monte_carlo(
     Parameters
     ----------
     seed : int
-        Every survey has its own stream of it: the same numbers with any mapper.
+        Seed of the random numbers. Each survey has its own stream, so that the result does not
+        depend on the mapper.
     flatness_known : bool
-        Whether the flatness of the targets is given to the adjustment, not estimated.
+        Use the flatness of the targets in the adjustment instead of estimating it.
     enough : int, optional
-        Surveys that suffice for a result where ``progress`` cancels the rest.
+        Number of surveys that is enough for a result if ``progress`` cancels the others.
     mapper : callable
-        As of `lispac.design.plan_search.search`.
+        As in `lispac.design.plan_search.search`.
 
     Raises
     ------
     RankDeficient
         The plan does not determine the boresight.
     LispacError
-        No survey could be adjusted, or one flatness is given although targets have their own.
+        No survey could be adjusted, or ``flatness_known`` is set although targets have their own
+        flatness.
     Cancelled
-        Where fewer than ``enough`` are done.
+        The run was cancelled before ``enough`` surveys were adjusted.
     """
     if flatness_known and any(target.flatness is not None for target in plan.targets):
         raise LispacError(error("design.own_flatness"))
@@ -263,7 +265,10 @@ def run_monte_carlo(
 
 @dataclass(frozen=True, eq=False)
 class _SurveyTrial:
-    """Simulated survey by its number: error and sigma, shape (2, 3), NaN where it fails."""
+    """Simulate and adjust the survey of a given number.
+
+    Returns the errors and the formal sigmas, shape (2, 3), radians; NaN if the adjustment fails.
+    """
 
     plan: Plan
     surface: float | None
@@ -294,9 +299,9 @@ def simulate_plan(
     Parameters
     ----------
     perfect : bool
-        Targets, scanner and POS without any error.
+        Simulate targets, scanner and POS without errors.
     calm : bool
-        The vessel neither rolls nor drifts off its lines.
+        Simulate a vessel that does not roll and stays on its lines.
 
     Raises
     ------
@@ -333,18 +338,19 @@ def simulate_plan(
 def _simulate_target_points(
     target: Board | Ball, count: float, off: Array, generator: np.random.Generator, scanner: Array
 ) -> Array:
-    """Points of one sighting, one in each field of an even grid, as a scanner lays them.
+    """Simulate the points of one sighting, one at random in each cell of a regular grid.
 
     Parameters
     ----------
     off : ndarray of shape (3,), metres
-        How far this line sees the target off its shape: two borders lifted, and the whole.
+        Form error of the target in this line: tilts about two axes, as displacements at the edge,
+        and a shift along the normal. For a ball, only the last one is used, on the radius.
 
     Returns
     -------
     ndarray of shape (about ``count``, 3), metres, local
     """
-    # The visible part of a ball is the disc in the square that the grid covers.
+    # The visible part of a ball is a disc inscribed in the square of the grid.
     side = round(np.sqrt(count * 4 / np.pi if isinstance(target, Ball) else count))
     fields = np.stack(np.divmod(np.arange(side**2), side))
     u, v = 2 * (fields + generator.uniform(0, 1, fields.shape)) / side - 1

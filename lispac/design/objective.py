@@ -1,6 +1,7 @@
-"""Objective of a plan: one number computed from its three sigmas.
+"""Objective of a plan: one number computed from the covariance of the three angles.
 
-A- and D-optimality are those of optimal design (Atkinson and Donev 1992), as angles.
+A- and D-optimality are defined as in optimal design (Atkinson and Donev 1992), but converted to an
+angle in radians.
 """
 
 from collections.abc import Callable
@@ -27,8 +28,11 @@ CRITERIA: dict[Criterion, str] = {
 }
 
 PRIOR_SIGMA = np.radians(10.0)
-"""Radians: sigma of the angles before anything is measured. It keeps the value of a plan finite
-that determines nothing, so that a search can compare plans."""
+"""Sigma of the angles before the survey, radians.
+
+With it, the objective of a plan that does not determine all angles is finite, so that a search can
+compare such plans.
+"""
 
 
 VALUE_OF: dict[Criterion, Callable[[Array], float]] = {
@@ -43,14 +47,14 @@ VALUE_OF: dict[Criterion, Callable[[Array], float]] = {
 
 @dataclass(frozen=True)
 class PlanObjective:
-    """Objective function to be minimised.
+    """Objective function of the search for a plan, to be minimised.
 
     Attributes
     ----------
     criterion : {"largest", "roll", "pitch", "yaw", "A", "D"}
     pos_factors : tuple of float
-        How good the POS will be on the day is not known: times its given sigmas, and the mean over
-        them counts.
+        Factors applied to the given POS sigmas. The objective is the mean over all factors, since
+        the accuracy of the POS on the day of the survey is not known.
     """
 
     criterion: Criterion = "largest"
@@ -61,7 +65,7 @@ class PlanObjective:
         return self._mean_over_pos_factors(plan, None)
 
     def if_determined(self, plan: Plan) -> float:
-        """Objective value, radians; infinite where the plan leaves an angle undetermined."""
+        """Objective value, radians; infinite if the plan does not determine all angles."""
         found = predict(plan)
         return self._mean_over_pos_factors(plan, found) if found.determined else float("inf")
 
@@ -75,7 +79,7 @@ class PlanObjective:
         return float(np.mean([self.value_of_prediction(each) for each in found]))
 
     def value_of_prediction(self, prediction: Prediction) -> float:
-        """Value of the criterion, radians; that of the worst angle if one is undetermined."""
+        """Value of the criterion, radians; the largest sigma if not all angles are determined."""
         covariance = np.linalg.inv(prediction.information + np.eye(3) / PRIOR_SIGMA**2)
         return VALUE_OF[self.criterion if prediction.determined else "largest"](covariance)
 

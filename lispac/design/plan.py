@@ -15,11 +15,11 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 SIX = (0, 180, 45, 225, 315, 135)
-"""Degrees: headings of the six-fold pattern, against a wall that lies east (thesis figure 3.3)."""
+"""Headings of the pattern of six lines, degrees, for a wall in the east (thesis figure 3.3)."""
 
 
 BEYOND = 5.0
-"""Metres that a line runs straight before the first target is abeam and after the last one."""
+"""Length of the straight part of a line before the first and after the last target, metres."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,12 +29,12 @@ class System:
     Attributes
     ----------
     mounting : Mounting
-        As far as it is known; the sigmas hardly depend on it.
+        Approximate mounting; the sigmas hardly depend on it.
     scanner : Scanner
     pos : PosErrorModel
     pos_errors : {"correlated", "independent"}
-        How the adjustment takes the POS errors: drifting, or, as in the thesis, every point with
-        one of its own.
+        Model of the POS errors in the adjustment: correlated in time, or independent for each point
+        as in the thesis.
     """
 
     mounting: Mounting = field(
@@ -66,9 +66,9 @@ class Line:
     ----------
     heading_deg : float, degrees clockwise from north
     distance : float, metres
-        At which the middle of the site passes abeam.
+        Distance from the middle of the site when it is abeam.
     starboard : bool
-        Whether to starboard, and not to port.
+        Whether the site lies to starboard; to port otherwise.
     speed : float, metres per second
     """
 
@@ -79,14 +79,14 @@ class Line:
 
     @property
     def name(self) -> str:
-        """Heading, distance and side in short, as on a field plan."""
+        """Short name with heading, distance and side."""
         side = "starboard" if self.starboard else "port"
         return f"{self.heading_deg % 360:03.0f} deg, {self.distance:g} m to {side}"
 
     def abeam(self, middle: Sequence[float]) -> tuple[float, float]:
         """Position of the vessel abeam of the middle of the site: north and west, metres."""
         heading = np.radians(self.heading_deg)
-        # From the site to the vessel: to port of the course where the site lies to starboard.
+        # Direction to port of the course; the vessel lies there if the site is to starboard.
         port = np.array([np.sin(heading), np.cos(heading)])
         north, west = np.array(middle[:2]) + (port if self.starboard else -port) * self.distance
         return float(north), float(west)
@@ -100,15 +100,16 @@ class Plan:
     ----------
     targets : tuple of Board or Ball
     lines : tuple of Line
-        In the order they are sailed.
+        In the order of the survey.
     middle : tuple of float, metres, local
-        Of the site: what the lines pass.
+        Middle of the site; the distances of the lines refer to it.
     system : System
     interval : float, seconds
-        From one line to the next, with the turn.
+        Time from one line to the next, including the turn.
     flatness : float, metres
-        Standard deviation of how far a line may see a target off the shape that all lines have in
-        common (`StochasticModel.surface`): bent boards, range errors. Targets may have their own.
+        Standard deviation of the difference between a target in one line and its common shape in
+        all lines (`StochasticModel.surface`), due to bent boards or range errors. Targets may have
+        their own value.
     """
 
     targets: tuple[Board | Ball, ...]
@@ -134,7 +135,7 @@ class Plan:
 
     @property
     def straight_extents(self) -> tuple[tuple[float, float], ...]:
-        """Start and end of the straight part of each line, metres after abeam of the middle."""
+        """Start and end of the straight part of each line, metres along it from the middle."""
         found = []
         for course in self.courses:
             along = [
@@ -150,11 +151,11 @@ class Plan:
         return len(self.lines) * self.interval
 
     def with_targets(self, targets: Sequence[Board | Ball]) -> "Plan":
-        """Plan with the same lines past other targets."""
+        """Plan with the same lines and other targets."""
         return replace(self, targets=tuple(targets))
 
     def with_lines(self, lines: Sequence[Line]) -> "Plan":
-        """Plan with other lines past the same targets."""
+        """Plan with the same targets and other lines."""
         return replace(self, lines=tuple(lines))
 
 
@@ -165,7 +166,7 @@ def line_pattern(
     facing_deg: float = 270.0,
     speed: float = 1.0,
 ) -> tuple[Line, ...]:
-    """Lines that pass the site at one distance, on the side its wall faces.
+    """Create lines with given headings at one distance from the site, in front of its wall.
 
     Parameters
     ----------
@@ -176,7 +177,7 @@ def line_pattern(
     """
     lines = []
     for heading in headings_deg:
-        # The wall's side of the water lies to port where its azimuth is left of the course.
+        # The vessel stays in front of the wall: the heading determines the side of the site.
         to_port = np.sin(np.radians(heading - facing_deg)) > 0
         lines.append(Line(float(heading), distance, bool(to_port), speed))
     return tuple(lines)

@@ -18,15 +18,21 @@ from lispac.simulation.closed_form_survey import Ball, Board
 Array = NDArray[np.float64]
 
 INVALID_PLAN_VALUE = 2 * PRIOR_SIGMA
-"""Number of a plan whose boards hang over each other, whose lines come too near the wall, or whose
-targets all face one way, which the adjustment refuses: worse than any."""
+"""Objective value of an invalid plan, radians; larger than that of any valid plan.
+
+A plan is invalid if its boards overlap, if a line is too close to the wall, or if all targets have
+the same orientation, which the adjustment does not accept.
+"""
 
 DIGITS = 9
-"""Significant digits of an objective value: mirrored plans are equal on any processor."""
+"""Significant digits of an objective value.
+
+Rounding makes the values of mirrored plans equal, whatever the processor.
+"""
 
 
 def have_targets_one_orientation(plan: Plan) -> bool:
-    """Whether all targets are planes that face one way, which the adjustment refuses."""
+    """Whether all targets are planes of one orientation, which the adjustment does not accept."""
     normals = [t.facing if isinstance(t, Board) else np.zeros(3) for t in plan.targets]
     balls = np.array([isinstance(t, Ball) for t in plan.targets])
     return have_one_orientation(np.stack(normals), balls)
@@ -49,43 +55,44 @@ class DesignSpace:
 
     @cached_property
     def places(self) -> tuple[tuple[float, float, float, int], ...]:
-        """Along, height, inclination and size of each board that is allowed."""
+        """Position along the wall, height, inclination and size index of each allowed board."""
         site = self.site
         sizes = range(len(site.sizes))
         return tuple(product(site.along, site.heights, site.inclinations_deg, sizes))
 
     def board(self, name: str, place: int) -> Board:
-        """Create one of the allowed boards."""
+        """Create the board with index ``place`` in `places`."""
         along, up, lean, size = self.places[place]
         return self.site.wall.board(name, along, up, lean, self.site.sizes[size])
 
     @cached_property
     def lines(self) -> tuple[Line, ...]:
-        """Each allowed line."""
+        """Lines that the site allows."""
         return self.site.lines_allowed
 
     @property
     def size(self) -> int:
-        """Number of plans, those with overlapping boards included.
+        """Number of plans, including those with overlapping boards.
 
-        The order of the lines counts: what is sailed soon after each other shares its POS error.
+        Plans with the same lines in another order are different, because lines that follow each
+        other closely in time share most of their POS error.
         """
         boards = comb(len(self.places), self.site.boards) if self.site.boards else 1
         return boards * int(len(self.lines) ** self.site.lines)
 
     def all(self) -> Iterator[PlanChoice]:
-        """Every plan; a line may be repeated."""
+        """Iterate over all plans; a line may be repeated."""
         for boards in combinations(range(len(self.places)), self.site.boards):
             for lines in product(range(len(self.lines)), repeat=self.site.lines):
                 yield PlanChoice(boards, lines)
 
     def plan(self, choice: PlanChoice) -> Plan:
-        """The plan of a choice."""
+        """Create the plan of a choice."""
         boards = [self.board(f"T{n + 1}", k) for n, k in enumerate(choice.boards)]
         return self.site.plan(boards, [self.lines[k] for k in choice.lines])
 
     def value(self, choice: PlanChoice) -> float:
-        """Objective value of a choice, radians, to `DIGITS` digits."""
+        """Objective value of a choice, radians, rounded to `DIGITS` significant digits."""
         plan = self.plan(choice)
         boards = [target for target in plan.targets if isinstance(target, Board)]
         if (
@@ -98,9 +105,9 @@ class DesignSpace:
 
     @cached_property
     def gene_sizes(self) -> tuple[int, ...]:
-        """Number of values of each gene: four of a board, one of a line.
+        """Number of values of each gene: four genes for each board and one for each line.
 
-        Numbers near each other stand for like boards and lines, which an evolution needs.
+        Neighbouring values represent similar boards and lines, as differential evolution requires.
         """
         site = self.site
         board = (
@@ -109,7 +116,7 @@ class DesignSpace:
         return board * site.boards + (len(self.lines),) * site.lines
 
     def choice(self, genes: Sequence[float] | Array) -> PlanChoice:
-        """Decode genes (n,), as many as `gene_sizes`, into a choice."""
+        """Decode genes, shape (n,), one for each of `gene_sizes`, into a choice."""
         whole = [min(int(g), w - 1) for g, w in zip(genes, self.gene_sizes, strict=True)]
         boards = whole[: 4 * self.site.boards]
         shape = self.gene_sizes[:4] if self.site.boards else (1, 1, 1, 1)
@@ -126,7 +133,7 @@ class DesignSpace:
         return [*boards, *(float(k) for k in choice.lines)]
 
     def nearest(self, plan: Plan) -> PlanChoice | None:
-        """The choice that is a plan, or None where the site does not allow it."""
+        """Choice that represents a plan, or None if the site does not allow the plan."""
         hung = [t for t in plan.targets if t not in self.site.natural]
         if len(hung) != self.site.boards or len(plan.lines) != self.site.lines:
             return None
@@ -153,8 +160,8 @@ def _are_boards_equal(one: Board, other: Board | Ball) -> bool:
 def thesis_plan(site: Site) -> Plan:
     """Plan recommended by the thesis: two boards, upright and at 45 deg, and six lines.
 
-    The boards hang 1.6 m apart at 5 m above the vessel, and all lines pass them at 15 m
-    (thesis 4.4.1, figures 3.3 and 4.2); what is there anyway takes no part.
+    The boards are 1.6 m apart and 5 m above the middle of the site, and all lines pass at 15 m
+    (thesis 4.4.1, figures 3.3 and 4.2). Natural planes of the site are not used.
     """
     boards = [
         site.wall.board("T1", -0.8, 5.0, 90.0, site.sizes[0]),

@@ -1,9 +1,9 @@
 """Search for the best plan of a site: boards and lines.
 
-If there are few plans, all are evaluated. If there are many,
-differential evolution (Storn and Price 1997, as scipy has it) searches among them, and the best
-that it finds are improved by exchanging one board or line at a time for any other that is allowed
-(coordinate exchange: Meyer and Nachtsheim 1995), until no exchange helps.
+If there are few possible plans, all are evaluated. Otherwise, differential evolution (Storn and
+Price 1997, implemented in SciPy) searches among them. The best plans that it finds are improved by
+exchanging one board or line at a time for another allowed one, until no exchange reduces the
+objective (coordinate exchange: Meyer and Nachtsheim 1995).
 """
 
 from collections.abc import Callable, Iterable
@@ -30,26 +30,26 @@ from lispac.progress import Progress, no_progress
 
 Array = NDArray[np.float64]
 Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
-"""Calls a function on each of many values, in whatever process; the results in order."""
+"""Function like `map`: calls a function on each value, in any process; results keep their order."""
 
 MAX_EVALUATED = 20_000
-"""Number of plans up to which all are evaluated."""
+"""Largest number of possible plans for which all are evaluated."""
 
 POPULATION = 8
-"""Plans a generation for each choice that is open."""
+"""Number of plans of a generation per gene."""
 
 IMPROVED_PLANS = 2
-"""Plans of the last generation that are improved: each leads to the best one near it."""
+"""Number of plans of the last generation that are improved by exchanges."""
 
 MIN_GAIN = 1e-3
-"""Smallest relative gain for an exchange."""
+"""Smallest relative decrease of the objective for an exchange."""
 
 
 @dataclass(frozen=True)
 class InformationGain:
     """Information gain of a target or line, as the objective value of the plan without it.
 
-    ``without`` is in radians; infinite where an angle would be undetermined.
+    ``without`` is in radians; infinite if an angle would not be determined.
     """
 
     name: str
@@ -58,13 +58,15 @@ class InformationGain:
 
 @dataclass(frozen=True, eq=False)
 class ReductionStep:
-    """A survey plan in the sequence from large to small effort.
+    """One plan of a sequence of plans with decreasing effort.
 
     Attributes
     ----------
+    plan : Plan
     minutes : float
+        Duration of the survey.
     value : float, radians
-        Of the objective.
+        Value of the objective.
     """
 
     plan: Plan
@@ -74,22 +76,23 @@ class ReductionStep:
 
 @dataclass(frozen=True, eq=False)
 class DesignResult:
-    """Result of the search.
+    """Result of the search for a plan.
 
     Attributes
     ----------
     plan : Plan
+        Best plan.
     prediction : Prediction
     value : float, radians
-        Of the objective.
+        Value of the objective.
     exact : bool
-        Whether all plans were evaluated, so that none is better.
+        Whether all possible plans were evaluated, so that none is better.
     evaluated : int
-        Plans evaluated.
+        Number of evaluations.
     gains : tuple of InformationGain
-        Of each target and each line, the most valuable first.
+        Information gain of each target and each line, the largest first.
     front : tuple of ReductionStep
-        The best plans found for less and less time; the first is the plan.
+        Plans with fewer and fewer targets and lines, starting with ``plan``.
     """
 
     plan: Plan
@@ -116,13 +119,14 @@ def search(
     Parameters
     ----------
     plans : int
-        Approximate number of evaluations if there are too many plans.
+        Approximate number of evaluations of the evolution, if there are too many plans to evaluate
+        all.
     seed : int
-        The same seed finds the same plan, with any mapper.
+        Seed of the random numbers; the same seed gives the same plan with any mapper.
     start : Plan, optional
-        One to begin with: the search never ends with a worse one, where the site allows it.
+        Plan of the initial population, if the site allows it; the result is never worse.
     mapper : callable
-        `map`, or that of a pool of processes.
+        `map`, or the map method of a pool of processes.
 
     Raises
     ------
@@ -206,7 +210,7 @@ def _best_of_all_choices(space: DesignSpace, mapper: Mapper) -> PlanChoice:
 
 @dataclass(frozen=True, eq=False)
 class _GeneObjective:
-    """Objective value of genes; it can be sent to processes."""
+    """Objective value as a function of the genes; a class so that it can be pickled."""
 
     space: DesignSpace
 
@@ -262,7 +266,7 @@ def _improve_by_exchange(space: DesignSpace, choice: PlanChoice, mapper: Mapper)
 
 
 def _reduce_effort(site: Site, plan: Plan, objective: PlanObjective) -> tuple[ReductionStep, ...]:
-    """Omit targets and lines one by one, the least loss for the minutes saved first."""
+    """Omit lines and boards one by one, each time that with the smallest loss per minute saved."""
     steps = [ReductionStep(plan, site.minutes(plan), objective.of(plan))]
     while True:
         now = steps[-1]

@@ -1,9 +1,9 @@
-"""Predicted sigmas of a survey, computed by the adjustment itself.
+"""Predicted sigmas of a survey, computed with the equations of the adjustment.
 
-No point is simulated: the sigmas of a least-squares adjustment follow from where the points lie,
-not from their errors. A few points stand for all that the scanner would measure on a target, each
-counting as many times as it stands for, and the adjustment's own equations
-(`lispac.adjustment.solve.adjustment_problem`) are put together once, at the truth.
+The sigmas of a least-squares adjustment depend on the positions of the points, not on their errors,
+so that no errors are simulated. On each target, a few points with larger weights represent all
+points that the scanner would measure. The equations of the adjustment
+(`lispac.adjustment.solve.adjustment_problem`) are linearised once, at the true values.
 """
 
 from dataclasses import dataclass, replace
@@ -32,14 +32,16 @@ from lispac.survey.trajectory import Poses
 Array = NDArray[np.float64]
 
 GRID = 4
-"""Points along each side of a board that stand for all: with their second moments put right, more
-of them change no sigma by a percent."""
+"""Number of representative points along each side of a board.
+
+Their second moments equal those of the board; more points change no sigma by as much as 1 %.
+"""
 
 FLATTEST = 1e-6
-"""Metres: flatness of a target specified as perfectly flat."""
+"""Flatness used for a target specified as perfectly flat, metres."""
 
 MIN_POINTS = 20
-"""Points below which a sighting is too few to be picked."""
+"""Smallest number of points of a sighting."""
 
 
 UNDETERMINED = error("design.undetermined")
@@ -53,9 +55,10 @@ class Prediction:
     Attributes
     ----------
     information : ndarray of shape (3, 3), per square radian
-        Normal matrix of roll, pitch, yaw, all else eliminated.
+        Normal matrix of roll, pitch and yaw, with all other unknowns eliminated.
     points : dict of (target, line) to float
-        Points the scanner would measure; sightings too oblique or too poor are not in it.
+        Expected number of points of each sighting, without sightings that are too oblique or have
+        too few points.
     """
 
     information: Array
@@ -63,12 +66,12 @@ class Prediction:
 
     @property
     def determined(self) -> bool:
-        """Whether all three angles are determined to better than a degree."""
+        """Whether every combination of the angles has a sigma of at most `WORST_SIGMA`."""
         return bool(np.linalg.eigvalsh(self.information)[0] >= WORST_SIGMA**-2)
 
     @property
     def covariance(self) -> Array:
-        """Covariance of roll, pitch, yaw, shape (3, 3), square radians; infinite if open."""
+        """Covariance of roll, pitch and yaw, (3, 3), square radians; infinite if undetermined."""
         if not self.determined:
             return np.full((3, 3), np.inf)
         return np.asarray(np.linalg.inv(self.information))
@@ -159,7 +162,7 @@ class _PlanSightings:
                 strict=True,
             )
         )
-        # The profile stands across the course and reaches a point when the scanner is abeam.
+        # Profiles are at right angles to the course: a point is measured when it is abeam.
         along = np.einsum("ni,ni->n", places - at_abeam, direction)
         along -= system.mounting.lever_arm[0]
         position = at_abeam + along[:, None] * direction
@@ -212,7 +215,7 @@ class _PlanSightings:
 
 
 def _target_shape_vector(target: Board | Ball) -> Array:
-    """Plane (normal, offset) or sphere (centre, radius) as the adjustment has it, shape (4,)."""
+    """Plane (normal, offset) or sphere (centre, radius) as in the adjustment, shape (4,)."""
     if isinstance(target, Ball):
         return np.array([*target.centre, target.radius])
     return np.array([*target.facing, -target.facing @ np.array(target.centre)])
@@ -221,11 +224,12 @@ def _target_shape_vector(target: Board | Ball) -> Array:
 def expected_point_count(
     system: System, target: Board | Ball, course: Course, scanner_place: Array
 ) -> float:
-    """Points a profiler measures on a target in one pass; 0 where it cannot see it.
+    """Expected number of points of a profiler on a target in one line; 0 if it is not visible.
 
-    A profile every ``dt = 1 / profiles`` seconds along the course, a pulse in it every ``da = 2 pi
-    profiles / pulses`` radians: of an area A seen under the incidence ``i`` at the range ``r`` as
-    many as there are fields of ``v dt`` by ``r da`` in ``A cos(i)``.
+    The projected area of the target, ``A cos(i)`` with the angle of incidence ``i``, is divided by
+    the area per point, ``(v dt) (r da)``. Here ``v`` is the speed of the vessel, ``r`` the range,
+    ``dt = 1 / profiles`` the time between profiles, and ``da = 2 pi profiles / pulses`` the angle
+    between pulses, with the numbers of profiles and pulses per second.
 
     Parameters
     ----------

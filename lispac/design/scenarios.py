@@ -1,7 +1,8 @@
-"""Scenarios that change one thing of a plan at a time (thesis 4.4.1.2, figure 4.12).
+"""Scenarios that change one property of a plan at a time (thesis 4.4.1.2, figure 4.12).
 
-The first four are the thesis's: which lines, how inclined, how large, which targets together. The
-others are not in it: how far off and how high the targets are, lines sailed again, speed, POS.
+The first four are those of the thesis: combination of lines, inclination, size, and combination of
+targets. The others are additional: distance of the lines, height of the targets, repeated lines,
+speed, and POS.
 """
 
 from collections.abc import Callable, Sequence
@@ -34,11 +35,14 @@ COMBINATIONS: dict[str, tuple[int, ...]] = {
     "45, 225, 315, 135": (45, 225, 315, 135),
     N_("all six"): SIX,
 }
-"""Headings in degrees against a wall that lies east."""
+"""Combinations of headings, degrees, for a wall in the east."""
 
 INCLINATIONS = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0)
-"""Degrees from level. The boards hang above the vessel and face it: they lean forward, for one that
-leans back by as much would hardly be visible."""
+"""Inclinations of boards from level, degrees.
+
+The boards are above the vessel and lean forward, towards it. A board that leans back by the same
+angle would hardly be visible.
+"""
 SIZES = (0.25, 0.50, 0.75, 1.00)
 CLUSTERED: tuple[tuple[float, ...], ...] = (
     (90.0,), (90.0, 60.0), (90.0, 45.0), (90.0, 30.0), (60.0, 30.0), (90.0, 60.0, 30.0),
@@ -58,18 +62,20 @@ GRADES: dict[str, PosErrorModel] = {
         (N_("tactical, RTK"), 0.030, (0.025, 0.025, 0.080)),
     )
 }
-"""Sigmas of north, east and up (metres) and of roll, pitch, heading: what data sheets state for
-such classes, rounded; put in those of the POS at hand where they are known."""
+"""Sigmas of north, east and up (metres) and of roll, pitch and heading (radians) by class of POS.
+
+Rounded values of data sheets; those of the actual POS should be used where they are known.
+"""
 
 
 def thesis_board(inclination_deg: float = 90.0, size: float = 1.0, height: float = 5.0) -> Board:
-    """A square board on the wall 15 m east of the lines that faces them (thesis figure 4.2).
+    """Square board on a wall 15 m east of the lines, facing them (thesis figure 4.2).
 
     Parameters
     ----------
     inclination_deg : float, degrees from level
     size, height : float, metres
-        Side of the square, and how high its middle is in the local frame.
+        Side of the square, and height of its middle in the local frame.
     """
     lean = np.radians(inclination_deg)
     normal = (0.0, float(np.sin(lean)), -float(np.cos(lean)))
@@ -77,12 +83,15 @@ def thesis_board(inclination_deg: float = 90.0, size: float = 1.0, height: float
 
 
 def thesis_setting(pos_errors: PosErrors = "independent") -> Plan:
-    """One upright board of 1 x 1 m, 15 m off and 5 m up, and six lines (thesis 4.4.1.2)."""
+    """Plan with one upright board of 1 x 1 m, 15 m away and 5 m up, and six lines (thesis 4.4.1.2).
+
+    The stochastic model is that of the thesis unless ``pos_errors`` is given.
+    """
     return Plan((thesis_board(),), line_pattern(), (0.0, -15.0, 0.0), System(pos_errors=pos_errors))
 
 
 def line_combinations(plan: Plan) -> list[Case]:
-    """Scenarios of figure 4.12 (a): some of the six lines."""
+    """Scenarios of thesis figure 4.12 (a): combinations of the six lines."""
     of = dict(zip(SIX, plan.lines, strict=False))
     return [
         (gettext_lazy(name), plan.with_lines([of[heading] for heading in headings]))
@@ -92,7 +101,7 @@ def line_combinations(plan: Plan) -> list[Case]:
 
 
 def board_inclinations(plan: Plan) -> list[Case]:
-    """Scenarios of figure 4.12 (b): one board, from level to upright."""
+    """Scenarios of thesis figure 4.12 (b): one board, from level to upright."""
     return [
         (gettext_lazy("{angle:x.0} deg", angle=lean), plan.with_targets([thesis_board(lean)]))
         for lean in INCLINATIONS
@@ -100,7 +109,7 @@ def board_inclinations(plan: Plan) -> list[Case]:
 
 
 def board_sizes(plan: Plan) -> list[Case]:
-    """Scenarios of figure 4.12 (c): one upright board, small to large."""
+    """Scenarios of thesis figure 4.12 (c): one upright board, from small to large."""
     return [
         (
             gettext_lazy("{size:x.0} cm", size=100 * size),
@@ -111,7 +120,7 @@ def board_sizes(plan: Plan) -> list[Case]:
 
 
 def target_combinations(plan: Plan) -> list[Case]:
-    """Scenarios of figure 4.12 (d): boards of some inclinations, 1.6 m apart."""
+    """Scenarios of thesis figure 4.12 (d): boards of different inclinations, 1.6 m apart."""
     cases = []
     for leans in CLUSTERED:
         boards = [
@@ -124,7 +133,7 @@ def target_combinations(plan: Plan) -> list[Case]:
 
 
 def line_distances(plan: Plan) -> list[Case]:
-    """Scenarios with all lines nearer or farther."""
+    """Scenarios with all lines at different distances."""
     return [
         (
             gettext_lazy("{distance:m.0} m", distance=d),
@@ -135,7 +144,7 @@ def line_distances(plan: Plan) -> list[Case]:
 
 
 def target_heights(plan: Plan) -> list[Case]:
-    """Scenarios with all targets lower or higher, their spread kept."""
+    """Scenarios with all targets moved to a different mean height."""
     middle = float(np.mean([target.centre[2] for target in plan.targets]))
     return [
         (
@@ -157,7 +166,7 @@ def line_repeats(plan: Plan) -> list[Case]:
 
 
 def vessel_speeds(plan: Plan) -> list[Case]:
-    """Scenarios with all lines slower or faster: fewer points."""
+    """Scenarios with all lines at different speeds, which changes the number of points."""
     return [
         (
             gettext_lazy("{speed:x.1} m/s", speed=v),
@@ -187,7 +196,7 @@ SCENARIOS: dict[str, Callable[[Plan], list[Case]]] = {
     N_("POS"): pos_grades,
 }
 OF_THE_THESIS = ("lines", "inclination", "size", "targets")
-"""Scenarios that have the thesis's own boards and lines, whatever the plan's are."""
+"""Scenarios that use the boards and lines of the thesis instead of those of the plan."""
 
 ERROR_MODELS: Sequence[PosErrors] = ("independent", "correlated")
 
@@ -200,12 +209,12 @@ class ScenarioOutcome:
     ----------
     scenario : str
     label : LazyText
-        What is changed in this case.
+        Value of the changed property.
     pos_errors : {"independent", "correlated"}
     sigma : ndarray of shape (3,), radians
-        Of roll, pitch, yaw; infinite where not all three are determined.
+        Predicted sigmas of roll, pitch and yaw; infinite if not all three are determined.
     points : float
-        That the scanner would measure on all targets.
+        Expected number of points on all targets.
     """
 
     scenario: str
@@ -216,7 +225,7 @@ class ScenarioOutcome:
 
     @property
     def case(self) -> str:
-        """Name of the case in English, as files have it."""
+        """Name of the case in English, as used in files."""
         return in_english(self.label)
 
 
@@ -226,15 +235,15 @@ def predict_scenarios(
     *,
     progress: Progress = no_progress,
 ) -> tuple[ScenarioOutcome, ...]:
-    """The sigmas of every case of some scenarios, in both stochastic models.
+    """Predict the sigmas of every case of some scenarios, with both stochastic models.
 
     Parameters
     ----------
     plan : Plan
-        What is changed in one thing at a time. The thesis's scenarios have its boards and lines,
-        with the system of this plan.
+        Plan that the scenarios change. The scenarios of the thesis use its boards and lines, with
+        the system and the flatness of this plan.
     scenarios : sequence of str
-        Among `SCENARIOS`.
+        Names of scenarios in `SCENARIOS`.
     """
     found = []
     for k, scenario in enumerate(scenarios):

@@ -1,4 +1,4 @@
-"""Constraints of a site: where boards may hang, which lines are allowed, time available."""
+"""Constraints of a site: possible places of boards, allowed lines, available time."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -15,19 +15,22 @@ from lispac.simulation.closed_form_survey import Ball, Board
 Array = NDArray[np.float64]
 
 MIN_WIDTH_RATIO = 3.0
-"""A plane so many times as wide as a board carries it, as a quay's face does."""
+"""Smallest ratio of widths for which a plane is regarded as the support of a board.
+
+A board on a quay face does not count as overlapping it.
+"""
 
 
 @dataclass(frozen=True)
 class Wall:
-    """A wall on the water, seen from the water.
+    """A wall at the water, such as a quay, and its coordinate system.
 
     Attributes
     ----------
     middle : tuple of float, metres, local
-        Point of its face from which places are counted.
+        Origin of the wall coordinates, a point of its face.
     facing_deg : float, degrees
-        Azimuth it faces.
+        Azimuth that the wall faces, towards the water.
     """
 
     middle: tuple[float, float, float]
@@ -46,12 +49,12 @@ class Wall:
         return np.array([-out[1], out[0]])
 
     def local_point(self, along: float, off: float, up: float) -> tuple[float, float, float]:
-        """Position from along (right), off (towards the water) and up, metres; local."""
+        """Position in the local frame from along (right), off (to the water) and up, metres."""
         north, west = np.array(self.middle[:2]) + along * self.rightward + off * self.outward
         return float(north), float(west), float(self.middle[2] + up)
 
     def wall_coordinates(self, place: Sequence[float]) -> tuple[float, float, float]:
-        """Along, off and up of a position; the inverse of `local_point`."""
+        """Wall coordinates along, off and up of a position; the inverse of `local_point`."""
         offset = np.array(place[:2]) - self.middle[:2]
         return (
             float(offset @ self.rightward),
@@ -64,17 +67,17 @@ class Wall:
         size: tuple[float, float], *, off: float = 0.0, facing_deg: float | None = None,
         flatness: float | None = None,
     ) -> Board:  # fmt: skip
-        """A board on or before the wall.
+        """Create a board on the wall or in front of it.
 
         Parameters
         ----------
         along, up, off : float, metres
         inclination_deg : float, degrees from level
-            90 is upright; less leans back, more leans forward.
+            90 is upright; a smaller value leans back, a larger one forward.
         size : pair of float, metres
             Width and height.
         facing_deg : float, degrees, optional
-            Azimuth it faces, where that is not the wall's.
+            Azimuth that the board faces; by default that of the wall.
         """
         facing = self if facing_deg is None else replace(self, facing_deg=facing_deg)
         lean = np.radians(inclination_deg)
@@ -83,7 +86,10 @@ class Wall:
         return Board(name, self.local_point(along, off, up), normal, *size, flatness)
 
     def board_orientation(self, board: Board) -> tuple[float, float]:
-        """Inclination from level and azimuth of a board, degrees; a level one faces as the wall."""
+        """Inclination from level and azimuth of a board, degrees.
+
+        The azimuth of a level board is that of the wall.
+        """
         normal = board.facing
         lean = float(np.degrees(np.arccos(np.clip(normal[2], -1.0, 1.0))))
         if np.hypot(normal[0], normal[1]) < 1e-9:
@@ -93,35 +99,40 @@ class Wall:
 
 @dataclass(frozen=True, eq=False)
 class Site:
-    """A wall on the water, what stands there anyway, and the limits of a survey.
+    """A wall at the water, its natural targets, and the constraints of a survey.
 
     Attributes
     ----------
     middle : tuple of float, metres, local
-        Point of the wall's face about which boards hang and which the lines pass. Zero is the
-        height of the vessel's POS.
+        Point of the wall's face to which the places of boards and the distances of lines refer.
+        Height zero is that of the vessel's POS.
     facing_deg : float, degrees
-        Azimuth the wall faces, to the water.
+        Azimuth that the wall faces, towards the water.
     along : tuple of float, metres
-        Where boards may hang: to the right of the middle as seen from the water; negative is left.
+        Allowed positions of boards along the wall, to the right of the middle as seen facing it;
+        negative to the left.
     heights : tuple of float, metres
-        Of the middles of boards above the POS.
+        Allowed heights of the middles of boards above ``middle``.
     inclinations_deg : tuple of float, degrees
-        90 hangs upright, 0 lies with its face up; between them it leans back.
+        Allowed inclinations of boards: 90 is upright, 0 is level with the face up.
     sizes : tuple of pairs of float, metres
-        Widths and heights.
-    natural : tuple of Board
-        Planes there are anyway, with how flat each is; they cost nothing.
+        Available widths and heights of boards.
+    natural : tuple of Board or Ball
+        Targets that exist at the site, with their own flatness; they need no time.
     headings_deg, distances, speeds : tuples of float, degrees, metres, metres per second
-        Of the lines; the distance is that at which the middle passes abeam.
+        Allowed headings, distances and speeds of the lines; the distance is that from the middle
+        when it is abeam.
     boards, lines : int
-        How many at most.
+        Number of boards and of lines.
     closest : float, metres
-        No line comes nearer than this to the wall where it is straight, that is from some metres
-        before its first target is abeam to as many after the last.
+        Smallest distance from the wall on the straight part of a line (`Plan.straight_extents`).
     time_on_site : float, minutes
+        Available time.
     minutes_per_line, minutes_per_board : float
-        With the turn; to hang it and take it down.
+        Time for a line including the turn, and for installing and removing a board.
+    system : System
+    flatness : float, metres
+        Flatness of targets without their own value (`Plan.flatness`).
     """
 
     middle: tuple[float, float, float]
@@ -173,7 +184,7 @@ class Site:
 
     @property
     def lines_allowed(self) -> tuple[Line, ...]:
-        """Every heading at every distance and speed that keeps clear of the wall."""
+        """Lines of all headings, distances and speeds that keep clear of the wall."""
         allowed = []
         for heading in self.headings_deg:
             across, to = (float(f(np.radians(heading - self.facing_deg))) for f in (np.sin, np.cos))
@@ -184,7 +195,7 @@ class Site:
         return tuple(allowed)
 
     def plan(self, boards: Sequence[Board], lines: Sequence[Line]) -> Plan:
-        """Create a plan with these boards and the existing surfaces."""
+        """Create a plan with these boards, the natural targets and these lines."""
         return Plan(
             (*boards, *self.natural),
             tuple(lines),
@@ -195,17 +206,17 @@ class Site:
         )
 
     def keeps_clear_of_wall(self, plan: Plan) -> bool:
-        """Whether every line keeps clear of the wall wherever it is straight."""
+        """Whether the straight part of every line keeps clear of the wall."""
         return all(off >= self.closest - 1e-9 for off in clearance_from_wall(plan, self.wall))
 
     def minutes(self, plan: Plan) -> float:
-        """Duration of a plan, minutes: time on the water and time for the boards."""
+        """Duration of a plan, minutes, including the installation and removal of boards."""
         hung = len(plan.targets) - sum(target in self.natural for target in plan.targets)
         return len(plan.lines) * self.minutes_per_line + hung * self.minutes_per_board
 
 
 def clearance_from_wall(plan: Plan, wall: Wall) -> tuple[float, ...]:
-    """Least distance of each line from the wall where straight, metres; negative behind it."""
+    """Smallest distance of each line's straight part from the wall, metres; negative behind it."""
     if not plan.targets:
         return ()
     found = []
@@ -216,7 +227,7 @@ def clearance_from_wall(plan: Plan, wall: Wall) -> tuple[float, ...]:
 
 
 def overlapping_targets(targets: Sequence[Board | Ball]) -> tuple[tuple[str, str], ...]:
-    """Names of any two overlapping boards; one on a far larger plane does not overlap it."""
+    """Names of the pairs of overlapping boards; a board may lie on a much larger plane."""
     boards = [target for target in targets if isinstance(target, Board)]
     return tuple(
         (one.name, other.name)
@@ -237,7 +248,7 @@ def are_boards_separate(boards: Sequence[Board]) -> bool:
 
 
 def evenly_spaced(low: float, high: float, step: float) -> tuple[float, ...]:
-    """Evenly spaced values from the lowest to the highest, both in it.
+    """Values from the lowest to the highest in equal steps; the highest is always included.
 
     Raises
     ------

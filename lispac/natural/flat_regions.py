@@ -1,9 +1,8 @@
-"""Regions: the flat surfaces of a scene, each cut into pieces of some metres.
+"""Regions: flat surfaces of a scene, divided into pieces of a few metres.
 
-A surface that all lines see is one piece of knowledge, not many: what a window pane or the paint of
-a roof does to a line it does to all of its square metres. So what is flat is first grown as far as
-it goes, and parted only where a surface is so large that its ends have little to do with each
-other.
+A flat surface is first grown as far as it extends, and only large surfaces are then divided. Many
+small pieces of one surface would not be independent observations, since systematic effects of the
+material (glass, paint) are the same all over it.
 """
 
 from dataclasses import dataclass
@@ -19,11 +18,11 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 BLOCK = 4.0
-"""Metres: side of the squares that a large surface is parted into."""
+"""Largest side of the pieces into which a surface is divided, metres."""
 FINEST = 0.08
-"""Least side of the voxels, metres."""
+"""Smallest side of the voxels, metres."""
 SMALLEST = 0.2
-"""Least area of a surface, square metres."""
+"""Smallest area of a surface, square metres."""
 BITS = 21
 
 
@@ -34,12 +33,15 @@ class Regions:
     Attributes
     ----------
     low : ndarray of shape (3,), metres, local frame
+        Lowest corner of the voxel grid.
     voxel : float, metres
+        Side of the voxels.
     keys : ndarray of shape (m,), int
-        Of the voxels that belong to a region, ascending.
+        Keys of the voxels that belong to a region, ascending.
     region : ndarray of shape (m,), int
+        Number of the region of each of these voxels.
     count : int
-        Of the regions.
+        Number of regions.
     """
 
     low: Array
@@ -55,9 +57,9 @@ class Regions:
         Parameters
         ----------
         points : ndarray of shape (n, 3), metres, local frame
-            Finite, of all lines.
+            Points of all lines, finite.
         threshold : float, metres
-            Farthest a point may lie from its surface.
+            Largest distance of a point from its surface.
         """
         low, voxel = finite_bounds(points)[0], max(FINEST, voxel_side(threshold))
         flat = find_flat_patches(points, threshold, voxel=voxel)
@@ -76,7 +78,7 @@ class Regions:
         return cls(low, voxel, keys, region[found][first], count)
 
     def at(self, points: Array) -> Indices:
-        """The region of each point, shape (n,); -1 for none.
+        """Number of the region of each point, shape (n,); -1 for none.
 
         Parameters
         ----------
@@ -90,9 +92,10 @@ class Regions:
 
 
 def _split_into_pieces(along: Array) -> Indices:
-    """Number of the piece of each point of a surface, by its place (n, 2), from 0.
+    """Divide a surface into pieces, and return the number of the piece of each point, from 0.
 
-    As many pieces on each side as make them no longer than a block, all of the same length.
+    ``along`` are the coordinates within the surface, shape (n, 2), metres. Each side is divided
+    into the smallest number of equal parts that are no longer than `BLOCK`.
     """
     start, span = along.min(axis=0), np.ptp(along, axis=0)
     pieces = np.maximum(1, np.ceil(span / BLOCK)).astype(np.int64)
@@ -103,7 +106,7 @@ def _split_into_pieces(along: Array) -> Indices:
 
 
 def _voxel_keys(points: Array, low: Array, voxel: float) -> Indices:
-    """Key of the voxel of each point; points outside match no voxel."""
+    """Integer key of the voxel of each point; -1 for points outside the grid."""
     place = np.floor((points - low) / voxel)
     with np.errstate(invalid="ignore"):
         inside = ((place >= 0) & (place < 2**BITS)).all(axis=1)

@@ -1,7 +1,7 @@
-"""Plane of each line in each region of the scene.
+"""Plane fitted to the points of each line in each region of the scene.
 
-Sums of products give a plane without reading its points one by one; a second and a third pass
-exclude the points far from it.
+All planes are computed at once from sums of coordinates and of their products. The fit is repeated
+with weights that exclude points far from the plane.
 """
 
 from collections.abc import Mapping
@@ -19,36 +19,38 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 LINE_POINTS = 300_000
-"""Points of a line that are examined: enough to find its planes."""
+"""Largest number of points of a line that are examined."""
 MIN_POINTS = 20
-"""Points of a line that a region must hold."""
+"""Smallest number of points of a line in a region."""
 OUTLIER_SIGMAS, LIDAR_SIGMAS = 2.5, 2.0
-"""Standard deviations of its plane's points, and LiDAR sigmas, that a point without weight lies
-off: the larger of both."""
+"""Distance from the plane from which on a point has no weight.
+
+In standard deviations of the points of the plane, and in LiDAR sigmas; the larger one applies.
+"""
 ITERATIONS = 8
 SHRUNK = 0.75
-"""Standard deviation of normal noise estimated with these weights, over the true one."""
+"""Ratio of the standard deviation computed with these weights to the true one, for normal noise."""
 
 
 @dataclass(frozen=True, eq=False)
 class LinePlanes:
-    """Planes fitted to the points of single lines in each region, one row each, sorted by region.
+    """Planes fitted to the points of single lines in each region, sorted by region.
 
     Attributes
     ----------
     region, line : ndarray of shape (k,), int
         Number of the region, and index into the lines.
     begin, end : ndarray of shape (k,), int
-        Where its points stand in the numbers that `find_line_planes` gives.
+        Range of the points of the plane in the ``numbers`` of `find_line_planes`.
     count : ndarray of shape (k,), int
-        Points on the plane, of those that are examined.
+        Number of examined points that lie on the plane.
     share : ndarray of shape (k,)
-        Of the points in the region's voxels that are on the plane.
+        Share of the line's points in the region that lie on the plane.
     centre : ndarray of shape (k, 3), metres, local frame
     normal : ndarray of shape (k, 3), unit vectors, local frame
-        Their largest components are positive.
+        The component with the largest absolute value is positive.
     far : ndarray of shape (k,), metres
-        Farthest that a point on it lies off.
+        Largest distance of a point that counts as on the plane.
     rough : ndarray of shape (k,), metres
         RMS distance of the points from the plane.
     width : ndarray of shape (k,), metres
@@ -56,9 +58,9 @@ class LinePlanes:
     reach : ndarray of shape (k,), metres
         Distance of the farthest point from the centre.
     peaked : ndarray of shape (k,)
-        Kurtosis of the distances: 3 of normal noise, 1 of two layers.
+        Kurtosis of the distances from the plane: 3 for normal noise, 1 for two thin layers.
     time : ndarray of shape (k,), seconds
-        In the mean.
+        Mean time of the points.
     """
 
     region: Indices
@@ -80,7 +82,7 @@ class LinePlanes:
         return len(self.region)
 
     def where(self, keep: NDArray[np.bool_]) -> "LinePlanes":
-        """Some of the planes, ``keep`` of shape (k,)."""
+        """Planes for which ``keep``, shape (k,), is true."""
         return LinePlanes(**{name: value[keep] for name, value in vars(self).items()})
 
 
@@ -91,23 +93,24 @@ def find_line_planes(
     *,
     progress: Progress = no_progress,
 ) -> tuple[Regions, LinePlanes, Indices]:
-    """The regions of a scene, the planes that all lines see of them, and the points on these.
+    """Find the regions of a scene, and fit a plane to the points of each line in each region.
 
     Parameters
     ----------
     clouds : mapping of line name to Cloud
-        At least one of them with a finite point.
+        At least one of them has a finite point.
     noise : float, metres
         Sigma of the LiDAR.
     threshold : float, metres
-        Farthest a point of any line may lie from its region.
+        Largest distance of a point of any line from its region.
 
     Returns
     -------
     regions : Regions
     planes : LinePlanes
     numbers : ndarray of shape (m,), int
-        Places of the points in the samples of their lines.
+        Indices of the points on the planes in the samples of their lines; see
+        ``LinePlanes.begin``.
     """
     chosen = [
         np.arange(0, len(c.sample), -(-len(c.sample) // LINE_POINTS) or 1) for c in clouds.values()
@@ -133,7 +136,7 @@ def find_line_planes(
     owner = np.repeat(np.arange(len(counts)), counts)
     order = on[order]
     found, times = points[order], time[order]
-    # Sums count from a point of the region: at large coordinates they would lose digits.
+    # Coordinates relative to a point of the region: sums of large coordinates would lose digits.
     origin = found[np.cumsum(counts) - counts]
     local = found - origin[owner]
     # With the biweight (Beaton and Tukey 1974) a plane converges to the densest layer.

@@ -1,9 +1,9 @@
-"""Choose few patches that determine the three angles nearly as well as all.
+"""Choose a few patches that determine the three angles nearly as well as all patches.
 
-One patch after another is taken, always the one that leaves the angles with the smallest
-uncertainty (the determinant of their covariance: D-optimal, Wald 1943), where each line has a POS
-error of its own: a second patch that faces the same way on the same lines then adds little.
-Limits prevent a single wall, or a single moment of a line, from dominating.
+The patches are chosen one by one. Each time, the patch is chosen that minimises the determinant of
+the predicted covariance of the angles (D-optimality, Wald 1943). The prediction includes a POS
+error for each line, so that a second patch with the same orientation on the same lines adds little.
+The numbers of patches of one direction, and of sightings at one time of a line, are limited.
 """
 
 from collections.abc import Mapping
@@ -21,34 +21,43 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 PATCH_COUNT = 30
-"""Patches that are chosen where there are so many: ten more lower the sigmas by an eighth at most,
-as what is left is the POS error, and take half as long again."""
+"""Largest number of patches that are chosen.
+
+Ten more reduce the sigmas by an eighth at most, because the POS errors remain, and increase the
+computing time by half.
+"""
 MAX_LINES = 4
-"""Sightings of a patch, on the most informative lines; a fifth would be redundant."""
+"""Largest number of sightings of a patch; those of the most informative lines are used."""
 MAX_CANDIDATES = 2_500
-"""Patches that are judged, spread evenly over all there are."""
+"""Largest number of patches that are compared, taken at equal intervals from all patches."""
 PRIOR_SIGMA = np.radians(3.0)
-"""Sigma of the angles before the first patch."""
+"""Sigma of the angles before the first patch, radians."""
 STEP = 1e-4
-"""Radians by which angles are turned to compute how a point moves."""
+"""Step of the angles for numerical derivatives, radians."""
 FLOOR, ROUGHNESS = 0.003, 0.3
-"""Common error of a sighting of a patch: metres, and a share of its roughness."""
+"""Error common to the points of a sighting: metres, and a share of the roughness.
+
+Both are combined as the root of the sum of squares.
+"""
 DIRECTION_CAP, TIME_CAP = 3.0, 3.0
-"""Most patches that face one way, and sightings of one moment of a line: times their fair share."""
+"""Limits of the patches of one direction, and of the sightings at one time of a line.
+
+As multiples of the number that an equal distribution would give.
+"""
 MOMENT = 3.0
-"""Seconds."""
+"""Length of the intervals into which the time of a line is divided, seconds."""
 
 
 @dataclass(frozen=True, eq=False)
 class PatchChoice:
-    """The chosen patches.
+    """Chosen patches, and the precision predicted with them.
 
     Attributes
     ----------
     rows : list of ndarray of shape (sightings,), int
-        Of each, among the planes of the patches.
+        Rows of the sightings of each chosen patch in `Patches.planes`.
     sigma : ndarray of shape (3,), radians
-        Predicted for roll, pitch and yaw.
+        Predicted sigmas of roll, pitch and yaw.
     """
 
     rows: list[Indices]
@@ -57,15 +66,16 @@ class PatchChoice:
 
 @dataclass(frozen=True, eq=False)
 class _PatchInformation:
-    """Information that each sighting of a patch gives on the angles.
+    """Linearised observations of each sighting of a patch.
 
     Attributes
     ----------
-    rows : ndarray of shape (patches, MOST_LINES, 3 + 6 lines)
-        Weighted derivatives of a sighting's offset by the angles and the POS error of each line,
-        each over its sigma, with the free plane eliminated; zero where a patch has no more lines.
-    sighting : ndarray of shape (patches, MOST_LINES), int
-        Row among the planes, -1 for none.
+    rows : ndarray of shape (patches, MAX_LINES, 3 + 6 lines)
+        Weighted derivatives of the offset of a sighting by the angles and by the POS errors of each
+        line, in units of their sigmas. The unknown offset of the plane is eliminated. Unused rows
+        of patches with fewer lines are zero.
+    sighting : ndarray of shape (patches, MAX_LINES), int
+        Row in `Patches.planes`, -1 for none.
     """
 
     rows: Array
@@ -78,15 +88,15 @@ def choose_patches(
     accuracy: TrajectoryAccuracy,
     count: int = PATCH_COUNT,
 ) -> PatchChoice:
-    """Choose patches.
+    """Choose the patches that together determine the angles best.
 
     Parameters
     ----------
     clouds : mapping of line name to Cloud
-        Those the patches are of.
+        Lines in which the patches were found.
     accuracy : TrajectoryAccuracy
     count : int
-        Most of them.
+        Largest number of patches.
     """
     if not len(patches):
         return PatchChoice([], np.full(3, PRIOR_SIGMA))
@@ -106,8 +116,8 @@ def choose_patches(
     while len(picked) < count:
         full = np.append(of_moment >= max_at_once, False)
         free = open_ & (of_direction[facing] < max_facing) & ~full[moments].any(axis=1)
-        # First one of each direction: where the greedy way alone has a single one in mind, nothing
-        # would separate an error of the position from one of the angles.
+        # One patch of each direction comes first: a purely greedy choice may use a single
+        # direction, which cannot separate position errors from errors of the angles.
         unserved = free & (of_direction[facing] == 0)
         some = np.flatnonzero(unserved if unserved.any() else free)
         if not len(some):
@@ -126,7 +136,7 @@ def choose_patches(
 
 
 def _information_gain(rows: Array, covariance: Array) -> Array:
-    """Decrease of the log determinant by each patch, shape (patches,)."""
+    """Negative log determinant of the angles' covariance after adding each patch, (patches,)."""
     crossed = rows @ covariance
     inner = np.eye(rows.shape[1]) + crossed @ np.swapaxes(rows, 1, 2)
     angles = crossed[:, :, :3]
@@ -144,7 +154,7 @@ def _patch_information(
     owner = position[patches.patch[rows]]
     derivative = _sighting_derivatives(patches, rows, clouds, accuracy)
     off = np.hypot(FLOOR, ROUGHNESS * planes.rough[rows])
-    # Of many lines, the most displaced are the most informative: farthest from the mean first.
+    # Lines whose derivatives by the angles differ most from the mean are the most informative.
     lines, total = len(clouds), np.bincount(owner, minlength=len(number))
     mean = np.stack([np.bincount(owner, c, len(number)) for c in derivative[:, :3].T], axis=1)
     displacement = np.linalg.norm(derivative[:, :3] - (mean / total[:, None])[owner], axis=1) / off
@@ -167,7 +177,10 @@ def _patch_information(
 def _sighting_derivatives(
     patches: Patches, rows: Indices, clouds: Mapping[str, Cloud], accuracy: TrajectoryAccuracy
 ) -> Array:
-    """Shift of sightings along their normal by a sigma of angles and POS error, (k, 9)."""
+    """Derivatives of the offset of sightings along their normals, shape (k, 9), metres.
+
+    For a change of roll, pitch and yaw, of the position and of the attitude by one sigma each.
+    """
     where = next(iter(clouds.values())).place
     mounting, planes = where.mounting, patches.planes
     time, centre = planes.time[rows], planes.centre[rows]
@@ -189,7 +202,10 @@ def _sighting_derivatives(
 
 
 def _nearest_direction(normals: Array) -> Indices:
-    """The nearest of thirteen directions: axes, edges and corners of a cube, shape (n,)."""
+    """Index of the nearest of thirteen directions for each normal, shape (n,).
+
+    The directions point to the faces, edges and corners of a cube; opposite ones are the same.
+    """
     axes = np.array(
         [
             (x, y, z)

@@ -1,4 +1,4 @@
-"""Patches: regions in which two or more lines show the same plane."""
+"""Patches: regions in which two or more lines have the same plane."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -16,29 +16,35 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 COSINE = np.cos(np.radians(6.0))
-"""Least cosine between normals of one plane: what a boresight off by a tenth of a degree and the
-noise of half a metre leave."""
+"""Smallest cosine between the normals of two lines on the same plane.
+
+The limit allows for a boresight error of a tenth of a degree and for the noise of a normal that is
+fitted to half a metre.
+"""
 MAX_POINTS = 3_000
-"""Points of a sighting: a fair sample of where there are more."""
+"""Largest number of points of a sighting; more points are thinned evenly."""
 BESIDE = 0.35
-"""Farthest that the middles of two lines' points may be apart, of their reach: two halves of a
-region are different pieces of a surface."""
+"""Largest distance between the centres of two lines on a patch, as a fraction of its reach.
+
+Lines that see different halves of a region do not observe the same part of the surface.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class Patches:
-    """Regions in which two or more lines agree.
+    """Regions in which the planes of two or more lines agree.
 
     Attributes
     ----------
     regions : Regions
     numbers : ndarray of shape (m,), int
-        From `find_line_planes`.
+        Indices of the points on the planes, from `find_line_planes`.
     planes : LinePlanes
-        Of what belongs to a patch alone.
+        Planes that belong to a patch.
     patch : ndarray of shape (k,), int
-        The patch of each of these planes, ascending.
+        Index of the patch of each of these planes, ascending.
     centre, normal : ndarray of shape (patches, 3), metres and unit vectors, local frame
+        Mean of the planes of each patch.
     """
 
     regions: Regions
@@ -52,16 +58,17 @@ class Patches:
         return len(self.centre)
 
     def points_on(self, row: int, cloud: Cloud) -> tuple[Indices, int]:
-        """Indices of the points on one of the planes, and the number of points examined.
+        """Indices of the points on one of the planes, and the factor by which they are thinned.
 
         Parameters
         ----------
         row : int
+            Row of the plane in ``planes``.
         cloud : Cloud
-            Of the plane's line.
+            Line of the plane.
         """
         planes = self.planes
-        if isinstance(cloud, CloudInMemory):  # the sample is the line
+        if isinstance(cloud, CloudInMemory):  # the sample contains all points of the line
             own = self.numbers[planes.begin[row] : planes.end[row]]
             one_in = max(1, -(-len(cloud) // LINE_POINTS))
         else:
@@ -81,16 +88,17 @@ def find_patches(
     *,
     progress: Progress = no_progress,
 ) -> Patches:
-    """Find every patch.
+    """Find all patches of a scene.
 
     Parameters
     ----------
     clouds : mapping of line name to Cloud
-        Placed so that they nearly meet.
+        Georeferenced well enough that the lines nearly agree.
     noise : float, metres
         Sigma of the LiDAR.
     threshold : float, metres
-        Farthest that a line may be off what all lines have in common.
+        Largest distance of a point of any line from its region; two lines of a patch may be twice
+        as far apart.
     """
     regions, planes, numbers = find_line_planes(clouds, noise, threshold, progress=progress)
     planes = planes.where(is_solid_surface(planes, noise))
@@ -101,7 +109,7 @@ def find_patches(
 def _agrees_with_largest_line(
     regions: Regions, planes: LinePlanes, numbers: Indices, threshold: float
 ) -> Patches:
-    """Whether each plane agrees with the line that has most points of its region."""
+    """Build patches from the planes that agree with the plane with most points in their region."""
     cells, owner = np.unique(planes.region, return_inverse=True)
     owner = owner.reshape(-1)
     # The last in this order of each region is the one with most points.

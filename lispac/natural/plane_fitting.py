@@ -12,26 +12,26 @@ Indices = NDArray[np.int64]
 def fit_weighted_planes(
     points: Array, ends: Indices, centre: Array, normal: Array, far: Array
 ) -> tuple[Array, Array, Array]:
-    """Fit planes with weights from the distances to the previous planes.
+    """Fit planes with weights from the distances to the planes of the previous iteration.
 
     Parameters
     ----------
     points : ndarray of shape (n, 3), metres, local frame
-        Those of one plane after those of another.
+        Points of all planes, sorted by plane.
     ends : ndarray of shape (k,), int
-        Where the points of each plane end.
+        Index after the last point of each plane.
     centre, normal : ndarray of shape (k, 3), metres and unit vectors, local frame
-        Of the planes before.
+        Planes of the previous iteration.
     far : ndarray of shape (k,), metres
-        From where on a point has no weight; infinite, and all weigh the same.
+        Distance from which on a point has no weight; if infinite, all points have equal weights.
 
     Returns
     -------
     centre : ndarray of shape (k, 3), metres, local frame
     variances : ndarray of shape (k, 3), square metres
-        Along the axes, ascending.
+        Variances of the points along the axes, ascending.
     axes : ndarray of shape (k, 3, 3), unit vectors, local frame
-        In columns; the first is the normal.
+        Principal axes in columns; the first is the normal.
     """
     total, moments = np.empty(len(ends)), np.empty((len(ends), 9))
     _weighted_moments(points, ends, centre, normal, far, total, moments)
@@ -44,9 +44,9 @@ def fit_weighted_planes(
 
 @njit(nogil=True, cache=True, error_model="numpy")
 def _weighted_moments(points, ends, centre, normal, far, total, moments):  # type: ignore[no-untyped-def]
-    """Sums of the weights, and of coordinates and their products with these.
+    """Sum the weights, and the weighted coordinates and their products, for each plane.
 
-    A pass of its own: point by point in arrays, most of the time went into weights and distances.
+    Compiled, because array operations on all points for the distances and weights were slower.
     """
     begin = 0
     for k in range(len(ends)):

@@ -1,7 +1,7 @@
 """Exclude surfaces that are not reliable: leaves, edges, double layers, water.
 
-Leaves fill a volume; water moves between two lines. Both rules use only the points of one plane:
-the rest is left to the agreement of lines and the adjustment's own tests.
+Leaves fill a volume, and water moves between two lines. The rules use properties of single planes;
+other errors are detected by the comparison of the lines and by the tests of the adjustment.
 """
 
 import numpy as np
@@ -12,24 +12,31 @@ from lispac.natural.line_planes import LinePlanes
 Flags = NDArray[np.bool_]
 
 NOISY, ROUGHEST = 1.5, 0.02
-"""Most RMS distance of points from their plane: LiDAR sigmas, or metres where that is more.
-Walls and plates have their noise, asphalt a few millimetres, mown grass two centimetres."""
+"""Largest RMS distance of points from their plane: in LiDAR sigmas, or in metres if larger.
+
+The RMS distance is the LiDAR noise on walls and plates, a few millimetres on asphalt, and two
+centimetres on mown grass.
+"""
 FLATTEST = 4.0
-"""Least width over roughness: below, points fill a volume, or are a straight row."""
+"""Smallest ratio of width to roughness; below it, points fill a volume or lie in a single row."""
 NARROWEST = 0.1
-"""Least width, metres: of an even strip 0.35 m wide."""
+"""Smallest width as a standard deviation, metres; that of a uniform strip 0.35 m wide."""
 MIN_SHARE = 0.85
-"""Share of the region's points that must lie on the plane: in a bush, along an edge, fewer do."""
+"""Smallest share of the region's points on the plane; it is lower in a bush or along an edge."""
 MIN_KURTOSIS, MAX_KURTOSIS = 1.5, 8.0
-"""Kurtosis of the distances below which there are two layers, and above which outliers dominate."""
+"""Limits of the kurtosis of the distances: below the first, the points form two layers; above the
+second, outliers dominate."""
 
 LEVEL = np.cos(np.radians(10.0))
-"""Least upward part of the normal of water: a wave of a metre is no steeper."""
+"""Smallest vertical component of the unit normal of water; a wave of a metre is no steeper."""
 LOWEST, BAND = 0.01, 1.0
-"""Water lies at the height that this share of all planes is below, and in a band of so many metres
-above it."""
+"""Quantile of the heights of all planes taken as the water level, and largest height of a water
+plane above this level, metres."""
 ROUGHNESS_RATIO = 2.0
-"""Times rougher than the surfaces that are not level: waves, and echoes from below the surface."""
+"""Smallest ratio of the roughness of water to the median roughness of planes that are not level.
+
+Waves and returns from below the surface make water rough.
+"""
 
 
 def is_solid_surface(planes: LinePlanes, noise: float) -> Flags:
@@ -53,8 +60,8 @@ def is_solid_surface(planes: LinePlanes, noise: float) -> Flags:
 def is_water(planes: LinePlanes) -> Flags:
     """Whether each plane may be water, shape (k,): level, among the lowest, and rough.
 
-    A quay or a road is level as well, but smooth, or not the lowest. Rough ground at the foot of
-    the scene goes with the water: it is little loss.
+    A quay or a road is also level, but it is smooth or lies higher. Rough, level ground at the
+    lowest height of the scene is excluded with the water; this is accepted.
     """
     if not len(planes):
         return np.zeros(0, dtype=bool)

@@ -1,4 +1,4 @@
-"""Normal equations of the distances in blocks, and effects of POS errors on them."""
+"""Normal equations of the distances in each block, and their derivatives by POS errors."""
 
 from dataclasses import dataclass
 
@@ -12,19 +12,21 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class BlockEquations:
-    """Normal equations of each block at one boresight.
+    """Normal equations of each block, linearised at one boresight.
 
-    Half the mean square of its distances is ``g x + x' N x / 2`` near it.
+    For a small change ``x`` of the boresight (radians), half the robust mean square distance of a
+    block changes by ``g' x + x' N x / 2``, with the gradient ``g`` and the normal matrix ``N``.
 
     Attributes
     ----------
     normal : ndarray of shape (b, 3, 3), square metres per square radian
     gradient : ndarray of shape (b, 3), square metres per radian
     pos_derivatives : ndarray of shape (b, 2, 3, 6)
-        Derivatives of the gradient by the POS errors of the first and the second line: position
+        Derivatives of the gradient by the POS errors of the first and of the second line: position
         (metres, local frame), roll, pitch and heading (radians).
     overlaps : ndarray of shape (b,), bool
-        Whether enough of the block's points match the other line; other blocks are not used.
+        Whether enough points of the block have a match in the other line. Blocks without enough
+        matches are not used, and their equations are zero.
     """
 
     normal: Array
@@ -36,13 +38,13 @@ class BlockEquations:
 def linearise_blocks(
     mismatch: Mismatch, boresight: Array, *, pos_errors: bool = False
 ) -> BlockEquations:
-    """Linearise all blocks.
+    """Compute the normal equations of all blocks at one boresight.
 
     Parameters
     ----------
     boresight : ndarray of shape (3,), radians
     pos_errors : bool
-        Compute the derivatives by POS errors; they are zeros otherwise.
+        Also compute the derivatives by the POS errors; they are zero otherwise.
     """
     sample = mismatch.sample
     moves = sample.boresight_derivatives(boresight).transpose(1, 2, 0)

@@ -1,12 +1,13 @@
 """Bootstrap precision of the angles of a patch test, and objects that disagree with them.
 
-Points of one line at one object share one POS error, and objects that a line passes soon after each
-other share most of it, so neither points nor pairs may be drawn again as if they were independent:
-on forty simulated surveys that gave sigmas three to nine times too small, and lines drawn again
-gave sigmas two to three times too small, for there are but six. So whole objects are drawn again,
-each with all its lines (bootstrap: Efron 1979), and for each drawing every line gets another POS
-error at every object, with the sigmas of the POS and correlated by its correlation times
-(Gelb 1974).
+The bootstrap (Efron 1979) resamples whole objects, each with all its lines. In each sample every
+sighting also receives a simulated POS error with the given sigmas, correlated in time with the
+correlation times of the POS (Gelb 1974).
+
+Points or pairs of lines must not be resampled as if they were independent: all points of a line at
+an object share one POS error, and objects that a line passes within a short time share most of it.
+In forty simulated surveys, sigmas from resampled points or pairs were three to nine times too
+small. Resampling the lines gave sigmas two to three times too small, because there were only six.
 """
 
 from collections.abc import Sequence
@@ -26,36 +27,40 @@ from lispac.survey.trajectory import TrajectoryAccuracy
 Array = NDArray[np.float64]
 
 MIN_OBJECTS = 5
-"""Objects below which no sigma is given: resampling so few is not meaningful."""
+"""Smallest number of objects for which sigmas are computed; fewer are too few to resample."""
 DRAWINGS = 1_000
-"""Times that objects and POS errors are drawn."""
+"""Number of bootstrap samples."""
 SEED = 1
-"""Seed of the random numbers: the same objects give the same sigmas."""
+"""Seed of the random numbers, fixed so that the same objects always give the same sigmas."""
 MAX_DEVIATION, WIDE_SCALE = 3.5, 0.5
-"""Sigmas that the minimum of one object may be off that of all: three angles of thirty objects are
-tested. And metres up to which distances are squared for that, so that a line far off shows."""
+"""Critical value and loss scale of the test of single objects.
+
+The first is the largest deviation of an object's minimum from the common one, in sigmas; it is wide
+because three angles of about thirty objects are tested. The second is the scale of the robust loss
+in this test, metres; it is large so that a line far from the others is not treated as an outlier.
+"""
 ROUGH = 0.01
-"""Metres that two lines may be apart at an object for other reasons: rough surfaces, edges."""
+"""Standard deviation of distances not due to angles or POS, metres: rough surfaces, edges."""
 
 
 @dataclass(frozen=True, eq=False)
 class ObjectAgreement:
-    """Result of one object.
+    """Agreement of one object with the minimum of all objects.
 
     Attributes
     ----------
     name : str
     pairs : tuple of str
-        Pairs of lines that meet at it.
+        Names of the pairs of lines that overlap at the object.
     mismatch : float, metres
         Robust RMS distance between its lines at the minimum of all objects.
     angle : int or None
-        Angle with the largest difference: 0 roll, 1 pitch, 2 yaw; None if the object determines
-        none and is not tested.
+        Angle with the most significant difference: 0 roll, 1 pitch, 2 yaw. None if the object
+        determines no angle; it is not tested then.
     off : float, radians
-        Where its own minimum of that angle is, less that of all objects.
+        Minimum of this object alone in that angle, minus the minimum of all objects.
     allowed : float, radians
-        As far as it may be off.
+        Largest absolute value of ``off`` that is accepted.
     """
 
     name: str
@@ -67,12 +72,12 @@ class ObjectAgreement:
 
     @property
     def disagrees(self) -> bool:
-        """Whether its own minimum deviates by more than is allowed."""
+        """Whether the minimum of this object deviates from that of all by more than allowed."""
         return self.angle is not None and abs(self.off) > self.allowed
 
     @property
     def disagreement(self) -> Message:
-        """Message that the object disagrees, with the amount."""
+        """Message that the object disagrees, with the difference and its limit."""
         assert self.angle is not None
         return note(
             "patch_test.object_disagrees",
@@ -83,14 +88,14 @@ class ObjectAgreement:
 
 @dataclass(frozen=True, eq=False)
 class BootstrapPrecision:
-    """Precision of a minimum.
+    """Precision of the boresight at which the mismatch is smallest.
 
     Attributes
     ----------
     covariance : ndarray of shape (3, 3), square radians, or None
-        None where there are too few objects for one.
+        Covariance of roll, pitch and yaw; None if there are too few objects.
     curvature : ndarray of shape (3,), metres per radian
-        By how much the mean distance grows with each angle far from the minimum.
+        RMS displacement of the lines along the surface normals per radian of each angle.
     objects : tuple of ObjectAgreement
     """
 
@@ -112,12 +117,12 @@ def bootstrap_precision(
     ----------
     accuracy : TrajectoryAccuracy
     position_time, attitude_time : float, seconds
-        Correlation times of the POS error.
+        Correlation times of the position error and of the attitude error of the POS.
 
     Raises
     ------
     AdjustmentError
-        Where the objects leave an angle open.
+        The objects do not determine one of the angles.
     """
     found = linearise_blocks(mismatch, boresight, pos_errors=True)
     weight = mismatch.weights * found.overlaps
@@ -139,7 +144,7 @@ def bootstrap_precision(
 
 @dataclass(frozen=True, eq=False)
 class _ObjectEquations:
-    """Equations of one object, with the effects of POS errors and roughness on them."""
+    """Normal equations of one object, and the effect of POS errors and roughness on them."""
 
     name: str
     blocks: list[int]
@@ -173,7 +178,10 @@ def _equations_by_object(
 def _pos_covariance_roots(
     mismatch: Mismatch, accuracy: TrajectoryAccuracy, position_time: float, attitude_time: float
 ) -> tuple[dict[int, int], Array]:
-    """The row of each sighting, and roots of the covariance of their POS errors, (6, s, s)."""
+    """Row of each sighting, and square roots of the covariances of POS errors, (6, s, s).
+
+    The covariance of each of the six POS errors between the ``s`` sightings is ``root @ root.T``.
+    """
     observed: dict[int, ObjectPoints] = {
         id(each): each for block in mismatch.blocks for each in (block.first, block.second)
     }
@@ -189,7 +197,7 @@ def _pos_covariance_roots(
 
 
 def _pos_error_gradients(part: _ObjectEquations, row_of: dict[int, int], roots: Array) -> Array:
-    """What POS errors, one by one of unit variance, do to a gradient: shape (3, 6 s)."""
+    """Derivatives of a gradient by independent POS errors of unit variance, shape (3, 6 s)."""
     rows = [row_of[key] for key in part.pos_derivatives]
     by = np.stack(list(part.pos_derivatives.values()))  # (m, 3, 6)
     return np.einsum("mak,kms->aks", by, roots[:, rows]).reshape(3, -1)
@@ -232,7 +240,8 @@ def _bootstrap_covariance(
     chance = generator.standard_normal((by_pos.shape[2], DRAWINGS))
     errors = gradient[:, :, None] + np.einsum("oas,sd->oad", by_pos, chance)
     drawn = np.einsum("do,oij->dij", times, normal)
-    # A drawing of few different objects may leave an angle open; a little of all holds it.
+    # Samples with few different objects may be singular; a small part of the sum of all objects
+    # regularises them.
     drawn += 1e-3 * normal.sum(axis=0)
     angles = -np.linalg.solve(drawn, np.einsum("do,oad->da", times, errors)[..., None])[..., 0]
     return np.asarray(np.cov(angles.T))

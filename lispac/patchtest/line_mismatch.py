@@ -1,10 +1,11 @@
 """Mismatch of two lines at an object as a function of the boresight.
 
-Every point of one line is compared with the plane through its nearest points on the other, and the
-other way round (point to plane: Chen and Medioni 1992). Distances are squared up to a scale and
-flattened beyond it (Geman and McClure 1987), so that the background of a pole, which the other
-line observes elsewhere, or a passing car does not dominate. Points for which the other line has
-no neighbours are not used, unless they are the majority.
+Each point of one line is compared with the plane through the nearest points of the other line, and
+the other way round (point to plane: Chen and Medioni 1992). The loss is the square of the distance
+for distances below a scale and is bounded for larger ones (Geman and McClure 1987). Objects that
+only one line shows, such as a passing car or the background of a pole, therefore have little
+influence. Points without a match in the other line are not used; if nearly all points have no
+match, the two lines are not compared.
 """
 
 from collections.abc import Sequence
@@ -27,38 +28,47 @@ Indices = NDArray[np.int64]
 Neighbours = NDArray[np.intp]
 
 SCALE = 0.10
-"""Metres beyond which a distance counts little more: POS errors of a few centimetres are inside,
-and with half of it the angles of simulated surveys were by a fifth worse."""
+"""Scale of the robust loss, metres; larger distances have little influence.
+
+POS errors of a few centimetres lie below it. With half this value the errors of the angles in
+simulated surveys were larger by a fifth.
+"""
 NEIGHBOURS = 9
-"""Points whose plane is a point's own."""
+"""Number of points of the neighbourhood to which the plane of each point is fitted."""
 ROUGH = 0.35
-"""Most that these depart from the plane, of their spacing."""
+"""Largest RMS distance of a neighbourhood from its plane, as a fraction of the point spacing."""
 BESIDE = 2.0
-"""Farthest beside the nearest point that a point may lie, of the spacing."""
+"""Largest distance between two matched points within the plane, in units of the point spacing."""
 LONG, SLICE = 0.5, 4
-"""Slices of a pole: metres along it, and points of either line that one needs."""
+"""Length of the slices of a pole, metres, and smallest number of points of each line in a slice."""
 VIEW_COSINE = np.cos(np.radians(25.0))
-"""Least cosine between the views of lines that see the same side of a pole."""
+"""Smallest cosine between the viewing directions of two lines that see the same side of a pole."""
 MIN_COSINE = np.cos(np.radians(30.0))
-"""Least cosine between the normals of points that belong together."""
+"""Smallest cosine between the normals of two matched points."""
 DIP = 1.05
-"""By so much a curve rises to both sides of a minimum; a ripple of its level part rises by less."""
+"""Smallest ratio of the curve on both sides of a clear minimum to its value at the minimum.
+
+Ripples on the flat part of the curve are smaller.
+"""
 MIN_POINTS, MIN_SHARE = 20, 0.1
-"""Points that must match the other line, and their share: below, two lines see different things."""
+"""Smallest number and smallest share of matched points for which two lines are compared."""
 
 
 @dataclass(frozen=True, eq=False)
 class ObjectSurface:
-    """Surface of one object in one line at one boresight.
+    """Surface of one object in one line, computed with one boresight.
 
     Attributes
     ----------
     points, centre, normal : ndarray of shape (n, 3), metres and unit vectors, local frame
-        Each point, and the plane through its neighbours.
+        Each point, and the centre and the normal of the plane fitted to its neighbours.
     flat : ndarray of shape (n,), bool
-        Whether they lie on one.
+        Whether the neighbours of the point lie close enough to this plane.
     inside : ndarray of shape (n,), bool
-        Whether the point is in the object's box; points beside it are only matched by others.
+        Whether the point lies in the object's box. The other points only serve as matches for
+        points of the other line.
+    tree : scipy.spatial.cKDTree
+        Search tree of ``points``.
     """
 
     points: Array
@@ -70,20 +80,22 @@ class ObjectSurface:
 
 
 def neighbour_indices(tree: "cKDTree") -> Neighbours:
-    """The points about each point of a tree, itself among them: (n, k)."""
+    """Indices of the nearest points of each point of a tree, itself included, shape (n, k)."""
     return np.asarray(tree.query(tree.data, min(NEIGHBOURS, tree.n))[1], dtype=np.intp)
 
 
 def fit_object_surface(
     observed: ObjectPoints, placed: Array, near: Neighbours | None = None
 ) -> ObjectSurface:
-    """The planes about the points of a line.
+    """Fit a plane to the neighbours of each point of a line.
 
     Parameters
     ----------
     placed : ndarray of shape (n, 3), metres, local frame
+        Points of ``observed``, georeferenced with one boresight.
     near : ndarray of shape (n, k), int, optional
-        From `neighbour_indices`: a line's own points move together, so that they stay neighbours.
+        Neighbours of each point from `neighbour_indices`. They can be reused for other boresights,
+        because the points of one line move together.
     """
     tree = build_tree(placed)
     near = neighbour_indices(tree) if near is None else near
@@ -102,14 +114,15 @@ class SurfaceDistances:
     Attributes
     ----------
     point, matched : ndarray of shape (m,), int
-        Points of the first line that match the second, and the points of that which they match.
+        Indices of the points of the first line that have a match, and of the matched points of the
+        second line.
     off : ndarray of shape (m,), metres
-        Along ``normal``.
+        Distances along ``normal``.
     normal : ndarray of shape (m, 3), unit vectors, local frame
     compared : int
-        Points of the first in the box.
+        Number of points of the first line in the object's box, with and without a match.
     weight : ndarray of shape (m,)
-        How many points each stands for.
+        Number of points that each distance represents.
     """
 
     point: Indices
@@ -121,7 +134,7 @@ class SurfaceDistances:
 
     @property
     def matched_points(self) -> float:
-        """Number of points with a distance."""
+        """Number of points that the distances represent."""
         return float(self.weight.sum())
 
 
@@ -138,7 +151,7 @@ def distances_to_surface(
     Parameters
     ----------
     spacing : float, metres
-        Of the points.
+        Spacing of the points.
     """
     point = np.flatnonzero(first.inside)
     _, matched = second.tree.query(first.points[point])
@@ -158,11 +171,13 @@ def distances_to_surface(
 def pole_distances(
     first: ObjectSurface, second: ObjectSurface, one: ObjectPoints, other: ObjectPoints
 ) -> SurfaceDistances:
-    """Distances across the beams between the middles of a pole, in slices along it.
+    """Distances between the centres of a pole in two lines, in slices along the pole.
 
-    Its front, which both lines see, shows little of where it is along their courses; what a yaw
-    moves is its outline. The middle of the front is nearer to the vessel than the pole's axis, so
-    it is compared across the beams alone, and between lines that view the same side.
+    Point-to-plane distances on the front of a pole hardly depend on its position along the course,
+    so they hardly respond to yaw. The mean of the points of a slice does. Since both lines see only
+    the front of the pole, this mean lies nearer to the vessel than the axis. It is therefore
+    compared only at right angles to the viewing direction and to the pole, and only between lines
+    that see the same side.
     """
     assert one.axis is not None
     across = np.cross(one.view + other.view, one.axis)
@@ -190,7 +205,7 @@ def pole_distances(
 
 
 def _pole_slices(surface: ObjectSurface, pole: ObjectPoints) -> dict[int, Indices]:
-    """The points of a pole in each slice along it."""
+    """Indices of the points of a pole in its box, by number of the slice along the pole."""
     assert pole.axis is not None
     rows = np.flatnonzero(surface.inside)
     along = (surface.points[rows] - pole.object.box.centre) @ pole.axis
@@ -205,7 +220,7 @@ def has_enough_overlap(both: Sequence[SurfaceDistances]) -> bool:
 
 
 def robust_mean_square(both: Sequence[SurfaceDistances], scale: float) -> float:
-    """Mean of the flattened squares of some distances, square metres; NaN of too few."""
+    """Mean of the robust loss of some distances, square metres; NaN if there are too few."""
     if not has_enough_overlap(both):
         return float("nan")
     off, weight = (np.concatenate([getattr(d, n) for d in both]) for n in ("off", "weight"))
@@ -214,7 +229,7 @@ def robust_mean_square(both: Sequence[SurfaceDistances], scale: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class PairBlock:
-    """One pair of lines about one object.
+    """Points of two lines at one object.
 
     Attributes
     ----------
@@ -228,7 +243,7 @@ class PairBlock:
 
 
 def pair_blocks(sample: ObjectSample, pairs: Sequence[LinePair]) -> list[PairBlock]:
-    """All pairs of lines that see the same object, by object."""
+    """Find all given pairs of lines that see the same object, sorted by object."""
     chosen = {frozenset(pair.lines): pair for pair in pairs}
     found = []
     for k, first in enumerate(sample.observed):
@@ -242,9 +257,11 @@ def pair_blocks(sample: ObjectSample, pairs: Sequence[LinePair]) -> list[PairBlo
 
 
 def block_weights(blocks: Sequence[PairBlock]) -> Array:
-    """Weight of each block, shape (b,): number of lines that see the object, less one.
+    """Weight of each block, shape (b,): independent comparisons at its object per block.
 
-    Six pairs of four lines are three pieces of knowledge, not six; two pairs of two are two.
+    Lines at an object that are connected by pairs form a group; a group of ``n`` lines has
+    ``n - 1`` independent comparisons. The six pairs of four lines thus have a total weight of
+    three, and two pairs without a common line have a total weight of two.
     """
     groups: dict[str, list[set[str]]] = {}
     many: dict[str, int] = {}
@@ -259,13 +276,14 @@ def block_weights(blocks: Sequence[PairBlock]) -> Array:
 
 
 class Mismatch:
-    """Mismatch of blocks as a function of the boresight.
+    """Mismatch of the lines in some blocks as a function of the boresight.
 
     Parameters
     ----------
     sample : ObjectSample
     blocks : sequence of PairBlock
     scale : float, metres
+        Scale of the robust loss.
     """
 
     def __init__(
@@ -277,13 +295,13 @@ class Mismatch:
         self._near: dict[int, Neighbours] = {}
 
     def with_scale(self, scale: float) -> "Mismatch":
-        """Mismatch of the same blocks with another scale."""
+        """Mismatch of the same blocks with another scale of the robust loss, metres."""
         other = copy(self)
         other.scale = scale
         return other
 
     def block_distances(self, boresight: Array) -> list[tuple[SurfaceDistances, ...]]:
-        """Distances of each block: first to second, second to first, and of a pole's middle.
+        """Distances of each block: first to second line, second to first, and centres of a pole.
 
         Parameters
         ----------
@@ -308,7 +326,7 @@ class Mismatch:
         return found
 
     def mean_squares(self, boresight: Array) -> Array:
-        """Mean square distance of each block, shape (b,), square metres.
+        """Robust mean square distance of each block, shape (b,), square metres; NaN if too few.
 
         Parameters
         ----------
@@ -319,7 +337,7 @@ class Mismatch:
         )
 
     def __call__(self, boresight: Array) -> float:
-        """Robust RMS distance of all blocks, metres; NaN where none has points.
+        """Robust RMS distance of all blocks, metres; NaN if no block has enough points.
 
         Parameters
         ----------
@@ -332,7 +350,7 @@ class Mismatch:
         return float(np.sqrt((self.weights * squares)[good].sum() / self.weights[good].sum()))
 
     def mismatch_curve(self, boresight: Array, angle: int, values: Array) -> Array:
-        """Mismatch for other values of one angle, shape (k,), metres.
+        """Mismatch as a function of one angle, shape (k,), metres.
 
         Parameters
         ----------
@@ -347,13 +365,14 @@ class Mismatch:
 
 
 def curve_minimum(values: Array, mismatch: Array) -> float | None:
-    """Minimum of a curve, radians; None where it has no clear minimum.
+    """Position of the minimum of a mismatch curve, radians; None if it has no clear minimum.
 
-    Far from the minimum lines are farther apart than the mismatch shows, and the curve is level.
+    The minimum is interpolated by a parabola. Far from the minimum the curve is flat, because the
+    robust loss is bounded.
 
     Parameters
     ----------
-    values : ndarray of shape (n,), radians, at equal steps
+    values : ndarray of shape (n,), radians, equally spaced
     mismatch : ndarray of shape (n,), metres
     """
     if len(values) < 3 or not np.isfinite(mismatch).all():

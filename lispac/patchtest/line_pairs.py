@@ -1,4 +1,4 @@
-"""Pairs of lines: what the patch test compares."""
+"""Pairs of lines that the patch test compares."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -10,14 +10,14 @@ import numpy as np
 Kind = Literal["reciprocal", "crossing", "same direction", "oblique"]
 
 RECIPROCAL, SAME = np.radians(20.0), np.radians(20.0)
-"""Farthest from opposite, and from alike, that the headings of such a pair are, radians."""
+"""Largest deviation of the headings of a pair from opposite, and from equal, radians."""
 CROSSING = (np.radians(60.0), np.radians(120.0))
-"""Between the headings of lines that cross, radians."""
+"""Smallest and largest angle between the headings of crossing lines, radians."""
 
 
 @dataclass(frozen=True)
 class LinePair:
-    """Two lines, by name.
+    """Names of two lines, and the relation of their headings.
 
     Attributes
     ----------

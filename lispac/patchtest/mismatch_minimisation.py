@@ -1,16 +1,20 @@
 """Minimise the mismatch over the angles, one by one or all three together.
 
-One after another they are turned in the classical order: roll, pitch, yaw. Reciprocal lines are
-turned against each other by a roll and by a pitch. A roll moves what is beside the vessel up and
-down, and what is high up to and fro, which level and upright surfaces show whatever the two others
-are. A pitch moves what is high up along the course, a pole or an edge, by which time the roll has
-to be right. A yaw turns all that is seen about the vertical, on reciprocal lines the same way and
-by as much, so that they hardly show it; lines that cross, pass at another distance or on the other
-side do, and what they differ by is the yaw's own only once the two others are right. What is left
-of later angles in the earlier ones goes with further rounds.
+One by one, the angles are estimated in the classical order of a patch test:
 
-Each stage squares distances up to a smaller scale than the one before: at first lines may be half
-a metre apart; in the end an outlier must not affect them.
+- Roll. An error moves points beside the vessel vertically and points high above it sideways, in
+  opposite directions on reciprocal lines. Horizontal and vertical surfaces show it, whatever the
+  errors of the other two angles.
+- Pitch. An error moves points high above the vessel along the course, in opposite directions on
+  reciprocal lines. Poles and edges show it once the roll is corrected.
+- Yaw. An error rotates all points about the vertical. At a given object it has the same effect on
+  reciprocal lines at the same distance, so that they do not show it. Lines that cross, or that pass
+  at another distance or on the other side, show it once roll and pitch are corrected.
+
+Errors of the later angles affect the estimates of the earlier ones, so the sequence is repeated.
+
+The scale of the robust loss decreases from stage to stage. It is large at first, because the lines
+may be half a metre apart, and small in the end, to limit the influence of outliers.
 """
 
 from collections.abc import Sequence
@@ -32,18 +36,20 @@ Array = NDArray[np.float64]
 ANGLES = ("roll", "pitch", "yaw")
 OPTIMISING = (N_("Optimising roll"), N_("Optimising pitch"), N_("Optimising yaw"))
 UNDETERMINED = ("patch_test.no_roll", "patch_test.no_pitch", "patch_test.no_yaw")
-"""Code of the message that an angle is not determined."""
+"""Codes of the messages that roll, pitch or yaw is not determined."""
 SCALES = (0.5, 0.2, SCALE)
-"""Metres, from stage to stage."""
+"""Scale of the robust loss in each stage, metres."""
 STEPS, ROUNDS = 6, 12
-"""Most steps of a stage, and most rounds of one angle after another."""
+"""Largest number of steps of a stage, and of rounds over the three angles one by one."""
 STEP_TOLERANCE = np.radians(2e-4)
-"""Radians that the last step moves at most."""
+"""Largest change of an angle in the last step for convergence, radians."""
 MAX_STEP = np.radians(1.0)
-"""Longest step, radians."""
+"""Largest change of an angle in one step, radians."""
 MIN_LEVERAGE = 2.0
-"""Metres that surfaces move along their normals for a radian, in the root mean square, below which
-an angle counts as open, as `lispac.targets.rough_alignment` has it."""
+"""Smallest RMS displacement of surfaces along their normals for a determined angle.
+
+In metres per radian, the same value as in `lispac.targets.rough_alignment`.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,9 +60,9 @@ class MismatchMinimum:
     ----------
     boresight : ndarray of shape (3,), radians
     rounds : int
-        Of one angle after another; 1 of what was found together.
+        Number of rounds over the angles one by one; 1 if they were estimated together.
     converged : bool
-        Whether nothing moved in the last step.
+        Whether no angle changed by more than `STEP_TOLERANCE` in the last step.
     """
 
     boresight: Array
@@ -83,7 +89,7 @@ def minimise_mismatch(
     Raises
     ------
     AdjustmentError
-        Where nothing overlaps, or the objects leave an angle open.
+        No lines overlap at an object, or the objects do not determine one of the angles.
     """
     boresight = np.array(start, dtype=float)
     turned = list(angles)
@@ -108,7 +114,7 @@ def minimise_angle_by_angle(
     *,
     progress: Progress = no_progress,
 ) -> MismatchMinimum:
-    """Minimise over roll, pitch and yaw in turn until none changes; see the module.
+    """Minimise the mismatch over roll, pitch and yaw one by one until none changes.
 
     Parameters
     ----------
@@ -133,7 +139,7 @@ def minimise_angle_by_angle(
 
 
 def _angle_step(mismatch: Mismatch, boresight: Array, turned: Sequence[int]) -> Array:
-    """Step of the angles ``turned`` together, shape (k,), radians."""
+    """Gauss-Newton step of the angles ``turned``, shape (k,), radians."""
     found = linearise_blocks(mismatch, boresight)
     weight = mismatch.weights
     some = np.ix_(list(turned), list(turned))
@@ -146,20 +152,21 @@ def _angle_step(mismatch: Mismatch, boresight: Array, turned: Sequence[int]) -> 
 def require_determined_angles(
     normal_equations: Array, weight: float, turned: Sequence[int]
 ) -> None:
-    """Refuse to estimate an angle that no object determines.
+    """Raise an error if the objects do not determine one of the angles.
 
     Parameters
     ----------
     normal_equations : ndarray of shape (k, k), square metres per square radian
-        Of all blocks, weighted.
+        Weighted sum over all blocks.
     weight : float
-        Of all blocks that meet.
+        Total weight of the blocks with enough overlap.
     turned : sequence of int
-        Which angles they are of.
+        Angles of the rows: 0 roll, 1 pitch, 2 yaw.
 
     Raises
     ------
     AdjustmentError
+        No block overlaps, or an angle is not determined.
     """
     if weight <= 0:
         raise AdjustmentError(error("patch_test.no_pairs"))

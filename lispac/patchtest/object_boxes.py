@@ -1,4 +1,4 @@
-"""Boxes about objects: a pole, a pillar, the leg of a crane, the edge of a wall."""
+"""Boxes around objects of the patch test: a pole, a pillar, a crane leg, the edge of a wall."""
 
 from dataclasses import dataclass
 
@@ -13,20 +13,20 @@ Flags = NDArray[np.bool_]
 
 UP = np.array([0.0, 0.0, 1.0])
 SMALLEST, LARGEST = 0.1, 200.0
-"""Sides of a box, metres."""
+"""Smallest and largest side of a box, metres."""
 
 
 @dataclass(frozen=True, eq=False)
 class ObjectBox:
-    """An upright box, turned about the vertical.
+    """Box with vertical sides and any horizontal orientation.
 
     Attributes
     ----------
     centre : ndarray of shape (3,), metres, local frame
     size : ndarray of shape (3,), metres, local frame
-        Along its own axes: ahead, to the left, upwards.
+        Lengths along the box's own axes: ahead, left and up.
     turn : float, radians
-        Where ahead is, clockwise from north.
+        Azimuth of the axis ahead, clockwise from north.
     """
 
     centre: Array
@@ -51,7 +51,7 @@ class ObjectBox:
         ----------
         points : ndarray of shape (n, 3), metres, local frame
         margin : float, metres
-            By which the box is larger on every side.
+            Distance by which the box is enlarged on every side.
         """
         placed = np.abs((points - self.centre) @ self.axes.T)
         return np.asarray((placed <= 0.5 * self.size + margin).all(axis=1))
@@ -59,19 +59,19 @@ class ObjectBox:
 
 @dataclass(frozen=True, eq=False)
 class PatchObject:
-    """An object at which lines are aligned with each other."""
+    """Object at which lines are compared with each other, and the box around it."""
 
     name: str
     box: ObjectBox
 
 
 def object_of_box(name: str, box: ObjectBox) -> PatchObject:
-    """Create an object from a user-defined box, which is validated.
+    """Create an object from a user-defined box after validating it.
 
     Raises
     ------
     InputError
-        A side that is no length, or a centre that is no place.
+        A side is too short or too long, or the centre or the azimuth is not finite.
     """
     if not (np.isfinite(box.centre).all() and np.isfinite(box.turn)):
         raise InputError(error("patch_test.box_not_finite", name=name))

@@ -1,8 +1,9 @@
-"""Proposed objects: places where lines see the same surface.
+"""Proposed objects of a patch test: boxes around surfaces that several lines see.
 
-A surveyor selects a pole, a pillar, the corner of a wall. What counts of them is what moves apart
-when an angle is wrong, so natural surfaces are taken that determine the angles best, upright
-and level ones (`lispac.natural`), and a box is laid about each.
+Lines disagree most, for a given error of an angle, at surfaces with a suitable orientation and
+position. The proposal therefore selects the natural planes that determine the angles best
+(`lispac.natural.patch_choice`), vertical and horizontal ones, and puts a box around each. Users can
+define further objects, such as a pole, a pillar or the corner of a wall.
 """
 
 from collections.abc import Mapping
@@ -20,15 +21,15 @@ from lispac.survey.trajectory import TrajectoryAccuracy
 Array = NDArray[np.float64]
 
 OBJECT_COUNT = 30
-"""Objects that are proposed where there are so many."""
+"""Largest number of proposed objects."""
 LARGEST, DEEP = 4.0, 1.0
-"""Sides of a box about a surface, metres: along it at most, and across it."""
+"""Largest side of a box along its surface, and side across the surface, metres."""
 SMALLEST = 0.6
-"""Least side, metres."""
+"""Smallest side of a box along its surface, metres."""
 UPRIGHT = 0.7
-"""Upward part of a normal from which on a surface is level rather than upright."""
+"""Smallest vertical component of the unit normal of a surface that counts as level."""
 MAX_DISTANCE = 0.06
-"""Farthest that a line may be off the surface, metres."""
+"""Largest distance of a line from the surface, metres, unless three LiDAR sigmas are larger."""
 
 
 def find_objects(
@@ -39,17 +40,17 @@ def find_objects(
     count: int = OBJECT_COUNT,
     progress: Progress = no_progress,
 ) -> tuple[PatchObject, ...]:
-    """Propose objects that lines share.
+    """Propose objects that are seen in several lines.
 
     Parameters
     ----------
     clouds : mapping of line name to Cloud
-        Placed so that they nearly meet.
+        Georeferenced well enough that the lines nearly agree.
     accuracy : TrajectoryAccuracy
     noise : float, metres
         Sigma of the LiDAR.
     count : int
-        Most of them.
+        Largest number of objects.
     """
     patches = find_patches(
         clouds, noise, max(MAX_DISTANCE, 3 * noise), progress=sub_progress(progress, 0.0, 0.8)

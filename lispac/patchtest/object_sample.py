@@ -1,7 +1,7 @@
-"""Points of the lines at the objects, prepared for repeated placement.
+"""Points of the lines at the objects, prepared for repeated georeferencing.
 
-Only these are placed when an angle is turned, a few hundred of each line and object, so that a
-picture follows a slider.
+Only these points, a few hundred per line and object, are georeferenced again when an angle changes.
+This is fast enough to update the display while a slider is moved.
 """
 
 from collections.abc import Collection, Mapping, Sequence
@@ -22,22 +22,31 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 MAX_POINTS = 400
-"""Approximate points of a line on an object: more add little, since they share one POS error."""
+"""Approximate number of points of a line at an object.
+
+More points add little information, because they share one POS error.
+"""
 FINEST = 0.03
-"""Least spacing of these points, metres."""
+"""Smallest spacing of these points, metres."""
 MIN_POINTS = 30
-"""Points below which a line does not see an object."""
+"""Smallest number of points of a line that sees an object."""
 MARGIN = 0.3
-"""Metres beside a box that are examined, too."""
+"""Width of the zone around a box in which points are also taken, metres."""
 EVEN = 2.2
-"""Farthest that the sixth neighbour is, of the spacing, in the median: a profiler's points lie
-close along its lines and far from one to the next, and no plane follows from a row of them."""
+"""Largest median distance to the sixth neighbour, in units of the point spacing.
+
+The points of a profiler are close together within a profile, and the profiles are far apart. A
+larger distance means that the neighbours lie in a single profile and define no plane.
+"""
 SLENDER, THICK = 0.15, 0.4
-"""Most that a pole's points deviate across it: a share of what they do along it, and metres."""
+"""Largest standard deviation of the points of a pole across its axis.
+
+As a fraction of the standard deviation along the axis, and in metres; both limits apply.
+"""
 EXAMINED_RATIO = 30
-"""Points of a line near an object that are examined for each one that is used."""
+"""Largest number of points of a line examined near an object, per point that is used."""
 STEP = 1e-4
-"""Radians by which angles are turned to compute how points move."""
+"""Step of the angles for numerical derivatives, radians."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,19 +58,20 @@ class ObjectPoints:
     object : PatchObject
     line : str
     begin, end : int
-        Where its points stand in the sample.
+        Range of the points in the sample.
     spacing : float, metres
-        Of the points.
+        Spacing of the points.
     inside : ndarray of shape (end - begin,), bool
-        Which of them are in the object's box; the others are only matched by others.
+        Whether each point lies in the object's box. The other points only serve as matches for
+        points of other lines.
     time : float, seconds
-        When it was passed, in the mean.
+        Median time of the points.
     heading : float, radians
-        Of the vessel at that time.
+        Median heading of the vessel at the points.
     view : ndarray of shape (3,), unit vector, local frame
-        From the vessel to the object.
+        Direction from the vessel to the object.
     axis : ndarray of shape (3,), unit vector, local frame, or None
-        Along the object where it is slender, a pole; None of anything else.
+        Axis of the object if it is slender, such as a pole; None otherwise.
     """
 
     object: PatchObject
@@ -77,22 +87,23 @@ class ObjectPoints:
 
     @property
     def points(self) -> slice:
-        """Its points in the sample."""
+        """Range of the points in the sample."""
         return slice(self.begin, self.end)
 
 
 @dataclass(frozen=True, eq=False)
 class ObjectSample:
-    """Points about objects.
+    """Points of all lines at some objects, in the LiDAR frame, with their poses.
 
     Attributes
     ----------
     observed : tuple of ObjectPoints
         Sorted by object.
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
-    poses : Poses of n points
+    poses : Poses
+        Pose of the vessel at each of the n points.
     mounting : Mounting
-        Lever arm and offsets; the boresight is that with which points were taken.
+        Lever arm and offsets, and the boresight with which the points were selected.
     """
 
     observed: tuple[ObjectPoints, ...]
@@ -111,21 +122,21 @@ class ObjectSample:
         limit: int = MAX_POINTS,
         progress: Progress = no_progress,
     ) -> "ObjectSample":
-        """Take the points about objects.
+        """Select the points of all lines in and around the boxes of objects.
 
-        What belongs to an object is decided here, once: its points are those in the box as the
-        lines are placed now, and they move as angles are turned.
+        The selection is made once, with the current georeferencing. The same points are used for
+        every other boresight, even if they then lie outside the box.
 
         Parameters
         ----------
         clouds : mapping of line name to Cloud
-            Placed so that the objects' boxes hold what they are meant to.
+            Georeferenced well enough that each box contains its object in all lines.
         lines : mapping of line name to Line
-            Their readings.
+            The same lines in the LiDAR frame.
         margin : float, metres
-            How far beside a box points are taken that others may match.
+            Width of the zone around a box in which points are taken as matches for other lines.
         limit : int
-            Points of a line about an object, about.
+            Approximate number of points of a line at an object.
         """
         observed: list[ObjectPoints] = []
         lidar: list[Array] = []
@@ -174,7 +185,7 @@ class ObjectSample:
         )
 
     def placed_points(self, boresight: Array) -> Array:
-        """All points with a boresight, shape (n, 3), metres, local frame.
+        """Georeference all points with a boresight, shape (n, 3), metres, local frame.
 
         Parameters
         ----------
@@ -195,7 +206,7 @@ class ObjectSample:
         )
 
     def pos_error_derivatives(self, boresight: Array) -> Array:
-        """Derivatives by the POS's roll, pitch and heading, as `boresight_derivatives`.
+        """Derivatives by the roll, pitch and heading of the POS, as in `boresight_derivatives`.
 
         Parameters
         ----------
@@ -219,7 +230,7 @@ class ObjectSample:
         )
 
     def joined_with(self, other: "ObjectSample") -> "ObjectSample":
-        """Join with the points of other objects."""
+        """Sample with the points of other objects appended."""
         begin = len(self.points_lidar)
         shifted = [replace(e, begin=e.begin + begin, end=e.end + begin) for e in other.observed]
         poses = Poses(
@@ -230,7 +241,7 @@ class ObjectSample:
         return ObjectSample((*self.observed, *shifted), points, poses, self.mounting)
 
     def of_objects(self, names: Collection[str]) -> "ObjectSample":
-        """The part of some objects alone."""
+        """Sample restricted to the objects with these names."""
         kept = [each for each in self.observed if each.object.name in names]
         rows = np.concatenate([np.arange(e.begin, e.end) for e in kept] or [np.empty(0, int)])
         shifted, begin = [], 0
@@ -243,7 +254,7 @@ class ObjectSample:
 
 
 def _pole_axis(groups: Sequence[Array]) -> Array | None:
-    """Axis of a pole as most lines show it; None for any other object."""
+    """Common axis of the point groups if most of them are slender like a pole; None otherwise."""
     axes = []
     for points in groups:
         if len(points) < MIN_POINTS:
@@ -259,9 +270,10 @@ def _pole_axis(groups: Sequence[Array]) -> Array | None:
 
 
 def _choose_point_spacing(groups: Sequence[Array], limit: int, *, even: bool) -> float:
-    """Point spacing that is even in all directions and leaves about ``limit`` points.
+    """Choose a point spacing that leaves at most about ``limit`` points in each line.
 
-    Never so wide that a line keeps too few, and on a pole not to make it even.
+    With ``even`` the spacing is also increased until the points are evenly spaced in all
+    directions; for poles it is not. It is never so large that a line has fewer than `MIN_POINTS`.
     """
     spacing = FINEST
     kept = [points[thin_points(points, spacing)] for points in groups]

@@ -14,7 +14,7 @@ from lispac.patchtest.mismatch_minimisation import ANGLES
 Array = NDArray[np.float64]
 
 MAX_DIFFERENCE = np.radians(0.01)
-"""Largest difference of the two orders of rotation without a message, radians."""
+"""Largest difference between joint and one-by-one estimates without a message, radians."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,22 +24,22 @@ class PatchTestResult:
     Attributes
     ----------
     boresight : ndarray of shape (3,), radians
-        Roll, pitch, yaw, found together.
+        Roll, pitch and yaw, estimated together.
     one_by_one : ndarray of shape (3,), radians
-        The same, turned one after another.
+        Roll, pitch and yaw, estimated one after another.
     covariance : ndarray of shape (3, 3), square radians, or None
-        None where there are too few objects for one.
+        Covariance of roll, pitch and yaw; None if there are too few objects.
     curvature : ndarray of shape (3,), metres per radian
-        By how much lines part when each angle is turned, in the root mean square.
+        RMS distance that opens between the lines per radian of each angle.
     mismatch_before, mismatch : float, metres
-        Robust RMS distance between the lines, with the prior boresight and with the result; NaN
-        before where the lines do not meet at the objects.
+        Robust RMS distance between the lines, with the prior boresight and with the result. The
+        first is NaN if the lines do not overlap at the objects with the prior boresight.
     lines : tuple of str
     objects : tuple of ObjectAgreement
     rounds : int
-        Of turning one angle after another.
+        Number of rounds over the angles one by one.
     converged : bool
-        Whether angles stayed where they were in the end, both ways.
+        Whether both estimates converged.
     without_pairs : tuple of str
         Requested objects at which no pair of lines overlaps.
     """
@@ -58,17 +58,17 @@ class PatchTestResult:
 
     @property
     def sigma(self) -> Array | None:
-        """Sigmas of roll, pitch and yaw, shape (3,), radians; None where undetermined."""
+        """Sigmas of roll, pitch and yaw, shape (3,), radians; None without a covariance."""
         return None if self.covariance is None else np.sqrt(np.diag(self.covariance))
 
     @property
     def disagreeing(self) -> tuple[ObjectAgreement, ...]:
-        """Objects whose own minimum deviates by more than is allowed."""
+        """Objects whose minimum deviates from that of all objects by more than allowed."""
         return tuple(each for each in self.objects if each.disagrees)
 
     @property
     def messages(self) -> tuple[Message, ...]:
-        """Messages on the data and the limits of the result."""
+        """Messages on the data used and on the limitations of the result."""
         count = len(self.objects)
         found = [
             note("patch_test.basis", count=count, lines=len(self.lines)),

@@ -1,1 +1,1 @@
-"""What the solution is worth: reliability, observability, cross-checks, causes, warnings."""
+"""Diagnostics of a solution: reliability, observability, cross-checks, causes, warnings."""

@@ -1,4 +1,4 @@
-"""Warnings that name the error that causes residuals that contradict the model."""
+"""Warnings about the possible causes of residuals that contradict the model."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -31,14 +31,14 @@ KNOWN_FROM_DATA = {
     "recovery.unexplained": "cause.off_the_beams",
     "trajectory.rate_too_low": "cause.rate_too_low",
 }
-"""Warnings about the imported data that explain residuals, and the code of the error."""
+"""Codes of warnings about errors in the imported data, and code of the name of each error."""
 SAME_ON_LINES = "data.same_on_lines"
-"""Code of a warning about the data of several lines: ``reason`` is that about the first one."""
+"""Code of a warning about several lines; its ``reason`` is the warning about the first line."""
 EFFECT_PARAMETERS = ("effect", "shift", "misfit")
-"""Parameters of warnings about the data: by how much points are displaced, metres."""
+"""Names of message parameters with the displacement of points, metres."""
 SURFACES_DIFFER = ("adjustment.surfaces_differ", "adjustment.surfaces_displaced")
 MIN_EFFECT_RATIO = 0.5
-"""Effect of an error known from the data over that of a candidate from which it explains it."""
+"""Smallest ratio of the effect of a known error to that of a candidate which it explains."""
 
 
 @dataclass(frozen=True)
@@ -48,9 +48,9 @@ class KnownError:
     Attributes
     ----------
     code : str
-        Of its name, ``cause.height_offset``.
+        Code of the name of the error, such as ``cause.height_offset``.
     effect : float, metres
-        By how much it displaces points; infinite where that is not known.
+        Displacement of points by the error; infinite if unknown.
     """
 
     code: str
@@ -69,12 +69,12 @@ class KnownError:
         return max(found, key=lambda each: each.effect, default=None)
 
     def explains(self, effect: float) -> bool:
-        """Whether the error is large enough to cause residuals of ``effect`` metres."""
+        """Whether the error is large enough to cause displacements of ``effect`` metres."""
         return self.effect >= MIN_EFFECT_RATIO * effect
 
 
 def point_displacement(message: Message) -> float | None:
-    """Displacement of points by the error that a message describes, metres, where known."""
+    """Displacement of points by the error that a message describes, metres; None if unknown."""
     known = (message.params[name] for name in EFFECT_PARAMETERS if name in message.params)
     value = next(known, None)
     return float(value) if isinstance(value, int | float) else None
@@ -83,20 +83,20 @@ def point_displacement(message: Message) -> float | None:
 def warnings_about_causes(
     result: AdjustmentResult, known: KnownError | None, others: Sequence[Message]
 ) -> tuple[Message, ...]:
-    """Warnings about the causes of the residuals, and the remaining warnings.
+    """Warnings about the causes of the residuals, and the other warnings that they do not replace.
 
     Parameters
     ----------
     known : KnownError or None
-        What the imported data show.
+        Error that is known from the imported data.
     others : sequence of Message
-        What else there is to warn of.
+        Other warnings about the result.
     """
     causes = _causes_of_earlier_version(result) if result.causes is None else result.causes
     explained = [each for each in causes if known is not None and known.explains(each[0].effect)]
     unexplained = [group for group in causes if group not in explained]
     if any(each.code == "adjustment.not_flat" for each in others):
-        found = []  # the reason is known, and too few lines can separate it from another one
+        found = []  # the cause is known; with so few lines, others cannot be separated from it
     elif _has_too_few_lines(result):
         found = list(_unlocated_cause_notes(unexplained))
     else:
@@ -114,7 +114,7 @@ def warnings_about_causes(
         others = [each for each in others if each.code not in SURFACES_DIFFER]
     if known is None:
         return (*found, *jumped, *others)
-    # These blame the targets or the LiDAR for residuals, which such an error explains.
+    # These warnings attribute residuals to the targets or the LiDAR; the known error explains them.
     effects = {
         **dict.fromkeys(SURFACES_DIFFER, float(result.surfaces.max())),
         "adjustment.noise": result.rms_after,
@@ -137,10 +137,10 @@ def _has_too_few_lines(result: AdjustmentResult) -> bool:
 
 
 def _unlocated_cause_notes(causes: Sequence[Sequence[PossibleCause]]) -> Iterator[Message]:
-    """Note on the causes where lines are too few to locate an error.
+    """Note on the possible causes if there are too few lines to locate an error.
 
-    Of several that fit about equally well none is named: the POS error of a line, which no other
-    line checks, has the effect of a wrong lever arm.
+    If several causes fit about equally well, none is named. For example, a POS error of a line that
+    is not checked by another line has the same effect as a wrong lever arm.
     """
     clear = [group[0] for group in causes if len(group) == 1]
     if clear:
@@ -250,7 +250,7 @@ def _line_jump_warnings(
 
 
 def _are_many_lines_wrong(result: AdjustmentResult, count: int) -> bool:
-    """Whether so many lines are wrong that the remaining ones are unreliable too."""
+    """Whether so many lines are wrong that the others are not reliable either."""
     return count > MAX_REJECTED_SHARE * len({item.sighting.line for item in result.reliability})
 
 
@@ -269,7 +269,7 @@ def _cause_phrases(causes: Sequence[PossibleCause]) -> tuple[Message, ...]:
 
 
 def _cause_phrase(cause: PossibleCause) -> Message:
-    """A cause in a list: ``lever arm X smaller by 0.0951 m``."""
+    """Cause as an item of a list, such as ``lever arm X smaller by 0.0951 m``."""
     if cause.kind in OPTIONAL_NAMES:
         size = float(cause.size[0])
         return note(
@@ -294,7 +294,7 @@ def _cause_phrase(cause: PossibleCause) -> Message:
 
 
 def _are_point_times_early(cause: PossibleCause) -> bool:
-    """Whether point times are early; they are late where the latency would have to be smaller."""
+    """Whether the point times are early, so that a larger latency would correct them."""
     return float(cause.size[0]) > 0
 
 

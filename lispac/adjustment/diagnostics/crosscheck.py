@@ -1,4 +1,4 @@
-"""Cross-checks: adjustments of parts of the data, compared with the adjustment of all."""
+"""Cross-checks: adjustments of parts of the data, compared with the adjustment of all data."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -18,8 +18,10 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 MIN_SIGMA_SHARE = 1 / 6
-"""Share of the whole's sigma that a difference is measured against at least: one below half
-a sigma is of no consequence, however surprising."""
+"""Smallest sigma of a difference that is used, as a fraction of the sigma of the whole result.
+
+With it, a difference below half a sigma of the whole result is never significant.
+"""
 
 Part = tuple[str, str, NDArray[np.bool_]]
 
@@ -32,12 +34,12 @@ def cross_checks(
     *,
     progress: Progress = no_progress,
 ) -> CrossChecks:
-    """Adjust again without each line, without each target, and each half of the survey in time.
+    """Adjust again without each line, without each target, and for each half of the survey in time.
 
     Parameters
     ----------
     mounting : Mounting
-        As it went into the adjustment of ``result``.
+        Mounting that was given to the adjustment of ``result``.
     """
     start = mounting.with_boresight(result.boresight)
     observations, result = apply_rejections_and_surfaces(observations, result.with_formal_sigmas)
@@ -64,8 +66,9 @@ def apply_rejections_and_surfaces(
 ) -> tuple[Observations, AdjustmentResult]:
     """Apply the rejections and the surface sigmas of the whole adjustment to points and model.
 
-    With noise, surface sigmas and rejections estimated again from fewer sightings, parts would
-    differ by more than their angles do. The noise is known too: `AdjustmentResult.noise_factors`.
+    If noise, surface sigmas and rejections were estimated again from fewer sightings, their changes
+    would add to the differences between parts. The noise is taken from
+    `AdjustmentResult.noise_factors`.
     """
     kept = np.array(
         [
@@ -87,10 +90,10 @@ def _fix_undetermined_parameters(
     result: AdjustmentResult,
     parameters: tuple[Parameter, ...],
 ) -> tuple[AdjustmentResult, tuple[Parameter, ...]]:
-    """Result with the values fixed that the geometry does not determine.
+    """Result and parameters without the values that the geometry does not determine.
 
-    The given sigma of such a value goes into those of the angles, of every part alike: the parts
-    could differ by far more than the data allow and still seem to agree.
+    The given sigma of such a value increases the sigmas of the angles, but it affects all parts in
+    the same way. With these sigmas, significant differences between parts would not be detected.
     """
     fixed = {each.name for each in result.parameters if each.value is None}
     free = tuple(each for each in parameters if each.name not in fixed)
@@ -116,7 +119,7 @@ def _leave_one_out_parts(observations: Observations) -> Iterator[Part]:
 
 
 def _survey_halves(observations: Observations) -> Iterator[Part]:
-    """The two halves of the survey: lines in order of time, divided in the middle."""
+    """Two halves of the survey: the lines in order of time, divided in the middle."""
     times = observations.mean_by_sighting(observations.time)
     sailed = sorted(
         observations.lines,
@@ -142,7 +145,7 @@ def _cross_check_part(
     except AdjustmentError as failure:
         return CrossCheck(kind, name, reason=as_message(failure.reason))
     difference = part.boresight - result.boresight
-    # A part of the data has the larger variance, by that of the difference (Hausman 1978).
+    # The variance of the difference is the difference of the variances (Hausman 1978).
     spread = np.sqrt(np.maximum(np.diag(part.covariance - result.covariance), 0))
     floor = MIN_SIGMA_SHARE * result.sigma
     return CrossCheck(
@@ -153,14 +156,14 @@ def _cross_check_part(
 def _is_target_on_two_lines(
     observations: Observations, keep: NDArray[np.bool_]
 ) -> NDArray[np.bool_]:
-    """Whether the target of each sighting is on two lines at least."""
+    """Whether the target of each sighting is seen in at least two of the kept sightings."""
     owners = observations.target_of_sighting
     counts = np.bincount(owners[keep], minlength=len(observations.targets))
     return np.asarray(counts[owners] >= 2)
 
 
 def _compare_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
-    """Compare the two halves, which share no line, with each other."""
+    """Compare the two halves with each other, since they have no line in common."""
     halves = [check for check in found if check.kind == "half"]
     yield from (check for check in found if check.kind != "half")
     first, second = halves
@@ -177,7 +180,7 @@ def _compare_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
 
 
 def _jackknife_sigma(angles: list[Array | None]) -> Array | None:
-    """Standard deviation of the whole by the jackknife over the parts (Tukey 1958)."""
+    """Jackknife standard deviation of the whole result from those of the parts (Tukey 1958)."""
     known = np.array([values for values in angles if values is not None])
     if len(known) < 3 or len(known) < len(angles):
         return None

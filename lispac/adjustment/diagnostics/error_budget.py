@@ -1,8 +1,8 @@
 """Error budget of a point by source and distance for one system (thesis table 1.3).
 
-The derivatives are those of the adjustment (`adjustment.model.point_sensitivity`). A geometry is
-given, since what an angle does depends on where the beam goes: an error about the beam itself moves
-nothing.
+The derivatives are those of the adjustment (`adjustment.model.point_sensitivity`). The budget is
+computed for given directions of the beam, because the effect of an angle depends on them: a
+rotation about the beam itself does not move the point.
 """
 
 from collections.abc import Mapping, Sequence
@@ -21,12 +21,12 @@ from lispac.survey.trajectory import Poses
 Array = NDArray[np.float64]
 
 DISTANCES = (10.0, 50.0, 100.0)
-"""Metres from the scanner."""
+"""Default distances from the scanner, metres."""
 BEAMS: Mapping[str, tuple[float, float, float]] = {
     N_("horizontal, to starboard"): (0.0, -1.0, 0.0),
     N_("45 deg upwards, to starboard"): (0.0, -float(np.sqrt(0.5)), float(np.sqrt(0.5))),
 }
-"""Directions in the body frame (forward, left, up) of a vessel that sails north, level."""
+"""Directions of the beam in the body frame (forward, left, up) of a level vessel heading north."""
 POSITION, RANGE = N_("POS position"), N_("LiDAR range")
 BEAM, LIDAR = N_("LiDAR beam angle"), N_("LiDAR noise")
 ATTITUDE = (N_("POS roll"), N_("POS pitch"), N_("POS heading"))
@@ -34,7 +34,7 @@ LEVER, LATENCY = N_("Lever arm"), N_("Latency")
 OFFSETS = {"range_offset": N_("Range offset"), "scan_angle_offset": N_("Scan-angle offset")}
 BEFORE, AFTER = N_("Boresight before calibration"), N_("Boresight after calibration")
 TOTAL_BEFORE, TOTAL_AFTER = N_("Total before calibration"), N_("Total after calibration")
-"""Sources of error, in English."""
+"""Names of the sources of error and of the totals, in English."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,19 +46,20 @@ class SystemErrors:
     position : ndarray of shape (3,), metres; north, west, up
     attitude : ndarray of shape (3,), radians; roll, pitch, heading
     lidar : float or pair of float
-        Metres on each axis of the LiDAR, or of range (metres) and direction of the beam (radians).
+        Sigma on each axis of the LiDAR (metres), or sigmas of range (metres) and beam direction
+        (radians).
     lever_arm : ndarray of shape (3,), metres, body frame, or None
-        None where it is not known. Not used where the lever arm was estimated.
+        Sigmas of the lever arm; None if unknown. Not used if the lever arm was estimated.
     mounting : Mounting
-        As estimated.
+        Estimated mounting.
     prior_boresight : ndarray of shape (3,), radians
     estimated : tuple of str
-        Names among `CALIBRATION`.
+        Names of the estimated values, from `CALIBRATION`.
     covariance : ndarray of shape (e, e), radians, metres, seconds
-        Of ``estimated``.
+        Covariance of ``estimated``.
     speed : float, metres per second
     rates : ndarray of shape (3,), radians per second
-        RMS of the turning of roll, pitch and heading; for the latency alone.
+        RMS rates of roll, pitch and heading; used only for the latency.
     """
 
     position: Array
@@ -75,14 +76,19 @@ class SystemErrors:
 
 @dataclass(frozen=True)
 class PointSigma:
-    """Standard deviation of a point, metres: root of the sum of squares in each space.
+    """Standard deviation of a point in several subspaces, metres.
+
+    In two or three dimensions, it is the square root of the sum of the variances of the axes.
 
     Attributes
     ----------
-    horizontal : in the plane of north and west
-    vertical : upwards
-    across : in the plane across the beam
-    total : in space
+    horizontal : float, metres
+        In the horizontal plane.
+    vertical : float, metres
+    across : float, metres
+        In the plane at right angles to the beam.
+    total : float, metres
+        In space.
     """
 
     horizontal: float
@@ -93,7 +99,7 @@ class PointSigma:
 
 @dataclass(frozen=True)
 class SourceBudget:
-    """Effect of one source at each distance; ``spreads`` is None where the source is unknown."""
+    """Effect of one source at each distance; ``spreads`` is None if the source is unknown."""
 
     source: str
     spreads: tuple[PointSigma, ...] | None
@@ -101,7 +107,7 @@ class SourceBudget:
 
 @dataclass(frozen=True)
 class BeamBudget:
-    """All sources for one direction of the beam, and their sums before and after."""
+    """All sources for one direction of the beam, and totals before and after calibration."""
 
     beam: str
     sources: tuple[SourceBudget, ...]
@@ -111,14 +117,14 @@ class BeamBudget:
 
 @dataclass(frozen=True)
 class ErrorBudget:
-    """The budget of a system.
+    """Error budget of a system.
 
     Attributes
     ----------
     distances : tuple of float, metres
     beams : tuple of BeamBudget
     assumptions : tuple of Message
-        What it is based on.
+        Assumptions on which the budget is based.
     """
 
     distances: tuple[float, ...]
@@ -127,12 +133,12 @@ class ErrorBudget:
 
 
 def error_budget(system: SystemErrors, distances: Sequence[float] = DISTANCES) -> ErrorBudget:
-    """The error of a point by source, at distances from the scanner.
+    """Compute the error of a point by source, at given distances from the scanner in metres.
 
     Raises
     ------
     InputError
-        No distance, or one that is not positive.
+        There is no distance, or a distance is not positive and finite.
     """
     if not distances or not all(0.0 < each < np.inf for each in distances):
         raise InputError(error("adjustment.budget_distances"))
@@ -152,7 +158,7 @@ def _beam_budget(
     known = [{k: c for k, c in each.items() if c is not None} for each in found]
     totals = []
     for out in (AFTER, BEFORE):
-        # What was estimated besides the boresight is correlated with it.
+        # The other estimated values are correlated with each other and with the boresight.
         both = [
             sum((c for source, c in each.items() if source != out), np.zeros((3, 3)))
             + (_cross_covariance(way, system, far) if out == BEFORE else 0.0)
@@ -189,7 +195,7 @@ def _covariance_by_source(
     if isinstance(system.lidar, tuple):
         reading = points_lidar[0]
         beam = reading / np.linalg.norm(reading)
-        # The reading's own length, which an offset makes another one than the distance
+        # The measured range, which differs from the distance by the range offset
         across = system.lidar[1] * float(np.linalg.norm(reading))
         along = np.outer(beam, beam)
         jacobian = moved.by_lidar
@@ -210,12 +216,12 @@ def _covariance_by_source(
             found[words] = _estimated_covariance(moved, system, [name])
     if "latency" in system.estimated:
         variance = system.covariance[(system.estimated.index("latency"),) * 2]
-        # Speed and turning do not belong together in a known way: their squares add up.
+        # The correlation of speed and rates is unknown, so that their variances are added.
         rates = np.array([system.speed, *system.rates])
         moves = np.column_stack([moved.by_position[:, 0], moved.by_attitude])
         found[LATENCY] = _propagate_sigmas(moves, np.sqrt(variance) * rates)
     before = system.mounting.with_boresight(system.prior_boresight)
-    # Not a standard deviation but the one error there was; it may be too large for derivatives.
+    # The actual error, not a standard deviation; it may be too large for a linearisation.
     off = (
         place_points(points_lidar, poses, before)
         - place_points(points_lidar, poses, system.mounting)
@@ -234,14 +240,14 @@ def _propagate_sigmas(jacobian: Array, sigma: Array) -> Array:
 def _estimated_covariance(
     sensitivity: Sensitivity, system: SystemErrors, names: Sequence[str]
 ) -> Array:
-    """Covariance of the point by some of the estimated values alone."""
+    """Covariance of the point from some of the estimated values."""
     chosen = [system.estimated.index(name) for name in names]
     jacobian = sensitivity.by_mounting[:, [CALIBRATION.index(name) for name in names]]
     return jacobian @ system.covariance[np.ix_(chosen, chosen)] @ jacobian.T
 
 
 def _cross_covariance(way: Array, system: SystemErrors, distance: float) -> Array:
-    """Covariance of the point by correlations between groups of estimated values."""
+    """Covariance of the point from correlations between groups of estimated values."""
     _, _, moved = _point_pose_derivatives(way, system, distance)
     names = [name for name in system.estimated if name != "latency"]
     groups = [["roll", "pitch", "yaw"], [n for n in names if n.startswith("lever")]]
@@ -255,7 +261,7 @@ def _point_sigmas(covariances: Sequence[Array | None], way: Array) -> tuple[Poin
     for covariance in covariances:
         if covariance is None:
             return None
-        # Rounding may leave a variance that is nothing a little below zero.
+        # Because of rounding, a variance of zero may be slightly negative.
         north, west, up = np.maximum(np.diag(covariance), 0.0)
         total = north + west + up
         across = max(total - way @ covariance @ way, 0.0)

@@ -1,19 +1,21 @@
-"""Test whether parts of the data scatter more than predicted; raise the sigmas if so.
+"""Test whether results without parts of the data scatter more than predicted, and raise the sigmas.
 
-The stochastic model knows noise, POS errors and uneven surfaces. It does not know beams that are
-calibrated unlike, times that are a little off within a turn of the scanner, or cloth and grass that
-two lines see differently; what these do to neighbouring points they do to many of them at once. So
-places of the scene are omitted one after the other, and sections of each line: the results
-scatter as much as the model predicts where it holds (the variance of a difference is the difference
-of the variances, Hausman 1978), and by more where it does not. What is more is added, by the
-jackknife (Tukey 1958).
+The stochastic model contains noise, POS errors and form errors. Other effects are not modelled:
+different calibrations of the beams, small time errors within a revolution of the scanner, or fabric
+and grass that look different in two lines. They affect many neighbouring points in the same way.
 
-There are few picked targets: whole lines and whole targets are omitted, and what is
-more is added only where chance does not explain it.
+The angles are therefore computed again without one part of the data at a time. If the model is
+correct, the variance of the difference from the whole result is the difference of the variances
+(Hausman 1978). If the differences are larger, the excess variance is added to the variances of the
+angles (jackknife, Tukey 1958).
 
-A part is omitted by subtracting its sums from the normal equations: one solution for each part.
-The weights follow each solution (Newton): if they were fixed, the results of parts would scatter
-too little.
+- For natural planes, the parts are places of the scene and sections of each line.
+- For picked targets, of which there are few, the parts are whole lines and whole targets. The
+  excess is added only if it is significant.
+
+A part is omitted by subtracting its sums from the normal equations, with one solution per part. The
+equations include the change of the weights with the solution. With fixed weights, the results would
+scatter too little.
 """
 
 from collections.abc import Iterator
@@ -35,22 +37,30 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 SCENE_PARTS = 12
-"""Largest number of parts of the scene along its greatest length, of one surface at least."""
+"""Largest number of parts of the scene along its greatest length; each has at least one surface."""
 LINE_PARTS = 4
-"""Parts of each line, of as many groups of points each."""
+"""Number of parts of each line, with similar numbers of groups of points."""
 MIN_PARTS = 3
 """Smallest number of parts for an estimate of their scatter."""
 TEST_LEVEL = 0.15
-"""Significance level of the test that raises sigmas. Sigmas that an undetected effect leaves too
-small are worse than some that are too large, so that a preliminary test of this kind has a level of
-0.1 to 0.25 (Bancroft 1964)."""
+"""Significance level of the test that raises the sigmas.
+
+Preliminary tests of this kind have levels of 0.1 to 0.25 (Bancroft 1964), because sigmas that are
+too small are worse than sigmas that are too large.
+"""
 MAX_LEVERAGE = 3.0
-"""Largest variance of the difference without a part, over that of the whole, at which the result
-without it says something of the whole; a part with more carries the angle alone."""
+"""Largest ratio of the variance of the difference without a part to the variance of the whole.
+
+A part with a larger ratio alone determines the angle, so that the result without it cannot be used
+to check the whole result.
+"""
 SIMULATED_SETS = 500
-"""Simulated sets of differences for the expected excess; its standard error is a few percent."""
+"""Number of simulated sets of differences; the expected excess has an error of a few percent."""
 FREE_SHAPE_SIGMA = 10.0
-"""Metres and radians: sigma of a shape that no point may be left of."""
+"""Prior sigma of the shapes, metres and radians.
+
+It keeps the equations regular if no point of a target remains.
+"""
 
 
 def raise_sigmas_by_scatter(
@@ -60,7 +70,7 @@ def raise_sigmas_by_scatter(
     *,
     progress: Progress = no_progress,
 ) -> AdjustmentResult:
-    """Result with the sigmas of its angles raised by the scatter of parts of the scene.
+    """Result with the sigmas of its angles raised by the excess scatter of parts of the scene.
 
     Parameters
     ----------
@@ -86,7 +96,7 @@ def with_raised_sigmas(result: AdjustmentResult, factors: Array) -> AdjustmentRe
 def excess_variance(
     here: LinearisedProblem, origins: Array, *, progress: Progress = no_progress
 ) -> Array:
-    """Variance of the angles that the model does not predict, shape (3,), square radians.
+    """Excess variance of the angles that the model does not predict, shape (3,), square radians.
 
     Parameters
     ----------
@@ -97,7 +107,7 @@ def excess_variance(
         try:
             whole = _change_without_groups(tangent, np.zeros(len(here.sums), dtype=bool))
         except (AdjustmentError, np.linalg.LinAlgError):
-            return added  # without a whole to compare with, nothing is known
+            return added  # there is no whole result to compare with
         for parts in _place_and_stretch_groups(here, origins):
             differences, predicted = _leave_out_differences(tangent, whole, parts, progress)
             added += _variance_beyond_prediction(differences, predicted)
@@ -107,12 +117,13 @@ def excess_variance(
 def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
     """Factors on the sigmas of the angles from omitting lines and targets, (3,), no unit.
 
-    Each is 1 where chance explains how the results without one line, or one target, scatter.
+    A factor is 1 if the scatter of the results without one line, or without one target, is not
+    significantly larger than predicted.
 
     Parameters
     ----------
     here : LinearisedProblem
-        Of the correlated model, at its solution.
+        Equations of the correlated model at its solution.
     """
     tangent = here.tangent
     with single_blas_thread():
@@ -135,17 +146,18 @@ def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
 
 
 def expected_sigma_factors(here: LinearisedProblem, omitted: Flags) -> Array:
-    """Expected factors of `leave_out_sigma_factors` where the model holds, shape (3,), no unit.
+    """Expected factors of `leave_out_sigma_factors` if the model is correct, shape (3,), no unit.
 
-    Chance raises the sigmas of some surveys, and the more the fewer parts there are. The expected
-    excess variance is computed from normal deviates with the predicted variances.
+    Even then the sigmas of some surveys are raised by chance, by more if there are few parts. The
+    expected excess variance is computed from simulated normal differences with the predicted
+    variances.
 
     Parameters
     ----------
     here : LinearisedProblem
         As in `leave_out_sigma_factors`.
     omitted : ndarray of shape (groups,), bool
-        Groups of points that do not take part.
+        Groups of points that are not used.
     """
     chance = np.random.default_rng(0)
     added = np.zeros(3)
@@ -179,11 +191,12 @@ def _line_and_target_groups(here: LinearisedProblem) -> Iterator[list[Flags]]:
 
 
 def _is_scatter_significant(differences: Array, predicted: Array) -> NDArray[np.bool_]:
-    """Whether the scatter of each angle is significant, shape (3,).
+    """Whether the scatter of each angle is significantly larger than predicted, shape (3,).
 
-    The sum of the squares over that of the variances has about a chi-square distribution, with as
-    the effective degrees of freedom of the parts (Satterthwaite 1946), minus one for their mean.
-    The largest difference is tested by itself as well (Bonferroni): one line may be wrong alone.
+    The ratio of the sum of squared differences to the sum of predicted variances, multiplied by the
+    degrees of freedom, has approximately a chi-square distribution. The degrees of freedom are the
+    effective number of parts (Satterthwaite 1946) minus one. The largest difference is also tested
+    alone (Bonferroni), since a single line may be wrong.
     """
     from scipy.special import chdtri
 
@@ -218,9 +231,9 @@ def _place_and_stretch_groups(here: LinearisedProblem, origins: Array) -> Iterat
 def _leave_out_differences(
     here: LinearisedProblem, whole: tuple[Array, Array], parts: list[Flags], progress: Progress
 ) -> tuple[Array, Array]:
-    """Angles without a part less those of the whole, and their variances, (parts, 3) each.
+    """Angles without each part minus those of the whole, and predicted variances, (parts, 3) each.
 
-    Excludes parts that the result depends on: its sigma includes this already.
+    Parts without which there is no solution are left out.
     """
     found = []
     for part in parts:
@@ -233,7 +246,7 @@ def _leave_out_differences(
 
 
 def _variance_beyond_prediction(differences: Array, predicted: Array) -> Array:
-    """Variance of the parts beyond the prediction, shape (3,), square radians."""
+    """Jackknife variance in excess of the prediction, shape (3,), square radians; at least 0."""
     if len(differences) < MIN_PARTS:
         return np.zeros(3)
     share = (len(differences) - 1) / len(differences)
@@ -241,12 +254,12 @@ def _variance_beyond_prediction(differences: Array, predicted: Array) -> Array:
 
 
 def sigmas_without(here: LinearisedProblem, sightings: Flags) -> Array | None:
-    """Sigmas of the angles without some sightings, shape (3,), radians; None where there are none.
+    """Sigmas of the angles without some sightings, shape (3,), radians; None if undetermined.
 
     Parameters
     ----------
     sightings : ndarray of shape (sightings,), bool
-        Omitted parts.
+        Sightings to omit.
     """
     try:
         return np.asarray(

@@ -1,9 +1,9 @@
-"""Search for the error that keeps an adjustment from converging.
+"""Search for the error that prevents an adjustment from converging.
 
-A wrong sign of the attitude, a latency or a range offset can make the targets of different lines so
-different that no boresight is found. Each candidate is corrected, or estimated, and the adjustment
-is repeated. One that converges, and whose residuals pass the global chi-square test (Baarda 1968),
-is a possible cause.
+With a wrong sign of the attitude, a latency or a range offset, the targets may differ so much from
+line to line that the adjustment does not converge. It is repeated with each of these errors
+corrected or estimated. If it then converges, and the residuals pass the global chi-square test
+(Baarda 1968), this error is a possible cause.
 """
 
 from collections.abc import Iterator
@@ -29,9 +29,9 @@ SIGN_CONVENTIONS = {
 }
 """Code of each wrong sign convention, and factors on roll, pitch and heading."""
 ESTIMATED_PARAMETERS = ("latency", "range_offset")
-"""Values of the mounting that are estimated if they are not already."""
+"""Values of the mounting that are tested as causes by estimating them."""
 REJECTION_LEVEL = 1e-4
-"""Level of the chi-square test: probability that a right model is rejected."""
+"""Significance level of the chi-square test: probability that a correct model is rejected."""
 
 
 def find_failure_causes(
@@ -41,12 +41,13 @@ def find_failure_causes(
     *,
     parameters: tuple[Parameter, ...] = (),
 ) -> tuple[Message, ...]:
-    """Errors without which the adjustment converges and fits, the best fit first.
+    """Find errors whose correction makes the adjustment converge and fit, the best fit first.
 
     Parameters
     ----------
     mounting, model, parameters : as in `adjust`
-        The fit is judged with correlated POS errors: independent ones explain nearly everything.
+        Correlated POS errors are used in any case, because independent ones would explain nearly
+        any residuals.
     """
     model = replace(model, pos_errors="correlated", loss="tukey")
     found: list[tuple[float, Message]] = []
@@ -66,7 +67,7 @@ def find_failure_causes(
 def _candidates(
     observations: Observations, parameters: tuple[Parameter, ...]
 ) -> Iterator[tuple[str, Observations, tuple[Parameter, ...]]]:
-    """Code, corrected observations and further parameters of each candidate."""
+    """Code, corrected observations and additional parameters of each candidate."""
     for code, signs in SIGN_CONVENTIONS.items():
         yield code, _with_attitude_signs(observations, np.array(signs)), ()
     for name in ESTIMATED_PARAMETERS:
@@ -84,7 +85,7 @@ def _with_attitude_signs(observations: Observations, signs: NDArray[np.float64])
 
 
 def _value_message(result: AdjustmentResult, name: str) -> Message:
-    """A value of the mounting that is wrong, with the change that was estimated."""
+    """Message that a value of the mounting is wrong, with its estimated change."""
     (estimate,) = (each for each in result.parameters if each.name == name)
     change = (estimate.value or 0.0) - estimate.prior
     return note(

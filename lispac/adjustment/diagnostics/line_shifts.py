@@ -1,11 +1,11 @@
-"""Test for lines whose position is shifted as a whole, as by a GNSS jump between lines.
+"""Test for lines whose position is shifted as a whole, for example by a GNSS jump between lines.
 
-The POS error takes a jump up as far as its prior allows, and as lines are seen against each other,
-it pushes the other lines the other way. Whether a line's POS error has a mean b of its own is a
-score test (Rao 1948): with the estimated errors e, their prior precision W, their covariance C
-after the adjustment, and the line's knots G, the score G'We has the variance Q = G'(W - WCW)G
-where nothing is shifted. A shift that is named becomes an unknown, which takes its push off the
-others.
+The estimated POS error absorbs part of such a jump, and displaces the other lines in the opposite
+direction. A score test (Rao 1948) checks whether the POS error of a line has a mean other than
+zero. Let e be the estimated POS errors, W their prior precision, C their covariance after the
+adjustment, and G the matrix of unit shifts of a line at its knots. Without a shift, the score G'We
+has the variance Q = G'(W - WCW)G. The shift of a line that is found is then treated as an unknown,
+which removes its effect on the scores of the other lines.
 """
 
 from dataclasses import dataclass
@@ -19,13 +19,14 @@ from lispac.adjustment.solve.banded_cholesky import forward_substitution
 Array = NDArray[np.float64]
 
 TEST_LEVEL = 0.001
-"""Chance that a line is named where nothing is shifted, as in the tests of points and sightings
-(Baarda 1968): positions that are two sigmas off by themselves are no jump."""
+"""Significance level of the test of a line (Baarda 1968).
+
+It is low, because a position error of two sigmas is not a jump.
+"""
 MIN_DATA_SHARE = 0.05
-"""Smallest share of the information on a shift that must come from the data, not the prior, for a
-direction to be tested."""
+"""Smallest share of the data, not the prior, in the information on a direction that is tested."""
 AXES = 3
-"""North, west, up."""
+"""Number of axes: north, west, up."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,9 +37,9 @@ class LineShiftScores:
     ----------
     lines : tuple of str
     score : ndarray of shape (3 lines,)
-        Divided by the root of the prior's own, so that all have one unit.
+        Scores, divided by the square root of their prior information, no unit.
     variance : ndarray of shape (3 lines, 3 lines)
-        From 0, no information, to 1, full information.
+        Covariance of ``score``, with a diagonal from 0 (no information from the data) to 1.
     """
 
     lines: tuple[str, ...]
@@ -52,7 +53,7 @@ class LineShiftScores:
         Parameters
         ----------
         here : LinearisedProblem
-            Of the correlated model, at its solution.
+            Equations of the correlated model at its solution.
         """
         problem, normal = here.problem, here.normal
         observations, knots = problem.observations, problem.groups.knots
@@ -79,7 +80,7 @@ class LineShiftScores:
         return cls(lines, score, (variance + variance.T) / 2)
 
     def p_value_of_shift(self, k: int) -> float:
-        """P-value of the score of a line."""
+        """P-value of the test of a line."""
         from scipy.special import chdtrc
 
         own, (information, directions) = self._columns_of_line(k), self._information_shares(k)
@@ -91,7 +92,7 @@ class LineShiftScores:
         )
 
     def without_line_shift(self, k: int) -> "LineShiftScores":
-        """Scores of the other lines with the shift of one line as an unknown."""
+        """Scores of the other lines, with the shift of line ``k`` as an unknown."""
         own, (information, directions) = self._columns_of_line(k), self._information_shares(k)
         share = self.variance[:, own] @ (directions / information) @ directions.T
         return LineShiftScores(
@@ -103,8 +104,8 @@ class LineShiftScores:
     def shifted_lines(self) -> tuple[str, ...]:
         """Find the lines whose position is shifted.
 
-        Only differences of lines are observed: of two that do not agree both are named, and of more
-        less than half.
+        Only differences between lines are observed. Of two lines that disagree, both are returned;
+        of more lines, fewer than half.
         """
         count, scores, found = len(self.lines), self, set[int]()
         while len(found) < max(1, (count - 1) // 2):
@@ -122,7 +123,10 @@ class LineShiftScores:
         return slice(AXES * k, AXES * (k + 1))
 
     def _information_shares(self, k: int) -> tuple[Array, Array]:
-        """Eigenvalues and directions of the information on the shift of a line."""
+        """Eigenvalues and eigenvectors of the information on the shift of a line.
+
+        Directions with a share below `MIN_DATA_SHARE` are left out.
+        """
         own = self._columns_of_line(k)
         shares, directions = np.linalg.eigh(self.variance[own, own])
         enough = shares > MIN_DATA_SHARE

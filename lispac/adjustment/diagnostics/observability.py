@@ -21,14 +21,16 @@ from lispac.progress import Progress, no_progress
 Array = NDArray[np.float64]
 
 MAX_SIGMA_RATIO = 4.0
-"""Factor by which a sigma grows without a sighting that carries the angle alone."""
+"""Increase of a sigma without a sighting above which the angle depends on this sighting alone."""
 CLUSTER_RATIO = 0.05
-"""Distance of targets, over that from the scanner, below which they act as one: POS errors, the
-direction of the beams and what is wrong with a line are the same for all of them."""
+"""Ratio of the largest distance between targets to the range below which they act as one target.
+
+POS errors, beam directions and errors of a line are then the same for all of them.
+"""
 MAX_SIGHTINGS = 100
-"""Above this number, no single sighting determines an angle."""
+"""Number of sightings above which no angle depends on a single sighting."""
 MIN_RATIO = 1.25
-"""Factor of increase of a sigma without a line, from which the line is reported."""
+"""Increase of a sigma without a line above which the line is reported."""
 
 
 def assess_observability(
@@ -48,7 +50,7 @@ def assess_observability(
     covariance : ndarray of shape (3, 3), radians squared, optional
         Covariance of the estimated angles, if it is not that of ``linearised`` with the factors.
     origins : ndarray of shape (targets, 3), metres, local, optional
-        Where the targets are.
+        Centres of the targets.
     """
     factors = np.ones(3) if angle_sigma_factors is None else angle_sigma_factors
     information = linearised.normal.information(3) / np.outer(factors, factors)
@@ -79,7 +81,7 @@ def assess_observability(
 def _find_unchecked_parts(
     linearised: LinearisedProblem, without: dict[str, Array | None], origins: Array | None
 ) -> Iterator[UncontrolledObservations]:
-    """Find lines, targets and sightings whose errors the others would not reveal."""
+    """Find lines, targets and sightings whose errors would not be detected by the others."""
     observations = linearised.problem.observations
     needed = [line for line, sigma in without.items() if sigma is None]
     yield from (UncontrolledObservations("line", line=line) for line in needed)
@@ -107,14 +109,14 @@ def _find_unchecked_parts(
 
 
 def _relative_target_spacing(linearised: LinearisedProblem, origins: Array) -> float:
-    """Largest distance between targets over their mean distance from the scanner."""
+    """Largest distance between targets divided by the mean range of the points."""
     largest = np.linalg.norm(origins[:, None] - origins[None], axis=-1).max()
     points = linearised.problem.observations.points_lidar
     return float(largest / np.linalg.norm(points, axis=1).mean())
 
 
 def _one_orientation_notes(linearised: LinearisedProblem) -> Iterator[Message]:
-    """Notes on values that are determined but checked by nothing."""
+    """Notes on geometries that determine the angles but do not check them."""
     observations = linearised.problem.observations
     targets = observations.targets
     if len(targets) == 1:
@@ -147,7 +149,7 @@ def _extreme_directions_note(eigenvalues: Array, directions: Array) -> Message:
 
 
 def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iterator[Message]:
-    """Lines that each angle depends on most."""
+    """Notes on the lines that each angle depends on most."""
     for k, angle in enumerate(ANGLES):
         name = note(ANGLE_CODES[angle])
         grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}

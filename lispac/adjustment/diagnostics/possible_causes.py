@@ -1,11 +1,12 @@
 """Compare the errors that may cause residuals that contradict the model.
 
-Each candidate is an error of one kind in one place: a component of the lever arm, the latency, the
-position, the boresight or the times on one line, one sighting. It adds unknowns to the
-adjustment, with a normal prior whose standard deviation is the size that such errors have. The
-evidence for it is twice the logarithm of its Bayes factor against a model without any error (Kass
-and Raftery 1995), with the sigma of the surfaces at its most likely value for each candidate: a
-wrong lever arm makes surfaces seem to differ, and would hide behind that.
+Each candidate is one kind of error in one place: a component of the lever arm, the latency, the
+position, the boresight or the times of one line, or one sighting. It adds unknowns to the
+adjustment, with a normal prior whose standard deviation is the typical size of such errors. The
+evidence for a candidate is twice the logarithm of its Bayes factor against a model without errors
+(Kass and Raftery 1995). The sigma of the form errors is set to its most likely value for each
+candidate. Otherwise an error such as a wrong lever arm, which increases this sigma, would be hidden
+by it.
 
 The unknowns of all candidates are eliminated together, so that the cost is that of a few solutions
 of the normal equations.
@@ -34,27 +35,36 @@ PRIOR_SIGMA = {
     "line_boresight": float(np.radians(1.0)), "line_time": 0.2, "sighting_shift": 0.2,
     "sighting_surface": 0.2,
 }  # fmt: skip
-"""Metres, radians or seconds: size that an error of each kind has where it occurs. The evidence
-depends on its logarithm alone."""
+"""Typical size of each kind of error, metres, radians or seconds.
+
+The evidence depends only on its logarithm.
+"""
 FORM_SIGMA = (0.01, 0.03, 0.1)
-"""Metres: by how much the sightings of a target can differ that is no single flat surface."""
+"""Trial sigmas of the differences between sightings of a target that is not flat, metres."""
 STRONG_EVIDENCE = 6.0
-"""Twice the logarithm of the Bayes factor from which a candidate is clearly better than another: 20
-to 1, "strong" by Kass and Raftery (1995)."""
+"""Difference of evidence from which a candidate is clearly better than another.
+
+A Bayes factor of 20, "strong" evidence according to Kass and Raftery (1995).
+"""
 VERY_STRONG_EVIDENCE = 10.0
-"""Evidence above which there is another error besides those found: 150 to 1, "very strong"."""
+"""Smallest evidence for an error: a Bayes factor of 150, "very strong" evidence."""
 MIN_RMS_EFFECT = 1.5e-4
-"""Metres: RMS of what an error does to the points beyond what all other unknowns explain, at least.
-Even a good board bends by more over its sighting, and the model has no term for that."""
+"""Smallest RMS effect of an error on the points not explained by other unknowns, metres.
+
+Even a good board is bent by more than this within a sighting, which is not modelled.
+"""
 MAX_CAUSES = 3
-"""Largest number of errors, searched for one after the other."""
+"""Largest number of errors that are searched for, one after the other."""
 MAX_CANDIDATES = 4
-"""Candidates named for one error."""
+"""Largest number of candidates named for one error."""
 SMALLEST_SURFACE, SIGMA_STEPS = 1e-4, 13
-"""Metres, and number of sigmas of the surfaces that are tried from there to `LARGEST_SURFACE`."""
+"""Smallest sigma of the form errors that is tried, metres, and number of sigmas that are tried.
+
+The largest one is `LARGEST_SURFACE`.
+"""
 AXES = 3
 LINE_UNKNOWNS = 2 * AXES
-"""Unknowns of the position and of the boresight of a line."""
+"""Number of unknowns of the position and of the boresight of a line."""
 
 
 def find_possible_causes(linearised: LinearisedProblem) -> tuple[tuple[PossibleCause, ...], ...]:
@@ -63,14 +73,14 @@ def find_possible_causes(linearised: LinearisedProblem) -> tuple[tuple[PossibleC
     Parameters
     ----------
     linearised : LinearisedProblem
-        Of the correlated model, at its solution. Rejected sightings take part: an error of the
-        sighting is one of the candidates.
+        Equations of the correlated model at its solution. Rejected sightings are included, since an
+        error of a sighting is one of the candidates.
 
     Returns
     -------
     tuple of tuple of PossibleCause
-        One tuple an error: its best candidate, followed by those that are not clearly worse. Empty
-        where nothing needs an explanation.
+        One tuple for each error: the best candidate, followed by those that are not clearly worse.
+        Empty if the residuals need no explanation.
     """
     problem = linearised.problem
     if not (problem.model.correlated and problem.layout.surfaces):
@@ -118,7 +128,7 @@ def _best_of_each_cause(judged: Iterable["_Judged"]) -> list["_Judged"]:
 def _maximise_likelihood(
     solutions: Sequence["_ErrorFreeSolution"], errors: tuple["_ModelError", ...]
 ) -> tuple[float, "_ErrorFreeSolution"]:
-    """Largest twofold log likelihood with some errors, and the surface sigma that gives it."""
+    """Maximum of twice the log likelihood with some errors, and the solution that gives it."""
     best = max(solutions, key=lambda each: each.likelihood(errors))
     return best.likelihood(errors), best
 
@@ -137,14 +147,14 @@ def _trial_surface_sigmas(problem: AdjustmentProblem) -> Iterator[Array]:
 
 @dataclass(frozen=True, eq=False)
 class _ModelError:
-    """A possible error of the data, with the columns of its unknowns in the joint equations."""
+    """A possible error of the data, and the columns of its unknowns in the joint equations."""
 
     kind: str
     target: str
     line: str
     columns: Indices
     share: float
-    """Of the candidates of its kind: each place is as likely as any other."""
+    """Prior probability of this place; all places of a kind of error are equally likely."""
     sigma: float
     """Prior standard deviation of each unknown."""
 
@@ -154,25 +164,25 @@ class _ModelError:
         return np.full(len(self.columns), self.sigma)
 
     def has_own_unknowns(self, others: Sequence["_ModelError"]) -> bool:
-        """Whether it shares no unknowns with the other candidates."""
+        """Whether the candidate shares no unknowns with the others."""
         return not any(np.isin(self.columns, other.columns).any() for other in others)
 
 
 @dataclass(frozen=True, eq=False)
 class _CandidateEquations:
-    """Normal equations of all candidates, POS error eliminated, without prior of surfaces.
+    """Normal equations with all candidates, with POS errors eliminated, without surface priors.
 
     Attributes
     ----------
     matrix, right : ndarray of shape (n, n) and (n,)
     base : ndarray of shape (b,), int
-        Unknowns of the model without any error; the surfaces come last.
+        Unknowns of the model without errors; the surfaces come last.
     errors : ndarray of shape (c,), int
-        Where the candidates' columns are. Those of sightings are the surfaces' own.
+        Columns of the unknowns of the candidates. Those of sightings are the surface unknowns.
     departures : ndarray of shape (surfaces,), metres
         As in `LinearisedProblem`.
     effect : ndarray of shape (c, c)
-        Mean square of the misclosures, by the candidates' unknowns.
+        Quadratic form that gives the mean square effect on the misclosures.
     weight : float, 1 / metres^2
         Sum of the weights of all misclosures.
     """
@@ -203,7 +213,7 @@ class _CandidateEquations:
         own = np.searchsorted(layout.active, [each.index for each in omitted]).astype(np.int64)
         base = np.setdiff1d(np.arange(layout.size), own)
         errors = np.concatenate([own, surfaces, np.arange(layout.size, len(matrix))])
-        offset = len(layout.active) + 3  # the shape's offset moves every misclosure by as much
+        offset = len(layout.active) + 3  # its derivative is 1 or -1, so that weights are summed
         weight = float(every.sums[:, offset, offset].sum())
         effect = matrix[np.ix_(errors, errors)] / weight
         half = forward_substitution(every.normal.factor, mixed.T)
@@ -215,7 +225,7 @@ class _CandidateEquations:
         )
 
     def solve_without_errors(self, sigma: Array) -> "_ErrorFreeSolution":
-        """Solve the model without any error, with sigmas of tilts and offsets of shape (3,)."""
+        """Solve the model without errors, with sigmas of tilts and offset, shape (3,), metres."""
         base, errors = self.base, self.errors
         precision = np.tile(sigma**-2.0, len(self.departures) // AXES)
         matrix = self.matrix[np.ix_(base, base)]
@@ -252,18 +262,19 @@ class _CandidateEquations:
 
 @dataclass(frozen=True, eq=False)
 class _ErrorFreeSolution:
-    """Solution without errors at one sigma of the surfaces, with scores of the candidates.
+    """Solution without errors for one sigma of the form errors, with scores of the candidates.
 
     Attributes
     ----------
     information, score : ndarray of shape (c, c) and (c,)
-        Of the candidates' unknowns, all others eliminated.
+        Normal matrix and right-hand side of the unknowns of the candidates, with all other unknowns
+        eliminated.
     base : float
-        Twice the log likelihood without any error, but for a constant.
+        Twice the log likelihood without errors, up to a constant.
     angles : ndarray of shape (3,), radians
-        Correction of roll, pitch, yaw without any error.
+        Correction of roll, pitch, yaw without errors.
     by_errors : ndarray of shape (3, c)
-        What one unit of each candidate's unknown takes off the angles.
+        Decrease of this correction per unit of each unknown of the candidates.
     effect : ndarray of shape (c, c)
         As in `_CandidateEquations`.
     weight : float, 1 / metres^2
@@ -286,7 +297,7 @@ class _ErrorFreeSolution:
         return float(np.sqrt(own @ self.information[np.ix_(last, last)] @ own / self.weight))
 
     def likelihood(self, errors: tuple[_ModelError, ...]) -> float:
-        """Twice the log of the marginal likelihood with some errors."""
+        """Twice the logarithm of the marginal likelihood with some errors."""
         if not errors:
             return self.base
         columns, scale = _join_candidates(errors)
@@ -304,12 +315,12 @@ class _ErrorFreeSolution:
     def cause(
         self, errors: tuple[_ModelError, ...], evidence: float, before: Array
     ) -> PossibleCause:
-        """Describe the last of some errors with its size, estimated together with the others.
+        """Describe the last of some errors, with its size estimated together with the others.
 
         Parameters
         ----------
         before : ndarray of shape (3,), radians
-            Correction of roll, pitch, yaw with the others alone.
+            Correction of roll, pitch, yaw with only the other errors.
         """
         columns, size, covariance = self._sizes(errors)
         last = errors[-1]
@@ -345,7 +356,7 @@ def _join_candidates(errors: tuple[_ModelError, ...]) -> tuple[Indices, Array]:
 
 
 def _omitted_parameters(problem: AdjustmentProblem) -> list[Parameter]:
-    """Values of the mounting that are not estimated but that the data could determine."""
+    """Values of the mounting that are not estimated; the latency only if it can be."""
     estimated = {parameter.name for parameter in problem.parameters}
     return [
         Parameter(name)
@@ -394,9 +405,9 @@ def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array
     Returns
     -------
     matrix, right : ndarray of shape (u + k lines, u + k lines) and (u + k lines,)
-        With k of 6 or 7.
+        Equations with ``k`` more unknowns per line, 6 or 7.
     mixed : ndarray of shape (u + k lines, 6 knots)
-        What they share with the POS error.
+        Block of the normal matrix between these unknowns and the POS error.
     """
     problem, normal, sums = linearised.problem, linearised.normal, linearised.sums
     observations, groups, layout = problem.observations, problem.groups, normal.layout
@@ -406,7 +417,7 @@ def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array
     unknowns = LINE_UNKNOWNS + len(latency)
     size = np.zeros((sums.shape[1], unknowns))
     size[latency, LINE_UNKNOWNS:] = 1.0
-    # The POS position at the knot before and at the one after, both at once
+    # The same shift of the POS position at the knots before and after
     size[own : own + AXES, :AXES] = size[own + 6 : own + 6 + AXES, :AXES] = np.eye(AXES)
     size[:AXES, AXES:LINE_UNKNOWNS] = np.eye(AXES)
     products = np.einsum("wc,gwv->gcv", size, sums)

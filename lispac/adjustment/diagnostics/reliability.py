@@ -1,4 +1,4 @@
-"""Reliability: do points and sightings check each other, and which disagree (Baarda 1968)."""
+"""Reliability: redundancy, tests and minimal detectable biases (Baarda 1968)."""
 
 from dataclasses import dataclass
 
@@ -27,26 +27,26 @@ from lispac.compiled_code import kernel
 Array = NDArray[np.float64]
 
 CRITICAL_VALUE = 3.29
-"""Test value that one point in a thousand exceeds by chance."""
+"""Critical value of the test of a point at a level of 0.1 %."""
 
 NONCENTRALITY = 4.13
-"""Standard deviations that the test at 0.1 % finds with a power of 80 %."""
+"""Shift that the test at a level of 0.1 % detects with a power of 80 %, in standard deviations."""
 
 MIN_MEAN_WEIGHT = 0.2
-"""Mean weight of a sighting below which its points are outliers: it is another surface."""
+"""Mean weight of the points below which a sighting is a blunder, such as another surface."""
 
 
 @dataclass(frozen=True, eq=False)
 class SightingTests:
-    """Tests of a shift of each sighting as a whole, one by one.
+    """Tests of a shift of each single sighting as a whole.
 
     Attributes
     ----------
     shift, sigma : ndarray of shape (sightings,), metres
-        Best estimate if the sighting were rejected, and its standard deviation,
-        including form errors.
+        Shift from the result of all other sightings, and its standard deviation including form
+        errors.
     effect : ndarray of shape (sightings, 3), radians per metre
-        Of a shift on roll, pitch, yaw.
+        Change of roll, pitch and yaw per metre of an undetected shift.
     """
 
     shift: Array
@@ -60,10 +60,10 @@ class SightingTests:
 
 
 def sighting_tests(linearised: LinearisedProblem) -> SightingTests:
-    """Test each sighting of the correlated model.
+    """Test the shift of each sighting (correlated model).
 
-    A shift is what the sighting's own offset would be without its prior: the prior is taken out
-    of the solution, not the solution repeated.
+    The shift is the offset of the sighting without its prior. It is computed by removing the prior
+    from the solution, without a new adjustment.
     """
     problem, covariance = linearised.problem, linearised.normal.covariance
     places = np.array([place.stop - 1 for place in linearised.normal.layout.surfaces])
@@ -77,7 +77,7 @@ def sighting_tests(linearised: LinearisedProblem) -> SightingTests:
 
 
 def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliability, ...]:
-    """Tests and minimal detectable biases of all points and sightings (correlated model)."""
+    """Compute tests and minimal detectable biases of points and sightings (correlated model)."""
     problem, normal = linearised.problem, linearised.normal
     observations, knots = problem.observations, problem.groups.knots
     assert knots is not None
@@ -123,14 +123,14 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
 
 
 def _knot_covariance(normal: NormalEquations) -> tuple[Array, Array]:
-    """Blocks of the inverse of the POS error's normal matrix alone (Takahashi 1973).
+    """Blocks of the inverse of the normal matrix of the POS error (Takahashi 1973).
 
     Returns
     -------
     own : ndarray of shape (knots, 6, 6)
-        Of each knot.
+        Block of each knot.
     beside : ndarray of shape (knots - 1, 6, 6)
-        Between the next knot (rows) and each (columns).
+        Block between the next knot (rows) and each knot (columns).
     """
     count = normal.band.shape[1] // 6
     own, coupling = np.zeros((count, 6, 6)), np.zeros((count - 1, 6, 6))
@@ -154,7 +154,7 @@ def _knot_covariance(normal: NormalEquations) -> tuple[Array, Array]:
 def _group_covariances(
     linearised: LinearisedProblem, knot_covariance: tuple[Array, Array]
 ) -> Array:
-    """Covariance of the unknowns behind the columns of a group's sums, shape (groups, m, m)."""
+    """Covariance of the unknowns in the columns of the sums of each group, (groups, m, m)."""
     normal, groups, bases = linearised.normal, linearised.problem.groups, linearised.bases
     layout, a = normal.layout, len(normal.layout.active)
     covariance, by_unknowns = normal.covariance, normal.pos_error_by_unknowns

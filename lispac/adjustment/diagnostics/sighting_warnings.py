@@ -1,4 +1,4 @@
-"""Warnings about sightings, lines and targets: contradictions, outliers, noise."""
+"""Warnings about sightings and targets: disagreement, outliers, noise."""
 
 from collections.abc import Callable, Iterator, Sequence
 
@@ -19,31 +19,31 @@ from lispac.messages import Message, note, shortened_list, warning
 from lispac.warning_causes import Cause
 
 NOISE_FACTOR_LIMIT = 2.0
-"""Factor on the given LiDAR noise from which the excess exceeds a few tenths of a millimetre."""
+"""Noise factor above which a warning is given; smaller excesses are tenths of a millimetre."""
 
 FORM_FACTOR_LIMIT = 2**0.5
-"""Factor from which form errors have a larger variance than the LiDAR noise."""
+"""Noise factor above which the form errors have a larger variance than the LiDAR noise."""
 
 OTHER_SURFACE_FACTOR = 30.0
-"""Factor on the noise that rough ground never reaches; it reaches at most half of it."""
+"""Noise factor above which a target must contain another surface; rough ground reaches about 15."""
 
 OUTLIER_PROBABILITY = 0.001
-"""Share of points beyond the test's critical value by chance."""
+"""Probability that a point exceeds the critical value of its test by chance."""
 
 USUAL_OUTLIER_SHARE = 0.005
 """Usual share of outliers; no warning is given below it."""
 
 MAX_REJECTED_SHARE = 0.2
-"""Share of lines rejected as a whole from which the other lines are questionable too."""
+"""Share of wrong lines above which the other lines are not reliable either."""
 
 MIN_SHIFT_TEST_VALUE = 2.0
-"""Test value below which a rejected sighting is not explained by a shift."""
+"""Test value below which a shift does not explain why a sighting was rejected."""
 
 
 def contradicted_sighting_warnings(
     result: AdjustmentResult, _: CrossChecks | None
 ) -> Iterator[Message]:
-    """Warnings about sightings that the others contradict, rejected or not."""
+    """Warnings about sightings that disagree with the others, rejected or not."""
     critical = critical_test_value(result)
     if critical is None:
         return
@@ -83,7 +83,7 @@ def _sighting_subject(sighting: Sighting) -> Cause:
 
 def _tested_sighting_item(item: SightingReliability) -> Message:
     if not item.detectable < UNCHECKED_SHIFT or abs(item.w) < MIN_SHIFT_TEST_VALUE:
-        return _sighting_item(item.sighting)  # not checked, or turned rather than shifted
+        return _sighting_item(item.sighting)  # not checked, or tilted rather than shifted
     return note(
         "item.sighting_shifted",
         target=item.sighting.target, line=item.sighting.line,
@@ -96,11 +96,11 @@ OUTLIER_CODES = {
     "huber": "adjustment.strays_reduced_weight",
     "tukey": "adjustment.strays_no_weight",
 }
-"""Code of the warning by the loss, which decides on the weight of outliers."""
+"""Code of the warning for each loss, which determines the weight of outliers."""
 
 
 def outlier_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    """Warning about more outliers than chance explains."""
+    """Warning if there are more outliers than expected by chance."""
     counts = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
     tested = [
         (item.sighting, item.outliers, counts[item.sighting.target, item.sighting.line])
@@ -133,7 +133,7 @@ def noise_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[
     if not rough:
         return
     geometry = result.observability
-    # With such lines the cross-checks, which enlarge the sigmas elsewhere, show nothing of it.
+    # With lines that no other line checks, leave-out results cannot raise the sigmas.
     too_few = geometry is not None and any(each.kind == "line" for each in geometry.unchecked)
     bent = [t for t in rough if too_few and form_error_factor(t) > FORM_FACTOR_LIMIT]
     if bent:
@@ -143,7 +143,7 @@ def noise_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[
 
 
 def form_error_factor(target: TargetResidual) -> float:
-    """Ratio of the noise by form errors to the given one; for earlier results, of all noise."""
+    """Ratio of the noise by form errors to the given one; of all noise if form is not known."""
     return target.noise if target.noise_of_form is None else target.noise_of_form
 
 
@@ -160,5 +160,5 @@ def _noise_message(
 
 
 def _sighting_item(sighting: Sighting) -> Message:
-    """A sighting as an item of a list."""
+    """Sighting as an item of a list."""
     return note("item.sighting", target=sighting.target, line=sighting.line)

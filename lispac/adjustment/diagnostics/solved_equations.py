@@ -1,4 +1,4 @@
-"""Normal equations at a solution that was found before, for later diagnostics."""
+"""Normal equations at an earlier solution, computed again for later diagnostics."""
 
 from dataclasses import dataclass
 from typing import Self
@@ -28,10 +28,10 @@ class SolvedEquations:
     Attributes
     ----------
     here : LinearisedProblem
-        Without the rejected sightings; its covariance is that of the result before its sigmas were
-        raised.
+        Equations without the rejected sightings. Their covariance is that of the result before its
+        sigmas were raised.
     origins : ndarray of shape (targets, 3), metres, local frame
-        Middles that the coordinates of each target are counted from.
+        Origin of the coordinates of each target, its mean point.
     """
 
     here: LinearisedProblem
@@ -47,14 +47,16 @@ class SolvedEquations:
         *,
         progress: Progress = no_progress,
     ) -> Self | None:
-        """Solve again with the settings of the result; None where its model is another.
+        """Solve again with the settings of the result.
+
+        Return None if the model is not the correlated one, or if there is no solution.
 
         Parameters
         ----------
         mounting : Mounting
-            As it went into the adjustment of ``result``.
+            Mounting that was given to the adjustment of ``result``.
         parameters : tuple of Parameter
-            Estimated besides the boresight.
+            Values that were estimated besides the boresight.
         """
         if not result.model.correlated:
             return None
@@ -70,4 +72,4 @@ class SolvedEquations:
                 end = iterate(problem, start, progress).linearised
                 return cls(end.problem.linearised(end.state, end.loss), origins)
         except (AdjustmentError, np.linalg.LinAlgError):
-            return None  # what a part is to be compared with is not known
+            return None  # there is no solution to compare the parts with

@@ -1,8 +1,8 @@
-"""Test whether a ball has the same radius on every line, and what may explain a difference.
+"""Test whether a ball has the same radius in every line, and search for the cause of a difference.
 
-A ball is passed within a second or two. What the vessel does in this time is in the shape of its
-points: a sign of the attitude, the latency or a range offset that is wrong makes it larger or
-smaller, and by another amount on every line. No target that is a plane shows that.
+The vessel moves during the second or two in which a ball is scanned. A wrong sign of the attitude,
+latency or range offset therefore distorts the points and changes the radius, by a different amount
+in every line. Planes do not show this.
 """
 
 from collections.abc import Iterator
@@ -21,28 +21,28 @@ from lispac.survey.trajectory import Poses
 Array = NDArray[np.float64]
 
 MIN_POINTS = 20
-"""Smallest number of points of a sighting that determines a radius."""
+"""Smallest number of points of a sighting from which a radius is computed."""
 TEST_LEVEL = 1e-3
-"""Probability that radii which agree seem to differ."""
+"""Significance level of the test that the radii differ."""
 MIN_DIFFERENCE = 0.003
-"""Metres: differences below it are of no consequence."""
+"""Standard deviation added to that of each radius, metres; smaller differences do not matter."""
 LATENCIES = np.linspace(-0.3, 0.3, 61)
-"""Seconds that are tried."""
+"""Changes of the latency that are tried, seconds."""
 RANGE_OFFSETS = np.linspace(-0.2, 0.2, 81)
-"""Metres that are tried."""
+"""Changes of the range offset that are tried, metres."""
 
 
 def find_radius_discrepancies(
     observations: Observations, mounting: Mounting
 ) -> tuple[RadiusDiscrepancy, ...]:
-    """Balls whose radii differ between lines by more than the noise explains.
+    """Find balls whose radii differ between lines by more than the noise explains.
 
     Parameters
     ----------
     observations : Observations
-        With places in the local frame.
+        Observations with positions in the local frame.
     mounting : Mounting
-        As adjusted.
+        Adjusted mounting.
     """
     found = []
     for k, target in enumerate(observations.targets):
@@ -67,7 +67,7 @@ def find_radius_discrepancies(
 
 
 def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Array, Array] | None:
-    """Radius of one ball on each line, and its sigma, both (lines,), metres; None below two."""
+    """Radius of one ball in each line and its sigma, (lines,), metres; None with fewer than two."""
     points = place_points(
         observations.points_lidar, Poses(observations.position, observations.attitude), mounting
     )
@@ -89,7 +89,7 @@ def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Arr
 
 
 def _radius_chi_square(radii: Array, sigmas: Array) -> float:
-    """Weighted sum of squares about the mean radius, dimensionless."""
+    """Weighted sum of squared deviations from the mean radius, no unit."""
     weights = 1.0 / (sigmas**2 + MIN_DIFFERENCE**2)
     mean = weights @ radii / weights.sum()
     return float(weights @ (radii - mean) ** 2)
@@ -104,7 +104,7 @@ def _do_radii_differ(radii: Array, sigmas: Array) -> bool:
 def _candidate_corrections(
     observations: Observations, mounting: Mounting
 ) -> Iterator[tuple[str, float, Observations, Mounting]]:
-    """Candidate causes with their value, and observations and mounting without the error."""
+    """Candidate causes, their value, and observations and mounting with the error corrected."""
     for cause, signs in (
         ("roll_sign", (-1, 1, 1)), ("pitch_sign", (1, -1, 1)), ("roll_pitch_signs", (-1, -1, 1)),
     ):  # fmt: skip

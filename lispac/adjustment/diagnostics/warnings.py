@@ -25,22 +25,22 @@ from lispac.messages import Level, Message, Value, note, shortened_list, sort_by
 from lispac.warning_causes import RESULT, Cause
 
 LARGE_SIGMA_DEG = 0.1
-"""An angle known no better puts a point at 100 m off by 17 cm: no boresight to work with."""
+"""Largest sigma of an angle without a warning, degrees; at 100 m, 0.1 deg correspond to 17 cm."""
 
 MIN_INCREASE = 1.05
-"""Factor on a sigma from which a warning reports that it was raised."""
+"""Factor on a sigma above which a note reports that it was raised."""
 
 HIGH_CORRELATION = 0.9
-"""Correlation beyond which mostly the sum or difference of two angles is determined."""
+"""Correlation above which mainly the sum or the difference of two angles is determined."""
 
 MAX_FLAT_SIGMA = 0.005
-"""Metres: sigma of the surfaces that no flat board has."""
+"""Largest sigma of the form errors of flat boards, metres."""
 
 
 def result_warnings(
     result: AdjustmentResult, checks: CrossChecks | None, also: Iterable[Message] = ()
 ) -> tuple[Message, ...]:
-    """All warnings about a result, then notes; ``also`` are those about its data."""
+    """All warnings about a result, then the notes; ``also`` are the messages about its data."""
     also = tuple(also)
     found = [message for rule in RULES for message in rule(result, checks)]
     return sort_by_level(
@@ -134,7 +134,7 @@ def _cross_check_notes(_: AdjustmentResult, checks: CrossChecks | None) -> Itera
     parts = [part for part in checks.parts if part.disagrees] if checks else []
     halves = [part for part in parts if part.kind == "half"]
     disagreeing = [_disagreeing_part_item(part) for part in parts if part.kind != "half"]
-    # Two halves differ from each other: the first one gives the same message.
+    # The two halves are compared with each other, so that one message is enough.
     disagreeing += [_disagreeing_part_item(part) for part in halves[-1:]]
     if disagreeing:
         yield note(
@@ -146,11 +146,11 @@ def _cross_check_notes(_: AdjustmentResult, checks: CrossChecks | None) -> Itera
 PART_CODES = {
     "line": "item.without_line", "target": "item.without_target", "half": "item.halves",
 }  # fmt: skip
-"""Code of a part of the data by its kind."""
+"""Code of the name of a part of the data by its kind."""
 
 
 def _disagreeing_part_item(part: CrossCheck) -> Message:
-    """A cross-check with the angle that differs most, in its sigmas."""
+    """Cross-check as an item of a list, with the angle of the most significant difference."""
     assert part.significance is not None
     assert part.difference is not None
     k = int(np.abs(part.significance).argmax())
@@ -164,7 +164,7 @@ def _disagreeing_part_item(part: CrossCheck) -> Message:
 
 
 def _unchecked_part_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    """Lines, targets and sightings whose errors cannot be detected."""
+    """Warnings about lines, targets and sightings whose errors cannot be detected."""
     if result.observability is None:
         return
     found = result.observability.unchecked
@@ -206,7 +206,7 @@ def _excluded_target_notes(result: AdjustmentResult, _: CrossChecks | None) -> I
 
 
 def _common_part_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    """Warnings about targets of which lines show different parts not shown to be one plane."""
+    """Notes on targets that were reduced or excluded because the lines show different parts."""
     cut = [each for each in result.common_parts if each.share > 0.0]
     excluded = [each.target for each in result.common_parts if each.share == 0.0]
     if cut:
@@ -227,7 +227,7 @@ RADII_CODES = {
     "pitch_sign": "adjustment.radii_pitch_sign",
     "roll_pitch_signs": "adjustment.radii_roll_pitch_signs",
 }
-"""Code by the cause of `RadiusDiscrepancy`; other causes are values of the mounting."""
+"""Code for each cause of `RadiusDiscrepancy`; other causes are values of the mounting."""
 
 
 def _radius_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
@@ -309,5 +309,5 @@ RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]]
 
 
 def outdated_result_warning(reason: Message | str) -> Message:
-    """Warning about a result after which another estimate was refused, with the reason."""
+    """Warning that a result is out of date because a later estimate failed, with the reason."""
     return warning("adjustment.refused_since", reason=reason, subject=RESULT)

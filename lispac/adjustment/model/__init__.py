@@ -1,1 +1,1 @@
-"""What is adjusted: observations, stochastic model, parameters, target shapes, conditions."""
+"""Model of the adjustment: observations, stochastic model, parameters, shapes, conditions."""

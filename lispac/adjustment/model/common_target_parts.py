@@ -1,9 +1,10 @@
-"""Common parts of targets of which the lines show different parts: a deck, a long wall.
+"""Common parts of large targets of which the lines show different parts: a deck, a long wall.
 
-Where the whole surface is flat, the parts are of one plane and all points are used. Where that is
-not shown, the planes of different parts may differ: what most lines show in common is used, or what
-the largest group of lines shows. A target of which no two lines show the same part is excluded.
-Flatness is tested by a quadric (variable-order surface fitting: Besl and Jain 1988).
+If the whole surface is flat, the parts lie in one plane and all points are used. If it is not shown
+to be flat, the planes of different parts may differ. Then only the part that most lines show is
+used, or the parts of the largest group of overlapping lines. A target of which no two lines show
+the same part is excluded. Flatness is tested by fitting a quadric (variable-order surface fitting:
+Besl and Jain 1988).
 """
 
 import numpy as np
@@ -19,12 +20,14 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 MIN_OVERLAP = 0.5
-"""Share of the points of one of two sightings that the other shows as well, at least; below it they
-show different parts."""
+"""Smallest share of the points of one of two sightings that lie within the other.
+
+Below it, the two sightings show different parts.
+"""
 MIN_POINTS, MIN_SHARE = 30, 0.1
-"""Points that a common part must have on a line, and share of its sighting there."""
+"""Smallest number of points of a line in the common part, and smallest share of its sighting."""
 CURVATURE_SIGMAS = 3.0
-"""Standard deviations of the curvature that are added to it: flatness must be shown."""
+"""Standard deviations added to the curvature, so that uncertain flatness is not accepted."""
 MAX_SAGITTA = 1.0
 """Largest sagitta over the whole surface, in standard deviations of the LiDAR noise."""
 
@@ -32,12 +35,12 @@ MAX_SAGITTA = 1.0
 def find_common_parts(
     observations: Observations, mounting: Mounting
 ) -> tuple[Observations, tuple[CommonCoverage, ...]]:
-    """Keep the points of the common parts of all targets; also the targets that were cut.
+    """Keep the points of the common parts of all targets, and list the targets that were reduced.
 
     Parameters
     ----------
     mounting : Mounting
-        Places the points, so well that the lines nearly meet.
+        Mounting with which the lines nearly agree.
     """
     points = points_local(observations, mounting)
     keep = np.ones(len(observations), dtype=bool)
@@ -59,7 +62,7 @@ def find_common_parts(
 
 
 def _common_part_of_target(points: Array, sighting: NDArray[np.int64]) -> Flags | None:
-    """Points of the common part; None where all sightings show about the same part.
+    """Mask of the points of the common part; None if all sightings show about the same part.
 
     Parameters
     ----------
@@ -89,7 +92,7 @@ def _is_part_large_enough(common: Flags) -> bool:
 
 
 def _connected_groups(alike: Flags) -> list[list[int]]:
-    """Connected groups of a symmetric relation of shape (n, n)."""
+    """Connected components of the graph with the symmetric adjacency matrix ``alike``, (n, n)."""
     groups: list[list[int]] = []
     for k in range(len(alike)):
         joined = [group for group in groups if alike[k, group].any()]
@@ -101,8 +104,8 @@ def _connected_groups(alike: Flags) -> list[list[int]]:
 def _is_flat(points: Array, sighting: NDArray[np.int64], sigma: Array) -> bool:
     """Whether the data show that a surface is flat over its whole extent.
 
-    A quadric common to all sightings is fitted, each of which has a plane of its own: the errors of
-    boresight and POS tilt and displace sightings as a whole.
+    One quadric is fitted to all sightings together with a separate plane for each sighting, because
+    errors of boresight and POS tilt and displace each sighting as a whole.
     """
     plane = fit_plane(points)
     placed = (points - points.mean(axis=0)) @ plane_axes(plane.normal).T
@@ -122,6 +125,6 @@ def _is_flat(points: Array, sighting: NDArray[np.int64], sigma: Array) -> bool:
     bends = inverse @ (columns.T @ off)
     noise = float(np.sqrt(np.mean((off - columns @ bends) ** 2)))
     spread = noise * np.sqrt(np.maximum(np.diag(inverse), 0.0))
-    # Over the whole surface u and v run over two at most, so that a bend is its own sagitta.
+    # u and v range over at most 2, so that a coefficient equals the sagitta of its term.
     sagitta = float(np.max(np.abs(bends) + CURVATURE_SIGMAS * spread))
     return sagitta <= MAX_SAGITTA * float(np.sqrt(np.mean(sigma**2)))

@@ -1,8 +1,8 @@
-"""Condition equation of every point and its Jacobians.
+"""Condition equations of the points and their Jacobians.
 
-A point of a plane obeys ``n . X + d = 0``, a point of a sphere ``|X - c| - r = 0``, with
-``X = P + R_local_body (R_body_lidar x + lever_arm)`` (thesis equations 4.1 and 4.4). One point
-gives one condition, so ``B Q B'`` is diagonal: one variance a point.
+A point of a plane satisfies ``n . X + d = 0``, and a point of a sphere ``|X - c| - r = 0``, with
+``X = P + R_local_body (R_body_lidar x + lever_arm)`` (thesis equations 4.1 and 4.4). Each point
+gives one condition, so that ``B Q B'`` is diagonal, with one variance per point.
 """
 
 from dataclasses import dataclass
@@ -74,7 +74,7 @@ def evaluate_columns(
     shapes : ndarray of shape (targets, 4), local frame
         As in `linearise`.
     columns : slice
-        Of the columns.
+        Range of the columns.
     """
     out = np.empty((len(observations), columns.stop - columns.start))
     points, placing = PointArrays.of(observations, mounting), MountingArrays.of(mounting, shapes)
@@ -99,20 +99,20 @@ def misclosures(observations: Observations, mounting: Mounting, shapes: Array) -
 
 
 class PointArrays(NamedTuple):
-    """Arrays of point data as the kernels take them.
+    """Arrays of point data, as arguments of the compiled kernels.
 
-    A function that is inlined into a kernel takes the arrays that it needs out of the tuple before
-    it branches: Numba counts the references to all arrays of a tuple that is used in a branch, for
-    each point, which costs more than the arithmetic.
+    Functions that are inlined into a kernel must read the arrays from the tuple before any branch.
+    Numba counts references to all arrays of a tuple that is used in a branch, for each point, which
+    takes longer than the arithmetic.
     """
 
     xyz: Array  # in the LiDAR frame
     position: Array
     turns: Array  # cosines and sines of roll, pitch, heading
-    rate: Array  # of no rows where it is unknown
+    rate: Array  # without rows if unknown
     target: NDArray[np.int64]
     sighting: NDArray[np.int64]
-    spheres: NDArray[np.bool_]  # which targets are
+    spheres: NDArray[np.bool_]  # whether each target is a sphere
     sigma_lidar: Array
     beam_sigmas: bool
     sigma_position: Array
@@ -120,7 +120,7 @@ class PointArrays(NamedTuple):
 
     @classmethod
     def of(cls, observations: Observations, mounting: Mounting) -> "PointArrays":
-        """Take the columns of ``observations``, with the latency the poses do not hold yet."""
+        """Take the columns of ``observations``, with the remaining latency applied to the poses."""
         position, turns = observations.position, observations.turns
         rate, late = observations.pose_rate, mounting.latency - observations.latency
         if rate is None:
@@ -144,7 +144,7 @@ class PointArrays(NamedTuple):
 
 
 class MountingArrays(NamedTuple):
-    """Arrays of mounting and shapes as the kernels take them."""
+    """Arrays of mounting and shapes, as arguments of the compiled kernels."""
 
     values: Array
     rotation: Array
@@ -192,7 +192,7 @@ def condition_row(  # type: ignore[no-untyped-def]
     px, py, pz, cr, sr, cp, sp, ch, sh = pose
     values, rotation, derivatives = placing.values, placing.rotation, placing.derivatives
     turn, shapes, t, rate = placing.turn, placing.shapes, points.target[i], points.rate
-    # Read before anything is written, lest the compiler think that it has changed
+    # Read before anything is written, so that the compiler need not read them again
     s0, s1, s2, s3 = shapes[t, 0], shapes[t, 1], shapes[t, 2], shapes[t, 3]
     sphere = points.spheres[t]
     distance = np.sqrt(rx * rx + ry * ry + rz * rz)
@@ -218,8 +218,8 @@ def condition_row(  # type: ignore[no-untyped-def]
         n0, n1, n2 = s0, s1, s2
         out[9], out[10], out[11], out[12] = x0, x1, x2, 1.0
         out[19] = n0 * x0 + n1 * x1 + n2 * x2 + s3
-    # The normal seen from the frames the three turns pass through: m3 after Rz(-h), m2 after
-    # Ry(p), m1 in the body frame; u in the LiDAR frame.
+    # The normal in the frames between the three rotations: m3 after Rz(-h), m2 after Ry(p), m1 in
+    # the body frame; u in the LiDAR frame.
     m30, m31, m32 = ch * n0 - sh * n1, sh * n0 + ch * n1, n2
     m20, m21, m22 = cp * m30 - sp * m32, m31, sp * m30 + cp * m32
     m10, m11, m12 = m20, cr * m21 + sr * m22, -sr * m21 + cr * m22
@@ -243,7 +243,7 @@ def condition_row(  # type: ignore[no-untyped-def]
     if len(rate) > 0:
         for k in range(6):
             out[8] += out[13 + k] * rate[i, k]
-    # Back through the turn of the scan angle; the range offset stretches the point along itself
+    # Inverse of the scan-angle rotation; the range offset moves the point along its beam
     v1, v2 = turn[1, 1] * u1 + turn[2, 1] * u2, turn[1, 2] * u1 + turn[2, 2] * u2
     along = (u0 * rx + v1 * ry + v2 * rz) * stretch / (distance * distance)
     lidar[0] = u0 * (1 + stretch) - rx * along
@@ -274,9 +274,9 @@ def _evaluate_columns_kernel(  # type: ignore[no-untyped-def]
 
 @kernel(inline="always")
 def adjusted_observation(i, xyz, sigma, beam, lidar, pull):  # type: ignore[no-untyped-def]
-    """Adjusted observation of point ``i``: its LiDAR noise share of the misclosure removed.
+    """Adjusted LiDAR coordinates of point ``i``.
 
-    ``pull`` is the misclosure over its variance; the correction is ``Q B'`` times it.
+    ``pull`` is the misclosure divided by its variance; the correction is ``-Q B'`` times this.
     """
     x, y, z = xyz[i, 0], xyz[i, 1], xyz[i, 2]
     if not beam:

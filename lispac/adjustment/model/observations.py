@@ -1,4 +1,4 @@
-"""Observations of the adjustment: one row a point, grouped into sightings."""
+"""Observations of the adjustment: one row per point, grouped into sightings."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, replace
@@ -15,12 +15,12 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-MIN_SAMPLE = 200  # points of a sighting that are all wanted in a sample
+MIN_SAMPLE = 200  # a sighting with fewer points in a sample keeps all its points
 
 
 @dataclass(frozen=True)
 class Sighting:
-    """Measurement of one target on one line."""
+    """Sighting of a target: the points of one target in one line."""
 
     target: str
     line: str
@@ -28,15 +28,15 @@ class Sighting:
 
 @dataclass(frozen=True)
 class CommonCoverage:
-    """Share of a target that all its lines show; only this part is used.
+    """Common part of a target of which the lines show different parts; only this part is used.
 
     Attributes
     ----------
     target : str
     share : float
-        Of its points; 0 where it is excluded.
+        Share of the target's points in the common part; 0 if the target is excluded.
     lines : tuple of str
-        Whose sightings are used.
+        Lines whose sightings are used.
     """
 
     target: str
@@ -46,7 +46,7 @@ class CommonCoverage:
 
 @dataclass(frozen=True, eq=False)
 class Observations:
-    """Nine observations a point (thesis B.3): POS position, POS attitude, LiDAR x, y, z.
+    """Nine observations per point (thesis B.3): POS position, POS attitude, LiDAR x, y, z.
 
     Attributes
     ----------
@@ -54,25 +54,25 @@ class Observations:
     position : ndarray of shape (n, 3), metres, local frame
     attitude : ndarray of shape (n, 3), radians; roll, pitch, heading
     sigma_lidar, sigma_position : ndarray of shape (n, 3), metres
-        Along x, y, z and north, west, up.
+        Standard deviations along x, y, z and along north, west, up.
     sigma_attitude : ndarray of shape (n, 3), radians
     time : ndarray of shape (n,), seconds
     sighting : ndarray of shape (n,), int
         Index into ``sightings``.
     sightings : tuple of Sighting
     beam_sigmas : bool
-        Whether ``sigma_lidar`` is along the beam and twice across it instead of along x, y, z.
+        Whether the columns of ``sigma_lidar`` are along the beam and in two directions across it,
+        instead of along x, y, z.
     pose_rate : ndarray of shape (n, 6) or None, metres and radians per second
-        Derivative of position and attitude by time; without it no latency can be estimated.
+        Derivative of position and attitude by time, needed to estimate the latency.
     latency : float, seconds
-        Already applied to the times at which position and attitude were read.
+        Latency that is already applied to ``position`` and ``attitude``.
     radii : mapping of str to float or None
-        The targets that are spheres, with their radius in metres, or None where it is unknown;
-        all others are planes.
+        Radius in metres of each target that is a sphere, None if unknown; other targets are planes.
     time_separation : ndarray of shape (n,) or None, seconds
-        Mean time between two of the points that an average stands for; None for single points.
+        Mean time between two of the points averaged into one; None for single points.
     excluded_outliers : int
-        Points that stood out from their sighting and went into no average.
+        Number of outliers of their sighting that were excluded from the averages.
     """
 
     points_lidar: Array
@@ -121,7 +121,7 @@ class Observations:
         Parameters
         ----------
         lidar, position, attitude : float
-            Factors, so without a unit.
+            Factors, no unit.
         """
         return replace(
             self,
@@ -135,7 +135,7 @@ class Observations:
         return replace(self, radii={}) if self.radii else self
 
     def reordered(self, order: NDArray[np.int64]) -> "Observations":
-        """Points in another order (k,), or some of them; ``sightings`` is unchanged."""
+        """Points in another order, or a selection, by index (k,); ``sightings`` is unchanged."""
         columns: dict[str, Any] = {
             column.name: values.take(order, axis=0)
             for column in fields(self)
@@ -144,13 +144,13 @@ class Observations:
         return replace(self, **columns)
 
     def sample(self, share: float) -> NDArray[np.bool_]:
-        """Mask (n,) of about that share of the points, independent of their order."""
+        """Mask of about this share of the points, shape (n,), independent of their order."""
         bits = np.ascontiguousarray(self.points_lidar).view(np.uint64)
         mixed = bits[:, 0] ^ (bits[:, 1] << np.uint64(1)) ^ (bits[:, 2] << np.uint64(2))
         mixed = (mixed ^ (mixed >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
         mixed = (mixed ^ (mixed >> np.uint64(32))) * np.uint64(0x94D049BB133111EB)
         chosen = (mixed >> np.uint64(40)).astype(np.float64) < share * 2**24
-        # A sighting of few points keeps them all.
+        # A sighting with few points keeps all of them.
         scarce = np.bincount(self.sighting[chosen], minlength=len(self.sightings)) < MIN_SAMPLE
         return np.asarray(chosen | scarce[self.sighting])
 
@@ -169,19 +169,19 @@ class Observations:
         return self.where(keep[self.sighting])
 
     def without_targets(self, names: Collection[str]) -> "Observations":
-        """Points on all other targets."""
+        """Observations without the targets of these names."""
         if not names:
             return self
         return self.of_sightings(np.array([s.target not in names for s in self.sightings]))
 
     @cached_property
     def turns(self) -> Array:
-        """Cosine and sine of roll, pitch and heading, shape (n, 6), computed once."""
+        """Cosines and sines of roll, pitch and heading, shape (n, 6)."""
         return attitude_cosines_sines(self.attitude)
 
     @cached_property
     def counts(self) -> NDArray[np.int64]:
-        """Points of each sighting, shape (sightings,)."""
+        """Number of points of each sighting, shape (sightings,)."""
         return np.bincount(self.sighting, minlength=len(self.sightings)).astype(np.int64)
 
     def mean_by_sighting(self, values: Array) -> Array:
@@ -192,12 +192,12 @@ class Observations:
         return means[:, 0] if values.ndim == 1 else means
 
     def require_usable(self) -> None:
-        """Refuse observations that cannot determine a boresight, with the reason.
+        """Raise an error if the observations cannot be adjusted.
 
         Raises
         ------
         AdjustmentError
-            If targets, points or lines are too few, or a value cannot be used.
+            There is no target, a sighting has too few points, or a value is invalid.
         """
         if not self.sightings:
             raise AdjustmentError(error("adjustment.no_targets"))
@@ -234,7 +234,7 @@ class Observations:
 
 
 def attitude_cosines_sines(attitude: Array) -> Array:
-    """Cosine and sine of roll, pitch and heading.
+    """Cosines and sines of roll, pitch and heading.
 
     Parameters
     ----------

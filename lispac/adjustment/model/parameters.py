@@ -1,4 +1,4 @@
-"""Values of the mounting estimated besides the boresight: priors, estimates, names and units."""
+"""Values of the mounting other than the boresight: priors, estimates, names and units."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -18,26 +18,28 @@ OPTIONAL_NAMES = CALIBRATION[3:]
 """Parameters that are estimated only on request."""
 
 LIMITS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 0.02])
-"""Radians, metres, seconds, in the order of `CALIBRATION`. A parameter that the geometry cannot
-determine to better than this is fixed: a tape measure, or an inspection, is more precise."""
+"""Largest sigma of a determined parameter, in the order of `CALIBRATION`; radians, metres, seconds.
+
+A parameter with a larger sigma is fixed, because a tape measure or an inspection is more precise.
+"""
 
 SIGNIFICANT = 1.96
-"""Standard deviations that a change by chance exceeds one time in twenty, up or down."""
+"""Critical value of the two-sided test of a change at a level of 5 %, in standard deviations."""
 
 PRIOR_SIGMAS = (1e-9, 1e3)
-"""Least and largest standard deviation of a prior value, radians, metres or seconds."""
+"""Smallest and largest standard deviation of a prior value, radians, metres or seconds."""
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """A value to estimate.
+    """A value of the mounting to estimate.
 
     Attributes
     ----------
     name : str
         One of `OPTIONAL_NAMES`.
     sigma : float or None, radians, metres or seconds
-        How well the value in the mounting is known; None where it is not to be relied on.
+        Standard deviation of the prior value in the mounting; None to estimate it without a prior.
     """
 
     name: str
@@ -57,14 +59,15 @@ class ParameterEstimate:
     ----------
     name : str
     value, sigma : float or None, radians, metres or seconds
-        None where the geometry does not see it.
+        Estimate and its standard deviation; None if the geometry does not determine it.
     prior, prior_sigma : float, None; in the same unit
-        What went in.
+        Given value and its standard deviation.
     significance : float or None
-        How far off the prior the data alone want the value, in standard deviations of theirs; None
-        where there is no value, and with independent POS errors, whose sigmas are too small.
+        Difference between the value from the data alone and the prior value, in standard deviations
+        of the former. None if there is no estimate, and with independent POS errors, since the
+        sigmas of that model are too small.
     reason : Message or None
-        Why there is no value; None where there is one.
+        Reason why there is no estimate; None if there is one.
     """
 
     name: str
@@ -77,9 +80,9 @@ class ParameterEstimate:
 
     @property
     def significant(self) -> bool | None:
-        """Whether the change is significant: two-sided test at 5 %; None where not tested.
+        """Whether the change is significant by a two-sided test at 5 %; None if not tested.
 
-        The one limit of the command line, the window and the report.
+        The command line, the window and the report all use this limit.
         """
         return None if self.significance is None else abs(self.significance) > SIGNIFICANT
 
@@ -90,9 +93,14 @@ class ParameterDisplay:
 
     Attributes
     ----------
-    title : begins a sentence
-    factor : shown units to one metre, radian or second
-    decimals : of the value in its unit
+    title : str
+        Name with a capital letter.
+    factor : float
+        Displayed units per metre, radian or second.
+    unit : {"m", "deg", "ms"}
+        Displayed unit.
+    decimals : int
+        Decimals of the displayed value.
     """
 
     title: str
@@ -115,7 +123,7 @@ OUTPUT_UNITS: Mapping[str, tuple[float, str]] = {
     name: (1.0, "s") if name == "latency" else (each.factor, each.unit)
     for name, each in QUANTITIES.items()
 }
-"""Factor from what is stored to what is typed in a terminal and written as JSON, and its unit."""
+"""Unit of each value on the command line and in JSON, and factor from the SI unit to it."""
 
 
 def mounting_value_name(name: str) -> Message:
@@ -129,10 +137,10 @@ def mounting_value_names(names: Iterable[str]) -> tuple[Message, ...]:
 
 
 def amount_with_unit(name: str, value: float) -> Message:
-    """A value of the mounting (metres, radians or seconds) with its unit."""
+    """Format a value of the mounting (metres, radians or seconds) with its unit."""
     return note(f"amount.{QUANTITIES[name].unit}", value=float(value))
 
 
 def signed_change(name: str, value: float) -> Message:
-    """A change of a value of the mounting with its sign and unit."""
+    """Format a change of such a value (metres, radians or seconds) with its sign and unit."""
     return note(f"change.{QUANTITIES[name].unit}", value=float(value))

@@ -1,7 +1,8 @@
 """Average neighbouring points of a plane into one point per cell.
 
-Thinning by selection loses the information of the excluded points, so that sigmas grow with the
-distance. An average keeps it: its noise is smaller by the root of their number.
+Thinning by selection loses the information of the removed points, so that the sigmas increase with
+the point spacing. Averaging keeps it, since the noise of a mean of ``n`` points is smaller by the
+square root of ``n``.
 """
 
 from dataclasses import dataclass, replace
@@ -21,7 +22,7 @@ from lispac.survey.trajectory import Poses
 Array = NDArray[np.float64]
 
 OUTLIER_LIMIT = Loss("tukey").tuning
-"""Standard deviations from a sighting's plane at which a point stands out."""
+"""Distance of an outlier from the plane of its sighting, in standard deviations."""
 
 
 def average_points_in_cells(
@@ -34,28 +35,28 @@ def average_points_in_cells(
 ) -> Observations:
     """Average the points of each sighting of a plane over squares of side ``distance``.
 
-    The squares lie in the sighting's own plane: cubes would part the points by the sign of their
-    noise where a plane runs along their border. Points of one square seen at different times have
-    POS errors of their own, so averages reach over a short time only. The points of spheres stay
-    as they are: the mean of a curved patch lies inside it.
+    The squares lie in the plane of the sighting. Cubes would separate points by the sign of their
+    noise where the plane coincides with a face of the cubes. Only points measured within a short
+    time are averaged, because the POS error changes with time. Points of spheres are not averaged,
+    since the mean of points on a curved surface lies inside it.
 
     Parameters
     ----------
     mounting : Mounting
-        Places the points; an average keeps its mean place exactly with it, and to second order in
-        the change of the mounting with another one.
+        Mounting with which the mean positions are computed. The averaged points reproduce them
+        exactly with this mounting, and with an error of second order in the change of another one.
     distance : float, metres
-        0 leaves all points as they are.
+        Side of the squares; with 0, the points are not changed.
     longest : float, seconds
-        Over which points are averaged: the knot interval of the POS error.
+        Longest time over which points are averaged, by default the knot interval of the POS error.
     no_outliers : bool
-        Whether outliers from the sighting's plane are excluded: a loss function cannot detect
-        an outlier within an average.
+        Exclude outliers from the plane of the sighting, since a loss function cannot detect an
+        outlier within an average.
 
     Returns
     -------
     Observations
-        ``excluded_outliers`` is the number of outliers.
+        ``excluded_outliers`` includes the number of excluded outliers.
     """
     if distance <= 0:
         return observations
@@ -80,14 +81,14 @@ def _average_cells(
     order: NDArray[np.intp],
     start: NDArray[np.intp],
 ) -> Observations:
-    """One point a cell, from the points sorted by `_sort_into_cells`."""
+    """Average the points of each cell, from the order of `_sort_into_cells`."""
     counts = np.diff(np.append(start, len(order)))
 
     def mean(values: Array) -> Array:
         return np.asarray((np.add.reduceat(values[order], start, axis=0).T / counts).T)
 
     attitude = observations.attitude[order]
-    # A heading that jumps by a full turn inside a cell
+    # Remove jumps of the heading by a full turn within a cell
     first = np.repeat(attitude[start], counts, axis=0)
     attitude -= 2 * np.pi * np.round((attitude - first) / (2 * np.pi))
     poses = Poses(
@@ -119,9 +120,10 @@ def _average_cells(
 
 
 def _mean_time_separation(time: Array, start: NDArray[np.intp], counts: NDArray[np.intp]) -> Array:
-    """Mean time between two points of a cell, including a point with itself, shape (cells,).
+    """Mean time between two points of a cell, shape (cells,), seconds.
 
-    Times are in order within a cell: each stands after those before it and before the others.
+    The mean includes the pairs of a point with itself. The times of a cell must be in ascending
+    order.
     """
     since = time - np.repeat(time[start], counts)
     place = np.arange(len(time)) - np.repeat(start, counts)
@@ -131,7 +133,7 @@ def _mean_time_separation(time: Array, start: NDArray[np.intp], counts: NDArray[
 
 @dataclass(frozen=True, eq=False)
 class _SightingPlane:
-    """Plane fitted to one sighting: points, coordinates in the plane and distances from it."""
+    """Points of one sighting: indices, coordinates in the fitted plane, and distances from it."""
 
     own: NDArray[np.intp]
     along: Array
@@ -165,7 +167,7 @@ def _robust_sigma(off: Array) -> float:
 
 
 def _find_outliers(observations: Observations, planes: list[_SightingPlane]) -> NDArray[np.bool_]:
-    """Find the outliers of one sighting: points that a redescending loss would give no weight."""
+    """Mask of the outliers: points to which a redescending loss would give no weight."""
     standing = np.zeros(len(observations), dtype=bool)
     for s, plane in enumerate(planes):
         if observations.is_sphere[observations.target_of_sighting[s]]:
@@ -182,17 +184,17 @@ def _sort_into_cells(
     distance: float,
     longest: float,
 ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Sort the points by cell and time; also the index at which each cell begins."""
+    """Order of the points by cell and time, and the index at which each cell begins."""
     across = np.empty((len(points), 2))
     for plane in planes:
         across[plane.own] = plane.along
     grid = np.floor(across / distance).astype(np.int64)
-    # A point of a sphere has a cell of its own.
+    # Each point of a sphere has its own cell, so that it is not averaged.
     alone = observations.is_sphere[observations.target_of_sighting[observations.sighting]]
     grid[alone, 0] = np.arange(alone.sum())
     key = observations.sighting.astype(np.int64)
     for each in (*grid.T, np.floor(observations.time / longest).astype(np.int64)):
-        # Joined one by one and renumbered, so that the numbers stay small.
+        # Combine the keys one by one and renumber them, to avoid an overflow.
         each = each - each.min()
         key = np.unique(key * (int(each.max()) + 1) + each, return_inverse=True)[1].reshape(-1)
     order = np.lexsort((observations.time, key))

@@ -1,7 +1,7 @@
 """Derivatives of a georeferenced point by all quantities that it depends on.
 
-The derivatives are those of the adjustment: a plane through the point, whose normal is the
-given direction, has the point's move along it as its misclosure.
+They are computed with the condition equations of the adjustment. The displacement of a point along
+a direction is its misclosure from a plane with this direction as normal.
 """
 
 from dataclasses import dataclass
@@ -19,19 +19,19 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Sensitivity:
-    """Derivatives of the positions of points along one direction each.
+    """Derivatives of the displacement of each point along a given direction.
 
     Attributes
     ----------
     by_mounting : ndarray of shape (n, 9), metres per radian, metre, second
-        By the values of the mounting, in the order of `Mounting.values`; by the latency only where
-        the pose's rate was given.
+        Derivatives by the values of the mounting, in the order of `Mounting.values`; that by the
+        latency is zero if no pose rate was given.
     by_position : ndarray of shape (n, 3), no unit
-        By north, west, up.
+        Derivatives by the position of the POS: north, west, up.
     by_attitude : ndarray of shape (n, 3), metres per radian
-        By roll, pitch, heading of the POS.
+        Derivatives by roll, pitch and heading of the POS.
     by_lidar : ndarray of shape (n, 3), no unit
-        By the LiDAR's x, y, z.
+        Derivatives by x, y, z of the LiDAR.
     """
 
     by_mounting: Array
@@ -48,15 +48,15 @@ def sensitivity(
     *,
     pose_rate: Array | None = None,
 ) -> Sensitivity:
-    """Derivatives of georeferenced points.
+    """Compute the derivatives of georeferenced points along given directions.
 
     Parameters
     ----------
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
     poses : Poses
-        Of the POS when they were measured, n of them.
+        Pose of the POS at each of the n points.
     directions_local : ndarray of shape (n, 3), unit vectors, local frame
-        Along which the move of each point is computed.
+        Direction along which the displacement of each point is computed.
     pose_rate : ndarray of shape (n, 6), metres and radians per second, optional
     """
     n = len(points_lidar)

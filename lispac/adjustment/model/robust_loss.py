@@ -1,10 +1,10 @@
 """Robust losses that limit the influence of outliers.
 
-A point far off its surface (a bird, a mixed echo, a bolt) does not belong to the normal
-distribution the other residuals have. Its weight is lowered by how many standard deviations it
-lies off, and the adjustment repeated until the weights converge (iteratively reweighted least
-squares: Holland and Welsch 1977, whose tuning is taken). The losses are Huber's (1964) and Tukey's
-biweight (Beaton and Tukey 1974).
+Points far from their surface (a bird, a mixed echo, a bolt) do not follow the normal distribution
+of the other residuals. Their weight decreases with the standardised residual, and the adjustment is
+repeated until the weights converge (iteratively reweighted least squares: Holland and Welsch 1977,
+whose tuning constants are used). The losses are Huber's (1964) and Tukey's biweight (Beaton and
+Tukey 1974).
 """
 
 from dataclasses import dataclass
@@ -19,15 +19,15 @@ LossName = Literal["none", "huber", "tukey"]
 LOSSES: tuple[LossName, ...] = ("none", "huber", "tukey")
 
 _TUNING = {"none": 0.0, "huber": 1.345, "tukey": 4.685}
-"""Standard deviations: 95 % efficient where the residuals are normal after all."""
+"""Tuning constants in standard deviations, for 95 % efficiency with normal residuals."""
 
 
 @dataclass(frozen=True)
 class Loss:
     """Weight function of the standardised residual.
 
-    ``none`` weights all points alike. ``huber`` lowers the weight of the far ones but never to
-    zero. ``tukey`` redescends: points beyond 4.7 standard deviations have no weight.
+    ``none`` gives all points the same weight. ``huber`` reduces the weight of distant points, but
+    never to zero. ``tukey`` is redescending: points beyond 4.7 standard deviations have no weight.
     """
 
     name: LossName = "none"
@@ -54,14 +54,14 @@ class Loss:
 
     @property
     def start(self) -> "Loss":
-        """Loss for the first iterations; a redescending one needs a good start."""
+        """Loss for the first iterations, since a redescending loss needs good starting values."""
         return Loss("huber") if self.name == "tukey" else self
 
 
 def robust_scale(residuals: NDArray[np.float64]) -> float:
-    """Spread of standardised residuals (n,) by their median, at least 1.
+    """Scale of standardised residuals (n,) from the median of their absolute values, at least 1.
 
-    If a surface is rougher than the LiDAR noise, all its points would be outliers.
+    Without this scale, most points of a surface rougher than the LiDAR noise would be outliers.
     """
     return max(1.0, float(np.median(np.abs(residuals))) / 0.6745)
 
@@ -79,7 +79,7 @@ def loss_weight(code, tuning, residual):  # type: ignore[no-untyped-def]
 
 @kernel(inline="always")
 def influence_slope(code, tuning, residual):  # type: ignore[no-untyped-def]
-    """Derivative of weight times residual by the residual where it is positive."""
+    """Derivative of weight times residual by the residual."""
     size = abs(residual) / tuning
     if size >= 1:
         return 0.0

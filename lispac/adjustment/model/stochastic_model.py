@@ -1,11 +1,12 @@
-"""Stochastic model: how the POS errors of the points are correlated.
+"""Stochastic model: correlation of the POS errors of the points.
 
-``independent`` is the thesis: every point has a POS error of its own. An INS does not work like
-that: a target is crossed in about a second, and all its points share one slowly drifting POS
-error, which neighbouring sightings share in part. ``correlated`` models this: three position and
-three attitude errors are functions of time, drawn from a first-order Gauss-Markov process
-(Gelb 1974) with the trajectory's accuracy as its standard deviation, and are estimated along
-with the boresight.
+``independent`` is the model of the thesis, in which every point has its own POS error. In reality,
+the error of a GNSS/INS solution changes slowly. A target is passed in about a second, so that all
+points of a sighting have nearly the same POS error, and neighbouring sightings share part of it.
+
+``correlated`` models this. The three position and three attitude errors are functions of time that
+are estimated together with the boresight. Their prior is a first-order Gauss-Markov process (Gelb
+1974) with the accuracy of the trajectory as standard deviation.
 """
 
 from dataclasses import dataclass, replace
@@ -27,22 +28,23 @@ POS_ERRORS: tuple[PosErrors, ...] = ("correlated", "independent")
 class StochasticModel:
     """Stochastic model with its correlation times and sigmas.
 
-    The position of a post-processed GNSS/INS solution drifts over minutes (multipath, satellite
-    geometry); its attitude more slowly. Where the processing report gives correlation times, use
-    them; too short a time is safer than too long a one.
+    Position errors of a post-processed GNSS/INS solution change within minutes (multipath,
+    satellite geometry), attitude errors more slowly. Correlation times of the processing report
+    should be used if available. A time that is too short is safer than one that is too long.
 
     Attributes
     ----------
     pos_errors : {"correlated", "independent"}
     position_time, attitude_time : float, seconds
-        Correlation times of the POS error; ``correlated`` alone.
+        Correlation times of the POS error; only for ``correlated``.
     surface : float or None, metres
-        How far what one line sees of a target may lie off the shape all lines have in common,
-        over the whole sighting: a bent board, rough ground, range errors that depend on how the
-        beam falls. Each sighting gets an offset of this sigma and, for planes, two tilts that
-        lift its border by as much; None takes the sigma from the data. ``correlated`` alone.
+        Sigma of the form errors: deviations of a whole sighting from the common shape of its target
+        (a bent board, rough ground, range errors that depend on the angle of incidence). Each
+        sighting has an offset with this sigma and, on planes, two tilts with this sigma at the
+        border. None to estimate the sigma from the data. Only for ``correlated``.
     offset : float or None, metres
-        Sigma of the offsets where ``surface`` is that of the tilts alone.
+        Sigma of the offsets, if it differs from that of the tilts; ``surface`` is then that of the
+        tilts.
     loss : {"none", "huber", "tukey"}
         Loss function that weights outliers.
     """
@@ -56,7 +58,7 @@ class StochasticModel:
 
     @property
     def knot_interval(self) -> float:
-        """Seconds between the knots of the POS error: shorter for shorter correlation times."""
+        """Time between the knots of the POS error, seconds; shorter for short correlation times."""
         fastest = min(self.position_time, self.attitude_time)
         return float(np.clip(fastest / 250, SHORTEST_INTERVAL, KNOT_INTERVAL))
 
@@ -67,36 +69,40 @@ class StochasticModel:
 
 
 SHORTEST_INTERVAL, KNOT_INTERVAL = 0.02, 0.15
-"""Seconds between the knots of the POS error. Halfway between two, a process of 300 s and 12 mm
-deviates from its chord by 0.19 mm; that much is added to the noise of the points."""
+"""Shortest and longest time between the knots of the POS error, seconds.
+
+Halfway between two knots, a process with a correlation time of 300 s and a sigma of 12 mm deviates
+from the linear interpolation by 0.19 mm. This deviation is added to the noise of the points.
+"""
 
 SMALLEST_SIGMA = 1e-9
-"""Metres and radians: an accuracy given as zero still needs a finite weight."""
+"""Smallest sigma of the POS errors, metres or radians; zero would give an infinite weight."""
 
 
 @dataclass(frozen=True, eq=False)
 class PosErrorKnots:
     """POS error as a function of time, linear between knots on a regular grid.
 
-    Knots stand only where points are. The process is Markov: its precision couples neighbouring
-    knots alone, so that the cost is linear in their number.
+    There are knots only around points. The process is Markov, so that its precision matrix couples
+    only neighbouring knots, and the cost is linear in the number of knots.
 
     Attributes
     ----------
     time : ndarray of shape (k,), seconds, increasing
     left : ndarray of shape (n,), int
-        Knot before each point; the next one is after it.
+        Index of the knot before each point.
     fraction : ndarray of shape (n,), in [0, 1)
-        Where each point is between its two knots.
+        Position of each point between the knot before and the knot after it.
     outlying : ndarray of shape (n,)
-        ``u (1 - u)`` of a point at the fraction u. A mean of points at several times deviates
-        less: they deviate to both sides.
+        ``u (1 - u)`` of a point at the fraction ``u``; smaller for the mean of points at several
+        times, whose deviations from the interpolation partly cancel.
     precision_diagonal : ndarray of shape (k, 6), per square metre and square radian
+        Diagonal of the prior precision matrix.
     precision_beside : ndarray of shape (k - 1, 6)
-        Between each knot and the next.
+        Elements of the prior precision matrix between each knot and the next.
     bridge : ndarray of shape (6,)
-        Variance, over that of the process, by which it deviates from the chord between two knots,
-        over ``outlying``.
+        Factor by which ``outlying`` and the variance of the process are multiplied to give the
+        variance of the deviation from the linear interpolation.
     """
 
     time: Array
@@ -113,7 +119,7 @@ class PosErrorKnots:
         interval = model.knot_interval
         scaled = observations.time / interval
         cell = np.floor(scaled).astype(np.int64)
-        # Neighbouring points are mostly in the same cell: few are left to sort
+        # Successive points are mostly in the same cell, so that few numbers are left to sort
         occupied = np.unique(cell[np.flatnonzero(np.diff(cell, prepend=cell[0] - 1))])
         grid = np.unique(np.concatenate([occupied, occupied + 1]))
         time = grid * interval
@@ -136,7 +142,7 @@ class PosErrorKnots:
         fraction = scaled - cell
         outlying = fraction * (1 - fraction)
         if observations.time_separation is not None:
-            # Of a Brownian bridge over (0, 1), E min(u, v) - E u E v
+            # Mean covariance of a Brownian bridge over (0, 1): E min(u, v) - E u E v
             outlying = np.maximum(outlying - observations.time_separation / (2 * interval), 0.0)
         diagonal = np.ones((len(time), 6))
         diagonal[1:] = 1 / fresh
@@ -152,7 +158,7 @@ class PosErrorKnots:
         )
 
     def reordered(self, order: NDArray[np.int64]) -> "PosErrorKnots":
-        """The same knots for the points in another order, shape (n,)."""
+        """Return the same knots for the points in another order, shape (n,)."""
         return replace(
             self,
             left=self.left[order],
@@ -161,7 +167,7 @@ class PosErrorKnots:
         )
 
     def apply_prior_precision(self, effects: Array) -> Array:
-        """Prior precision times ``effects``, both of shape (k, 6)."""
+        """Multiply ``effects``, shape (k, 6), by the prior precision matrix."""
         product = self.precision_diagonal * effects
         product[:-1] += self.precision_beside * effects[1:]
         product[1:] += self.precision_beside * effects[:-1]

@@ -1,8 +1,8 @@
-"""The shapes of the targets: planes and spheres, four numbers each.
+"""Shapes of the targets: planes and spheres, four numbers each.
 
-A plane is a unit normal and an offset, a sphere a centre and a radius. Both may only be changed in
-certain directions: a normal stays a unit vector (in the thesis by the constraint 4.5), a known
-radius stays as it is.
+A plane is given by a unit normal and an offset, a sphere by a centre and a radius. Corrections are
+restricted to tangent directions, so that a normal keeps unit length (in the thesis by the
+constraint 4.5) and a known radius is not changed.
 """
 
 from dataclasses import replace
@@ -20,21 +20,24 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 MIN_FOR_MAJORITY = 3
-"""Sightings of a target among which there is a majority."""
+"""Smallest number of sightings of a target that can have a majority."""
 
 SMALLEST_EXTENT = 1e-3
-"""Metres: a sighting whose points coincide has no tilt, but its equations must have a solution."""
+"""Smallest extent used for a sighting, metres.
+
+The tilts of a sighting whose points coincide would otherwise be singular.
+"""
 
 
 def points_local(observations: Observations, mounting: Mounting) -> Array:
-    """The points placed with ``mounting``, shape (n, 3), metres, local."""
+    """Points georeferenced with ``mounting``, shape (n, 3), metres, local frame."""
     planes = np.tile([0.0, 0.0, 1.0, 0.0], (len(observations.targets), 1))
     # The Jacobian of a plane by (a, b, c) is the point itself.
     return evaluate_columns(observations.as_planes(), mounting, planes, slice(9, 12))
 
 
 def target_centroids(observations: Observations, mounting: Mounting) -> Array:
-    """Mean point of each target placed with ``mounting``, shape (targets, 3), metres, local."""
+    """Mean georeferenced point of each target, shape (targets, 3), metres, local frame."""
     means = observations.mean_by_sighting(points_local(observations, mounting))
     owners, counts = observations.target_of_sighting, observations.counts
     total = np.bincount(owners, counts)
@@ -57,15 +60,15 @@ def moments_by_sighting(observations: Observations, mounting: Mounting) -> Array
 
 
 def relative_to_origins(observations: Observations, origins: Array) -> Observations:
-    """Observations with the coordinates of each target relative to its origin.
+    """Observations with coordinates relative to an origin for each target.
 
-    The origin of the local frame may be kilometres off; a turn of a plane about it would be
-    a large shift.
+    The origin of the local frame may be kilometres away, and a rotation of a plane about it would
+    shift the plane by a large amount.
 
     Parameters
     ----------
     origins : ndarray of shape (targets, 3), metres, local
-        What is taken from the positions.
+        Origin of each target, subtracted from the positions.
     """
     of_sightings = origins[observations.target_of_sighting]
     return replace(
@@ -74,7 +77,7 @@ def relative_to_origins(observations: Observations, origins: Array) -> Observati
 
 
 def shapes_relative_to(shapes: Array, origins: Array, is_sphere: NDArray[np.bool_]) -> Array:
-    """Shapes relative to ``origins``, shape (targets, 4); the inverse with minus these.
+    """Shapes relative to ``origins``, shape (targets, 4); negative origins give the inverse.
 
     Parameters
     ----------
@@ -91,7 +94,7 @@ def shapes_relative_to(shapes: Array, origins: Array, is_sphere: NDArray[np.bool
 def with_median_radii(observations: Observations, mounting: Mounting) -> Observations:
     """Observations with unknown radii fixed to the median of the radii of single lines.
 
-    All lines together would give a wrong radius if the boresight is off by degrees.
+    A sphere fitted to all lines would have a wrong radius if the boresight error is degrees.
     """
     unknown = [name for name, radius in observations.radii.items() if radius is None]
     if not unknown:
@@ -112,7 +115,7 @@ def with_median_radii(observations: Observations, mounting: Mounting) -> Observa
 
 
 def fit_shapes(observations: Observations, mounting: Mounting) -> Array:
-    """Least-squares shape of each target through its points placed with ``mounting``.
+    """Fit a shape to the points of each target, georeferenced with ``mounting``.
 
     Returns
     -------
@@ -121,7 +124,7 @@ def fit_shapes(observations: Observations, mounting: Mounting) -> Array:
     Raises
     ------
     SphereNotFound
-        Where the points of a sphere do not determine it.
+        The points of a sphere do not determine it.
     """
     points = points_local(observations, mounting)
     target = observations.target_of_sighting[observations.sighting]
@@ -141,14 +144,15 @@ def fit_shapes(observations: Observations, mounting: Mounting) -> Array:
 def fit_majority_shapes(observations: Observations, mounting: Mounting, fitted: Array) -> Array:
     """Initial planes on which most sightings agree, unaffected by the others.
 
-    Of each target the plane of that sighting alone which lies nearest to half of the others. A
-    board of a metre that is metres off on one line would have the plane through all its points
-    stand across the board.
+    A plane is fitted to each sighting of a target, and the plane with the smallest median distance
+    from all sightings is chosen. A plane fitted to all points would be useless if a board of a
+    metre is displaced by metres in one line.
 
     Parameters
     ----------
     fitted : ndarray of shape (targets, 4)
-        As by `fit_shapes`: what spheres, and targets with too few sightings for a majority, keep.
+        Shapes from `fit_shapes`, used for spheres and for targets with too few sightings for a
+        majority.
 
     Returns
     -------
@@ -176,8 +180,8 @@ def fit_majority_shapes(observations: Observations, mounting: Mounting, fitted: 
 def orthogonal_vectors(normals: Array) -> Array:
     """Two unit vectors at right angles to unit normals (..., 3) and to each other, (..., 3, 2).
 
-    All in any frame. Pixar's construction (Duff et al. 2017): smooth in the normal but for one
-    sign.
+    Normals and results are in the same frame. The construction (Duff et al. 2017) is a smooth
+    function of the normal, except where the sign of its z component changes.
     """
     x, y, z = np.moveaxis(normals, -1, 0)
     sign = np.where(z >= 0, 1.0, -1.0)
@@ -190,7 +194,8 @@ def orthogonal_vectors(normals: Array) -> Array:
 def plane_tangents(normals: Array, centres: Array) -> Array:
     """Tangents of planes: two rotations about ``centres`` and a shift, shape (m, 4, 3).
 
-    About the centre instead of the origin, so that turns and shift are nearly independent.
+    With rotations about the centre instead of the origin, rotations and shift are nearly
+    uncorrelated.
 
     Parameters
     ----------
@@ -205,21 +210,21 @@ def plane_tangents(normals: Array, centres: Array) -> Array:
 
 
 def sphere_tangent(*, known_radius: bool) -> Array:
-    """Tangents of a sphere: centre, and radius where unknown, shape (4, 3) or (4, 4)."""
+    """Tangents of a sphere: centre, and radius if unknown, shape (4, 3) or (4, 4)."""
     return np.eye(4)[:, : 3 if known_radius else 4]
 
 
 def surface_tangents(normals: Array, moments: Array, spheres: NDArray[np.bool_]) -> Array:
-    """Tangents of the departures of sightings from their shapes, metres at their border.
+    """Tangents of the deviations of sightings from their shapes, in metres at the border.
 
     Parameters
     ----------
     normals : ndarray of shape (m, 3), local frame
-        Of the planes; of no meaning where a sighting is of a sphere.
+        Normals of the planes; not used for spheres.
     moments : ndarray of shape (m, 4, 4)
         As in `centres_and_extents`.
     spheres : ndarray of shape (m,), bool
-        Sightings that may only lie in or out along the radius.
+        Sightings of spheres, which can only deviate along the radius.
 
     Returns
     -------
@@ -235,7 +240,7 @@ def surface_tangents(normals: Array, moments: Array, spheres: NDArray[np.bool_])
 
 
 def centres_and_extents(moments: Array) -> tuple[Array, Array]:
-    """Mean points and extents of points from their weighted moments.
+    """Compute mean points and extents from the weighted moments of points.
 
     Parameters
     ----------
@@ -246,8 +251,8 @@ def centres_and_extents(moments: Array) -> tuple[Array, Array]:
     -------
     centres : ndarray of shape (m, 3), metres
     extents : ndarray of shape (m,), metres
-        From the centre to the border: a uniform square of half-width a has a mean squared
-        distance of 2/3 a^2.
+        Distance from the centre to the border, computed as for a uniform square: with the
+        half-width a, the mean squared distance from the centre is 2/3 a^2.
     """
     weight = moments[:, 3, 3]
     centres = moments[:, :3, 3] / weight[:, None]
@@ -257,7 +262,7 @@ def centres_and_extents(moments: Array) -> tuple[Array, Array]:
 
 
 def apply_shape_changes(shapes: Array, changes: Array, is_sphere: NDArray[np.bool_]) -> Array:
-    """Shapes after ``changes``, shape (targets, 4), with normals of unit length.
+    """Add ``changes`` to shapes and normalise the normals; shape (targets, 4).
 
     Parameters
     ----------

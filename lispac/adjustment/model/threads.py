@@ -1,6 +1,6 @@
 """Threads: loops over many points in parallel chunks, and BLAS limited to one thread.
 
-Neither changes a result, bit by bit, with the number of cores.
+The results are identical bit by bit for any number of cores.
 """
 
 import os
@@ -13,20 +13,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-MIN_PARALLEL_POINTS = 20_000  # points that are dealt with before the threads have started
-CHUNKS = 16  # tasks for the threads: enough that they end together
+MIN_PARALLEL_POINTS = 20_000  # with fewer points, starting threads takes longer than the work
+CHUNKS = 16  # number of tasks: enough to balance the load of the threads
 
 
 def run_in_chunks(run: Callable[[int, int], object], ends: NDArray[np.int64]) -> None:
-    """Call ``run(first, last)`` for parts of 0 to ``len(ends)`` of about the same size.
+    """Call ``run(first, last)`` in parallel for ranges of elements with similar numbers of points.
 
     Parameters
     ----------
     run : callable
-        A compiled kernel that releases the GIL; parts must not depend on each other.
+        Compiled kernel that releases the GIL; the ranges must not depend on each other.
     ends : ndarray of shape (m,), int, ascending
-        Points up to the end of each element; an element is dealt with by one thread, whatever
-        their number, so that its sums are always made in the same order.
+        Number of points up to the end of each element. Each element is processed by a single
+        thread, so that its sums are always computed in the same order.
     """
     if not len(ends):
         return
@@ -50,7 +50,7 @@ def _thread_pool_controller() -> Any:
 def single_blas_thread() -> AbstractContextManager[Any]:
     """Context manager that limits BLAS to the calling thread.
 
-    BLAS starts all cores for a product of a few hundred numbers; where another program uses them,
-    it waits for them a hundred times longer than the product takes.
+    BLAS uses all cores even for a product of a few hundred numbers. If another program uses these
+    cores, waiting for them takes a hundred times longer than the product.
     """
     return _thread_pool_controller().limit(limits=1, user_api="blas")

@@ -1,1 +1,1 @@
-"""Solution: normal equations, elimination of the POS error, iteration, rejection of blunders."""
+"""Solution of the adjustment: normal equations, iteration, rejection of blunders."""

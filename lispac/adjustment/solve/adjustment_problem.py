@@ -43,14 +43,16 @@ Array = NDArray[np.float64]
 NO_LOSS = Loss("none")
 
 EVERY_DIRECTION, TILTS, OFFSETS = slice(0, 3), slice(0, 2), slice(2, 3)
-"""Directions in which the surface of a sighting departs from its target's shape."""
+"""Components of the deviation of a sighting from the shape of its target: two tilts, one offset."""
 
 INITIAL_SURFACE_SIGMA = 0.003
-"""Metres: sigma of the form errors before it is estimated."""
+"""Sigma of the form errors before it is estimated, metres."""
 
 REJECTED_SIGMA = 10.0
-"""Metres: sigma of the tilts and the offset of a rejected sighting in the equations, so large that
-the sighting has no influence."""
+"""Sigma of the tilts and the offset of a rejected sighting, metres.
+
+With this large value, the sighting remains in the equations but has no influence.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,27 +62,30 @@ class AdjustmentProblem:
     Attributes
     ----------
     observations : Observations
-        Sorted by group.
+        Observations sorted by group.
+    groups : PointGroups
     order : ndarray of shape (n,), int
-        Its points in the observations that were given.
+        Indices of the sorted points in the given observations.
+    model : StochasticModel
     prior : Mounting
     parameters : tuple of Parameter
-        Estimated besides the boresight.
+        Values to estimate besides the boresight.
     surface_sigma : ndarray of shape (sightings, 3), metres
-        Of the two tilts, at the border, and the offset of each sighting; `REJECTED_SIGMA` of what
-        is rejected.
+        Sigmas of the two tilts (at the border) and of the offset of each sighting;
+        `REJECTED_SIGMA` for rejected ones.
     rejected : ndarray of shape (sightings, 3), bool
-        Which tilts and offsets are rejected: of a shifted sighting the offset, of another surface
-        all three. A sighting whose offset is rejected is a rejected sighting.
+        Whether each tilt and offset is rejected: the offset of a shifted sighting, all three of a
+        sighting on another surface. A sighting with a rejected offset is a rejected sighting.
     scale : ndarray of shape (targets,)
-        Spread of the standardised residuals, the scale of the loss function.
+        Robust scale of the standardised residuals, used by the loss function.
     noise : ndarray of shape (targets,)
-        Noise of the points over the given one.
+        Ratio of the noise of the points to the given one.
     blocks : ndarray of shape (n,), int
-        Block of each point on its sighting's surface; empty if not computed.
+        Block of each point on the surface of its sighting; empty if not computed.
     moments : ndarray of shape (sightings, 4, 4)
-        Sums of the products of (x, y, z, 1), metres, placed with the prior: where each sighting is
-        and how far it reaches. Of all points alike: what a tilt is must not depend on weights.
+        Sums of the products of (x, y, z, 1), metres, with the prior mounting. They give the centre
+        and the extent of each sighting. All points have equal weights, so that the definition of a
+        tilt does not depend on the weights.
     own_offsets : bool
         Whether a sigma of the offsets is estimated separately from that of the tilts.
     known_noise : bool
@@ -111,12 +116,12 @@ class AdjustmentProblem:
         parameters: tuple[Parameter, ...] = (),
         moments: Array | None = None,
     ) -> "AdjustmentProblem":
-        """Sort the points and create the knots of the POS error.
+        """Create the problem: sort the points and create the knots of the POS error.
 
         Parameters
         ----------
         moments : ndarray of shape (sightings, 4, 4), optional
-            From `moments_by_sighting`, where they are known.
+            Result of `moments_by_sighting`, if already computed.
         """
         if moments is None:
             moments = moments_by_sighting(observations, prior)
@@ -134,7 +139,7 @@ class AdjustmentProblem:
         )  # fmt: skip
 
     def with_observations(self, observations: Observations) -> "AdjustmentProblem":
-        """Problem of other points of the same sightings, without their blocks."""
+        """Problem with other points of the same sightings; their blocks are not computed."""
         problem = AdjustmentProblem.of(
             observations, self.prior, self.model, self.parameters, self.moments
         )
@@ -166,7 +171,7 @@ class AdjustmentProblem:
         return UnknownsOrder.of(self.active, widths, owners, surfaces=has_surfaces)
 
     def with_known_noise(self, noise: Mapping[str, float] | None) -> "AdjustmentProblem":
-        """Problem with the noise of each target, as `TargetResidual` states it, if it is known."""
+        """Problem with a given noise of each target, as in `TargetResidual`; unchanged if None."""
         if noise is None:
             return self
         factors = np.array([noise[target] for target in self.observations.targets])
@@ -179,7 +184,7 @@ class AdjustmentProblem:
 
     @property
     def default_surface_sigmas(self) -> Array:
-        """Sigmas of tilts and offset of the sightings that are used, shape (3,), metres."""
+        """Sigmas of tilts and offset of sightings that are not rejected, shape (3,), metres."""
         return np.asarray(self.surface_sigma.min(axis=0, where=~self.rejected, initial=np.inf))
 
     @property
@@ -188,24 +193,24 @@ class AdjustmentProblem:
         return self.own_offsets or self.model.offset is not None
 
     def with_surface_sigma(self, sigma: float | Array) -> "AdjustmentProblem":
-        """Problem with another surface sigma, metres, of all that is not rejected.
+        """Problem with another surface sigma for all tilts and offsets that are not rejected.
 
         Parameters
         ----------
         sigma : float or ndarray of shape (3,), metres
-            Of tilts and offset alike, or of each.
+            One sigma for tilts and offset, or one for each.
         """
         return replace(self, surface_sigma=np.where(self.rejected, REJECTED_SIGMA, sigma))
 
     def with_sighting_surface_sigma(
         self, sightings: Sequence[int], sigma: float | Array
     ) -> "AdjustmentProblem":
-        """Problem with another surface sigma, metres, of some sightings.
+        """Problem with another surface sigma for some sightings.
 
         Parameters
         ----------
         sigma : float or ndarray of shape (3,), metres
-            Of tilts and offset alike, or of each.
+            One sigma for tilts and offset, or one for each.
         """
         changed = self.surface_sigma.copy()
         changed[list(sightings)] = sigma
@@ -214,13 +219,13 @@ class AdjustmentProblem:
     def with_rejected(
         self, sightings: Sequence[int], directions: slice = EVERY_DIRECTION
     ) -> "AdjustmentProblem":
-        """Problem with the tilts (0, 1), the offset (2) or both of some sightings rejected."""
+        """Problem with the tilts (0, 1) and/or the offset (2) of some sightings rejected."""
         return self._with_rejection(sightings, directions, REJECTED_SIGMA, rejected=True)
 
     def with_restored(
         self, sightings: Sequence[int], directions: slice = EVERY_DIRECTION
     ) -> "AdjustmentProblem":
-        """Problem with rejected tilts (0, 1) or offset (2) of sightings used like all others."""
+        """Problem with the rejected tilts (0, 1) and/or offset (2) of some sightings restored."""
         usual = self.default_surface_sigmas[directions]
         return self._with_rejection(sightings, directions, usual, rejected=False)
 
@@ -232,13 +237,13 @@ class AdjustmentProblem:
         return replace(self, rejected=mask, surface_sigma=sigmas)
 
     def start(self, mounting: Mounting, shapes: Array) -> AdjustmentState:
-        """Initial linearisation point without effects; ``shapes`` of shape (targets, 4)."""
+        """Initial state without form and POS errors; ``shapes`` of shape (targets, 4)."""
         knots = 0 if self.groups.knots is None else len(self.groups.knots.time)
         sightings = len(self.observations.sightings)
         return AdjustmentState(mounting, shapes, np.zeros((sightings, 4)), np.zeros((knots, 6)))
 
     def resume_state(self, state: AdjustmentState, of: "AdjustmentProblem") -> AdjustmentState:
-        """State of another problem of the same sightings, transferred to this one."""
+        """Transfer the state of another problem of the same sightings to this one."""
         here, there = self.groups.knots, of.groups.knots
         effects = state.effects
         if here is not None and there is not None:
@@ -247,12 +252,12 @@ class AdjustmentProblem:
         return replace(state, effects=effects)
 
     def with_sigmas(self, lidar: float, position: float, attitude: float) -> "AdjustmentProblem":
-        """Problem with factors on the given sigmas.
+        """Problem with factors applied to the given sigmas.
 
         Parameters
         ----------
         lidar, position, attitude : float
-            Factors, so without a unit.
+            Factors, no unit.
         """
         return self.with_observations(self.observations.with_sigmas(lidar, position, attitude))
 
@@ -267,14 +272,14 @@ class AdjustmentProblem:
         weights = PointWeights(loss, self.scale, self.noise, tangent)
         sums = sum_by_group(self.observations, self.groups, state, self.active, weights)
         bases = self._unknown_bases(state, self.sums_by_sighting(sums))
-        # What is left of a sighting's departure in the basis of this state
+        # Deviation of each sighting in the basis of this state
         departures = np.einsum("sij,sj->si", np.linalg.pinv(bases.surfaces), state.surface)
         return LinearisedProblem(self, state, loss, sums, bases, departures)
 
     def build_equations(
         self, state: AdjustmentState, sums: Array, bases: UnknownBases, departures: Array
     ) -> NormalEquations:
-        """Normal equations from sums over groups, with all priors.
+        """Build the normal equations from sums over groups, with all priors.
 
         Parameters
         ----------
@@ -307,7 +312,7 @@ class AdjustmentProblem:
         return replace(normal, quadratic=quadratic)
 
     def sums_by_sighting(self, sums: Array) -> Array:
-        """Sums over groups added up over sightings, without the POS error's columns.
+        """Sum the groups of each sighting, without the columns of the POS error.
 
         Parameters
         ----------
@@ -340,7 +345,7 @@ class AdjustmentProblem:
         return UnknownBases(shapes, surface_tangents(normals, self.moments, spheres))
 
     def residuals(self, state: AdjustmentState) -> Array:
-        """Distances (metres) and residuals over the sigma of their noise, shape (2, n), sorted."""
+        """Distances (metres) and standardised residuals, shape (2, n), in the sorted order."""
         return compute_residuals(self.observations, self.groups, state)
 
 
@@ -353,7 +358,7 @@ class LinearisedProblem:
     sums : ndarray of shape (groups, width, width)
         From `sum_by_group`.
     departures : ndarray of shape (sightings, 3), metres
-        Tilts, at the border, and offset of each sighting's surface found so far.
+        Current tilts (at the border) and offset of each sighting.
     """
 
     problem: AdjustmentProblem
@@ -370,7 +375,7 @@ class LinearisedProblem:
 
     @cached_property
     def tangent(self) -> "LinearisedProblem":
-        """The same state with weights that follow the unknowns (Newton), as in `PointWeights`."""
+        """Same state linearised with updated weights (``tangent`` of `PointWeights`)."""
         return self.problem.linearised(self.state, self.loss, tangent=True)
 
     def normal_without_sightings(self, sightings: NDArray[np.bool_]) -> NormalEquations:
@@ -383,11 +388,11 @@ class LinearisedProblem:
         return self.problem.build_equations(self.state, kept, self.bases, self.departures)
 
     def of(self, problem: AdjustmentProblem) -> "LinearisedProblem":
-        """The same sums with the surface sigmas of another problem of the same points."""
+        """Use the same sums with the surface sigmas of another problem of the same points."""
         return replace(self, problem=problem)
 
     def next_state(self) -> tuple[AdjustmentState, Array]:
-        """Solve: the next state, and the corrections, shape (u,)."""
+        """Solve the equations, and return the next state and the corrections, shape (u,)."""
         problem, state, layout = self.problem, self.state, self.normal.layout
         correction, change = self.normal.solve()
         values = state.mounting.values

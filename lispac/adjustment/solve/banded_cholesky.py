@@ -1,8 +1,8 @@
 """Cholesky factor and triangular solutions of a banded matrix with many right-hand sides.
 
-LAPACK solves them one by one, and SciPy keeps the interpreter meanwhile. Here a row of all of them
-is one step, so that it lies in the processor's cache and is calculated in vectors: some ten times
-the speed, and a window that works on the same plan goes on.
+LAPACK solves for one right-hand side after the other, and SciPy holds the GIL meanwhile. Here each
+step processes one row of all right-hand sides, which uses the cache and vector instructions. This
+is about ten times faster, and the GIL is released, so that the window stays responsive.
 """
 
 from collections.abc import Callable
@@ -22,19 +22,19 @@ def cholesky_factor(band: Array) -> Array:
     Parameters
     ----------
     band : ndarray of shape (width, n)
-        Its lower diagonals, as LAPACK wants them.
+        Lower diagonals of the matrix in the format of LAPACK.
 
     Returns
     -------
     ndarray of shape (width, n)
-        In the same form.
+        Lower diagonals of the factor, in the same format.
 
     Raises
     ------
     numpy.linalg.LinAlgError
-        Where it is not positive definite.
+        The matrix is not positive definite.
     ValueError
-        Where a number in it is not finite.
+        The matrix contains NaN or infinity.
     """
     return np.asarray(scipy.linalg.cholesky_banded(band, lower=True))
 
@@ -42,8 +42,8 @@ def cholesky_factor(band: Array) -> Array:
 def forward_substitution(factor: Array, right: Array) -> Array:
     """Forward substitution ``L^-1 right``.
 
-    Golub and Van Loan, *Matrix Computations*, algorithm 4.3.2, a row of all right-hand sides at
-    once.
+    Algorithm 4.3.2 of Golub and Van Loan, *Matrix Computations*, applied to one row of all
+    right-hand sides at a time.
 
     Parameters
     ----------

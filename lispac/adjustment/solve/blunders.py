@@ -1,9 +1,9 @@
-"""Detection of blunders: other surface on one line, shifted sighting, GNSS jump.
+"""Detection of blunders: another surface in one line, a shifted sighting, a GNSS jump.
 
-Alternatives stand against "all agree" (Teunissen 2000): one sighting is shifted as a whole, or is
-another surface altogether, or the position is shifted on all of one line. Each is tested with what
-it would leave of the data: a blunder makes the surfaces seem to differ by more than they do, and
-would hide behind that.
+The null hypothesis that all sightings agree is tested against alternatives (Teunissen 2000): one
+sighting is shifted as a whole, one sighting is on another surface, or the position is shifted in a
+whole line. For the final test of an alternative, the sigma of the form errors is estimated without
+the suspected sightings. Otherwise a blunder would increase this sigma and thereby hide itself.
 """
 
 from collections.abc import Collection, Iterator
@@ -29,34 +29,38 @@ FAMILY_WISE_LEVEL = 0.01
 """Family-wise probability of a false rejection."""
 
 CANDIDATE_LEVEL = 0.05
-"""Significance level for the second test, with form errors estimated without the candidate."""
+"""Significance level of a first test, which selects candidates for the second test.
+
+In the second test, the form errors are estimated without the candidate.
+"""
 
 MAX_CANDIDATES = 6
-"""Largest number of candidates, most significant first, for the second test."""
+"""Largest number of candidates in the second test; the most significant ones are used."""
 
 RESTORATION_LEVEL = 0.05
-"""Significance level above which a rejected sighting is restored."""
+"""P-value above which a rejected sighting is restored."""
 
 CONFIRMATION_LEVEL = 1e-6
-"""Significance level below which sightings excluded from the start values stay excluded."""
+"""P-value below which sightings that were excluded from the start remain rejected."""
 
 MIN_OTHER_SIGHTINGS = 2
-"""Minimum number of other sightings of a target."""
+"""Smallest number of other sightings of the target of a rejected sighting."""
 
 SHIFT_PREFERENCE = 100.0
-"""Ratio of the probabilities from which another surface is preferred to a shift."""
+"""Ratio of p-values above which another surface is preferred to a shift."""
 
 
 @dataclass(frozen=True)
 class Blunder:
-    """A possible blunder: sightings and the kind of error.
+    """A possible blunder: kind of error and sightings affected.
 
     Attributes
     ----------
     kind : {"shift", "surface", "line"}
-        One sighting shifted along its target's normal; one that is another surface; the position
-        shifted on all sightings of a line.
+        A sighting shifted along the normal of its target; a sighting on another surface; or a shift
+        of the position in all sightings of a line.
     sightings : tuple of int
+        Indices of the sightings.
     """
 
     kind: Literal["shift", "surface", "line"]
@@ -67,7 +71,7 @@ class Blunder:
         return problem.with_rejected(self.sightings, self._directions)
 
     def restore_in(self, problem: AdjustmentProblem) -> AdjustmentProblem:
-        """Return the problem with these sightings used like all others."""
+        """Return the problem with these sightings restored."""
         return problem.with_restored(self.sightings, self._directions)
 
     @property
@@ -76,12 +80,12 @@ class Blunder:
 
 
 def worst_blunder(linearised: LinearisedProblem, spared: Collection[Blunder]) -> Blunder | None:
-    """Find the most significant blunder; None where all sightings agree.
+    """Find the most significant blunder; None if all sightings agree.
 
     Parameters
     ----------
     spared : collection of Blunder
-        Blunders that have already been restored.
+        Blunders that have already been restored, and are not tested again.
     """
     candidates = [found for found in _candidate_blunders(linearised.problem) if found not in spared]
     first = [(_score_test_p_value(linearised, found), found) for found in candidates]
@@ -115,7 +119,10 @@ def find_restorable_blunder(
 def find_confirmed_blunders(
     linearised: LinearisedProblem, rejected: Collection[Blunder]
 ) -> list[Blunder]:
-    """Blunders excluded at the start that remain rejected, as a shift where that is enough."""
+    """Find the blunders excluded from the start that remain rejected.
+
+    A blunder of kind "surface" is reduced to a shift if a shift is enough to explain it.
+    """
     return [
         _reduce_to_shift(linearised, found)
         for found in rejected
@@ -124,14 +131,14 @@ def find_confirmed_blunders(
 
 
 def _p_value_if_restored(linearised: LinearisedProblem, blunder: Blunder) -> float:
-    # Points without any weight left agree with nothing.
+    # A sighting whose points all have zero weight agrees with nothing.
     if not _blunder_equations(linearised, blunder)[0].any():
         return 0.0
     return _score_test_p_value(linearised.of(blunder.restore_in(linearised.problem)), blunder)
 
 
 def _reduce_to_shift(linearised: LinearisedProblem, blunder: Blunder) -> Blunder:
-    """Reduce a blunder to a shift alone where the tilts of its sighting agree with the others."""
+    """Reduce a blunder to a shift if the tilts of its sighting agree with the others."""
     if blunder.kind != "surface":
         return blunder
     shift = Blunder("shift", blunder.sightings)
@@ -140,7 +147,7 @@ def _reduce_to_shift(linearised: LinearisedProblem, blunder: Blunder) -> Blunder
 
 
 def _candidate_blunders(problem: AdjustmentProblem) -> Iterator[Blunder]:
-    """Sightings and lines whose rejection leaves every target with enough others."""
+    """Sightings and lines whose rejection leaves enough other sightings of every target."""
     observations, is_used = problem.observations, ~problem.rejected_sightings
     owners = observations.target_of_sighting
     counts = np.bincount(owners[is_used], minlength=len(observations.targets))
@@ -151,7 +158,7 @@ def _candidate_blunders(problem: AdjustmentProblem) -> Iterator[Blunder]:
             yield Blunder("surface", (int(s),))
     for line in observations.lines:
         own = [s for s, x in enumerate(observations.sightings) if x.line == line and is_used[s]]
-        # For a line with one sighting the shift of that is sufficient.
+        # For a line with a single sighting, the shift of the sighting is tested instead.
         if len(own) > 1 and spare[own].all():
             yield Blunder("line", tuple(own))
 
@@ -175,7 +182,7 @@ def _score_test_p_value(linearised: LinearisedProblem, blunder: Blunder) -> floa
     information = own - half.T @ half - mixed @ normal.covariance @ mixed.T
     correction, change = normal.solve()
     pull = right - by_unknowns @ correction - by_pos @ change.reshape(-1)
-    # What the data do not see (a shift along the boards) cannot be tested.
+    # Directions without information, such as a shift along the boards, cannot be tested.
     values, directions = np.linalg.eigh(information)
     is_determined = values > MIN_INFORMATION_SHARE * np.diag(own).max()
     if not is_determined.any():
@@ -185,7 +192,7 @@ def _score_test_p_value(linearised: LinearisedProblem, blunder: Blunder) -> floa
 
 
 MIN_INFORMATION_SHARE = 1e-6
-"""Share of the information that must be left when all else is eliminated."""
+"""Smallest share of the information that remains after elimination of all other unknowns."""
 
 
 def _blunder_equations(
@@ -193,7 +200,8 @@ def _blunder_equations(
 ) -> tuple[Array, Array, Array, Array]:
     """Normal equations of a blunder: own block, blocks with unknowns and POS error, right side.
 
-    The size of a line's is three shifts of position, of a sighting's what its own surface may do.
+    The unknowns of a blunder are three shifts of the position for a line, and the offset alone or
+    the tilts and the offset for a sighting.
     """
     problem, layout, sums = linearised.problem, linearised.normal.layout, linearised.sums
     groups, own = problem.groups, len(layout.active) + 4
@@ -206,7 +214,7 @@ def _blunder_equations(
         s, first = groups.sighting[g], 6 * groups.knot[g]
         size = np.zeros((width, count))
         if found.kind == "line":
-            # The POS position at the knot before and at the one after, both at once
+            # The same shift of the POS position at the knots before and after
             size[own : own + 3] = size[own + 6 : own + 9] = np.eye(3)
         else:
             size[own - 4 : own] = linearised.bases.surfaces[s, :, 3 - count :]

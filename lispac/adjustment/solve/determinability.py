@@ -1,4 +1,4 @@
-"""Determinability: parameters and angles that lines and targets leave undetermined."""
+"""Determinability: parameters and angles that lines and targets do not determine."""
 
 from dataclasses import replace
 
@@ -15,11 +15,10 @@ from lispac.survey.georeferencing import CALIBRATION
 Array = NDArray[np.float64]
 
 WORST_SIGMA = np.radians(1.0)
-"""Radians: an angle that the geometry determines no better is undetermined; an inspection of the
-mounting gives as much."""
+"""Largest sigma of a determined angle, radians; an inspection of the mounting is as precise."""
 
 PARALLEL_LIMIT = np.radians(10.0)
-"""Lines, or normals, that differ by less count as one direction."""
+"""Angle below which two lines, or two normals, are regarded as parallel, radians."""
 
 ANGLE_CODES = {
     "roll": "adjustment.angle_roll",
@@ -32,7 +31,8 @@ ANGLE_CODES = {
 def find_undetermined_parameters(linearised: LinearisedProblem) -> tuple[ParameterEstimate, ...]:
     """Find the parameters that the geometry does not determine, the worst first, with reasons.
 
-    One at a time: of two that cannot be separated from each other, one stays.
+    Parameters are removed one at a time, so that one of two parameters that cannot be separated
+    from each other is kept.
     """
     problem = linearised.problem
     active = problem.active
@@ -48,7 +48,7 @@ def find_undetermined_parameters(linearised: LinearisedProblem) -> tuple[Paramet
             free[k, k] -= own[index]
         fixed = {each.name for each in undetermined if each.prior_sigma is None}
         kept = np.array([CALIBRATION[i] not in fixed for i in active])
-        # Scaled to the limits; a trace of a prior keeps what is wholly unseen finite.
+        # Scaled by the limits; a weak prior keeps the matrix of unobserved values regular.
         scaled = (free * np.outer(limits, limits))[np.ix_(kept, kept)] + 1e-4 * np.eye(kept.sum())
         covariance = np.linalg.inv(scaled)
         sigmas = dict(zip(active[kept], np.sqrt(np.diag(covariance)), strict=True))
@@ -88,12 +88,13 @@ def _undetermined_estimate(
 
 
 def require_determined(linearised: LinearisedProblem) -> None:
-    """Refuse a geometry that leaves an angle undetermined, in either stochastic model.
+    """Raise an error if the geometry does not determine an angle, in either stochastic model.
 
     Raises
     ------
     RankDeficient
-        With the reason: one line, parallel lines, one target, parallel normals.
+        An angle is not determined; the message gives the reason: one line, parallel lines, one
+        target or parallel normals.
     """
     problem = linearised.problem
     lines = problem.observations.lines
@@ -103,7 +104,7 @@ def require_determined(linearised: LinearisedProblem) -> None:
     eigenvalues, directions = np.linalg.eigh(information)
     if eigenvalues[0] >= max(WORST_SIGMA**-2, 1e-12 * eigenvalues[2]):
         return
-    # A sphere has no orientation that another could differ from.
+    # Spheres have no orientation.
     spheres = bool(problem.observations.is_sphere.all())
     action = note("adjustment.add_target" if spheres else "adjustment.add_orientation")
     direction, reason = angle_combination(directions[:, 0]), _reason_undetermined(linearised)
@@ -115,7 +116,7 @@ def require_determined(linearised: LinearisedProblem) -> None:
 
 
 def _reason_undetermined(linearised: LinearisedProblem) -> Message | None:
-    """Simple reason why an angle is undetermined; None where there is none."""
+    """Reason why an angle is undetermined; None if there is no simple one."""
     targets = linearised.problem.observations.targets
     parallel = _are_lines_parallel(linearised)
     if len(targets) == 1:
@@ -135,7 +136,7 @@ def _reason_undetermined(linearised: LinearisedProblem) -> Message | None:
 def _with_correlated_pos_errors(linearised: LinearisedProblem) -> LinearisedProblem:
     """Equations of the correlated model at the same state.
 
-    Where every point has a POS error of its own, any angle is known if only the points are many.
+    With independent POS errors, any angle would seem determined if there are enough points.
     """
     problem, state = linearised.problem, linearised.state
     if problem.model.correlated:
@@ -148,12 +149,12 @@ def _with_correlated_pos_errors(linearised: LinearisedProblem) -> LinearisedProb
 
 
 def require_two_orientations(linearised: LinearisedProblem) -> None:
-    """Refuse planes that all face one way, because nothing checks the angles then.
+    """Raise an error if all targets are planes of one orientation, which cannot check the angles.
 
     Raises
     ------
     RankDeficient
-        If there is one plane only, or all planes are parallel.
+        There is only one plane, or all planes are parallel.
     """
     if not have_targets_one_orientation(linearised):
         return
@@ -172,7 +173,7 @@ def have_one_orientation(normals: Array, spheres: NDArray[np.bool_]) -> bool:
     ----------
     normals : ndarray of shape (targets, 3), unit vectors, local
     spheres : ndarray of shape (targets,), bool
-        Which of them are spheres.
+        Whether each target is a sphere.
     """
     return not spheres.any() and bool((np.abs(normals @ normals.T) > np.cos(PARALLEL_LIMIT)).all())
 
@@ -190,7 +191,7 @@ def line_headings(linearised: LinearisedProblem) -> dict[str, float]:
 
 
 def _is_single_heading(linearised: LinearisedProblem) -> bool:
-    """Whether all points were measured on one heading; a line may hold several."""
+    """Whether all points were measured on one heading; a line may contain several headings."""
     heading = linearised.problem.observations.attitude[:, 2]
     middle = np.angle(np.exp(1j * heading).mean())
     return bool((np.abs(np.angle(np.exp(1j * (heading - middle)))) < 2 * PARALLEL_LIMIT).all())
@@ -205,14 +206,14 @@ def _are_lines_parallel(linearised: LinearisedProblem) -> bool:
 
 
 def have_targets_one_orientation(linearised: LinearisedProblem) -> bool:
-    """`have_one_orientation` of the targets at the state of a problem."""
+    """Evaluate `have_one_orientation` for the targets of a linearised problem."""
     return have_one_orientation(
         linearised.state.shapes[:, :3], linearised.problem.observations.is_sphere
     )
 
 
 def angle_combination(direction: Array) -> Message:
-    """Name of a direction in angle space as part of a message: angles in order of their share.
+    """Name of a combination of angles as part of a message, the largest share first.
 
     Parameters
     ----------

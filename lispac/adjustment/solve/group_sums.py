@@ -1,8 +1,8 @@
 """Weighted sums over groups of points, from which the normal equations are assembled.
 
-The products that make up the normal equations (thesis equation B.8) are summed in one pass, per
-sighting and, where the POS error has knots, per stretch between two of them. What follows costs
-the same for a thousand points as for ten million.
+The products of the normal equations (thesis equation B.8) are summed in one pass over the points. A
+group is a sighting or, if the POS error has knots, the part of a sighting between two knots. The
+cost of all further steps does not depend on the number of points.
 """
 
 from dataclasses import dataclass
@@ -37,11 +37,11 @@ class PointGroups:
     Attributes
     ----------
     start : ndarray of shape (groups + 1,), int
-        First point of each group, and the number of points.
+        Index of the first point of each group, and last the number of points.
     sighting, knot : ndarray of shape (groups,), int
-        Sighting, and the knot of the POS error at the beginning of the stretch.
+        Sighting of each group, and the knot of the POS error before it.
     knots : PosErrorKnots or None
-        None with independent POS errors, which are in the variance of each point.
+        None with independent POS errors, which are part of the variance of each point.
     """
 
     start: NDArray[np.int64]
@@ -51,7 +51,7 @@ class PointGroups:
 
     @property
     def pos_error_columns(self) -> int:
-        """Columns of the POS error in the sums."""
+        """Number of columns of the POS error in the sums."""
         return 0 if self.knots is None else 12
 
 
@@ -64,12 +64,12 @@ def group_points(
     -------
     observations, groups : Observations, PointGroups
     order : ndarray of shape (n,), int
-        The points of the sorted observations in the given ones.
+        Indices of the sorted points in the given observations.
     """
     left = np.zeros(len(observations), dtype=np.int64) if knots is None else knots.left
     count = len(observations.sightings)
     key = left * count + observations.sighting
-    # NumPy sorts short integers by their digits, four times as fast
+    # NumPy uses a radix sort for short integers, which is four times faster
     order = np.argsort(key.astype(np.min_scalar_type(key.max())), kind="stable")
     key = key[order]
     start = np.flatnonzero(np.diff(key, prepend=-1))
@@ -94,12 +94,12 @@ class AdjustmentState:
     mounting : Mounting
     shapes : ndarray of shape (targets, 4), local frame
     surface : ndarray of shape (sightings, 4)
-        How each sighting's surface departs from its target's shape, in the same parameters.
+        Deviation of each sighting from the shape of its target, in the same parameters.
     effects : ndarray of shape (knots, 6), metres and radians
         POS error at the knots.
 
-    The effects found so far are added to the misclosures, so that these, and with them the
-    rounding of their sums, are small at the solution.
+    The current deviations and POS errors are included in the misclosures. Misclosures are therefore
+    small at the solution, and so are the rounding errors of their sums.
     """
 
     mounting: Mounting
@@ -116,12 +116,13 @@ class PointWeights:
     ----------
     loss : Loss
     scale : ndarray of shape (targets,)
-        Standardised residuals are divided by it before the loss sees them.
+        Divisor of the standardised residuals in the loss function.
     noise : ndarray of shape (targets,)
         Factor on the standard deviations of the conditions.
     tangent : bool
-        Whether the products say how the loss changes with the unknowns (Newton's step, few of
-        which settle) instead of how much the points count (which the sigmas come from).
+        Use the derivative of the weighted residual for the products (Gauss-Newton step with updated
+        weights, which converges fast) instead of the weight (IRLS step, from which the sigmas are
+        computed).
     """
 
     loss: Loss
@@ -142,15 +143,15 @@ def sum_by_group(
     Parameters
     ----------
     observations : Observations
-        Sorted by `group_points`.
+        Observations sorted by `group_points`.
     active : ndarray of shape (a,), int
-        Which values of the mounting are estimated.
+        Indices of the estimated values of the mounting.
 
     Returns
     -------
     ndarray of shape (groups, width, width)
-        Rows are the derivatives by the active values (a) and the shape (4), with knots those by
-        the POS error at the knot before (6) and after (6), and last the misclosure.
+        The columns are the derivatives by the active values (a) and by the shape (4), with knots
+        also those by the POS error at the knot before (6) and after (6), and last the misclosure.
     """
     width = len(active) + 5 + groups.pos_error_columns
     sums = np.zeros((len(groups.sighting), width, width))
@@ -167,7 +168,7 @@ def sum_by_group(
 
 
 class EffectArrays(NamedTuple):
-    """Groups and POS effects as arrays for the kernels."""
+    """Groups, form errors and POS errors, as arguments of the compiled kernels."""
 
     start: NDArray[np.int64]
     knot: NDArray[np.int64]
@@ -187,7 +188,7 @@ class EffectArrays(NamedTuple):
 
 
 class WeightArrays(NamedTuple):
-    """`PointWeights` as arrays for the kernels."""
+    """`PointWeights` as arguments of the compiled kernels."""
 
     loss: int
     tuning: float
@@ -206,9 +207,9 @@ class WeightArrays(NamedTuple):
 def point_misclosure(  # type: ignore[no-untyped-def]
     i, g, pose, points, placing, effects, out, lidar
 ):
-    """Misclosure of point ``i`` of group ``g`` with the effects applied, and its variance.
+    """Misclosure of point ``i`` of group ``g`` including form and POS errors, and its variance.
 
-    ``out`` and ``lidar`` as in `condition_row`.
+    ``out`` and ``lidar`` are written as in `condition_row`.
     """
     condition_row(i, lidar_point(i, points), pose, points, placing, out, lidar)
     xyz, sigma_lidar, beam = points.xyz, points.sigma_lidar, points.beam_sigmas
@@ -223,7 +224,7 @@ def point_misclosure(  # type: ignore[no-untyped-def]
         u, before = fraction[i], knot[g]
         for k in range(6):
             misclosure += out[13 + k] * ((1 - u) * pos[before, k] + u * pos[before + 1, k])
-        # What the POS error does between two knots that a straight line does not
+        # Variance of the POS error about the linear interpolation between two knots
         for k in range(3):
             between = bridge[k] * outlying[i]
             variance += between * (out[13 + k] * sigma_position[i, k]) ** 2
@@ -238,7 +239,7 @@ def point_misclosure(  # type: ignore[no-untyped-def]
 
 @kernel(inline="always")
 def write_group_row(i, active, fraction, out, rows, place):  # type: ignore[no-untyped-def]
-    """Write the row of point ``i`` in the columns of its group's sums to ``rows[place]``."""
+    """Write the derivatives of point ``i`` to ``rows[place]``, in the columns of the sums."""
     count = len(active)
     for k in range(count):
         rows[place, k] = out[active[k]]
@@ -252,7 +253,7 @@ def write_group_row(i, active, fraction, out, rows, place):  # type: ignore[no-u
 
 
 BLOCK = 64
-"""Points whose products are summed by one call of BLAS: half the time of a sum point by point."""
+"""Number of points whose products are summed in one BLAS call, which halves the time."""
 
 
 @kernel()
@@ -277,8 +278,9 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
                     i, g, pose, points, placing, effects, out, lidar
                 )
                 if len(fraction) > 0:
-                    # At the observed point the derivatives share its noise with the misclosure,
-                    # which biases what is seen weakly; at the adjusted one they do not (Pope 1972).
+                    # At the observed point, the noise of the derivatives and of the misclosure is
+                    # correlated, which biases weakly determined unknowns. The derivatives are
+                    # therefore computed at the adjusted point (Pope 1972).
                     at = adjusted_observation(
                         i, xyz, sigma_lidar, beam, lidar, misclosure / variance
                     )
@@ -304,13 +306,13 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
 def compute_residuals(
     observations: Observations, groups: PointGroups, state: AdjustmentState
 ) -> Array:
-    """Distances and standardised residuals of the points, shape (2, n).
+    """Compute distances and standardised residuals of the points.
 
     Returns
     -------
     ndarray of shape (2, n)
-        Signed distance from the shape, metres, and with the effects found so far applied that over
-        the standard deviation of its condition's noise: what `sum_by_group` gives its loss.
+        Signed distance from the shape, metres. Misclosure including form and POS errors, divided by
+        its standard deviation; `sum_by_group` computes the weights from it.
     """
     found = np.empty((2, len(observations)))
     points, effects = PointArrays.of(observations, state.mounting), EffectArrays.of(groups, state)

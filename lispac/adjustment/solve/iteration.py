@@ -1,6 +1,6 @@
 """Iterations of the adjustment until the remaining change is negligible.
 
-They have three phases: a start with a loss that does not redescend, robust iterations in which
+There are three phases: a start with a loss that is not redescending, robust iterations in which
 noise and form errors are estimated from the residuals, and a refinement in which these are fixed.
 """
 
@@ -29,42 +29,47 @@ Array = NDArray[np.float64]
 
 MAX_ITERATIONS = 200
 ANGLE_TOLERANCE, OTHER_TOLERANCE = 1e-11, 1e-8
-"""Limits of the expected remaining change: of an angle (rad), of another unknown (rad, m, s)."""
+"""Largest expected remaining change of an angle (rad) and of another unknown (rad, m, s)."""
 
 NEAR_SOLUTION = 1e-5
 """Change of an angle (rad) below which noise, form errors and outliers can be separated."""
 
 STRICT_ITERATIONS, RELAXATION = 60, np.array([1e3, 1e5])
-"""Iterations after which the limits are relaxed by these factors: to 1e-6 deg, and to 1 mm for a
-sighting whose points alternate between a small weight and none."""
+"""Number of iterations after which the limits are relaxed, and factors of this relaxation.
+
+The relaxed limits are about 1e-6 deg for the angles, and 1 mm for other unknowns, such as those of
+a sighting whose points alternate between a small weight and none.
+"""
 
 IRLS_TOLERANCE_RATIO = 100
-"""Multiple of the limits below which plain IRLS steps are used; the sigmas come from these."""
+"""Multiple of the limits below which IRLS steps are used; the sigmas are computed from these."""
 
 MAX_GAUSS_NEWTON_STEPS = 10
-"""Gauss-Newton steps with updated weights, after which plain IRLS steps are used."""
+"""Largest number of Gauss-Newton steps with updated weights, after which IRLS steps are used."""
 
 EARLY_ITERATIONS = 10
-"""Iterations far from the solution in which the estimated noise may decrease."""
+"""Number of iterations far from the solution in which the estimated noise may decrease."""
 
 MAX_ADAPTATIONS = 12
-"""Times that noise and surfaces are taken from the data; a limit between two of their values would
-be crossed for ever."""
+"""Largest number of times that noise and form errors are estimated again near the solution.
+
+Otherwise the iteration could alternate between two values for ever.
+"""
 
 
 class Phase(Enum):
-    """Phase of the iteration, by what is estimated again from the residuals."""
+    """Phase of the iteration."""
 
     START = "start"
-    """Noise and form errors, with the loss for the first iterations."""
+    """Noise and form errors are estimated again, with the loss for the first iterations."""
     ROBUST = "robust"
-    """Noise and form errors, with the loss of the model."""
+    """Noise and form errors are estimated again, with the loss of the model."""
     REFINE = "refine"
-    """Nothing: the sigmas are known."""
+    """Noise and form errors are fixed."""
 
     @classmethod
     def first(cls, model: StochasticModel, *, noise_known: bool) -> "Phase":
-        """Phase in which an iteration begins."""
+        """Phase in which the iteration begins."""
         loss = Loss(model.loss)
         if noise_known or not (model.correlated or loss.name != "none"):
             return cls.REFINE
@@ -72,13 +77,13 @@ class Phase(Enum):
 
 
 class Status(Enum):
-    """How near an iteration is to the solution."""
+    """Distance of an iteration from the solution."""
 
     FAR = "far"
     """Noise, form errors and outliers cannot be separated yet."""
     NEAR = "near"
     CLOSE = "close"
-    """Plain IRLS steps are enough."""
+    """IRLS steps are sufficient."""
     CONVERGED = "converged"
 
 
@@ -93,7 +98,7 @@ class Convergence:
     change : ndarray of shape (2,)
         Largest change of an angle (rad) and of another unknown (rad, m, s).
     tolerance : ndarray of shape (2,)
-        Limits of the expected remaining change of the same.
+        Largest expected remaining change of the same unknowns for convergence.
     """
 
     status: Status
@@ -103,7 +108,7 @@ class Convergence:
 
     @classmethod
     def before_iterations(cls) -> "Convergence":
-        """Convergence where nothing is known yet."""
+        """Initial value before the first iteration."""
         return cls(Status.FAR, 0, np.zeros(2), np.array([ANGLE_TOLERANCE, OTHER_TOLERANCE]))
 
     def after(self, iteration: int, correction: Array, *, extrapolated: bool) -> "Convergence":
@@ -112,10 +117,10 @@ class Convergence:
         Parameters
         ----------
         correction : ndarray of shape (u,), radians, metres, seconds
-            Of all unknowns but the POS error; the angles come first.
+            Corrections of all unknowns except the POS error; the angles come first.
         extrapolated : bool
-            Whether the last change is predicted, not computed: an iteration over many points is
-            costly.
+            Compare the predicted remaining change with the tolerance, instead of the change of this
+            iteration. This saves an iteration over many points.
         """
         change = np.array([np.abs(correction[:3]).max(), np.abs(correction[3:]).max()])
         limits = tolerance = np.array([ANGLE_TOLERANCE, OTHER_TOLERANCE])
@@ -160,18 +165,18 @@ def iterate(
     Parameters
     ----------
     earlier : ndarray of shape (iterations, 3), radians, optional
-        Roll, pitch, yaw after the iterations before.
+        Roll, pitch, yaw after the iterations of an earlier call.
     noise_known : bool
-        Whether the sigmas from the data are in the problem already.
+        Whether the problem already contains the sigmas estimated from the data.
 
     Raises
     ------
     NotConverged
-        If the change is still above the tolerance after `MAX_ITERATIONS`.
+        The change is still above the tolerance after `MAX_ITERATIONS`.
     RankDeficient
-        If a parameter is not determined.
+        A parameter is not determined.
     LinAlgError
-        Where a step cannot be solved for.
+        The equations of a step cannot be solved.
     """
     final = Loss(problem.model.loss)
     phase = Phase.first(problem.model, noise_known=noise_known)
@@ -193,7 +198,7 @@ def iterate(
         except (RankDeficient, np.linalg.LinAlgError):
             if not tangent:
                 raise
-            steps = MAX_GAUSS_NEWTON_STEPS + 1  # too far off for that
+            steps = MAX_GAUSS_NEWTON_STEPS + 1  # too far from the solution for such steps
             continue
         path.append(state.mounting.boresight)
         convergence = convergence.after(iteration, correction, extrapolated=noise_known)
@@ -204,7 +209,7 @@ def iterate(
                 problem, phase, state, linearised, convergence, adaptations
             )
         elif convergence.status is Status.CONVERGED:
-            if tangent:  # the sigmas come from the weights as they are
+            if tangent:  # the sigmas are computed from the weights of an IRLS step
                 linearised = problem.linearised(state, loss)
             return IterationResult(linearised, state, np.array(path))
         else:
@@ -223,8 +228,8 @@ def _adapt_sigmas(
     convergence: Convergence,
     adaptations: int,
 ) -> tuple[AdjustmentProblem, Phase]:
-    """Problem with noise and form errors from the residuals, and the phase that follows."""
-    if convergence.status is Status.FAR:  # all points are noisy
+    """Estimate noise and form errors from the residuals; also return the next phase."""
+    if convergence.status is Status.FAR:  # form errors cannot be separated from noise yet
         falling = convergence.iteration <= EARLY_ITERATIONS
         return reestimate_noise(problem, state, falling=falling), phase
     adapted = reestimate_surface_sigma(reestimate_noise(problem, state), linearised)

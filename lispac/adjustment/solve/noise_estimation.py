@@ -1,9 +1,10 @@
-"""Estimate the noise of each target's points from their residuals.
+"""Estimate the noise of the points of each target from their residuals.
 
-A rough surface is noisier than the LiDAR, and its bumps are larger than the point spacing, so
-that the residuals of neighbours are correlated: a thousand points hold no more information than a
-few. Sums over blocks of a surface show this. The variance of such a sum is proportional to the
-number of independent points; with correlation it is larger by the design effect (Kish 1965).
+The residuals on a rough surface are larger than the LiDAR noise. They are also correlated between
+neighbouring points, since the irregularities of the surface are larger than the point spacing, so
+that many points contain no more information than a few. The correlation is estimated from sums of
+residuals over blocks of the surface. The variance of such a sum is larger than for independent
+points by a factor, the design effect (Kish 1965).
 """
 
 from dataclasses import replace
@@ -22,17 +23,24 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 BLOCKS_PER_SIDE = 4
-"""Blocks along each side of a sighting: few points each would show nothing, few blocks neither."""
+"""Number of blocks along each side of a sighting.
+
+A compromise between the number of blocks and the number of points in each.
+"""
 
 OUTLIER_LIMIT = 3.0
-"""Standardised residual beyond which a point is an outlier and does not affect the noise."""
+"""Largest scaled residual that affects the noise; larger ones are clipped, or their sighting is
+not used."""
 
 COVARIANCE_SIGMAS = 2.0
-"""Standard deviations by which a covariance between lines is more than chance explains."""
+"""Critical value of the covariance between lines, in standard deviations."""
 
 DISPLACED_SPREADS = 3.0
-"""Spreads of a target's residuals by which only another surface, or a gross error of the position,
-sets a sighting off; a prior boresight that is wrong by degrees sets all of them off."""
+"""Smallest offset of a displaced sighting, in units of the robust scale of the target's residuals.
+
+Only another surface or a gross error of the position displaces a single sighting by so much. A
+prior boresight that is wrong by degrees displaces all sightings, and increases the scale.
+"""
 
 SIGMA_TOLERANCE = 0.01
 """Relative change of an estimated sigma below which it has converged."""
@@ -41,10 +49,10 @@ SIGMA_TOLERANCE = 0.01
 def reestimate_noise(
     problem: AdjustmentProblem, state: AdjustmentState, *, falling: bool = True
 ) -> AdjustmentProblem:
-    """Return the problem with the noise re-estimated from its residuals.
+    """Return the problem with the noise estimated again from its residuals.
 
-    Without ``falling`` it keeps what it has where that is larger: noise and solution may chase each
-    other for ever.
+    Without ``falling``, the noise of a target cannot decrease. This prevents an endless alternation
+    of noise and solution.
     """
     updated = _noise_from_residuals(problem, state)
     if falling:
@@ -76,21 +84,24 @@ def have_sigmas_changed(one: AdjustmentProblem, other: AdjustmentProblem) -> boo
 
 
 def with_noise_blocks(problem: AdjustmentProblem) -> AdjustmentProblem:
-    """Problem with the blocks that separate noise from roughness."""
+    """Problem with the blocks of the surfaces from which correlated noise is estimated."""
     if len(problem.blocks) or problem.known_noise or not problem.model.correlated:
         return problem
     return replace(problem, blocks=assign_surface_blocks(problem.observations, problem.prior))
 
 
 def assign_surface_blocks(observations: Observations, mounting: Mounting) -> NDArray[np.int64]:
-    """Block number of each point (n,): sixteen blocks a sighting, placed with ``mounting``."""
+    """Block number of each point, shape (n,), with sixteen blocks per sighting.
+
+    The points are georeferenced with ``mounting``.
+    """
     points = points_local(observations, mounting)
     block = np.empty(len(points), dtype=np.int64)
     for s in range(len(observations.sightings)):
         own = np.flatnonzero(observations.sighting == s)
         centred = points[own] - points[own].mean(axis=0)
         variances, directions = np.linalg.eigh(np.cov(centred.T))
-        # A uniform surface reaches to the square root of three standard deviations.
+        # Half-width of a uniform distribution: sqrt(3) times its standard deviation.
         reach = np.sqrt(3 * np.maximum(variances[1:], np.finfo(float).tiny))
         place = (centred @ directions[:, 1:] / reach + 1) / 2 * BLOCKS_PER_SIDE
         row, column = np.clip(np.floor(place), 0, BLOCKS_PER_SIDE - 1).astype(np.int64).T
@@ -126,13 +137,14 @@ def target_noise_factors(
     Parameters
     ----------
     residuals : ndarray of shape (n,)
-        Over the standard deviations of their conditions.
+        Residuals divided by the standard deviations of their conditions.
     blocks : ndarray of shape (n,), int
         From `assign_surface_blocks`.
     near : ndarray of shape (n,), bool, or None
-        From `is_point_on_target`, if outliers have no weight in the adjustment.
+        From `is_point_on_target` if a robust loss is used, None otherwise.
     denser : float
-        How many times more points there are than those given: a design effect grows with them.
+        Ratio of the number of points of the adjustment to that of the given points; the design
+        effect increases with it.
     """
     target = observations.target_of_sighting[observations.sighting]
     factors = np.empty(len(observations.targets))
@@ -151,9 +163,10 @@ def form_error_noise(
 ) -> Array:
     """Ratio of the noise explained by form errors of planes to the given one, at least 1.
 
-    A form error is the same in every line; a POS error that the adjustment left in the residuals,
-    where it may resemble one, is not. Its variance is therefore the covariance between lines of
-    the mean residuals in blocks of the surface, with a plane of its own removed from each line.
+    A form error is the same in every line. POS errors that remain in the residuals may look
+    similar, but differ from line to line. The variance of the form error is therefore the
+    covariance between lines of the mean residuals in blocks of the surface. A plane is first
+    removed from the residuals of each line.
 
     Parameters
     ----------
@@ -162,12 +175,12 @@ def form_error_noise(
     residuals : ndarray of shape (n,)
         As in `target_noise_factors`.
     targets : ndarray of shape (targets,), bool
-        Planes that are examined.
+        Whether each target is examined; only planes.
 
     Returns
     -------
     ndarray of shape (targets,)
-        As `target_noise_factors` gives it; NaN of the targets that are not examined.
+        Noise factors as from `target_noise_factors`; NaN for targets that are not examined.
     """
     factors = np.full(len(observations.targets), np.nan)
     if not targets.any():
@@ -199,7 +212,7 @@ def _remove_plane_trend(place: Array, residuals: Array) -> Array:
 
 
 def _plane_blocks(place: Array) -> NDArray[np.int64]:
-    """Block number of each point (n,) of one plane, the same blocks for all lines."""
+    """Block number of each point of one plane, shape (n,); the blocks are the same in all lines."""
     lowest, highest = np.percentile(place, [1, 99], axis=0)
     row, column = np.clip(
         BLOCKS_PER_SIDE * (place - lowest) / (highest - lowest), 0, BLOCKS_PER_SIDE - 1
@@ -213,11 +226,11 @@ def _form_noise_factor(counts: NDArray[np.int64], sums: Array, size: float) -> f
     Parameters
     ----------
     counts : ndarray of shape (lines, blocks), int
-        Points.
+        Number of points in each block.
     sums : ndarray of shape (lines, blocks)
-        Of their residuals over their standard deviations.
+        Sum of the standardised residuals in each block.
     size : float
-        Spread of the residuals.
+        Robust scale of the standardised residuals.
     """
     first, second = np.triu_indices(len(counts), 1)
     products = sums[first] * sums[second]
@@ -229,7 +242,7 @@ def _form_noise_factor(counts: NDArray[np.int64], sums: Array, size: float) -> f
 
 
 def find_displaced_sightings(observations: Observations, residuals: Array) -> NDArray[np.int64]:
-    """Find sightings displaced from their target as a whole by far more than most others.
+    """Find sightings that are displaced from their target much more than most others.
 
     Parameters
     ----------
@@ -248,9 +261,9 @@ def find_displaced_sightings(observations: Observations, residuals: Array) -> ND
 
 
 def is_point_on_target(observations: Observations, residuals: Array) -> NDArray[np.bool_]:
-    """Whether each point is of a sighting that is not displaced as a whole, shape (n,).
+    """Whether each point belongs to a sighting that is not displaced as a whole, shape (n,).
 
-    Such a sighting, on another surface or metres off, does not affect the noise of the others.
+    Displaced sightings, on another surface or metres away, must not affect the estimated noise.
 
     Parameters
     ----------
@@ -267,7 +280,7 @@ def is_point_on_target(observations: Observations, residuals: Array) -> NDArray[
 def _relative_sighting_offsets(
     observations: Observations, residuals: Array, target: int
 ) -> dict[int, float]:
-    """Median distance of each sighting from its target over the spread of all."""
+    """Median absolute residual of each sighting, divided by the robust scale of the target."""
     own = [
         (int(s), np.abs(residuals[observations.sighting == s]))
         for s in np.flatnonzero(observations.target_of_sighting == target)
@@ -277,9 +290,9 @@ def _relative_sighting_offsets(
 
 
 def _design_effect(residuals: Array, blocks: NDArray[np.int64]) -> float:
-    """Variance of sums over blocks over that of independent residuals.
+    """Ratio of the variance of sums over blocks to that for independent residuals.
 
-    1 where no more than chance explains it.
+    The result is 1 if the ratio is not significantly larger than 1.
     """
     counts = np.bincount(blocks)
     sums = np.bincount(blocks, residuals)[counts > 0]

@@ -1,10 +1,11 @@
 """Normal equations: assembly from the sums, reduction and solution.
 
-Unknowns are the estimated values of the mounting, the shapes of the targets, with the correlated
-model how each sighting's surface departs from its shape, and the POS error at its knots. The
-POS error is eliminated first: its normal matrix is banded, for a group of points couples two
-neighbouring knots and so does the Gauss-Markov prior. With independent POS errors there are neither
-surfaces nor knots, and what is left is thesis equation B.8; the covariance is B.12.
+The unknowns are the estimated values of the mounting and the shapes of the targets. The correlated
+model adds the deviation of each sighting from the shape of its target (its "surface"), and the POS
+error at the knots. The POS error is eliminated first. Its normal matrix is banded, since a group of
+points and the Gauss-Markov prior couple only neighbouring knots. With independent POS errors there
+are neither surfaces nor knots; the equations are then thesis equation B.8, and the covariance is
+B.12.
 """
 
 from contextlib import suppress
@@ -37,15 +38,17 @@ class UnknownsOrder:
     Attributes
     ----------
     active : ndarray of shape (a,), int
-        Estimated values of the mounting; they come first, boresight at the head.
+        Indices of the estimated values of the mounting; they are the first unknowns, starting with
+        the boresight.
     shapes : tuple of slice
-        Unknowns of each target.
+        Unknowns of the shape of each target.
     surfaces : tuple of slice
-        Unknowns of each sighting; empty with independent POS errors.
+        Unknowns of the surface of each sighting; empty with independent POS errors.
     size : int
+        Number of unknowns.
     index : ndarray of shape (sightings, a + 7), int
-        Unknowns behind the columns of a sighting's points: mounting, shape (4), surface (3).
-        ``size`` stands for a column that has none.
+        Unknowns of each sighting: mounting (a), shape (4), surface (3); ``size`` for those that do
+        not exist.
     """
 
     active: NDArray[np.int64]
@@ -63,7 +66,7 @@ class UnknownsOrder:
         *,
         surfaces: bool,
     ) -> "UnknownsOrder":
-        """Lay out ``active`` (a,), shapes of the given widths and three unknowns a sighting.
+        """Arrange ``active`` (a,), shapes of the given widths, and three unknowns per sighting.
 
         Parameters
         ----------
@@ -86,7 +89,7 @@ class UnknownsOrder:
 
 
 MAX_SURFACES = 24
-"""Sightings up to which it is quicker to eliminate the POS error before the surfaces."""
+"""Number of sightings up to which it is faster to eliminate the POS error before the surfaces."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,14 +100,15 @@ class NormalEquations:
     ----------
     layout : UnknownsOrder
     matrix : ndarray of shape (u, u)
-        Of all unknowns but the POS error, their priors included.
+        Normal matrix of all unknowns except the POS error, including their priors.
     right : ndarray of shape (u,)
+        Right-hand side of these unknowns.
     quadratic : float
-        ``v' P v`` at the point of linearisation, priors included.
+        ``v' P v`` at the point of linearisation, including the priors.
     band : ndarray of shape (12, 6 knots)
-        Lower diagonals of the POS error's normal matrix, as LAPACK wants them.
+        Lower diagonals of the normal matrix of the POS error, in the format of LAPACK.
     mixed : ndarray of shape (u, 6 knots)
-        What the two share.
+        Block of the normal matrix between these unknowns and the POS error.
     pull : ndarray of shape (6 knots,)
         Right-hand side of the POS error.
     """
@@ -124,7 +128,7 @@ class NormalEquations:
 
     @cached_property
     def whitened_mixed(self) -> Array:
-        """``L^-1`` times ``mixed``, shape (6 knots, u); its square is the POS error's share."""
+        """``L^-1 mixed'``, shape (6 knots, u); its product with itself reduces the matrix."""
         return forward_substitution(self.factor, self.mixed.T)
 
     @cached_property
@@ -156,21 +160,21 @@ class NormalEquations:
 
     @cached_property
     def covariance(self) -> Array:
-        """Covariance of all unknowns but the POS error, shape (u, u).
+        """Covariance of all unknowns except the POS error, shape (u, u).
 
         Raises
         ------
         RankDeficient
-            Where the points do not determine them.
+            The points do not determine the unknowns.
         """
         return scaled_inverse(self.reduced_matrix)
 
     @cached_property
     def eliminate_surfaces(self) -> "NormalEquations":
-        """Equations with the surfaces eliminated first; unchanged where that is no faster.
+        """Equations with the surfaces eliminated first; unchanged if that is not faster.
 
-        A surface shares something with its own sighting's knots alone, so the POS error's matrix
-        stays banded, as wide as the longest sighting; otherwise each is solved for against all.
+        A surface is coupled only to the knots of its own sighting. The normal matrix of the POS
+        error therefore remains banded, with the width of the longest sighting.
         """
         layout = self.layout
         if len(layout.surfaces) <= MAX_SURFACES:
@@ -201,22 +205,22 @@ class NormalEquations:
         return NormalEquations(layout, matrix, right, quadratic, band, mixed, pull)
 
     def information(self, count: int) -> Array:
-        """Normal matrix (count, count) of the first unknowns, all others eliminated.
+        """Normal matrix of the first unknowns, (count, count), with all others eliminated.
 
         Parameters
         ----------
         count : int
-            No surfaces among them.
+            Number of unknowns, without surfaces.
 
         Raises
         ------
         RankDeficient
-            Where the points do not determine a target's shape.
+            The points do not determine the shape of a target.
         """
         reduced = self.eliminate_surfaces.reduced_matrix
         rest = reduced[count:, count:].copy()
         unseen = np.flatnonzero(np.diag(rest) <= 0)
-        rest[unseen, unseen] = 1.0  # a target that no point is left of
+        rest[unseen, unseen] = 1.0  # a target without points
         mixed = reduced[:count, count:]
         scale = 1 / np.sqrt(np.maximum(np.diag(rest), np.finfo(float).tiny))
         try:
@@ -233,7 +237,7 @@ class NormalEquations:
 
     @cached_property
     def _solved_corrections(self) -> tuple[Array, Array]:
-        # Every test of a blunder asks for it again.
+        # Cached, because every blunder test uses it.
         correction = self.covariance @ self.reduced_right_side
         if not len(self.pull):
             return correction, np.zeros((0, 6))
@@ -242,7 +246,7 @@ class NormalEquations:
 
 
 def _nonzero_span(rows: Array) -> slice:
-    """Slice from the first to the last column that is not all zero."""
+    """Slice from the first to the last column with a value other than zero."""
     found = np.flatnonzero(np.any(rows, axis=0))
     return slice(int(found[0]), int(found[-1]) + 1) if len(found) else slice(0, 0)
 
@@ -257,7 +261,7 @@ def scaled_inverse(matrix: Array) -> Array:
     """
     diagonal, factor = np.diag(matrix), None
     scale = 1 / np.sqrt(np.maximum(diagonal, np.finfo(float).tiny))
-    if np.all(diagonal > 0.0):  # rounding leaves others of what nothing determines
+    if np.all(diagonal > 0.0):  # with rounding, undetermined unknowns may have zero or less
         with suppress(np.linalg.LinAlgError):
             factor = scipy.linalg.cho_factor(matrix * np.outer(scale, scale))
     if factor is None:
@@ -268,13 +272,14 @@ def scaled_inverse(matrix: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class UnknownBases:
-    """Direction vectors of the unknowns of shapes and surfaces.
+    """Tangent vectors that define the unknowns of shapes and surfaces.
 
     Attributes
     ----------
     shapes : list of ndarray of shape (4, 3) or (4, 4)
-        Of each target.
+        Tangent vectors of the shape of each target, in columns.
     surfaces : ndarray of shape (sightings, 4, 3)
+        Tangent vectors of the surface of each sighting, in columns.
     """
 
     shapes: list[Array]
@@ -284,7 +289,7 @@ class UnknownBases:
 def unknown_directions(
     layout: UnknownsOrder, target_of_sighting: NDArray[np.int64], bases: UnknownBases
 ) -> Array:
-    """Directions of the unknowns in ``layout.index`` among the columns of the sums.
+    """Matrix from the unknowns in ``layout.index`` to the columns of the sums, per sighting.
 
     Parameters
     ----------
@@ -330,17 +335,17 @@ def assemble_normal_equations(
     sums: Array, summed: Array, groups: PointGroups, layout: UnknownsOrder,
     target_of_sighting: NDArray[np.int64], bases: UnknownBases, effects: Array,
 ) -> NormalEquations:  # fmt: skip
-    """Assemble the normal equations with the prior of the POS error but no other.
+    """Assemble the normal equations with the prior of the POS error, but without other priors.
 
     Parameters
     ----------
     sums : ndarray of shape (groups, width, width)
         From `sum_by_group`.
     summed : ndarray of shape (sightings, a + 5, a + 5)
-        The same from `sum_by_sighting`.
+        The same sums from `sum_by_sighting`.
     target_of_sighting : ndarray of shape (sightings,), int
     effects : ndarray of shape (knots, 6), metres and radians
-        POS error found so far.
+        Current POS error.
     """
     own = len(layout.active) + 4
     wide, unknowns = layout.size + 1, effects.size

@@ -1,9 +1,9 @@
-"""Test values of the mounting that were not estimated against the data.
+"""Tests of the given values of the mounting that are not estimated.
 
-A wrong given lever arm is absorbed by the angles and by the sigma of the form errors, so that
-every test with sigmas from the data passes. Each fixed parameter is therefore checked by a score
-test (Rao 1948). The sigma of the form errors is estimated again with the parameter freed, because
-it may have absorbed the error.
+The effect of a wrong lever arm is absorbed by the angles and by the sigma of the form errors, so
+that tests with sigmas estimated from the data do not detect it. Each fixed parameter is therefore
+checked by a score test (Rao 1948). The sigma of the form errors is estimated again with the
+parameter freed, because it may have absorbed the error.
 """
 
 from dataclasses import replace
@@ -27,10 +27,13 @@ CRITICAL_VALUE = -NormalDist().inv_cdf(FAMILY_WISE_LEVEL / 2 / len(OPTIONAL_NAME
 """Test value beyond which a parameter is contradicted (Bonferroni)."""
 
 MIN_ANGLE_CHANGE = 0.5
-"""Smallest change of an angle, in sigmas, for an error that is reported."""
+"""Smallest change of an angle, in sigmas, for which a contradicted value is reported."""
 
 REPORT_VALUE = 6.0
-"""Test value beyond which an error is always reported, since it has increased the sigmas."""
+"""Test value above which a contradicted value is always reported.
+
+Such an error has also increased the sigmas with which the change of the angles is compared.
+"""
 
 
 def find_contradicted_parameters(
@@ -43,7 +46,7 @@ def find_contradicted_parameters(
     Parameters
     ----------
     least : float
-        Sigmas by which an angle would move at least.
+        Smallest change of an angle, in sigmas, for which a value is reported.
     """
     problem = linearised.problem
     estimated = {parameter.name for parameter in problem.parameters}
@@ -87,7 +90,7 @@ def _test_omitted_parameter(
     if any(each.name == parameter.name for each in find_undetermined_parameters(freed)):
         return None
     problem = freed.problem
-    # Where the surfaces' sigma is zero already, it has absorbed nothing.
+    # A sigma of the form errors of about zero has not absorbed an error.
     if problem.layout.surfaces and not _are_surfaces_exact(problem):
         freed = freed.of(reestimate_surface_sigma(problem, freed))
     correction, _ = freed.normal.solve()

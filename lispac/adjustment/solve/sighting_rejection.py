@@ -1,7 +1,7 @@
 """Rejection of sightings that disagree with the others, and their restoration.
 
-The tests are those of `lispac.adjustment.solve.blunders`; here the adjustment is repeated until all
-sightings that are used agree.
+The adjustment is repeated with the tests of `lispac.adjustment.solve.blunders` until all remaining
+sightings agree.
 """
 
 from contextlib import suppress
@@ -27,20 +27,20 @@ from lispac.errors import NotConverged, RankDeficient
 from lispac.progress import Progress
 
 SIGHTINGS_PER_REJECTION = 3
-"""At most one in this number of sightings is rejected."""
+"""Smallest number of sightings for each one that may be rejected."""
 
 
 def may_reject_sightings(model: StochasticModel) -> bool:
-    """Whether sightings that disagree are rejected with this model."""
+    """Whether disagreeing sightings are rejected with this model."""
     return model.correlated and model.loss != "none" and model.surface != 0
 
 
 def iterate_with_majority(
     problem: AdjustmentProblem, start: AdjustmentState, progress: Progress
 ) -> tuple[IterationResult, list[Blunder]]:
-    """Iterate without sightings that are metres off; they may be restored later.
+    """Iterate without the sightings that are displaced by far; they may be restored later.
 
-    Tied to their targets they would displace all others, through the POS error that they share.
+    In the adjustment, they would displace all other sightings through the common POS errors.
     """
     observations, off = problem.observations, np.zeros(0, dtype=np.int64)
     if may_reject_sightings(problem.model):
@@ -51,7 +51,7 @@ def iterate_with_majority(
         without = problem
         for found in rejected:
             without = found.reject_in(without)
-        with suppress(RankDeficient, NotConverged):  # then they are needed after all
+        with suppress(RankDeficient, NotConverged):  # then iterate with all sightings
             solution = iterate(without, start, progress)
             plain = find_confirmed_blunders(solution.linearised, rejected)
             if plain == rejected:
@@ -68,10 +68,11 @@ def iterate_with_majority(
 def reject_disagreeing_sightings(
     start: IterationResult, rejected: list[Blunder], progress: Progress
 ) -> IterationResult:
-    """Reject disagreeing sightings, with a sigma of the offsets of their own where needed.
+    """Reject disagreeing sightings, and estimate a separate sigma of the offsets if needed.
 
-    Boards that are displaced between lines, but not warped, would be rejected one after the other;
-    so would boards displaced by a wrong mounting parameter.
+    The separate sigma is needed for boards that are displaced between lines but not bent, which
+    would otherwise be rejected one by one. It is not used if a wrong value of the mounting explains
+    the displacements.
     """
     solution = _reject_unexplained_sightings(start, rejected, progress)
     here = solution.linearised
@@ -92,9 +93,9 @@ def _reject_unexplained_sightings(
 ) -> IterationResult:
     """Reject disagreeing sightings unless a wrong value of the mounting explains them.
 
-    With a wrong given lever arm, good sightings of whole lines disagree. If freeing contradicted
-    parameters saves more rejections than there are parameters, only the other sightings are
-    rejected. The parameters are not estimated; the result lists the contradictions.
+    With a wrong lever arm, correct sightings of whole lines disagree. If freeing the contradicted
+    values avoids more rejections than there are values, only those sightings are rejected that
+    still disagree then. The values themselves remain fixed; the result lists the contradictions.
     """
     after = _reject_blunders(solution, rejected, progress)
     problem = solution.linearised.problem
@@ -104,7 +105,7 @@ def _reject_unexplained_sightings(
     fewest, rejected_then = count, None
     tried: list[tuple[str, ...]] = [()]
     for judged in (solution, after):
-        # In the order they were found: what explains most comes first.
+        # In the order in which they were found, the most significant first.
         names = tuple(
             each.name for each in find_contradicted_parameters(judged.linearised, least=0.0)
         )
@@ -130,10 +131,10 @@ def _reject_unexplained_sightings(
 def _reject_blunders(
     solution: IterationResult, rejected: list[Blunder], progress: Progress
 ) -> IterationResult:
-    """Reject the sightings that agree least and iterate until all agree.
+    """Reject the worst sighting and iterate until all remaining sightings agree.
 
-    A blunder may make other sightings appear as blunders: these are restored if they agree without
-    it; this includes the sightings in ``rejected``.
+    A blunder may make other sightings look like blunders. Rejected sightings, including those in
+    ``rejected``, are restored if they agree once the blunder is removed.
     """
     limit = len(solution.linearised.problem.observations.sightings) // SIGHTINGS_PER_REJECTION
     rejected = list(rejected)

@@ -31,16 +31,16 @@ class Solution:
     Attributes
     ----------
     linearised : LinearisedProblem
-        Of the last iteration; its correction is below any figure shown, so that what it was
-        computed from describes the solution.
+        Equations of the last iteration. Its corrections are negligible, so that covariances and
+        statistics computed from these equations describe the solution.
     state : AdjustmentState
-        After the last iteration.
+        State after the last iteration.
     path : ndarray of shape (iterations, 3), radians
         As in `IterationResult`.
     fitted : ndarray of shape (targets, 4)
-        Best shapes with the prior mounting.
+        Shapes fitted with the prior mounting.
     origins : ndarray of shape (targets, 3), metres, local
-        Where the points of each target are counted from.
+        Origin of the coordinates of each target.
     fixed : tuple of ParameterEstimate
         Parameters that the geometry does not determine.
     components : tuple of VarianceComponent
@@ -106,7 +106,7 @@ class Solution:
 def _weighted_residual_sum(
     linearised: LinearisedProblem, state: AdjustmentState, residuals: Array
 ) -> float:
-    """``v' P v`` with the given sigmas and the full weight of every point."""
+    """``v' P v`` with the given sigmas, without the weights of the loss function."""
     problem = linearised.problem
     statistic = float(residuals @ residuals)
     if problem.groups.knots is not None:
@@ -136,7 +136,7 @@ def _parameter_estimates(
         prior = float(problem.prior.values[parameter.index])
         value = float(state.mounting.values[parameter.index])
         sigma = float(np.sqrt(covariance[k, k]))
-        # Whether the data alone want another value than the one that was given
+        # Test of the value from the data alone against the given one
         information = sigma**-2 - (0.0 if parameter.sigma is None else parameter.sigma**-2)
         spread = sigma**2 * np.sqrt(max(information, 0.0))
         found.append(
@@ -155,7 +155,7 @@ def _significance(change: float, sigma: float) -> float:
 def _form_error_noise(
     problem: AdjustmentProblem, state: AdjustmentState, standardised: Array
 ) -> Array:
-    """`form_error_noise` of planes with more than the given noise, NaN for others."""
+    """Evaluate `form_error_noise` for planes with more than the given noise; NaN for others."""
     of_interest = (problem.noise > 1) & ~problem.observations.is_sphere
     return form_error_noise(problem.observations, state.mounting, standardised, of_interest)
 

@@ -49,12 +49,12 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 SAMPLE_SIZE = 50_000
-"""Points for the approximate solution; if there are more, only the last iterations use all."""
+"""Number of points of the sample; with more points, only the last iterations use all."""
 
 COMPONENT_ROUNDS = 5
 
 MIN_INCREASE = 1.05
-"""Factor on a given sigma below which an increase has no relevant effect."""
+"""Smallest factor by which a given sigma is increased; smaller ones have no relevant effect."""
 
 CONTRADICTION_CODES = {
     "range_offset": "adjustment.contradicts_range_offset",
@@ -66,7 +66,7 @@ CONTRADICTION_CODES = {
 
 @dataclass(frozen=True, eq=False)
 class SolverSettings:
-    """Settings of a solution, as the parameters of `lispac.adjustment.least_squares.adjust`.
+    """Settings of a solution; see the parameters of `lispac.adjustment.least_squares.adjust`.
 
     Attributes
     ----------
@@ -92,18 +92,19 @@ def estimate(
     settings: SolverSettings,
     progress: Progress = no_progress,
 ) -> AdjustmentResult:
-    """`lispac.adjustment.least_squares.adjust` without diagnostics.
+    """Adjust without diagnostics; see `lispac.adjustment.least_squares.adjust`.
 
     Raises
     ------
     AdjustmentError
-        Where a sighting has too few points.
+        A sighting has too few points.
     RankDeficient
-        Where lines and targets do not determine the boresight, or nothing checks it.
+        Lines and targets do not determine the boresight, or nothing checks it.
     TargetDisagrees
-        Where two targets are left at most, or starting shapes are given.
+        A target disagrees and cannot be excluded, because only two are left or starting shapes are
+        given.
     NotConverged
-        If the iteration diverges or does not converge.
+        The iteration diverges or does not converge.
     """
     return with_agreeing_targets(
         observations,
@@ -118,21 +119,22 @@ def with_agreeing_targets(
     *,
     may_exclude: bool,
 ) -> AdjustmentResult:
-    """Result with all targets, without those no point of which agrees with the others.
+    """Adjust, and exclude targets that do not agree with the others at any point.
 
     Parameters
     ----------
     adjusted : callable
-        Gives the result of some observations.
+        Function that adjusts observations and returns the result.
 
     Raises
     ------
     AdjustmentError
-        If the observations cannot be used.
+        The observations cannot be used.
     TargetDisagrees
-        Where two targets are left at most, or none may be excluded.
+        A target disagrees and cannot be excluded, because only two are left or ``may_exclude`` is
+        false.
     NotConverged
-        If the iteration diverges or does not converge.
+        The iteration diverges or does not converge.
     """
     started, excluded = time.perf_counter(), list[str]()
     while True:
@@ -158,18 +160,22 @@ def solve(
     settings: SolverSettings,
     progress: Progress = no_progress,
 ) -> Solution:
-    """Solve for mounting and targets: sample, majority, sigmas, rejection, all points.
+    """Solve for mounting and targets in phases.
+
+    A sample of the points is adjusted first, without sightings that are displaced by far. Then
+    variance components are estimated if requested, and disagreeing sightings are rejected. The last
+    iterations use all points.
 
     Raises
     ------
     RankDeficient
-        If a parameter is not determined.
+        A parameter is not determined.
     TargetDisagrees
-        If no point of a target agrees with the others.
+        A target does not agree with the others at any point.
     NotConverged
-        If the iteration does not converge.
+        The iteration does not converge.
     LinAlgError
-        If it diverges.
+        The iteration diverges.
     """
     model, parameters, noise = settings.model, settings.parameters, settings.noise
     sampled = _sample_points(observations)
@@ -199,7 +205,7 @@ def solve(
     factors = np.ones(3)
     estimates_components = settings.components and model.correlated
     if estimates_components:
-        # Sigmas that are too small would make blunders of sightings that are none.
+        # With sigmas that are too small, correct sightings would be rejected as blunders.
         found, _, factors = _iterate_variance_components(found, factors, progress)
     if may_reject_sightings(model):
         found = reject_disagreeing_sightings(found, rejected, progress)
@@ -215,7 +221,7 @@ def solve(
 def _determined_parameters(
     problem: AdjustmentProblem, state: AdjustmentState
 ) -> tuple[tuple[Parameter, ...], tuple[ParameterEstimate, ...]]:
-    """The parameters to estimate, and those the geometry does not determine."""
+    """Parameters to estimate, and those that the geometry does not determine."""
     linearised = problem.linearised(state)
     undetermined = (
         find_undetermined_parameters(linearised)
@@ -232,12 +238,12 @@ def _determined_parameters(
 
 
 def _require_still_determined(linearised: LinearisedProblem) -> None:
-    """Refuse what remains after rejection of sightings and with estimated surface sigmas.
+    """Raise an error if the solution, after rejections, does not determine the angles.
 
     Raises
     ------
     RankDeficient
-        If a parameter is no longer determined, or a given value contradicts the targets.
+        An angle is not determined; if the data contradict a given value, the message names it.
     """
     try:
         require_determined(linearised)
@@ -261,7 +267,7 @@ def _contradicted_value_error(wrong: ContradictedParameter) -> Message:
 
 
 def _fixed_if_uncorrelated(problem: AdjustmentProblem) -> tuple[ParameterEstimate, ...]:
-    """Parameters that independent POS errors would bias, fixed at their given values."""
+    """All parameters, fixed at their given values, because independent POS errors bias them."""
     return tuple(
         ParameterEstimate(
             each.name, float(problem.prior.values[each.index]), each.sigma,
@@ -272,7 +278,7 @@ def _fixed_if_uncorrelated(problem: AdjustmentProblem) -> tuple[ParameterEstimat
 
 
 def _sample_points(observations: Observations) -> Observations:
-    """Sample of many points for approximate solution, noise, surfaces and blunders."""
+    """Sample of the points for the approximate solution, noise, form errors and blunders."""
     if len(observations) <= SAMPLE_SIZE:
         return observations
     return observations.where(observations.sample(SAMPLE_SIZE / len(observations)))
@@ -299,11 +305,12 @@ def _iterate_variance_components(
 ) -> tuple[IterationResult, tuple[VarianceComponent, ...], Array]:
     """Adjust again with the estimated variance components until they do not change.
 
-    ``total`` holds the factors on the given sigmas that are in ``solution`` already.
+    ``total``, shape (3,), are the factors on the given sigmas already used in ``solution``.
     """
     for _ in range(COMPONENT_ROUNDS):
         found = estimate_variance_components(solution.linearised)
-        # A sigma is raised on suspicion, lowered on evidence: too large a one costs little.
+        # A sigma is raised if its factor is determined and larger than 1, but lowered only if the
+        # factor is significantly smaller, because a sigma that is too large does little harm.
         news = np.array(
             [
                 c.factor if (determined and c.factor > MIN_INCREASE) or c.upper < 1 else 1.0

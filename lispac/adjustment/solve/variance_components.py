@@ -1,7 +1,7 @@
-"""Variance components from the data by restricted maximum likelihood.
+"""Variance components estimated by restricted maximum likelihood.
 
-The restricted likelihood (REML: Patterson and Thompson 1971) is that of the residuals alone,
-whatever the unknowns are. The sums the adjustment has made anyway give it for any sigmas, without
+The restricted likelihood (REML: Patterson and Thompson 1971) is that of the residuals, and does not
+depend on the unknowns. It is computed for any sigmas from the sums of the adjustment, without
 another pass over the points.
 """
 
@@ -28,20 +28,26 @@ SMALLEST_SURFACE, LARGEST_SURFACE = 1e-5, 0.3  # metres
 
 
 MIN_GAIN = 10.0
-"""Gain of twice the log likelihood by a sigma of the offsets' own: by chance once in 1000."""
+"""Smallest gain in twice the log likelihood for a separate sigma of the offsets.
+
+By chance, it is exceeded about once in 1000.
+"""
 REJECTION_GAIN = 5.0
-"""Additional gain if sightings were rejected: jumps are a dozen times commoner, exp(5 / 2)."""
+"""Additional gain required if sightings were rejected.
+
+Jumps of single sightings are about a dozen times more common, exp(5 / 2), than displaced boards.
+"""
 
 
 def most_likely_surface_sigma(
     linearised: LinearisedProblem, directions: slice = EVERY_DIRECTION
 ) -> float:
-    """Most likely sigma of the departures of sightings from their target's shape, metres.
+    """Most likely sigma of the deviations of sightings from the shapes of their targets, metres.
 
     Parameters
     ----------
     directions : slice
-        Of the tilts (0, 1) and the offset (2): those the sigma is of; the others keep theirs.
+        Tilts (0, 1) and/or offset (2) whose sigma is estimated; the sigmas of the others are fixed.
     """
     alike = np.zeros_like(linearised.problem.surface_sigma, dtype=bool)
     alike[:, directions] = True
@@ -49,12 +55,12 @@ def most_likely_surface_sigma(
 
 
 def need_own_offset_sigma(linearised: LinearisedProblem) -> bool:
-    """Whether the offsets need a sigma of their own, different from that of the tilts.
+    """Whether the offsets need a sigma different from that of the tilts.
 
-    This is the case for boards that are displaced between lines but not warped. The most displaced
-    sightings may have been rejected; with a sigma of their own they are used again. The likelihood
-    must be clearly larger than with the rejection, since a single jump is more common, and larger
-    than that with the common sigma.
+    This is the case for boards that are displaced between lines but not bent. The most displaced
+    sightings may have been rejected, and are used again with a separate sigma. The likelihood must
+    be clearly larger than with the rejection, since a single jump is more common, and clearly
+    larger than with a common sigma.
     """
     problem = linearised.problem
     every = np.repeat(~problem.rejected[:, :1], 3, axis=1)
@@ -72,9 +78,9 @@ def _maximise_surface_likelihood(
     Parameters
     ----------
     alike : ndarray of shape (sightings, 3)
-        Those the sigma is of.
+        Whether each deviation has this sigma.
     """
-    import scipy.optimize  # takes a while, and a window or command may never adjust
+    import scipy.optimize  # slow to import, and not needed by programs that do not adjust
 
     now = linearised.problem.surface_sigma
     unlikeliness = _surface_likelihood(linearised)
@@ -131,17 +137,20 @@ def reestimate_surface_sigma(
 
 COMPONENT_NAMES = ("LiDAR", "POS position", "POS attitude")
 FACTOR_LIMITS = (0.1, 10.0)
-"""Smallest and largest factor on a given sigma that is believed."""
+"""Smallest and largest accepted factor on a given sigma."""
 
 
 MIN_NOISE_FACTOR = 1.1
-"""Noise of a target over the given one beyond which the residuals replace the LiDAR sigma."""
+"""Noise factor of a target from which on the factor on the LiDAR sigma is not estimated.
+
+The noise estimated from the residuals then already replaces the given LiDAR sigma.
+"""
 
 MIN_LINES = 3
-"""On two lines an error of the position and a form error cannot be separated."""
+"""Smallest number of lines with which position errors and form errors can be separated."""
 
 MAX_LOG_SIGMA = 0.6
-"""Standard deviation of a factor's logarithm, others fixed, below which it is determined."""
+"""Largest standard deviation of the logarithm of a determined factor, with the others fixed."""
 
 
 @dataclass(frozen=True)
@@ -151,11 +160,11 @@ class MaximumLikelihood:
     Attributes
     ----------
     components : tuple of VarianceComponent
-        On the sigmas of LiDAR, POS position, POS attitude.
+        Factors on the sigmas of LiDAR, POS position and POS attitude.
     determined : tuple of bool
-        Whether the data determine each.
+        Whether the data determine each factor.
     rough : float
-        The factor on the surfaces' sigma.
+        Factor on the sigma of the form errors.
     """
 
     components: tuple[VarianceComponent, ...]
@@ -164,12 +173,12 @@ class MaximumLikelihood:
 
 
 def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikelihood:
-    """Most likely factors on the sigmas of LiDAR, POS position, POS attitude, and of the surfaces.
+    """Most likely factors on the sigmas of LiDAR, POS position, POS attitude and form errors.
 
-    Where the surfaces' sigma is not given it is found along with the others: an error of the
-    position shifts a sighting as its form error does; only the correlation of neighbours separates
-    them. With few sightings the intervals are wide. Where the residuals have
-    raised the noise of a target already, the factor on the LiDAR's stays 1.
+    If the sigma of the form errors is not given, it is estimated together with the others. Position
+    errors and form errors both shift a sighting, and only the correlation between neighbouring
+    sightings separates them, so that the intervals are wide with few sightings. The factor on the
+    LiDAR sigma remains 1 if the noise of a target was already raised from the residuals.
     """
     import scipy.optimize
 
@@ -223,7 +232,7 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
 def _likelihood_curvature(
     likelihood: Callable[[Array], float], at: Array, step: float = 0.1
 ) -> Array:
-    """Second derivatives of the likelihood, at least those of data without information."""
+    """Matrix of second derivatives of the likelihood, with eigenvalues of at least 1e-3."""
     middle, steps = likelihood(at), step * np.eye(len(at))
     there = np.array([likelihood(at + h) for h in steps])
     curvature = np.empty((len(at), len(at)))
@@ -237,16 +246,17 @@ def _likelihood_curvature(
 
 
 class _RestrictedLikelihood:
-    """Minus twice the restricted log likelihood as a function of the log factors.
+    """Minus twice the restricted log likelihood as a function of the logarithms of the factors.
 
-    On LiDAR, POS position, POS attitude, and the form errors of used sightings.
+    The factors are on the sigmas of LiDAR, POS position, POS attitude, and of the form errors of
+    sightings that are not rejected.
     """
 
     def __init__(self, linearised: LinearisedProblem) -> None:
         problem, self.normal = linearised.problem, linearised.normal
         knots, effects = problem.groups.knots, linearised.state.effects
         assert knots is not None
-        # A loss takes weight from the large residuals of a normal distribution too.
+        # A loss also reduces the weights of large residuals that follow the normal distribution.
         self.points = len(problem.observations) * linearised.loss.kept
         self.knots = len(knots.time)
         self.kind = np.tile([1, 1, 1, 2, 2, 2], self.knots)
@@ -261,7 +271,7 @@ class _RestrictedLikelihood:
         self.band[0] -= self.own
         self.band[6, : len(self.beside)] -= self.beside
         self.pull = self.normal.pull + self.prior_pull
-        # Priors of surfaces and parameters stay as they are.
+        # Priors of parameters and of rejected surfaces are not scaled.
         self.diagonal = np.zeros(len(self.normal.matrix))
         self.prior_right = np.zeros(len(self.normal.matrix))
         self.fixed_quadratic = self.surface_quadratic = 0.0
