@@ -1,7 +1,7 @@
 """LISPAC: boresight calibration of mobile LiDAR systems.
 
-As in the window, a project is made or opened, targets are seeded, the boresight is estimated and
-validated, and a report is written::
+A script performs the same steps as the user in the window: create or open a project, pick targets
+from seeds, estimate and validate the boresight, and write a report::
 
     import lispac
 
@@ -11,8 +11,8 @@ validated, and a report is written::
     harbour.report("boresight.pdf")
     harbour.save()
 
-``resources/manual/en/scripts.md`` describes all steps. What is in ``__all__`` is for scripts and is
-kept from version to version; the rest is the program's own.
+``resources/manual/en/scripts.md`` describes all steps. The names in ``__all__`` are the public
+interface for scripts and stay the same in later versions; all others are internal.
 """
 
 from importlib import import_module

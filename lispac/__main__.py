@@ -5,6 +5,6 @@ from multiprocessing import freeze_support
 
 from lispac.cli.main import main
 
-# In a program that is one file, a worker process starts here as well
+# In a bundled executable, worker processes also start here
 freeze_support()
 sys.exit(main())

@@ -1,4 +1,4 @@
-"""Alternative methods: their results beside that of the targets."""
+"""Results of alternative methods, which are compared with the calibration by targets."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 Method = Literal["natural planes", "targetless", "patch test"]
 METHODS: tuple[Method, ...] = ("natural planes", "targetless", "patch test")
-"""In the order they are shown in."""
+"""Alternative methods in the order in which they are shown."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,13 +24,13 @@ class AlternativeResult:
     method : Method
     boresight : ndarray of shape (3,), radians; roll, pitch, yaw
     covariance : ndarray of shape (3, 3), radians^2
-        Each variance is positive.
+        All variances are positive.
     lines : tuple of str
-        That the result is based on.
+        Lines used for the result.
     surfaces : int
-        Planes, natural surfaces or objects that it rests on.
+        Number of planes, natural surfaces or objects used for the result.
     messages : tuple of Message
-        What it is based on, and what limits it.
+        Data used for the result, and its limitations.
     """
 
     method: Method

@@ -1,8 +1,9 @@
-"""The cache: what the program can make again (built-in survey, manual, compiled code, fonts).
+"""Cache of files that the program can create again.
 
-Its place is the user's choice, for the window and the command line alike; where that cannot be
-written, as in a home directory that is missing or read-only, a temporary folder takes its place.
-Nothing that the program has not put there is ever removed from it.
+These are the built-in survey, the manual, compiled code and fonts. The user chooses the folder, for
+the window and the command line alike. If the folder cannot be written to, for example in a missing
+or read-only home directory, a temporary folder is used instead. Only files created by the program
+are ever removed from the cache.
 """
 
 import os
@@ -18,14 +19,14 @@ from lispac.installation_paths import home_folder, temporary_folder, user_folder
 from lispac.messages import Level, Message, error
 
 CHOICE = "cache-folder.txt"
-"""File of the choice, next to the other settings for all projects."""
+"""Name of the file with the chosen folder, next to the other settings for all projects."""
 NAME = "lispac"
 """Name of the cache folder within the chosen folder."""
 DEMO = "demo"
 MANUAL, MANUAL_MARK = "manual", "made-by-lispac"
-"""Folder of the built manual, and the file in it that marks its owner."""
+"""Folder of the built manual, and the file in it that marks it as created by this program."""
 VARIABLES = {"NUMBA_CACHE_DIR": "numba", "MPLCONFIGDIR": "matplotlib"}
-"""Parts of the cache that other packages fill, by the variable that sets their place."""
+"""Cache folders of other packages, by the environment variable that sets their location."""
 
 
 def default_folder() -> Path:
@@ -39,12 +40,12 @@ def default_folder() -> Path:
 
 
 def chosen_folder(config: Path | None = None) -> Path | None:
-    """Cache folder that the user chose; None for the default one.
+    """Folder chosen by the user for the cache; None if the default one is used.
 
     Parameters
     ----------
     config : Path or None
-        Folder of what the user has for all projects, where it is another than `user_folder`.
+        Folder of the user's files for all projects, if it is not `user_folder`.
     """
     try:
         text = ((config or user_folder()) / CHOICE).read_text(encoding="utf-8").strip()
@@ -54,17 +55,17 @@ def chosen_folder(config: Path | None = None) -> Path | None:
 
 
 def cache_folder_in(folder: Path | None) -> Path:
-    """Folder of the cache within a chosen folder; None for the default one."""
+    """Folder of the cache inside a chosen folder; the default cache folder for None."""
     return (folder or default_folder()) / NAME
 
 
 def usable_cache_folder(config: Path | None = None) -> Path:
-    """Folder of the cache: as chosen, or temporary if that cannot be written."""
+    """Chosen cache folder, or a temporary one if it cannot be written to."""
     return writable_or_temporary_folder(cache_folder_in(chosen_folder(config)))
 
 
 def writable_or_temporary_folder(place: Path) -> Path:
-    """The folder if it can be written, which is tested once; else a temporary one."""
+    """Folder itself if it can be written to, which is tested once; otherwise a temporary one."""
     return place if _is_writable(place) else temporary_folder()
 
 
@@ -72,7 +73,7 @@ def writable_or_temporary_folder(place: Path) -> Path:
 def _is_writable(place: Path) -> bool:
     home = home_folder()
     if place.is_relative_to(home) and not home.is_dir():
-        return False  # a home directory is not for this program to make
+        return False  # the program does not create home directories
     try:
         place.mkdir(parents=True, exist_ok=True)
         trial = place / f".trial-{os.getpid()}"
@@ -84,7 +85,7 @@ def _is_writable(place: Path) -> bool:
 
 
 def require_writable(folder: Path) -> None:
-    """Refuse a folder that no cache can be written to.
+    """Refuse a folder to which the cache cannot be written.
 
     Raises
     ------
@@ -115,7 +116,7 @@ def choose_folder(folder: Path | None, config: Path | None = None) -> None:
     Raises
     ------
     InputError
-        Where it cannot be written.
+        If the folder cannot be written to.
     """
     from lispac.io.files import atomic_write
 
@@ -144,7 +145,7 @@ def empty_cache(place: Path) -> None:
     Raises
     ------
     InputError
-        Where something of it could not be removed.
+        If a file could not be removed.
     """
     for part in _cache_parts(place):
         try:
@@ -167,7 +168,7 @@ def set_cache_variables(variables: MutableMapping[str, str]) -> Message | None:
     Returns
     -------
     Message or None
-        A note where something is kept in a temporary folder because its own cannot be written.
+        A note if a temporary folder is used because the intended one cannot be written to.
     """
     folder = cache_folder_in(chosen_folder())
     place = usable_cache_folder()
@@ -186,7 +187,7 @@ def set_cache_variables(variables: MutableMapping[str, str]) -> Message | None:
 
 
 def _may_be_written(folder: Path) -> bool:
-    """True if a folder can presumably be written; it need not exist."""
+    """True if a folder can presumably be written to; it need not exist."""
     folder = folder.absolute()
     there = next(each for each in (folder, *folder.parents) if os.path.exists(each))
     return os.path.isdir(there) and os.access(there, os.W_OK | os.X_OK)
@@ -194,7 +195,7 @@ def _may_be_written(folder: Path) -> bool:
 
 def _cache_parts(place: Path) -> list[Path]:
     parts = [place / part for part in VARIABLES.values()]
-    # A folder called demo may be anybody's; ours is marked.
+    # A folder called demo may belong to another program; that of this program has a marker file.
     if (place / DEMO / "raw" / DEMO).is_file():
         parts.append(place / DEMO)
     if (place / MANUAL / MANUAL_MARK).is_file():

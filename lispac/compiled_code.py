@@ -1,9 +1,9 @@
-"""Numba's decorator ``njit``, with a cache in which no code is older than the program.
+"""Numba's decorator ``njit``, with a cache that never contains code of an earlier version.
 
-Numba makes the machine code of a function again when the file of this function changes, not when a
-function or constant that was compiled into it does and lies in another file [1]_. After an update
-of the program, such code would go on computing as before the update. The cache has therefore one
-folder for each state of the source files; folders that no run has used for a month are removed.
+Numba recompiles a function if the source file of this function changes, but not if a function or
+constant that it uses changes in another file [1]_. After an update of the program, the cache could
+therefore contain outdated machine code. To prevent this, the cache has a separate folder for each
+state of the source files. Folders that have not been used for a month are removed.
 
 References
 ----------
@@ -28,15 +28,15 @@ kernel = partial(
     njit, nogil=True, cache=True, error_model="numpy",
     fastmath={"contract", "reassoc", "nsz", "arcp"},
 )  # fmt: skip
-"""Decorator of what is compiled for a pass over all points; NumPy's way with errors and sums in any
-order halve its time."""
+"""Decorator of compiled functions that process all points of a line. Division by zero is handled as
+in NumPy, and floating-point operations may be reordered; this halves the computing time."""
 
 PACKAGES = (
     "adjustment", "geometry", "io", "natural", "simulation", "survey", "targets", "validation",
 )  # fmt: skip
 """Packages with compiled functions."""
 MARK = b"lispac.compiled_code"
-"""Text in the import of each file with compiled functions."""
+"""Text that the import statement of every file with compiled functions contains."""
 PREFIX = "sources-"
 UNUSED_S = 30 * 86_400.0
 
@@ -47,7 +47,7 @@ def source_state(folder: Path) -> str:
     Parameters
     ----------
     folder : Path
-        Folder of the package `lispac`; a bundle has no source files but a version.
+        Folder of the package `lispac`. A bundle has no source files; its version is used instead.
     """
     state = hashlib.blake2b(__version__.encode(), digest_size=8)
     for package in PACKAGES:
@@ -62,10 +62,10 @@ def source_state(folder: Path) -> str:
 
 
 def cache_folder(parent: Path, state: str) -> Path:
-    """Folder of the cache for one state of the sources, marked as used; old ones are removed."""
+    """Cache folder for one state of the sources, marked as used; old folders are removed."""
     folder = parent / f"{PREFIX}{state}"
     is_new = not folder.is_dir()
-    with suppress(OSError):  # without the cache everything is compiled, which Numba sees to
+    with suppress(OSError):  # without the cache, Numba compiles all functions again
         folder.mkdir(parents=True, exist_ok=True)
         os.utime(folder)
     if is_new:
@@ -77,8 +77,9 @@ def cache_folder(parent: Path, state: str) -> Path:
 
 
 def _set_cache_folder() -> None:
-    """Set the folder in Numba, and in the environment, from which Numba may read it again."""
-    # Set by the entry points; a module imported alone has its cache beside its byte code.
+    """Set the cache folder in Numba and in the environment, which Numba may read again later."""
+    # The entry points set the folder; a module imported on its own has its cache beside its byte
+    # code.
     parent = Path(config.CACHE_DIR or Path(__file__).with_name("__pycache__"))
     if parent.name.startswith(PREFIX):  # set by the process that started this one
         parent = parent.parent

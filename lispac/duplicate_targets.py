@@ -1,7 +1,7 @@
 """Duplicate targets: targets that have points in common.
 
-Points that two targets of an adjustment share count twice, and a validation plane on a target's
-points checks nothing.
+Points shared by two targets count twice in the adjustment. A validation plane that has the points
+of a target is not an independent check.
 """
 
 from collections.abc import Iterable, Sequence
@@ -23,13 +23,13 @@ from lispac.project import Project, ProposalPrediction
 from lispac.warning_causes import RESULT, Cause
 
 MIN_SHARED = 0.1
-"""Share of common points from which two targets are reported."""
+"""Smallest share of common points for which two targets are reported."""
 SAME_SURFACE_SHARE = 0.3
-"""Share from which both are the same surface."""
+"""Smallest share of common points for which two targets are considered the same surface."""
 SAMPLE_SIZE = 1000
-"""Points of a sighting that are checked for common points with another."""
+"""Number of points of a sighting that are first compared with another one."""
 SIGMA_MARGIN = 0.2
-"""Share of a predicted sigma by which that of the result may differ from it."""
+"""Largest relative difference between the sigma of the result and the predicted one."""
 
 
 @dataclass(frozen=True)
@@ -39,13 +39,13 @@ class TargetOverlap:
     Attributes
     ----------
     one, other : str
-        Their names, as they were given.
+        Names of the targets, in the order given.
     line : str
-        Where they have most in common.
+        Line on which they have the largest share of common points.
     share : float
-        Of the points of the smaller one there.
+        Share of the points of the smaller target on this line that are common.
     smaller : str
-        Its name.
+        Name of the target with fewer points on this line.
     """
 
     one: str
@@ -61,16 +61,16 @@ class TargetOverlap:
 
 
 def find_overlaps(targets: Iterable[Target]) -> tuple[TargetOverlap, ...]:
-    """Pairs of used targets that share a tenth of the smaller one's points on some line."""
+    """Pairs of used targets that share at least `MIN_SHARED` of their points on a line."""
     used = [_TargetPoints.of(target, target.used_sightings) for target in targets]
     found = (_largest_overlap(one, other) for one, other in combinations(used, 2))
     return tuple(each for each in found if each is not None)
 
 
 def find_overlap(target: Target, others: Iterable[Target]) -> TargetOverlap | None:
-    """Largest overlap of a target with another one; None if there is none.
+    """Largest overlap of a target with another one; None if there is no overlap.
 
-    A target of its own name does not count: it is the one that is replaced.
+    A target with the same name is skipped, since the new target replaces it.
     """
     own = _TargetPoints.of(target, target.sightings)
     found = (
@@ -90,11 +90,11 @@ _OVERLAPS = {
     (False, "unchecked"): "overlap.points_shared_unchecked",
     (False, ""): "overlap.points_shared",
 }
-"""Code of the warning by whether both are the same surface, and by what that means."""
+"""Code of the warning, by whether both targets are the same surface and by the consequence."""
 
 
 def overlap_warning(target: Target, others: Iterable[Target]) -> Message | None:
-    """Warning that a new target shares points with another one; None if it does not."""
+    """Warning that a new target shares points with another one; None if it shares none."""
     others = tuple(others)
     found = find_overlap(target, others)
     if found is None:
@@ -114,7 +114,7 @@ def duplicate_warnings(project: Project) -> tuple[Message, ...]:
     return _duplicate_warnings(project.targets)
 
 
-# The window asks for the same targets at every move of a progress bar.
+# The window requests the warnings for the same targets at every update of a progress bar.
 @lru_cache(maxsize=2)
 def _duplicate_warnings(targets: tuple[Target, ...]) -> tuple[Message, ...]:
     role = {target.name: target.role for target in targets}
@@ -149,7 +149,7 @@ def all_warnings(project: Project, also: Iterable[Message] = ()) -> tuple[Messag
 
 
 def project_warnings(project: Project) -> tuple[Message, ...]:
-    """Warnings that follow from picks, files and predictions, beside those about a result."""
+    """Warnings from picks, files and predictions, in addition to those about a result."""
     return (
         *duplicate_warnings(project),
         *prediction_warnings(project),
@@ -161,8 +161,8 @@ def project_warnings(project: Project) -> tuple[Message, ...]:
 def prediction_warnings(project: Project) -> tuple[Message, ...]:
     """Messages on sigmas that differ from those predicted when the targets were proposed.
 
-    Sigmas larger than predicted contain what the cross-checks show, and are a note; smaller ones
-    may be too small.
+    Larger sigmas include the differences found by the cross-checks and give a note. Smaller sigmas
+    give a warning, since they may be too optimistic.
     """
     result, prediction = project.result, project.prediction
     if result is None or prediction is None:
@@ -189,7 +189,7 @@ def prediction_warnings(project: Project) -> tuple[Message, ...]:
 def _predicted_angles(
     result: AdjustmentResult, prediction: ProposalPrediction, named: NDArray[np.bool_]
 ) -> list[Message]:
-    """Predicted and formal sigma of the angles that are named."""
+    """Predicted and formal sigmas of the selected angles."""
     return [
         note(
             "item.angle_predicted", angle=mounting_value_name(angle),
@@ -200,7 +200,7 @@ def _predicted_angles(
 
 
 def single_line_notes(targets: Iterable[Target]) -> tuple[Message, ...]:
-    """Note on targets that are excluded because only one line shows them."""
+    """Note on targets that are not used because only one line shows them."""
     alone = [
         target
         for target in targets
@@ -273,7 +273,7 @@ class _TargetPoints:
 
     @classmethod
     def of(cls, target: Target, sightings: Iterable[PickedSighting]) -> "_TargetPoints":
-        # In order already as a rule, and a stable sort is quick to see that.
+        # The numbers are usually in order already, which a stable sort detects quickly.
         return cls(target.name, {s.line: np.sort(s.indices, kind="stable") for s in sightings})
 
 
@@ -290,11 +290,11 @@ def _largest_overlap(one: _TargetPoints, other: _TargetPoints) -> TargetOverlap 
 
 
 def _shared_fraction(first: NDArray[np.int64], second: NDArray[np.int64]) -> float:
-    """Share of the smaller target's points that the other has, from 0 to 1; both sorted."""
+    """Share of the smaller target's points that the other has too, in [0, 1]; both sorted."""
     small, large = sorted((first, second), key=len)
     if not len(small):
         return 0.0
-    # Most pairs have no common points, which some of the points show.
+    # Most pairs have no common points; a sample of the points is enough to detect that.
     share = _fraction_among(small[:: 1 + len(small) // SAMPLE_SIZE], large)
     return share if share < MIN_SHARED / 2 else _fraction_among(small, large)
 

@@ -1,7 +1,7 @@
-"""Every error the program raises on purpose.
+"""Exceptions with messages for the user.
 
-A message is one plain sentence for a surveyor: what is wrong, where, and what to do about it.
-The command line prints it and exits with 1; the window shows it in a dialogue.
+A message says in plain words what is wrong, where, and what to do. The command line prints it and
+exits with status 1; the window shows it in a dialogue.
 """
 
 import errno
@@ -20,11 +20,11 @@ SYSTEM_REASONS = {
     errno.ENAMETOOLONG: "system.long_name",
     errno.EDQUOT: "system.quota",
 }
-"""Code of the message for each number of an error of the system."""
+"""Code of the message for each error number of the operating system."""
 
 
 def system_reason(failure: OSError) -> Message | str:
-    """Reason of an error of the system, as a parameter of a message."""
+    """Reason of an error of the operating system, as a parameter of a message."""
     code = SYSTEM_REASONS.get(failure.errno or 0)
     return failure.strerror or str(failure) if code is None else note(code)
 
@@ -35,8 +35,8 @@ class LispacError(Exception):
     Parameters
     ----------
     message : Message or str
-        What is wrong. Its text is made when it is shown, in the language in use then; control
-        characters, which come from names of files and the like, are replaced by spaces in it.
+        Description of the problem. Its text is created in the current language when it is shown.
+        Control characters, for example in file names, are replaced by spaces.
     """
 
     def __init__(self, message: Message | str = "") -> None:
@@ -45,7 +45,7 @@ class LispacError(Exception):
 
     @property
     def message(self) -> Message | None:
-        """Typed message; None if the error has only a text."""
+        """Message as a value; None if the error has only a text."""
         return self._message if isinstance(self._message, Message) else None
 
     @property
@@ -66,31 +66,31 @@ class LispacError(Exception):
 
 
 class InputError(LispacError):
-    """A file or a value that cannot be used."""
+    """A file or value cannot be used."""
 
 
 class ProjectError(LispacError):
-    """A project folder that cannot be opened or written, or lacks what a step needs."""
+    """A project cannot be opened or written, or lacks the data that a step needs."""
 
 
 class ProjectChanged(ProjectError):
-    """Another program has written the project since it was opened."""
+    """The project file was changed by another program after it was opened."""
 
 
 class TargetNotFound(LispacError):
-    """No target was found where the seed was set."""
+    """No target was found at the seed."""
 
 
 class PlaneNotFound(TargetNotFound):
-    """No plane was found where the seed was set."""
+    """No plane was found at the seed, or the points do not determine one."""
 
 
 class SphereNotFound(TargetNotFound):
-    """No sphere was found where the seed was set, or the points do not determine one."""
+    """No sphere was found at the seed, or the points do not determine one."""
 
 
 class NotComparable(LispacError):
-    """A validation plane that no two lines see in common."""
+    """Two lines, or a line and a reference, have no common part that can be compared."""
 
 
 class AdjustmentError(LispacError):
@@ -102,7 +102,7 @@ class RankDeficient(AdjustmentError):
 
 
 class TargetDisagrees(RankDeficient):
-    """No point of a target agrees with the other targets and lines."""
+    """All points of a target contradict the other targets and lines."""
 
     def __init__(self, message: Message | str, target: str = "") -> None:
         super().__init__(message)
@@ -114,4 +114,4 @@ class NotConverged(AdjustmentError):
 
 
 class Cancelled(Exception):
-    """The user asked a running task to stop; nothing has been changed."""
+    """The user cancelled a running task; nothing was changed."""

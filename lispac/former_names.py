@@ -1,6 +1,6 @@
-"""Former names of keys, parameters and attributes, accepted for one version.
+"""Former names of keys, parameters and attributes, which are accepted for one version.
 
-Each format keeps its own table of former and new names; the functions here apply a table.
+The module of each file format has a table of former and new names; the functions here apply it.
 """
 
 import functools
@@ -41,8 +41,8 @@ def renamed_keys(content: Any, names: Mapping[str, Mapping[str, str]], place: st
     Parameters
     ----------
     names : mapping
-        New names by former names, by the place of their table: the keys that lead to it, joined by
-        points; empty for the outermost table. Lists do not count.
+        Tables of new names by former names, for each place in the file. A place is the path of
+        keys to the table, joined by points, without list indices; it is empty for the top level.
     """
     if isinstance(content, list):
         return [renamed_keys(each, names, place) for each in content]
@@ -56,18 +56,18 @@ def renamed_keys(content: Any, names: Mapping[str, Mapping[str, str]], place: st
 
 
 def renamed_reading(reading: Mapping[str, Any]) -> dict[str, Any]:
-    """Plain values of a `Reading` with the former names of its options replaced."""
+    """Plain values of a `Reading` with former names of options replaced."""
     options = [[READING_OPTIONS.get(name, name), value] for name, value in reading["options"]]
     return {**reading, "options": options}
 
 
 def renamed_options(options: Iterable[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
-    """Reading options of a script with their former names replaced; a warning names each."""
+    """Reading options of a script with former names replaced; each replacement gives a warning."""
     return tuple((_present_option(name), value) for name, value in options)
 
 
 def accept_script_names(renamed: Renamed) -> Renamed:
-    """Accept the former names of the parameters of a function, or also attributes of a class."""
+    """Accept former names of the parameters of a function, and of the attributes of a class."""
     if isinstance(renamed, type):
         renamed.__init__ = _with_former_parameters(renamed.__init__)  # type: ignore[misc]
         renamed.__getattr__ = _attribute_of_former_name  # type: ignore[attr-defined]
@@ -104,7 +104,7 @@ def _attribute_of_former_name(holder: Any, name: str) -> Any:
 
 
 def warn_of_former_key(file: str, former: str, name: str) -> None:
-    """Warn that a file has a former key."""
+    """Warn that a file uses the former name of a key."""
     _warn(note("former_name.key", file=file, former=former, name=name))
 
 

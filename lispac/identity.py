@@ -1,6 +1,6 @@
 """Identity of a calibration for the report: person, date, equipment.
 
-Everything is text as the user writes it, blank where it is not known. Nothing is computed from it.
+All values are texts typed by the user, empty if unknown. No computation uses them.
 """
 
 from dataclasses import asdict, dataclass, fields, replace
@@ -10,7 +10,7 @@ from lispac.language import N_
 from lispac.messages import error, note
 
 MAX_LENGTH = 200
-"""Most characters of a field; notes may be ten times as long."""
+"""Largest number of characters of a field; notes may be ten times as long."""
 
 
 @dataclass(frozen=True)
@@ -37,17 +37,17 @@ class Identity:
     remarks: str = ""
 
     def changed(self, **texts: str) -> "Identity":
-        """Identity with other texts in these fields, without surrounding blanks.
+        """Copy with the given texts, without leading and trailing blanks.
 
         Raises
         ------
         InputError
-            Where a text cannot stand in a report.
+            If a text cannot be printed in a report.
         """
         return replace(self, **{name: _clean_text(name, text) for name, text in texts.items()})
 
     def require_sound(self) -> None:
-        """Refuse texts that cannot stand in a report.
+        """Refuse texts that cannot be printed in a report.
 
         Raises
         ------

@@ -14,15 +14,15 @@ from lispac.messages import error
 
 
 def resource_path(name: str) -> Path:
-    """A file or folder of the resources.
+    """Path of a file or folder of the resources.
 
     Raises
     ------
     InputError
-        Where the installation lacks it.
+        If it is missing in the installation.
     """
     package = Path(lispac.__file__).parent
-    # A wheel has the resources in the package, a checkout beside it.
+    # The resources are inside the package in a wheel, and beside it in a checkout.
     for folder in (package, package.parent):
         path = folder / "resources" / name
         if path.exists():
@@ -33,16 +33,16 @@ def resource_path(name: str) -> Path:
 def window_command() -> list[str]:
     """Command that starts the program with the window, without further arguments."""
     program = Path(sys.executable)
-    # The bundle without Python has it beside the command line; elsewhere Python knows it.
+    # In the bundle, which has no Python, the window program is beside the command-line program.
     if getattr(sys, "frozen", False):
         return [str(program.with_name(f"lispac-gui{program.suffix}"))]
     return [sys.executable, "-m", "lispac.gui"]
 
 
 def home_folder() -> Path:
-    """The user's home directory as the system names it, there or not.
+    """Home directory of the user according to the system, whether or not it exists.
 
-    An account without one, as in a container, has `temporary_folder` instead.
+    For an account without a home directory, as in a container, it is `temporary_folder`.
     """
     try:
         return Path.home()
@@ -51,7 +51,7 @@ def home_folder() -> Path:
 
 
 def expand_user(path: Path) -> Path:
-    """A path with ``~`` replaced; as it is where there is no such user."""
+    """Path with ``~`` expanded; unchanged if there is no such user."""
     with suppress(RuntimeError):
         return path.expanduser()
     return path
@@ -59,10 +59,10 @@ def expand_user(path: Path) -> Path:
 
 @cache
 def temporary_folder() -> Path:
-    """A folder among the temporary files that only this user can write to.
+    """Temporary folder to which only this user can write.
 
-    It is the same in every run, unless another user has taken its name: compiled code is read from
-    it, so a folder that others can write to is not used.
+    The folder is the same in every run, unless another user has a folder of this name. Compiled
+    code is read from it, so a folder to which others can write is never used.
     """
     user = f"-{os.getuid()}" if hasattr(os, "getuid") else ""
     folder = Path(tempfile.gettempdir()) / f"lispac{user}"
@@ -75,7 +75,7 @@ def _is_private(folder: Path) -> bool:
     found = folder.lstat()
     if not stat.S_ISDIR(found.st_mode):
         return False
-    if not hasattr(os, "getuid"):  # Windows: the temporary files are the user's own
+    if not hasattr(os, "getuid"):  # on Windows each user has a separate folder of temporary files
         return True
     return found.st_uid == os.getuid() and not found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
 

@@ -7,14 +7,14 @@ numbers, lists and dates.
 Placeholders of a text are named and may have a format specification ``unit[.digits][+]``:
 
 - ``n``: a count
-- ``m``, ``mm``, ``km``, ``s``, ``ms``, ``h``, ``hz``: an SI value in that unit, ``deg`` one in
-  radians, ``percent`` a ratio, ``mb`` a number of bytes, ``x`` a number without a unit; three
-  significant digits where no number of decimals follows, and ``+`` for a sign in any case. The unit
-  itself is part of the text.
-- ``names``: names joined by commas and "and"; ``choices``: joined by "or"; ``sentences``: one
-  after the other
+- ``m``, ``mm``, ``km``, ``s``, ``ms``, ``h``, ``hz``: an SI value, converted to that unit;
+  ``deg``: an angle in radians, converted to degrees; ``percent``: a ratio; ``mb``: a number of
+  bytes; ``x``: a number without a unit. Without a number of decimals, three significant digits are
+  written; ``+`` always writes the sign. The unit itself is part of the text.
+- ``names``: names joined by commas and "and"; ``choices``: names joined by commas and "or";
+  ``sentences``: sentences one after the other
 - ``title``: the English title of a field, which is translated
-- no specification: a name, or another message, as it is
+- no specification: a name or another message, inserted unchanged
 """
 
 import gettext as gnu
@@ -31,7 +31,7 @@ from string import Formatter
 from typing import Any
 
 LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
-"""Name of each language in itself, by its code."""
+"""Name of each language in the language itself, by its code."""
 
 _LOCALES: Mapping[str, str] = {"en": "en_GB", "fr": "fr_FR"}
 _SCALES: Mapping[str, float] = {
@@ -40,7 +40,7 @@ _SCALES: Mapping[str, float] = {
 }  # fmt: skip
 _SIGNIFICANT = 3
 _SMALLEST, _LARGEST = 1e-9, 1e15
-"""Absolute values of numbers that are written without an exponent."""
+"""Smallest and largest absolute value of numbers that are written without an exponent."""
 
 _default = "en"
 _chosen: ContextVar[str | None] = ContextVar("language", default=None)
@@ -48,7 +48,7 @@ _chosen: ContextVar[str | None] = ContextVar("language", default=None)
 
 @dataclass(frozen=True)
 class Plural:
-    """An English text for one thing and for several; the parameter ``count`` chooses."""
+    """English text in the singular and the plural; the parameter ``count`` selects the form."""
 
     singular: str
     plural: str
@@ -63,7 +63,7 @@ def use_language(code: str) -> None:
     Raises
     ------
     ValueError
-        Where there is no such language.
+        If there is no such language.
     """
     global _default
     if code not in LANGUAGES:
@@ -72,7 +72,7 @@ def use_language(code: str) -> None:
 
 
 def current_language() -> str:
-    """Code of the language in use: ``en``."""
+    """Code of the current language, such as ``en``."""
     return _chosen.get() or _default
 
 
@@ -83,7 +83,7 @@ def in_language(code: str) -> Iterator[None]:
     Raises
     ------
     ValueError
-        Where there is no such language.
+        If there is no such language.
     """
     if code not in LANGUAGES:
         raise ValueError(f"no language {code!r}: choose one of {', '.join(LANGUAGES)}")
@@ -95,33 +95,33 @@ def in_language(code: str) -> Iterator[None]:
 
 
 def in_english(value: object) -> str:
-    """Text of a message or an error in English, whatever language is in use."""
+    """Text of a message or an error in English, independent of the current language."""
     with in_language("en"):
         return str(value)
 
 
 def N_(text: str) -> str:  # noqa: N802  (the name that gettext gives it)
-    """Mark a text for extraction that is translated where it is shown."""
+    """Mark a text for extraction into the catalogues; it is translated when it is shown."""
     return text
 
 
 @dataclass(frozen=True)
 class LazyText:
-    """A text that is translated each time it is shown: ``str(text)``.
+    """Text that is translated each time it is converted by ``str(text)``.
 
-    For texts that outlive a change of the language, such as the names of undo steps.
+    For texts that are kept when the language changes, such as the names of undo steps.
     """
 
     template: Template
     params: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     def __str__(self) -> str:
-        """The text in the language in use."""
+        """Text in the current language."""
         return format_text(self.template, self.params)
 
 
 def gettext_lazy(template: Template, /, **params: Any) -> LazyText:
-    """Translated text that is translated anew each time it is shown."""
+    """Text that is translated each time it is shown."""
     return LazyText(template, params)
 
 
@@ -136,9 +136,9 @@ def gettext(template: Template, /, **params: Any) -> str:
     Parameters
     ----------
     template : str or Plural
-        English, as in the catalogue.
+        English text, as in the catalogue.
     **params
-        Values of the placeholders in SI units. A literal brace of a text without any stays.
+        Values of the placeholders in SI units. Without any, braces in the text are kept literally.
     """
     return format_text(template, params)
 
@@ -154,13 +154,13 @@ def format_text(template: Template, params: Mapping[str, Any]) -> str:
 
 
 def number(value: float, decimals: int | None = None, *, sign: bool = False) -> str:
-    """A number as the language writes it; three significant digits by default."""
+    """Number formatted for the current language; three significant digits by default."""
     from babel.numbers import format_decimal
 
     value = value if isinstance(value, int) else float(value)
     if isinstance(value, float) and not isfinite(value):
         return f"{value:+g}" if sign else f"{value:g}"
-    # Numbers of damaged files are too long to be written in full; Babel has 28 digits.
+    # Damaged files may contain huge numbers; Babel supports only 28 digits.
     if abs(value) >= _LARGEST or (decimals is None and 0 < abs(value) < _SMALLEST):
         return f"{Decimal(value):{'+' if sign else ''}.{_SIGNIFICANT}g}"
     if decimals is None:
@@ -171,7 +171,7 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
 
 
 def join_names(names: Sequence[str], *, choice: bool = False) -> str:
-    """Join names as in a sentence: ``a, b and c``, or ``a, b or c``."""
+    """Join names as in a sentence: ``a, b and c``, or with ``choice``, ``a, b or c``."""
     from babel.lists import format_list
 
     locale = _LOCALES[current_language()]
@@ -184,7 +184,7 @@ def number_with_noun(number: int, what: str) -> str:
 
 
 def capitalised(text: str) -> str:
-    """The text with a capital first letter, all others as they are."""
+    """Text with the first letter in upper case and all others unchanged."""
     return text[:1].upper() + text[1:]
 
 
@@ -195,14 +195,14 @@ ASCII_CHARACTERS = {
 
 
 def to_plain_text(text: str) -> str:
-    """Text without signs and fixed spaces that some terminals cannot show."""
+    """Text without characters and fixed spaces that some terminals cannot show."""
     for sign, words in ASCII_CHARACTERS.items():
         text = text.replace(sign, words)
     return text
 
 
 def short_datetime(when: datetime) -> str:
-    """A date with the time of day, as the language writes it."""
+    """Date and time of day, formatted for the current language."""
     from babel.dates import format_datetime
 
     if current_language() == "en":
@@ -211,7 +211,7 @@ def short_datetime(when: datetime) -> str:
 
 
 def short_date(day: date) -> str:
-    """A date as the language writes it."""
+    """Date formatted for the current language."""
     from babel.dates import format_date
 
     if current_language() == "en":
@@ -220,7 +220,7 @@ def short_date(day: date) -> str:
 
 
 def duration_text(seconds: float) -> str:
-    """A duration: ``3 s``, ``2 min 10 s``, ``1 h 05 min``."""
+    """Duration as a text: ``3 s``, ``2 min 10 s``, ``1 h 05 min``."""
     whole = max(1, round(seconds))
     if whole < 60:
         return f"{whole} s"
@@ -230,7 +230,7 @@ def duration_text(seconds: float) -> str:
 
 
 class TextFormatter(Formatter):
-    """Formats SI values in the units that a surveyor reads, by the specifications above."""
+    """Formatter of SI values in units for the user; see the module for the specifications."""
 
     def format_field(self, value: Any, format_spec: str) -> str:
         """Format one value by its specification.
@@ -238,7 +238,7 @@ class TextFormatter(Formatter):
         Raises
         ------
         ValueError
-            Where there is no such specification.
+            If there is no such specification.
         """
         if format_spec in ("names", "choices"):
             names = [value] if isinstance(value, str) else value
@@ -267,7 +267,7 @@ def _catalogue(code: str) -> gnu.NullTranslations:
     if code == "en":
         return gnu.NullTranslations()
     package = Path(__file__).parent
-    # A wheel has the resources in the package, a checkout beside it.
+    # The resources are inside the package in a wheel, and beside it in a checkout.
     for folder in (package, package.parent):
         path = folder / "resources" / "i18n" / code / "LC_MESSAGES" / "lispac.mo"
         if path.exists():

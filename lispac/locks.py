@@ -1,9 +1,10 @@
 """Locks between processes: one writer at a time for a folder.
 
-A lock is held on an open file by the operating system (``flock``, ``msvcrt.locking``), which
-releases it when the process ends in any way: there are no stale locks. On network folders the
-server holds it, so that it works between computers. On a file system without locks nothing is
-locked; `lispac.io.project.project_file` then still refuses to overwrite what was written meanwhile.
+The operating system holds a lock on an open file (``flock``, ``msvcrt.locking``) and releases it
+when the process ends for any reason, so that there are no stale locks. On network folders the
+server holds the lock, which therefore works between computers. On a file system without locks
+nothing is locked; `lispac.io.project.project_file` still refuses to overwrite a project that
+another program has changed.
 """
 
 import errno
@@ -20,46 +21,46 @@ UNSUPPORTED = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP}
 
 
 class AlreadyLocked(Exception):
-    """Error that another holder has the lock."""
+    """The lock is held by another process or thread."""
 
 
 class NotALockFile(Exception):
-    """Error that a link or a folder has the name of the lock file."""
+    """A link or a folder has the name of the lock file."""
 
 
 @contextmanager
 def file_lock(
     path: Path, *, wait: float = 0.0, waiting: Callable[[], None] = lambda: None
 ) -> Iterator[None]:
-    """Hold a lock file, which is made for it and removed afterwards.
+    """Hold a lock in a ``with`` block; the lock file is created and removed afterwards.
 
     Parameters
     ----------
     wait : float
-        Seconds to wait for another holder; may be infinite.
+        Seconds to wait while another process or thread holds the lock; may be infinite.
     waiting : callable
-        Called once when it has to wait.
+        Called once if the lock is not available immediately.
 
     Raises
     ------
     AlreadyLocked
-        Where it is still held after that time, by this process or another.
+        If the lock is still held after that time, by this process or another one.
     NotALockFile
-        Where a link or a folder has the name of the lock file.
+        If a link or a folder has the name of the lock file.
     OSError
-        Where the file cannot be made.
+        If the file cannot be created.
     """
     handle = _acquire_lock(path, time.monotonic() + wait, waiting)
     try:
         yield
     finally:
-        if sys.platform != "win32":  # there an open file cannot be removed
+        if sys.platform != "win32":  # an open file cannot be removed on Windows
             path.unlink(missing_ok=True)
         os.close(handle)
 
 
 def _acquire_lock(path: Path, until: float, waiting: Callable[[], None]) -> int:
-    """An open handle of the lock file, locked.
+    """Open the lock file, lock it, and return its handle.
 
     Raises
     ------
@@ -72,7 +73,7 @@ def _acquire_lock(path: Path, until: float, waiting: Callable[[], None]) -> int:
     """
     while True:
         try:
-            # No link is followed: it could lead to another place where a file would be made.
+            # Links are not followed: a file could be created in another folder.
             handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
         except OSError:
             if path.is_symlink() or path.is_dir():
@@ -90,7 +91,7 @@ def _acquire_lock(path: Path, until: float, waiting: Callable[[], None]) -> int:
             waiting = _do_nothing
             time.sleep(POLL_INTERVAL)
             continue
-        # The last holder may have removed the file between the two steps.
+        # The previous holder may have removed the file between opening and locking.
         try:
             if os.path.samestat(os.fstat(handle), path.stat()):
                 return handle

@@ -1,7 +1,7 @@
 """Messages to the user as values: a code, a level, parameters, a subject and actions.
 
-A message holds SI numbers and names, never formatted text. `lispac.message_texts` makes its English
-text; no other code reads the words of a message.
+A message contains numbers in SI units and names, never formatted text. `lispac.message_texts`
+creates its text; no other code depends on the wording of a message.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -13,11 +13,11 @@ from typing import Any, Union
 from lispac.warning_causes import Cause
 
 Value = Union[str, int, float, "Message", Sequence[Union[str, "Message"]]]
-"""A parameter: a name, a count, an SI quantity (metres, seconds, radians, ratios), names, or
-messages that are part of this one."""
+"""Parameter of a message: a name, a count, an SI quantity (metres, seconds, radians, ratios), a
+list of names, or messages that are part of the message."""
 
 MAX_LISTED = 4
-"""Items of a list that are named one by one; of more the number is given."""
+"""Largest number of items of a list that are named; for the others only their number is given."""
 
 
 class Level(StrEnum):
@@ -28,7 +28,7 @@ class Level(StrEnum):
     WARNING = "warning"
     """The result may be wrong or less precise than given."""
     NOTE = "note"
-    """Something to know or to check; the result can be used."""
+    """Information, or something to check; the result can be used."""
 
 
 @dataclass(frozen=True)
@@ -38,9 +38,9 @@ class Action:
     Attributes
     ----------
     code : str
-        What is done: ``set_option``, ``exclude_line``, ``split_line``.
+        Kind of action: ``set_option``, ``exclude_line``, ``split_line``.
     params : mapping of str to Value
-        With what: name and value of an option, the name of a line, a shift in seconds.
+        Parameters of the action: name and value of an option, name of a line, shift in seconds.
     """
 
     code: str
@@ -54,10 +54,10 @@ class Message:
     Attributes
     ----------
     code : str
-        Stable name of the condition: ``audit.time_step``.
+        Permanent name of the condition, such as ``audit.time_step``.
     level : Level
     params : mapping of str to Value
-        What the text is filled with, in SI units.
+        Values for the placeholders of the text, in SI units.
     subject : Cause or None
         Line, target, field or step that the message is about.
     actions : tuple of Action
@@ -70,7 +70,7 @@ class Message:
     actions: tuple[Action, ...] = ()
 
     def __post_init__(self) -> None:
-        """Keep numbers of NumPy as those of Python, which every reader of parameters knows."""
+        """Convert numbers of NumPy to those of Python, which all users of parameters accept."""
         params = {name: _python_value(value) for name, value in self.params.items()}
         object.__setattr__(self, "params", params)
         object.__setattr__(self, "level", Level(self.level))  # scripts have its value
@@ -100,7 +100,7 @@ def shortened_list(items: Sequence[str | Message]) -> tuple[str | Message, ...]:
 
 
 def plain_params(message: Message | Action) -> dict[str, Any]:
-    """Parameters as JSON has them; messages among them with code and parameters."""
+    """Parameters as values for JSON; nested messages are given by code and parameters."""
     return {name: _plain_value(value) for name, value in message.params.items()}
 
 
@@ -115,26 +115,26 @@ def _plain_value(value: Value) -> Any:
 
 
 def as_message(reason: Message | str) -> Message:
-    """A message as it is; a sentence of a former project or script as the parameter of one."""
+    """Message itself, or a message with the text of a former project or script as parameter."""
     return note("project.former_text", reason=reason) if isinstance(reason, str) else reason
 
 
 def error(
     code: str, /, *, subject: Cause | None = None, actions: Sequence[Action] = (), **params: Value
 ) -> Message:
-    """A message that a result cannot be used, or a file cannot be read."""
+    """Message that a result cannot be used or a file cannot be read."""
     return Message(code, Level.ERROR, params, subject, tuple(actions))
 
 
 def warning(
     code: str, /, *, subject: Cause | None = None, actions: Sequence[Action] = (), **params: Value
 ) -> Message:
-    """A message that a result may be wrong or less precise than given."""
+    """Message that a result may be wrong or less precise than given."""
     return Message(code, Level.WARNING, params, subject, tuple(actions))
 
 
 def note(
     code: str, /, *, subject: Cause | None = None, actions: Sequence[Action] = (), **params: Value
 ) -> Message:
-    """A message about something to know or to check; the result can be used."""
+    """Message with information, or something to check; the result can be used."""
     return Message(code, Level.NOTE, params, subject, tuple(actions))

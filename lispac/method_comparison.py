@@ -12,7 +12,7 @@ from lispac.validation.repeatability import Calibration, CalibrationDifference, 
 
 TARGETS, TARGETLESS = "targets", "targetless"
 EFFECT_DISTANCE = 50.0
-"""Distances, metres, at which the effect of a difference on a point is given."""
+"""Distance in metres at which the effect of a difference on a point is given."""
 
 NAMES: Mapping[str, str] = {
     TARGETS: "method.targets",
@@ -20,21 +20,21 @@ NAMES: Mapping[str, str] = {
     "targetless": "method.targetless",
     "patch test": "method.patch_test",
 }
-"""Code of each method's name as part of a message."""
+"""Message code of the name of each method."""
 
 
 @dataclass(frozen=True, eq=False)
 class MethodResult:
-    """Result of one method, compared with the first.
+    """Result of one method, compared with the first result.
 
     Attributes
     ----------
     calibration : Calibration
-        Named after its method.
+        Has the name of the method.
     lines, surfaces : int
-        That the result is based on.
+        Number of lines and surfaces used for the result.
     against : CalibrationDifference or None
-        From the first result to this one; None for the first.
+        Difference from the first result to this one; None for the first.
     messages : tuple of Message
     """
 
@@ -51,7 +51,7 @@ class MethodResult:
 
 
 def method_results(project: Project) -> tuple[MethodResult, ...]:
-    """Results of all methods, that of the project first; each is compared with the first."""
+    """Results of all methods, starting with that of the project, each compared with the first."""
     found: list[MethodResult] = []
 
     def add(
@@ -87,7 +87,7 @@ def missing_methods(project: Project) -> tuple[Method, ...]:
 
 
 def comparison_messages(results: tuple[MethodResult, ...]) -> tuple[Message, ...]:
-    """Notes on the agreement of each method with the first, and on its limits."""
+    """Notes on the agreement of each method with the first one, and on its limitations."""
     if len(results) < 2:
         return ()
     compared = [_agreement_note(each.against) for each in results if each.against is not None]

@@ -26,17 +26,19 @@ class PickedSighting:
     Attributes
     ----------
     indices : ndarray of shape (n,), int64
-        Into the line's points: those of its file that lie within the trajectory.
+        Indices into the points of the line, which are those of its file within the trajectory.
     fingerprint : str
-        `Scan.fingerprint` of these points; a line read otherwise later is refused.
+        `Scan.fingerprint` of the points of the line. The sighting is refused if the line has other
+        points later, for example after it is read with other options.
     rms : float, metres
-        Of the points about their own plane.
+        Of the points about their own plane or sphere.
     used : bool
-        Whether the sighting takes part.
+        Whether the sighting is used.
     one_in : int
-        Of how many points about the seed one was examined: 1 where all were.
+        Sampling of the points around the seed during the search: one in this number was used; 1 if
+        all were used.
     by_hand : bool
-        Whether points were added or taken away by hand; they are then not selected again.
+        Whether the user added or removed points; the points are then not selected again.
     """
 
     line: str
@@ -57,11 +59,11 @@ class Target:
     seed : metres, local frame, where the user clicked
     threshold, radius : float, metres
         RANSAC distance threshold, and search radius about the seed.
-    missing : for each line without it, the reason
+    missing : reason for each line on which the target was not found
     shape : {"plane", "sphere"}
-    sphere_radius : metres, or None where it is unknown
-    expected : what is known of a plane's size and inclination beforehand
-    choices : what of the finder was chosen; the points are selected again with it
+    sphere_radius : metres, or None if unknown
+    expected : size and inclination of the plane, if known in advance
+    choices : other options of the search, used when the points are selected again
     """
 
     name: str
@@ -78,12 +80,12 @@ class Target:
     choices: FinderChoices = USUAL
 
     def sighting(self, line: str) -> PickedSighting | None:
-        """The sighting on ``line``, if there is one."""
+        """Sighting on ``line``; None if there is none."""
         return next((s for s in self.sightings if s.line == line), None)
 
     @property
     def used_sightings(self) -> tuple[PickedSighting, ...]:
-        """Sightings that take part."""
+        """Sightings that are used."""
         return tuple(s for s in self.sightings if s.used) if self.used else ()
 
     @property
@@ -96,7 +98,7 @@ LONGEST_NAME = 40
 
 
 def require_target_name(name: str) -> None:
-    """Refuse a name of a target that cannot stand in a table or a file name.
+    """Refuse a name of a target that cannot be used in a table or a file name.
 
     Raises
     ------
@@ -110,7 +112,7 @@ def require_target_name(name: str) -> None:
 
 
 def require_valid_target(target: Target) -> None:
-    """Refuse a target whose name or shape cannot be worked with.
+    """Refuse a target with an invalid name or shape.
 
     Raises
     ------

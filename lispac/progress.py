@@ -1,8 +1,8 @@
 """Progress reports of long computations.
 
-A core function takes a keyword-only ``progress`` and calls it now and then. The command line
-prints the calls, the window draws them, and either may raise `Cancelled` from inside the call:
-that is how a running task is stopped.
+A long computation has a keyword-only parameter ``progress``, which it calls repeatedly. The command
+line prints the progress and the window shows a progress bar. Either may raise `Cancelled` inside
+the call to stop the computation.
 """
 
 import time
@@ -12,7 +12,7 @@ from typing import Protocol
 from lispac.language import LazyText, duration_text, gettext, number
 
 SHORTEST_RATED = 1.0
-"""Seconds after which a rate is given."""
+"""Time in seconds after which a rate is given."""
 
 
 @dataclass(frozen=True)
@@ -22,13 +22,13 @@ class PointProgress:
     Attributes
     ----------
     step : LazyText
-        What is done with them: ``Reading L1``.
+        Name of the current step, such as ``Reading L1``.
     done : int
-        Points that are done.
+        Number of processed points.
     total : int or None
-        Points there are, where that is known.
+        Number of all points, if known.
     rate : float or None
-        Points a second, where that is known.
+        Points per second, if known.
     """
 
     step: LazyText
@@ -37,7 +37,7 @@ class PointProgress:
     rate: float | None = None
 
     def __str__(self) -> str:
-        """The step with its rate, and the time left for it."""
+        """Text of the step with its rate and the remaining time."""
         if self.rate is None or self.total is None:
             return self.without_time_left()
         left = gettext("{time} left", time=duration_text((self.total - self.done) / self.rate))
@@ -59,14 +59,14 @@ class PointProgress:
 
 
 Step = LazyText | PointProgress
-"""What is being done; ``str`` gives its text."""
+"""Current step of a task; ``str`` gives its text."""
 
 
 class Progress(Protocol):
-    """Called with the fraction done, in [0, 1], and what is being done."""
+    """Callable that takes the completed fraction, in [0, 1], and the current step."""
 
     def __call__(self, fraction: float, step: Step | None = None) -> None:
-        """Report; raises `lispac.errors.Cancelled` when the user asked to stop."""
+        """Report the progress; raises `lispac.errors.Cancelled` if the user cancelled the task."""
 
 
 def no_progress(fraction: float, step: Step | None = None) -> None:
@@ -74,7 +74,7 @@ def no_progress(fraction: float, step: Step | None = None) -> None:
 
 
 def sub_progress(progress: Progress, start: float, stop: float) -> Progress:
-    """Progress of a sub-task, from ``start`` to ``stop`` of the whole."""
+    """Progress of a part of a task, which covers the fractions from ``start`` to ``stop``."""
 
     def report(fraction: float, step: Step | None = None) -> None:
         progress(start + (stop - start) * fraction, step)
@@ -83,16 +83,16 @@ def sub_progress(progress: Progress, start: float, stop: float) -> Progress:
 
 
 class PointRate:
-    """Rate of points of a task.
+    """Measurement of the number of points processed per second.
 
     Parameters
     ----------
     step : LazyText
-        What is done with them: ``Reading L1``.
+        Name of the step, such as ``Reading L1``.
     total : int or None
-        Points to come, where that is known.
+        Number of all points, if known.
     done : int
-        Points that were done before the clock started.
+        Number of points processed before the measurement started.
     """
 
     def __init__(self, step: LazyText, total: int | None, done: int = 0) -> None:
@@ -108,5 +108,5 @@ class PointRate:
 
 
 def count_text(count: int) -> str:
-    """A count of points, in millions where it is large: ``812``, ``4.9 M``."""
+    """Number of points as a text, in millions if large: ``812``, ``4.9 M``."""
     return f"{number(count / 1e6, 1)} M" if count >= 1_000_000 else number(count, 0)

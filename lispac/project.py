@@ -1,7 +1,7 @@
-"""The project: an immutable value of paths, settings, picks and results.
+"""Project: an immutable value with paths, settings, picked targets and results.
 
-Every edit gives a new value and drops the results that no longer follow from it, so that undo is
-the old value and an outdated result cannot be shown.
+Every edit creates a new value without the results that are out of date. Undo restores the previous
+value, and a result that is out of date can never be shown.
 """
 
 import math
@@ -52,10 +52,10 @@ LIMITS: Mapping[str, tuple[float, float, Unit]] = {
     "setting.correlation_time": (1e-3, 1e7, "s"), "setting.surface": (1e-7, 100.0, "m"),
     "setting.longest_gap": (1e-3, 1e6, "s"),
 }  # fmt: skip
-"""Least and largest amount of each setting other than zero, and its unit. What lies beyond is an
-error of typing, and would overflow in the adjustment."""
+"""Smallest and largest absolute value of each setting, other than zero, and its unit. Values
+outside these limits are typing errors and would cause overflow in the adjustment."""
 LIMITS_OF_BEAM: tuple[tuple[float, float, Unit], ...] = ((1e-6, 100.0, "m"), (1e-9, 180.0, "deg"))
-"""The same of range and direction of a beam."""
+"""Limits, as in `LIMITS`, of the standard deviations of range and direction of a beam."""
 OUT_OF_RANGE: Mapping[Unit, str] = {
     "m": "settings.length_out_of_range", "deg": "settings.angle_out_of_range",
     "s": "settings.time_out_of_range",
@@ -73,22 +73,22 @@ class Settings:
     boresight_deg : prior roll, pitch, yaw in degrees
     origin_deg_m : latitude, longitude (degrees) and height (metres) of the local frame, or None
         for the mean of the trajectory
-    position_sigma : north, east, down in metres, where no accuracy file is given
-    attitude_sigma_deg : roll, pitch, heading in degrees, where no accuracy file is given
-    lidar_sigma : metres on each axis, where nothing finer is given
+    position_sigma : north, east, down in metres, if no accuracy file is given
+    attitude_sigma_deg : roll, pitch, heading in degrees, if no accuracy file is given
+    lidar_sigma : metres on each axis, unless one of the next two is given
     lidar_sigma_xyz : metres along x, y, z of the LiDAR
     lidar_beam_sigma : sigma of the range in metres and of the beam's direction in degrees
     range_offset : metres, scan_angle_offset_deg : degrees, latency : seconds
-        What is known of the scanner's own errors, as `Mounting` applies them.
-    subsample : metres; points closer than this are averaged, or one of them is kept
-        with independent POS errors; 0 keeps all
+        Known systematic errors of the scanner, as `Mounting` applies them.
+    subsample : metres; points closer together than this are averaged, or with independent POS
+        errors reduced to one of them; 0 keeps all points
     pos_errors, position_time, attitude_time, surface : see `StochasticModel`
-    loss : None for the model's own: ``tukey`` with ``correlated``, ``none`` with ``independent``
-    parameters : values of the mounting to estimate besides the boresight
-    variance_components : whether to estimate how large LiDAR and POS errors really are
-    accept_single_orientation : whether to adjust where all targets are planes that face one way
-    longest_gap : seconds between two states of the trajectory that may be bridged; points in longer
-        gaps are excluded
+    loss : None for the default: ``tukey`` with ``correlated``, ``none`` with ``independent``
+    parameters : values of the mounting to estimate in addition to the boresight
+    variance_components : whether the variances of LiDAR and POS errors are estimated
+    accept_single_orientation : whether to adjust if all targets are planes that face the same way
+    longest_gap : longest time in seconds between two states of the trajectory over which positions
+        are interpolated; points in longer gaps are excluded
     """
 
     lever_arm: Triple
@@ -115,7 +115,7 @@ class Settings:
 
     @property
     def stochastic_model(self) -> StochasticModel:
-        """Model of the errors of these settings."""
+        """Stochastic model for these settings."""
         loss = self.loss or ("tukey" if self.pos_errors == "correlated" else "none")
         return StochasticModel(
             self.pos_errors, self.position_time, self.attitude_time, self.surface, loss
@@ -123,11 +123,11 @@ class Settings:
 
     @property
     def threshold(self) -> float:
-        """Default RANSAC threshold: the thesis's, or 3 LiDAR sigma where that is larger."""
+        """Default RANSAC threshold, metres: that of the thesis, or 3 LiDAR sigma if larger."""
         return max(DEFAULT_THRESHOLD, 3 * self.lidar_sigma)
 
     def require_sound(self) -> None:
-        """Refuse settings that make no sense.
+        """Refuse invalid settings.
 
         Raises
         ------
@@ -237,7 +237,7 @@ class ProposalPrediction:
     Attributes
     ----------
     targets : tuple of str
-        Names of the targets it holds for.
+        Names of the proposed targets.
     sigma : ndarray of shape (3,), radians; roll, pitch, yaw
     """
 
@@ -247,7 +247,7 @@ class ProposalPrediction:
 
 @dataclass(frozen=True, eq=False)
 class Project:
-    """Content of a project folder; paths are absolute here and relative on disk."""
+    """Content of a project folder; paths are absolute here and relative in the project file."""
 
     folder: Path
     trajectory: Path
@@ -266,19 +266,19 @@ class Project:
     accuracy_reading: Reading = USUAL
     identity: Identity = BLANK
     absolute: AbsoluteCheck | None = None
-    """The lines against a static scan or surveyed points, where that has been checked."""
+    """Comparison of the lines with a static scan or surveyed points, if it has been made."""
     alternative_results: tuple[AlternativeResult, ...] = ()
-    """Results of alternative methods on the same lines, at most one of each method."""
+    """Results of alternative methods for the same lines, at most one for each method."""
     data_messages: tuple[Message, ...] = ()
-    """Warnings and notes about the imported files, as of the last time they were read."""
+    """Warnings and notes about the imported files, from the last time they were read."""
     prediction: ProposalPrediction | None = None
-    """What was predicted for the targets, where they are accepted proposals and not edited."""
+    """Predicted standard deviations, if the targets are accepted proposals without edits."""
     file_digest: str = field(default="", compare=False, repr=False)
-    """Digest of the project file that it was read from; empty where it is new."""
+    """Digest of the project file that was read; empty for a new project."""
 
     @property
     def name(self) -> str:
-        """Name of the project: that of its folder."""
+        """Name of the project, which is the name of its folder."""
         return self.folder.name
 
     def mounting(self, which: Literal["prior", "estimated"]) -> Mounting:
@@ -287,7 +287,7 @@ class Project:
         Raises
         ------
         ProjectError
-            Where nothing has been estimated yet.
+            If the boresight has not been estimated yet.
         """
         if which == "prior":
             settings = self.settings
@@ -303,16 +303,16 @@ class Project:
         return self.result.mounting
 
     def targets_of_role(self, role: Role) -> tuple[Target, ...]:
-        """Targets, or validation planes."""
+        """Either the targets or the validation planes."""
         return tuple(target for target in self.targets if target.role == role)
 
     def target(self, name: str) -> Target:
-        """The target or validation plane of that name.
+        """Target or validation plane with this name.
 
         Raises
         ------
         ProjectError
-            If there is no target of that name.
+            If there is no target with this name.
         """
         for target in self.targets:
             if target.name == name:
@@ -320,7 +320,7 @@ class Project:
         raise ProjectError(error("project.no_target", project=self.name, name=name))
 
     def with_points_of(self, other: "Project") -> "Project":
-        """The project with the points its sightings have in ``other``."""
+        """Project whose sightings have the points that they have in ``other``."""
         return replace(
             self,
             targets=tuple(
@@ -338,12 +338,12 @@ class Project:
         )
 
     def with_target(self, target: Target) -> "Project":
-        """Add a target, or put it in the place of the one of the same name.
+        """Add a target, or replace the one with the same name.
 
         Raises
         ------
         ProjectError
-            Where its name or shape cannot be worked with.
+            If its name or shape is invalid.
         """
         require_valid_target(target)
         kept = list(self.targets)
@@ -365,38 +365,38 @@ class Project:
         return replace(self, identity=identity)
 
     def with_settings(self, settings: Settings) -> "Project":
-        """Change the settings; what follows from them has to be computed again."""
+        """Change the settings; results that depend on them are removed."""
         return replace(
             self, settings=settings, result=None, cross_checks=None, validation=(),
             not_compared={}, absolute=None, alternative_results=(), prediction=None,
         )  # fmt: skip
 
     def with_result(self, result: AdjustmentResult) -> "Project":
-        """Keep an adjustment; a validation of another one is discarded."""
+        """Set the result of the adjustment; the validation of a previous result is removed."""
         return replace(
             self, result=result, cross_checks=None, validation=(), not_compared={}, absolute=None
         )
 
     def with_cross_checks(self, checks: CrossChecks) -> "Project":
-        """Set the results of parts of the data."""
+        """Set the cross-checks, which are results from parts of the data."""
         return replace(self, cross_checks=checks)
 
     def with_validation(
         self, validation: tuple[PlaneComparison, ...], not_compared: Mapping[str, Message]
     ) -> "Project":
-        """Keep the comparison of the validation planes, and why some could not be compared."""
+        """Set the comparison on validation planes, and the reasons for those not compared."""
         return replace(self, validation=validation, not_compared=not_compared)
 
     def with_data_messages(self, messages: tuple[Message, ...]) -> "Project":
-        """Keep the warnings and notes about the imported files."""
+        """Set the warnings and notes about the imported files."""
         return replace(self, data_messages=messages)
 
     def with_prediction(self, prediction: ProposalPrediction) -> "Project":
-        """Keep what was predicted for the targets."""
+        """Set the standard deviations that were predicted for the targets."""
         return replace(self, prediction=prediction)
 
     def with_absolute(self, absolute: AbsoluteCheck) -> "Project":
-        """Keep the comparison with a reference."""
+        """Set the comparison with a reference."""
         return replace(self, absolute=absolute)
 
     def alternative_result(self, method: Method) -> AlternativeResult | None:
@@ -405,7 +405,7 @@ class Project:
 
     @property
     def is_targetless(self) -> bool:
-        """Whether its result is that of the targetless method, whose surfaces are its targets."""
+        """Whether the result is from the targetless method, whose surfaces are the targets."""
         messages = () if self.result is None else self.result.messages
         return any(message.code.startswith("targetless.") for message in messages)
 
@@ -416,7 +416,7 @@ class Project:
         return replace(self, alternative_results=tuple(kept))
 
     def _edited(self, targets: tuple[Target, ...], roles: set[Role]) -> "Project":
-        # A validation plane takes no part in the adjustment, so its edit keeps the angles.
+        # A validation plane is not used in the adjustment, so the angles stay valid after its edit.
         kept = "target" not in roles
         return replace(
             self,

@@ -1,7 +1,7 @@
-"""Values of JSON and TOML files, checked since others may have written them.
+"""Checked reading of JSON and TOML files, which may come from an unknown source.
 
-Readers of these files take values from here only, so that sizes, depths and characters that would
-end in an error of Python somewhere else are refused in one place.
+All readers of these files use this module, so that sizes, nesting and characters that would cause a
+Python error elsewhere are refused in one place.
 """
 
 import json
@@ -12,16 +12,17 @@ from lispac.message_texts import message_text
 from lispac.messages import Message, error
 
 DEEPEST = 60
-"""Tables and lists inside each other; a project has about ten."""
+"""Largest depth of nested tables and lists; a project has about ten levels."""
 LARGEST_INTEGER = 2**63
-"""NumPy and the files of the program count with 64 bits."""
+"""Limit of integers: NumPy and the files of the program use 64 bits."""
 LARGEST_QUANTITY = 1e30
-"""No quantity of a survey is larger, and squares of larger ones overflow sooner or later."""
+"""Largest quantity in a survey; squares of larger values could overflow."""
 LEAST_AMOUNT, LARGEST_AMOUNT = 1e-12, 1e12
-"""Least and largest amount, other than zero, of what a user or a file of settings may give, in any
-unit. What lies beyond is an error of typing, and its square or inverse would soon overflow."""
+"""Smallest and largest absolute value, other than zero, of a number given by the user or in a file
+of settings, in any unit. Values outside are typing errors; their squares or inverses would
+overflow."""
 MAX_DIGITS = 19
-"""Digits of an integer of 64 bits; Python refuses to read thousands of them."""
+"""Largest number of digits of a 64-bit integer; Python refuses to read thousands of digits."""
 
 
 def is_possible_amount(value: float) -> bool:
@@ -30,22 +31,22 @@ def is_possible_amount(value: float) -> bool:
 
 
 def is_whole_number(text: str, limit: int) -> bool:
-    """True if a text is a whole number from 0 to ``limit`` in decimal digits."""
+    """True if a text is an integer from 0 to ``limit`` in decimal digits."""
     return text.isdecimal() and len(text) <= MAX_DIGITS and int(text) <= limit
 
 
 class ArrayShape:
-    """Shape of an array, in its annotation: ``Annotated[Array, Shape("k", 3)]``.
+    """Shape of an array as part of a type annotation: ``Annotated[Array, ArrayShape("k", 3)]``.
 
-    Equal letters of one object are equal numbers; ``"k+1"`` is one more than ``"k"``. Readers of
-    project files refuse arrays of another shape.
+    The same letter stands for the same number in all arrays of an object; ``"k+1"`` is one more
+    than ``"k"``. Readers of project files refuse arrays of another shape.
     """
 
     def __init__(self, *dimensions: int | str) -> None:
         self.dimensions = dimensions
 
     def fits(self, shape: tuple[int, ...], known: dict[str, int]) -> bool:
-        """True if an array may have a shape; defines letters that are not ``known`` yet."""
+        """True if a shape is allowed; letters that are not in ``known`` yet are added to it."""
         if len(shape) != len(self.dimensions):
             return False
         for size, dimension in zip(shape, self.dimensions, strict=True):
@@ -60,12 +61,12 @@ class ArrayShape:
 
 
 class InvalidContentError(ValueError):
-    """Content of a file that cannot be used.
+    """The content of a file cannot be used.
 
     Parameters
     ----------
     reason : Message
-        What is wrong, without the name of the file: a parameter of another message.
+        Description of the problem without the name of the file, used as part of another message.
     """
 
     def __init__(self, reason: Message) -> None:
@@ -83,7 +84,7 @@ def json_values(content: bytes | str) -> Any:
     Raises
     ------
     InvalidContentError
-        Where it is not JSON, or holds what `require_usable_values` refuses.
+        If the text is not JSON, or contains values that `require_usable_values` refuses.
     """
     try:
         text = content.decode("utf-8") if isinstance(content, bytes) else content
@@ -104,7 +105,7 @@ def toml_values(content: bytes) -> dict[str, Any]:
     Raises
     ------
     InvalidContentError
-        Where it is not TOML, or holds what `require_usable_values` refuses.
+        If the text is not TOML, or contains values that `require_usable_values` refuses.
     """
     try:
         values = tomllib.loads(content.decode("utf-8-sig"))
@@ -128,8 +129,8 @@ def require_usable_values(values: Any) -> None:
     """Refuse values that the program cannot work with.
 
     These are lists and tables nested deeper than `DEEPEST`, integers of more than 64 bits, and text
-    with a null character or half of a pair of characters (a surrogate). Bytes of file names that
-    are not UTF-8, which Python keeps as surrogates from U+DC80 on, stay.
+    with a null character or an unpaired surrogate. Surrogates from U+DC80 on, by which Python
+    represents bytes of file names that are not UTF-8, are allowed.
 
     Raises
     ------
@@ -151,7 +152,7 @@ def require_usable_values(values: Any) -> None:
 
 
 def require_usable_text(text: str) -> None:
-    """Refuse text with a null character or half of a pair of characters.
+    """Refuse text with a null character or an unpaired surrogate.
 
     Raises
     ------
@@ -170,9 +171,9 @@ FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
 def as_csv_cell(value: object) -> str:
-    """A value as a cell of CSV, with an apostrophe before what would be a formula.
+    """Value as a cell of a CSV file, with an apostrophe in front of text that would be a formula.
 
-    Source: OWASP, CSV injection. Numbers stay as they are.
+    Source: OWASP, CSV injection. Numbers are not changed.
     """
     text = "" if value is None else str(value)
     if not text.startswith(FORMULA):

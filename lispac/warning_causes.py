@@ -1,4 +1,4 @@
-"""Cause of a warning, which the window opens, selects and shows."""
+"""Cause of a warning: the object that the window opens and selects for the user."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -14,10 +14,10 @@ class Cause:
     ----------
     kind : {"line", "target", "sighting", "parameter", "field", "page", "step", "result"}
     name : str
-        Of the line or target; of a value of the mounting, as `CALIBRATION` has it; of a setting; of
-        a page of the diagnostics; of a step. Empty for the result as a whole.
+        Name of the line, target, value of the mounting (as in `CALIBRATION`), setting, page of the
+        diagnostics or step. Empty for the result as a whole.
     line : str
-        Of a sighting.
+        Line of a sighting.
     """
 
     kind: CauseKind
@@ -26,39 +26,39 @@ class Cause:
 
     @classmethod
     def of_line(cls, name: str) -> "Cause":
-        """A line as a whole."""
+        """Cause that is a line as a whole."""
         return cls("line", name)
 
     @classmethod
     def of_target(cls, name: str) -> "Cause":
-        """A target or validation plane on all its lines."""
+        """Cause that is a target or validation plane on all its lines."""
         return cls("target", name)
 
     @classmethod
     def of_sighting(cls, target: str, line: str) -> "Cause":
-        """A target on one line."""
+        """Cause that is a target on one line."""
         return cls("sighting", target, line)
 
     @classmethod
     def of_parameter(cls, name: str) -> "Cause":
-        """A value of the mounting that is estimated, or could be."""
+        """Cause that is a value of the mounting that is or could be estimated."""
         return cls("parameter", name)
 
     @classmethod
     def of_field(cls, name: str) -> "Cause":
-        """A setting, by its name in the project."""
+        """Cause that is a setting, by its name in the project."""
         return cls("field", name)
 
     @classmethod
     def of_page(cls, name: str) -> "Cause":
-        """A page of the diagnostics."""
+        """Cause that is a page of the diagnostics."""
         return cls("page", name)
 
     @classmethod
     def of_step(cls, name: str) -> "Cause":
-        """A step of the work."""
+        """Cause that is a step of the workflow."""
         return cls("step", name)
 
 
 RESULT = Cause("result")
-"""The result as a whole: the angles and their sigmas."""
+"""Cause that is the result as a whole: the angles and their sigmas."""

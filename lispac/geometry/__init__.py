@@ -1,1 +1,1 @@
-"""Rotations, frames, planes, spheres, neighbours."""
+"""Rotations, frames, planes, spheres and neighbour searches."""

@@ -40,8 +40,8 @@ def geodetic_to_ecef(latitude: Array, longitude: Array, height: Array) -> Array:
 def ecef_to_geodetic(ecef: Array) -> tuple[Array, Array, Array]:
     """Latitude, longitude (radians) and height (metres) of earth-centred coordinates.
 
-    Iterates on the latitude until it moves by less than 1e-14 rad, four or five rounds near the
-    surface (Hofmann-Wellenhof, GNSS, 8.2).
+    The latitude is iterated until it changes by less than 1e-14 rad, which takes four or five
+    iterations near the surface of the earth (Hofmann-Wellenhof, GNSS, 8.2).
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
 """Nearest neighbours in big clouds, and the least-squares plane through each neighbourhood.
 
-SciPy's k-d tree does the search. Two habits make it three times as fast on a million points as a
-plain call: cells are split at their middle instead of at the median point, and the questions are
-queried in spatial order, so that one after the other walks through the same leaves of the tree.
+The search uses SciPy's k-d tree. Two measures make it three times as fast for a million points:
+cells are split at their centre instead of at the median point, and queries are made in spatial
+order, so that consecutive ones use the same leaves of the tree.
 """
 
 from typing import TYPE_CHECKING
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 Points = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-# A neighbourhood whose second principal axis is a millionth of the first (variances: the square)
-# is a straight row of points: any plane through the row fits it and none is meant.
+# A neighbourhood whose second principal axis is below a millionth of the first (for variances, the
+# square) is a straight row of points, which does not determine a plane.
 _COLLINEAR = 1e-12
 _MAX_SWEEPS = 12
 
@@ -34,7 +34,7 @@ def build_tree(points: Points) -> "cKDTree":
 def spatial_order(points: Points) -> Indices:
     """Permutation (n,) that puts neighbours in space near each other in memory.
 
-    It is the order in which the leaves of a k-d tree hold the points.
+    The order is that of the points in the leaves of a k-d tree.
     """
     from scipy.spatial import cKDTree
 
@@ -92,7 +92,7 @@ def local_planes(
     neighbours : ndarray of shape (n, k)
         Indices into ``points`` of each group.
     counts : ndarray of shape (n,), optional
-        How many of each row count; all of them if omitted.
+        Number of valid entries in each row; all if omitted.
 
     Returns
     -------
@@ -120,7 +120,7 @@ def local_planes_kernel(
     vectors = np.empty((3, 3))
     for row in range(n):
         k = counts[row]
-        # Differences to one member come first: big coordinates (UTM northings) cost no digits.
+        # Differences from one point first: large coordinates (UTM northings) lose no digits.
         first = neighbours[row, 0]
         for axis in range(3):
             total = 0.0

@@ -10,7 +10,7 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-# Below this share of the largest spread the points are taken to lie on one straight line.
+# Ratio to the largest spread below which the points are assumed to lie on one straight line.
 LINE_SHARE = 1e-6
 
 REFITS = 12  # of a robust plane
@@ -104,14 +104,14 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
 def fit_plane_robustly(points: Array, nearest: float) -> Plane:
     """Fit a plane by the least sum of distances, robust against a third of outliers.
 
-    By least squares with weights from the distances (Schlossmacher 1973), a fixed number of times:
-    a beginning, not a limit that is reached.
+    Reweighted least squares with weights from the distances (Schlossmacher 1973), with a fixed
+    number of iterations: the result is an initial value and need not be converged.
 
     Parameters
     ----------
     points : ndarray of shape (n, 3), metres, any frame
     nearest : float, metres
-        Points nearer than this all weigh the same.
+        Points nearer to the plane than this have equal weights.
 
     Raises
     ------
@@ -131,9 +131,9 @@ def rms_distance(plane: Plane, points: Array) -> float:
 
 
 def plane_axes(normal: Array) -> Array:
-    """Two unit vectors in the plane: the level one and the one up the slope.
+    """Two unit vectors in the plane: the horizontal one and the one up the slope.
 
-    A plane within a thousandth of level has no slope; there the axes are west and north.
+    If the plane is horizontal to a thousandth, the axes are west and north.
 
     Parameters
     ----------

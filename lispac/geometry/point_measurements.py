@@ -1,4 +1,4 @@
-"""Distances and angles between points, as a surveyor states them."""
+"""Distances and angles between points, as used in surveying."""
 
 from dataclasses import dataclass
 
@@ -37,7 +37,7 @@ def measure_distance(first: Array, second: Array) -> PointDistance:
 
 
 def measure_angle(first: Array, corner: Array, second: Array) -> float:
-    """Angle at ``corner`` between the ways to the other two points, radians in [0, pi].
+    """Angle at ``corner`` between the directions to the other two points, radians in [0, pi].
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def measure_angle(first: Array, corner: Array, second: Array) -> float:
     Raises
     ------
     InputError
-        Where a point lies on the corner.
+        If a point lies on the corner.
     """
     one, other = np.subtract(first, corner), np.subtract(second, corner)
     if not (one.any() and other.any()):

@@ -1,6 +1,6 @@
 """Least-squares quadrics over small groups of points, for curved surfaces.
 
-Over the plane through each group, as CloudCompare has them in its local models.
+The quadric is a height above the plane through the group, as in the local models of CloudCompare.
 """
 
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ Indices = NDArray[np.intp]
 
 TERMS = 6
 _SINGULAR = 1e-10
-"""Share of its own square below which a pivot means that a quadric is not determined."""
+"""Relative size of a pivot below which the points do not determine a quadric."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +87,7 @@ def _fit_quadrics(
         count = counts[g]
         if count < TERMS or np.isnan(normals[g, 0]):
             continue
-        # Any two axes in the plane will do: least squares does not depend on their turn.
+        # Any two axes in the plane can be used: the fit does not depend on their orientation.
         least = np.argmin(np.abs(normals[g]))
         x_axis = np.zeros(3)
         x_axis[least] = 1.0
@@ -124,7 +124,7 @@ def _solve_symmetric(system: Array) -> bool:  # pragma: no cover - compiled
     """Gauss-Jordan on a symmetric positive system (k, k + 1); the solution is its last column."""
     size = system.shape[0]
     for k in range(size):
-        # What is left of a diagonal element says how much this term adds to those before it.
+        # A small remaining diagonal element shows that the term depends on those before it.
         own = system[k, k]
         if own <= _SINGULAR:
             return False

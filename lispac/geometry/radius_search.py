@@ -1,8 +1,9 @@
 """Fast search for the points of a cloud inside a sphere.
 
-Two ways, the same result: `points_within` reads the whole cloud and needs no preparation (a
-million points cost about two milliseconds); `PointGrid` sorts the cloud into cells once and then
-reads only the cells the sphere touches, which pays from some millions of points.
+There are two methods with the same result. `points_within` reads the whole cloud without
+preparation and takes about two milliseconds for a million points. `PointGrid` sorts the cloud into
+cells once and then reads only the cells that the sphere intersects, which is faster from some
+millions of points on.
 """
 
 import os
@@ -68,9 +69,9 @@ class PointGrid:
     Parameters
     ----------
     points : ndarray of shape (n, 3), metres
-        Kept by reference, not copied; it must not change afterwards.
+        Not copied; the array must not change afterwards.
     cell : float, metres
-        Side of a cell. It grows where a wide cloud would need too many cells.
+        Side of a cell; increased if a large cloud would need too many cells.
 
     Attributes
     ----------
@@ -146,8 +147,8 @@ def _nearest(
 def finite_bounds(points: Array) -> tuple[Array, Array]:  # pragma: no cover - compiled
     """Lowest and highest coordinates, shape (k,), of the finite ones of points (n, k).
 
-    NumPy's minimum along the first of such axes takes ten times as long. Without a finite point
-    the lowest are infinite and the highest minus infinite.
+    NumPy's minimum along the first axis takes ten times as long. Without a finite point, the lowest
+    coordinates are infinity and the highest minus infinity.
     """
     low = np.full(points.shape[1], np.inf)
     high = np.full(points.shape[1], -np.inf)
@@ -172,7 +173,7 @@ def cell_keys(
     ----------
     points : ndarray of shape (n, k), metres
     low : ndarray of shape (k,), metres
-        None of the points may lie lower.
+        Lower bound of the coordinates of all points.
     cell : float, metres
     rim : int
         Empty cells before the first and after the last.
@@ -201,7 +202,7 @@ def cell_keys(
 def _sort_into_cells(
     points: Array, low: Array, cell: float, shape: Indices
 ) -> tuple[Indices, Indices]:  # pragma: no cover - compiled
-    # A counting sort: one pass counts, one places, so a million points take tens of milliseconds.
+    # A counting sort in two passes: a million points take some tens of milliseconds.
     starts = np.zeros(shape[0] * shape[1] * shape[2] + 1, np.int64)
     key = np.empty(points.shape[0], np.int64)
     for i in range(points.shape[0]):
@@ -228,7 +229,7 @@ def _sort_into_cells(
 def gather_within_radius(
     cells: Cells, centre: Array, radius: float
 ) -> Indices:  # pragma: no cover - compiled
-    """Indices as of `PointGrid.within`, unordered; for compiled loops over many centres."""
+    """Unordered indices of the points in a sphere, as `PointGrid.within`, for compiled loops."""
     points, starts, order, low, cell, shape = cells
     limit = radius * radius
     first = np.empty(3, np.int64)

@@ -35,7 +35,7 @@ def rotation_matrix(roll: float | Array, pitch: float | Array, yaw: float | Arra
 
 
 SINGULAR = 1e-12
-"""Cosine of the pitch below which roll and yaw are one angle."""
+"""Cosine of the pitch below which roll and yaw are not separable."""
 
 
 def rotation_angles(rotation: Array) -> Array:

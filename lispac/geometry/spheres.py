@@ -1,4 +1,4 @@
-"""Spheres: the value, the least-squares fit, and the share of the surface that points span."""
+"""Spheres: type, least-squares fit, and share of the surface that points cover."""
 
 from dataclasses import dataclass
 
@@ -12,16 +12,16 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-# Steps of the geometric fit; a well-determined cap converges in four to ten.
+# Largest number of steps of the geometric fit; it usually converges in four to ten.
 MAX_STEPS = 100
-# A step this small beside the size of the cap ends the fit, and so does a radius so many times the
-# size of the cap: that is a plane.
+# Criteria for the end of the fit, relative to the size of the cap: smallest step, and largest
+# radius, beyond which the cap is a plane.
 STEP_TOLERANCE, MAX_RADIUS = 1e-12, 1e5
 LEAST_DAMPING = 1e-10
-# The radius must be known to a third of itself (three sigma above nothing), and a known radius must
-# fit on one side of the points better than on the other by three sigma.
+# The sigma of the radius must be below a third of the radius (three sigma from zero). A known
+# radius must fit on one side of the points better than on the other by three sigma.
 SIGNIFICANT = 3.0
-# Smallest eigenvalue of the normal matrix per point, at which rounding takes over.
+# Smallest eigenvalue of the normal matrix per point, below which rounding dominates.
 SINGULAR = 1e-13
 # Mean square of residuals, in sizes of the cap, that are nothing but rounding.
 ROUNDING = 1e-18
@@ -80,14 +80,14 @@ def fit_sphere(
     weights : ndarray of shape (n,), optional
         Not negative; all alike if omitted.
     start : Sphere, optional
-        Where to begin. Without it the fit begins with the algebraic sphere and, for a known
-        radius, from both sides of the points, of which the better one is taken.
+        Initial value. If omitted, the fit starts from the algebraic solution and, for a known
+        radius, from both sides of the points; the better result is used.
 
     Raises
     ------
     SphereNotFound
-        Fewer than four points, points in one plane, a cap too flat for its noise to determine the
-        radius, or, with a known radius, the side the centre is on.
+        Fewer than four points, points in one plane, or a cap too flat for its noise to determine
+        the radius or, with a known radius, on which side the centre is.
     """
     if radius is not None and not (np.isfinite(radius) and radius > 0.0):
         raise SphereNotFound(error("target.sphere_radius", radius=float(radius)))
@@ -141,10 +141,10 @@ def cap_axis(directions: Array) -> Array:
 
 
 def visible_share(sphere: Sphere, points: Array) -> float:
-    """Share of the whole surface that points (n, 3) in its frame span, 0.5 for a full half.
+    """Share of the whole surface that points (n, 3) in its frame cover, 0.5 for a full half.
 
-    It is the area inside their outline, drawn in Lambert's equal-area projection about the middle
-    of the cap, so it depends neither on how dense the points are nor on where.
+    The share is the area inside the outline of the points in Lambert's equal-area projection about
+    the centre of the cap, so that it does not depend on the density of the points.
     """
     from scipy.spatial import ConvexHull, QhullError
 
@@ -165,7 +165,7 @@ def _fit_free_radius(points: Array, weights: Array, start: Sphere) -> Sphere:
     Raises
     ------
     SphereNotFound
-        Where the noise is too large to determine the radius.
+        If the noise is too large to determine the radius.
     """
     sphere, square, normal = _refine_sphere(points, weights, start, free=True)
     flat = not sphere.radius < MAX_RADIUS or np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points)
@@ -192,7 +192,7 @@ def _fit_known_radius(points: Array, weights: Array, starts: list[Sphere]) -> Sp
     Raises
     ------
     SphereNotFound
-        Where the points leave the centre open, or its side of them.
+        If the points do not determine the centre, or the side on which it lies.
     """
     converged = [_refine_sphere(points, weights, start, free=False) for start in starts]
     converged.sort(key=lambda fit: fit[1])
@@ -251,7 +251,7 @@ def _sphere_normal_equations(
     normal = np.zeros((size, size))
     pull = np.zeros(size)
     square = 0.0
-    row = np.ones(4)  # what the condition loses when the centre or the radius grows
+    row = np.ones(4)  # negative derivatives of the condition by the centre and the radius
     for i in range(points.shape[0]):
         x = points[i, 0] - centre[0]
         y = points[i, 1] - centre[1]

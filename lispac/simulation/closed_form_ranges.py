@@ -1,8 +1,8 @@
 """Ranges to a plane or a sphere in closed form (thesis 3.4.2).
 
-All errors stand inside the georeferencing equation, and the range follows from the condition that
-the georeferenced point lies on the surface. No ray is cast, so this is what ray casting is
-measured against.
+The georeferencing equation contains all errors, and the range follows from the condition that the
+georeferenced point lies on the surface. No rays are cast, so that the results can be used to check
+the ray casting.
 """
 
 import numpy as np
@@ -16,23 +16,23 @@ Array = NDArray[np.float64]
 
 
 def range_to_plane(plane: Array, beams_lidar: Array, poses: Poses, mounting: Mounting) -> Array:
-    """Range that the scanner reads on an unbounded plane.
+    """Range that the scanner records on an unbounded plane.
 
     Parameters
     ----------
     plane : ndarray of shape (4,) or (n, 4)
         Unit normal and distance: ``a x + b y + c z + d = 0``, local, metres.
     beams_lidar : ndarray of shape (n, 3), unit vectors, LiDAR frame
-        Directions as the scanner reads them.
+        Directions as recorded by the scanner.
     poses : Poses of n points
-        True ones, at the times of the points plus the latency.
+        True poses, at the times of the points plus the latency.
     mounting : Mounting
-        The true one.
+        The true mounting.
 
     Returns
     -------
     ndarray of shape (n,), metres
-        Infinite where the beam leads away from the plane or along it.
+        Infinite if the beam points away from the plane or is parallel to it.
     """
     origins, directions = beam_rays(beams_lidar, poses, mounting)
     normal, d = plane[..., :3], plane[..., 3]
@@ -45,19 +45,19 @@ def range_to_plane(plane: Array, beams_lidar: Array, poses: Poses, mounting: Mou
 def range_to_sphere(
     centre: Array, radius: float, beams_lidar: Array, poses: Poses, mounting: Mounting
 ) -> Array:
-    """Range that the scanner reads on a sphere: to the nearer of the two intersections.
+    """Range that the scanner records on a sphere, to the nearer of the two intersections.
 
     Parameters
     ----------
     centre : ndarray of shape (3,), metres, local
     radius : float, metres
     beams_lidar, poses, mounting
-        As for `range_to_plane`.
+        See `range_to_plane`.
 
     Returns
     -------
     ndarray of shape (n,), metres
-        Infinite where the beam misses the sphere.
+        Infinite if the beam misses the sphere.
     """
     origins, directions = beam_rays(beams_lidar, poses, mounting)
     offset = origins - centre
@@ -76,7 +76,7 @@ def beam_rays(beams_lidar: Array, poses: Poses, mounting: Mounting) -> tuple[Arr
     Parameters
     ----------
     beams_lidar : ndarray of shape (n, 3), unit vectors, LiDAR frame
-        Directions as the scanner reads them.
+        Directions as recorded by the scanner.
 
     Returns
     -------
@@ -92,5 +92,5 @@ def beam_rays(beams_lidar: Array, poses: Poses, mounting: Mounting) -> tuple[Arr
 
 
 def _row_products(first: Array, second: Array) -> Array:
-    """Products of rows, shape (n,)."""
+    """Scalar products of the rows, shape (n,)."""
     return np.einsum("...i,...i->...", first, second)

@@ -1,8 +1,8 @@
-"""Surveys of boards and balls in closed form, computed in a few milliseconds.
+"""Simulation of surveys of boards and spheres in closed form, within a few milliseconds.
 
-No beam is traced: the points lie on a grid over each target, and each gets the instant at which the
-profile of the passing vessel meets it. That is all an adjustment uses of a survey, so thousands of
-them can be made where the port scene takes a minute for one.
+No rays are cast. The points lie on a grid over each target, and the time of each point is that at
+which the scan profile of the passing vessel contains it. An adjustment needs no more, so that
+thousands of surveys can be simulated, while a single survey of the port scene takes a minute.
 """
 
 from collections.abc import Sequence
@@ -29,7 +29,7 @@ class Board:
     centre, normal : tuple of float, metres, local; the normal points to the vessel
     width, height : float, metres
     flatness : float or None, metres
-        How far a line may see it off its plane, where that is not as the others of a plan.
+        Possible deviation of the board from its plane in a line; None for the value of the plan.
     """
 
     name: str
@@ -47,9 +47,9 @@ class Board:
         Parameters
         ----------
         spacing : float, metres
-            Between the points.
+            Distance between the points.
         scanner : ndarray of shape (3,), metres, local, optional
-            Not needed: all of a board is seen from wherever it faces.
+            Not used, since the whole board is visible from any position in front of it.
         """
         u, v = (
             np.arange(-side / 2 + start, side / 2, spacing)
@@ -63,14 +63,14 @@ class Board:
     def grid(self, k: int) -> Array:
         """Grid of ``k`` x ``k`` points with the centre and the second moments of the whole board.
 
-        They determine the plane as all points of the board do.
+        The plane is determined as precisely as by all points of the board.
 
         Returns
         -------
         ndarray of shape (k * k, 3), metres, local
         """
         middles = (np.arange(k) + 0.5) / k - 0.5
-        middles /= np.sqrt(1 - 1 / k**2)  # middles of equal parts lie a little close together
+        middles /= np.sqrt(1 - 1 / k**2)  # moments of the whole board
         u, v = np.meshgrid(self.width * middles, self.height * middles)
         return self.points_on_board(u.ravel(), v.ravel())
 
@@ -81,24 +81,24 @@ class Board:
 
     @property
     def across(self) -> Array:
-        """Unit vector along the width, shape (3,), local; level."""
+        """Horizontal unit vector along the width, shape (3,), local."""
         normal = self.facing
-        # A level board has no horizontal edge of its own: north and west will do.
+        # All edges of a horizontal board are horizontal: north and west are used.
         across = np.cross([1.0, 0.0, 0.0] if abs(normal[2]) > 0.999 else [0.0, 0.0, 1.0], normal)
         return np.asarray(across / np.linalg.norm(across))
 
     def points_on_board(self, u: Array, v: Array) -> Array:
-        """Points ``u`` across and ``v`` up (n,) from its centre, shape (n, 3), metres, local."""
+        """Points ``u`` across and ``v`` up (n,) from the centre, shape (n, 3), metres, local."""
         across = self.across
         up = np.cross(self.facing, across)
         return np.asarray(np.array(self.centre) + u[:, None] * across + v[:, None] * up)
 
 
 STEEPEST = np.cos(np.radians(75.0))
-"""A board seen more obliquely than this gives few points and poor ones."""
+"""Cosine of the largest angle of incidence on a board; beyond it, points are few and poor."""
 
 VISIBLE = np.radians(80.0)
-"""Beyond this angle of incidence the beam only grazes a ball."""
+"""Largest angle of incidence on a sphere, radians; beyond it, the beams graze the sphere."""
 
 
 @dataclass(frozen=True)
@@ -110,9 +110,9 @@ class Ball:
     centre : tuple of float, metres, local
     radius : float, metres
     radius_known : bool
-        Whether the radius is given to the adjustment.
+        Whether the adjustment uses the radius as known.
     flatness : float or None, metres
-        As of a board.
+        See `Board`.
     """
 
     name: str
@@ -124,15 +124,15 @@ class Ball:
     def points(self, spacing: float, generator: np.random.Generator, scanner: Array) -> Array:
         """Points of the cap that faces the scanner, shape (n, 3), metres, local.
 
-        They lie on a grid across the view, with a random origin, as beams would meet them: sparser
-        on the surface towards the rim.
+        Like the beams of a scanner, they lie on a grid perpendicular to the line of sight, with a
+        random origin; on the surface they are sparser towards the rim.
 
         Parameters
         ----------
         spacing : float, metres
-            Between the points.
+            Distance between the points.
         scanner : ndarray of shape (3,), metres, local
-            Where it is seen from.
+            Position of the scanner.
         """
         rim = self.visible_radius
         u, v = (np.arange(-rim + start, rim, spacing) for start in generator.uniform(0, spacing, 2))
@@ -140,24 +140,24 @@ class Ball:
         return self.cap(u.ravel(), v.ravel(), scanner)
 
     def grid(self, k: int, scanner: Array) -> Array:
-        """Points on a grid of ``k`` x ``k`` in the view, those that meet the ball; see `points`."""
+        """Points of the sphere on a ``k`` x ``k`` grid across the line of sight; see `points`."""
         middles = self.visible_radius * (2 * (np.arange(k) + 0.5) / k - 1)
         u, v = np.meshgrid(middles, middles)
         return self.cap(u.ravel(), v.ravel(), scanner)
 
     @property
     def visible_radius(self) -> float:
-        """Radius of the visible part across the view, metres."""
+        """Radius of the visible part, perpendicular to the line of sight, metres."""
         return float(self.radius * np.sin(VISIBLE))
 
     def cap(self, u: Array, v: Array, scanner: Array) -> Array:
-        """Points of the ball at offsets across and up in the view from the scanner.
+        """Points of the sphere at offsets across and up relative to the line of sight.
 
         Parameters
         ----------
         u, v : ndarray of shape (n,), metres
         scanner : ndarray of shape (3,), metres, local
-            Where it is seen from.
+            Position of the scanner.
 
         Returns
         -------
@@ -182,7 +182,7 @@ class Course:
     ----------
     heading : float, radians clockwise from north
     abeam : tuple of float, metres, local
-        Where the vessel is at ``time``.
+        Position of the vessel at ``time``.
     time : float, seconds
     speed : float, metres per second
     """
@@ -219,12 +219,12 @@ def six_courses(interval: float = 90.0, speed: float = 0.8) -> tuple[Course, ...
 
 @dataclass(frozen=True, eq=False)
 class SeaMotion:
-    """The vessel's motion on top of its course: sines of random period and phase.
+    """Motion of the vessel relative to its course: sines with random periods and phases.
 
     Attributes
     ----------
     sigma : ndarray of shape (6,), metres and radians
-        Of the drift north, west, the heave, and of roll, pitch, yaw.
+        Standard deviations of drift north, drift west, heave, roll, pitch and yaw.
     frequency : ndarray of shape (6, sines), radians per second
     phase : ndarray of shape (6, sines), radians
     """
@@ -235,7 +235,7 @@ class SeaMotion:
 
     @classmethod
     def draw(cls, generator: np.random.Generator, sines: int = 3) -> "SeaMotion":
-        """Motion of a small vessel in a harbour."""
+        """Draw the motion of a small vessel in a harbour."""
         sigma = np.array([0.03, 0.03, 0.05, *np.radians([0.9, 0.35, 0.3])])
         period = generator.uniform(4.0, 9.0, (6, sines))
         return cls(sigma, 2 * np.pi / period, generator.uniform(0, 2 * np.pi, (6, sines)))
@@ -246,7 +246,7 @@ class SeaMotion:
         return np.asarray(self.sigma * waves.sum(axis=2) * np.sqrt(2 / self.phase.shape[1]))
 
     def rate(self, time: Array) -> Array:
-        """Its derivative by ``time`` (n,), shape (n, 6), metres and radians per second."""
+        """Rate of the motion at ``time`` (n,), shape (n, 6), metres and radians per second."""
         waves = self.frequency * np.cos(time[:, None, None] * self.frequency + self.phase)
         return np.asarray(self.sigma * waves.sum(axis=2) * np.sqrt(2 / self.phase.shape[1]))
 
@@ -266,13 +266,13 @@ def error_free_survey(
     Parameters
     ----------
     mounting : Mounting
-        The true one.
+        The true mounting.
     spacing : float, metres
-        Between the points of a target.
+        Distance between the points of a target.
     pos : PosErrorModel
-        Its standard deviations are those the observations state.
+        Gives the standard deviations of the POS in the observations.
     lidar_sigma : float, metres
-        Given of each axis.
+        Standard deviation on each axis in the observations.
     """
     sea = SeaMotion.draw(generator)
     rows, sightings = [], []
@@ -294,7 +294,7 @@ def error_free_record(mounting: Mounting, course: Course, sea: SeaMotion, points
     ndarray of shape (n, 16)
         Point in the LiDAR frame, position, attitude, their rates (6), time.
     """
-    # The profile stands across the course and meets a point when the scanner is abeam.
+    # The profile is perpendicular to the course and contains a point that is abeam of the scanner.
     along = (points - [*course.abeam, 0.0]) @ course.direction - mounting.lever_arm[0]
     time = course.time + along / course.speed
     scan = to_lidar(points, _vessel_poses(course, sea, time + mounting.latency), mounting)
@@ -311,7 +311,7 @@ def observations_of_records(
     pos: PosErrorModel,
     lidar_sigma: float,
 ) -> Observations:
-    """The sightings of `error_free_record` as observations; arguments as of `error_free_survey`."""
+    """Observations from records of `error_free_record`; arguments as in `error_free_survey`."""
     table = np.concatenate(rows)
     count, sighted = len(table), {sighting.target for sighting in sightings}
     return Observations(
@@ -334,7 +334,7 @@ def observations_of_records(
 
 
 def scanner_position_abeam(mounting: Mounting, target: Board | Ball, course: Course) -> Array:
-    """Scanner with a target's middle abeam on a calm sea, shape (3,), metres, local frame."""
+    """Scanner position with the target's centre abeam, on a calm sea, shape (3,), metres, local."""
     foot, centre = np.array([*course.abeam, 0.0]), np.array(target.centre)
     left = np.array([np.sin(course.heading), np.cos(course.heading), 0.0])
     _, lateral, above = mounting.lever_arm
@@ -377,7 +377,7 @@ def _lidar_noise(exact: Observations, generator: np.random.Generator) -> Array:
 def gauss_markov_drift(
     time: Array, correlation_time: float, generator: np.random.Generator
 ) -> Array:
-    """Three unit first-order Gauss-Markov processes at any instants, shape (n, 3).
+    """Three first-order Gauss-Markov processes of unit variance at any times, shape (n, 3).
 
     Parameters
     ----------

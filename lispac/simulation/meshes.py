@@ -1,7 +1,8 @@
-"""Meshes as parts of a scene: found by Open3D in single precision, ranged in double.
+"""Meshes as parts of a scene: Open3D finds the triangles, ranges are in double precision.
 
-Open3D's ray casting keeps 24 bits: at 20 m a range is known to 1e-6 m, at 100 m to 1e-5 m. It is
-therefore only queried for the triangle that a ray hits; the point follows from its plane.
+Ray casting in Open3D uses single precision: the resolution of a range is 1e-6 m at 20 m and 1e-5 m
+at 100 m. Open3D is therefore used only to find the triangle that a ray hits; the range is computed
+from the plane of the triangle.
 """
 
 from collections.abc import Sequence
@@ -16,7 +17,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A surface of triangles, seen from both sides.
+    """A surface of triangles, visible from both sides.
 
     Attributes
     ----------
@@ -35,7 +36,7 @@ class Mesh:
     def distance(self, points_local: Array) -> Array:
         """Distance of points to the plane of the nearest triangle, shape (n,), metres.
 
-        Signed by the order of its corners: positive where they run anticlockwise.
+        The distance is positive on the side from which the corners are in anticlockwise order.
         """
         caster = MeshCaster.of([self])
         near = np.asarray(points_local) - caster.middle
@@ -46,13 +47,12 @@ class Mesh:
 
 @dataclass(frozen=True, eq=False)
 class MeshCaster:
-    """All meshes of a scene, ready to be cast at.
+    """All meshes of a scene, prepared for ray casting.
 
     Attributes
     ----------
     middle : ndarray of shape (3,), metres, local
-        What Open3D's coordinates count from, so that single precision is not lost on an origin
-        far off.
+        Origin of the coordinates in Open3D, near the meshes because of the single precision.
     corners : ndarray of shape (m, 3), metres from the middle, local
         First corner of each triangle, mesh after mesh.
     normals : ndarray of shape (m, 3), unit vectors, local
@@ -68,7 +68,7 @@ class MeshCaster:
 
     @classmethod
     def of(cls, meshes: Sequence[Mesh]) -> "MeshCaster":
-        """Hand the meshes to Open3D."""
+        """Prepare meshes for ray casting."""
         from open3d.t.geometry import RaycastingScene
 
         scene = RaycastingScene()
@@ -83,7 +83,7 @@ class MeshCaster:
             corners.append(a)
             normals.append(normal / np.linalg.norm(normal, axis=1, keepdims=True))
             first.append(first[-1] + len(a))
-        # Open3D makes its tree with the first rays, which is not safe from several threads.
+        # Open3D builds its tree with the first rays, which is not safe in several threads.
         scene.cast_rays(np.zeros((1, 6), dtype=np.float32))
         return cls(
             scene, middle, np.concatenate(corners), np.concatenate(normals), np.array(first[:-1])
@@ -102,7 +102,7 @@ class MeshCaster:
         -------
         ranges : ndarray of shape (n,), metres; infinite where nothing is hit
         numbers : ndarray of shape (n,)
-            Of the mesh; -1 where nothing is hit.
+            Index of the mesh; -1 where nothing is hit.
         cosines : ndarray of shape (n,)
             Cosine of the angle of incidence.
         """
@@ -115,7 +115,7 @@ class MeshCaster:
         slope = np.sum(directions[hit] * normal, axis=1)
         with np.errstate(divide="ignore", invalid="ignore"):
             distance = np.sum((self.corners[triangle] - near[hit]) * normal, axis=1) / slope
-        # Along a triangle its plane gives no range; single precision may still have hit it.
+        # A triangle parallel to the ray gives no range, though Open3D may report a hit.
         good = (distance > 0) & (distance < max_range)
         ranges = np.full(len(origins), np.inf)
         numbers = np.full(len(origins), -1)

@@ -1,4 +1,4 @@
-"""Motion of a vessel during a survey: sailed lines or a recorded trajectory."""
+"""Motion of a vessel during a simulated survey: simulated lines or a recorded trajectory."""
 
 from dataclasses import dataclass
 from typing import Protocol
@@ -11,7 +11,7 @@ from lispac.simulation.vessel_motion import SailedLine, VesselMotion, sail_lines
 from lispac.survey.trajectory import LocalTrajectory
 
 FINEST = 0.005
-"""Seconds between two errors of the POS; a recorded trajectory may hold bursts of states."""
+"""Smallest interval of simulated POS errors, seconds; recorded trajectories may have bursts."""
 START = 2 * 86400 + 15 * 3600.0  # GPS seconds of week: a Tuesday afternoon
 
 
@@ -24,7 +24,7 @@ class RecordedLeg:
     name : str
     heading_deg : float
     starboard : bool
-        Whether the site lies to starboard.
+        Whether the site is to starboard.
     """
 
     name: str
@@ -33,7 +33,7 @@ class RecordedLeg:
 
     @classmethod
     def numbered_leg(cls, number: int, heading_deg: float, starboard: bool) -> "RecordedLeg":
-        """Named after its place and heading."""
+        """Leg named after its number and heading."""
         return cls(f"L{number}_{round(heading_deg) % 360:03d}", heading_deg, starboard)
 
 
@@ -46,21 +46,21 @@ class MotionSource(Protocol):
 
     @property
     def legs(self) -> tuple[RecordedLeg, ...]:
-        """The lines, in the order of the recorded stretches."""
+        """Lines, in the order of the recorded time spans."""
 
     def motion(self, generator: np.random.Generator) -> VesselMotion:
-        """True states."""
+        """True states of the vessel."""
 
 
 @dataclass(frozen=True, eq=False)
 class SailedTrajectory:
-    """Lines sailed one after the other (see `lispac.simulation.vessel_motion.sail_lines`).
+    """Lines run one after the other (see `lispac.simulation.vessel_motion.sail_lines`).
 
     Attributes
     ----------
     lines : tuple of SailedLine
     height : float, metres
-        Of the POS in the local frame.
+        Height of the POS in the local frame.
     """
 
     lines: tuple[SailedLine, ...]
@@ -80,7 +80,7 @@ class SailedTrajectory:
         )
 
     def motion(self, generator: np.random.Generator) -> VesselMotion:
-        """Motion of the vessel: its courses, with the motion due to the sea added."""
+        """Motion of the vessel: its courses and the motion due to the sea."""
         return sail_lines(self.lines, self.height, generator)
 
 
@@ -91,7 +91,7 @@ class TrajectoryStretch:
     Attributes
     ----------
     start, stop : float, seconds
-        In the time of the trajectory.
+        In the time base of the trajectory.
     starboard : bool
         Whether the site lies to starboard.
     """
@@ -116,7 +116,7 @@ class RecordedTrajectory:
 
     @property
     def start(self) -> float:
-        """The trajectory keeps its own time."""
+        """Always 0: times are those of the trajectory."""
         return 0.0
 
     @property
@@ -133,7 +133,7 @@ class RecordedTrajectory:
         )
 
     def motion(self, generator: np.random.Generator) -> VesselMotion:
-        """The states as they were recorded; nothing is drawn."""
+        """Recorded states; no random numbers are used."""
         known = self.trajectory
         interval = max(float(np.median(np.diff(known.time))), FINEST)
         recorded = tuple((each.start, each.stop) for each in self.stretches)

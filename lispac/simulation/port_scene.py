@@ -1,8 +1,8 @@
 """The port scene: a pier head with two boards, a 40 m tower and a warehouse (thesis 4.4, 4.5).
 
-The local origin lies on the water, on the course of the line along the wall: the wall's face is
-15 m to the east. The pier is short so that the oblique courses lead past its corners.
-Height 0 is the water, the scanner rides a little over 3 m above it.
+The local origin is on the water surface, on the course of the line along the quay wall, whose face
+is 15 m to the east. The pier is short, so that the oblique courses pass its corners. Height 0 is
+the water surface; the scanner is a little more than 3 m above it.
 """
 
 import numpy as np
@@ -28,7 +28,7 @@ VALIDATION = ("V1", "V2", "V3", "V4", "V5")
 
 
 def port_scene() -> Scene:
-    """Two targets, five validation planes and what stands around them."""
+    """Scene with two targets, five validation planes and the surrounding structures."""
     surfaces: list[Surface] = [
         *_target_boards(),
         *_pier_surfaces(),
@@ -39,7 +39,7 @@ def port_scene() -> Scene:
 
 
 def _target_boards() -> list[Rectangle]:
-    """T1 upright, T2 leaning back by 45 deg, off the wall and 4 to 5 m above the scanner."""
+    """Vertical target T1 and T2, inclined by 45 deg, both 4 to 5 m above the scanner."""
     return [
         upright_rectangle("T1", (1.15, WALL_WEST + 0.30), 7.5, 8.72, 1.23, 270, WHITE),
         tilted_rectangle("T2", (-1.1, WALL_WEST + 0.62, 7.5), 1.23, 0.76, 270, 45, WHITE),
@@ -66,8 +66,8 @@ def _pier_surfaces() -> list[Surface]:
 def _tower_surfaces() -> list[Surface]:
     """An open steel tower.
 
-    V1 stands on its base at the vessel's height, V2 reaches from the water to 40 m, V3 and V4
-    are on the cabin at the top.
+    V1 is on its base at the height of the vessel, V2 extends from the water to 40 m, V3 and V4 are
+    on the cabin at the top.
     """
     legs = [
         Cylinder("tower leg", north, west, 8.5, 42.0, 0.25, STEEL)
@@ -86,7 +86,7 @@ def _tower_surfaces() -> list[Surface]:
 
 
 def _warehouse_door() -> list[Rectangle]:
-    """V5, a warehouse door at the vessel's height, beside the pier and set back."""
+    """V5, a warehouse door at the height of the vessel, beside and behind the pier."""
     return [
         *box_faces("south quay", (-60, -20), (-80, -29), -1, 2.6, CONCRETE),
         *box_faces("warehouse", (-46, -27), (-55, -33), 2.6, 9.5, STEEL),
@@ -97,10 +97,10 @@ def _warehouse_door() -> list[Rectangle]:
 def six_lines(distance: float = 15.0) -> tuple[SailedLine, ...]:
     """The six-fold pattern of the thesis (figure 3.3): all pass the boards at ``distance``.
 
-    Two along the wall, four on courses at 45 deg to it. The oblique ones are recorded up to 3 m
-    before the line of the wall and run on past the corner of the pier.
+    Two lines run along the wall, four at 45 deg to it. The oblique ones are recorded up to 3 m
+    before the line of the wall and continue past the corner of the pier.
     """
-    # Heading, bearing in which the boards lie when abeam, metres before and after abeam
+    # Heading, bearing of the boards when abeam, recorded metres before and after abeam
     pattern = (
         (0, 90, 44, 40),
         (180, 90, 40, 44),

@@ -1,7 +1,7 @@
 """Further models of POS errors: white noise, GNSS outage, jumps, and combinations.
 
-A model draws errors and gives the variance that the POS itself would report for them. Times count
-from the first sample of the trajectory.
+A model draws errors and gives the variances that the POS would report for them. Times are relative
+to the first sample of the trajectory.
 """
 
 from collections.abc import Sequence
@@ -14,16 +14,16 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Three = tuple[float, float, float]
 TO_LOCAL = np.array([1.0, -1.0, 1.0])
-"""North, east, up to north, west, up."""
+"""Factors that convert north, east, up to north, west, up."""
 
 
 class PosErrors(Protocol):
-    """Protocol of a model of POS errors."""
+    """Interface of models of POS errors."""
 
     def draw(
         self, count: int, interval: float, generator: np.random.Generator
     ) -> tuple[Array, Array]:
-        """Errors over a survey.
+        """Draw the errors during a survey.
 
         Returns
         -------
@@ -40,7 +40,7 @@ class PosErrors(Protocol):
 
 @dataclass(frozen=True)
 class WhiteNoise:
-    """Errors without memory.
+    """White noise: errors without correlation in time.
 
     Attributes
     ----------
@@ -66,19 +66,20 @@ class WhiteNoise:
 
 @dataclass(frozen=True)
 class GnssOutage:
-    """Inertial drift while GNSS is out.
+    """Inertial drift during a GNSS outage.
 
-    Accelerations are white: velocity is a random walk, position its integral, and sigma grows with
-    the power 3/2 of time. Attitude is a random walk. Smoothed, as in a trajectory processed to and
-    fro, position and velocity are known again at the end: the largest sigma of the position is then
-    an eighth of the free one and stands in the middle.
+    Errors of the acceleration are white noise. The velocity error is a random walk, the position
+    error its integral, so that its sigma grows with time to the power 3/2. The attitude error is a
+    random walk. In a smoothed trajectory (forward and backward processing), position and velocity
+    have no error at the end of the outage. The largest sigma of the position is then one eighth of
+    that without smoothing, in the middle of the outage.
 
     Attributes
     ----------
     start, duration : float, seconds
     sigma_position : tuple of float, metres; north, east, up
     sigma_attitude : tuple of float, radians; roll, pitch, heading
-        Where it would have got to at the end, without smoothing.
+        Standard deviations at the end of the outage without smoothing.
     smoothed : bool
     """
 
@@ -96,7 +97,7 @@ class GnssOutage:
         inside = np.flatnonzero((t > 0) & (t <= self.duration))
         drift = np.zeros((count, 6))
         if len(inside):
-            # The end of the outage is a knot too: there it is known again.
+            # The end of the outage, where the smoothed errors are zero, is added as a knot.
             steps = np.diff(np.concatenate([[0.0], t[inside], [self.duration]]))
             position, velocity = _integrated_walk(steps, generator)
             walk = np.cumsum(
@@ -111,7 +112,7 @@ class GnssOutage:
     def _smooth(
         self, position: Array, velocity: Array, walk: Array, t: Array
     ) -> tuple[Array, Array]:
-        """The same given that position, velocity and attitude are without error at the end."""
+        """Errors under the condition that position, velocity and attitude have none at the end."""
         whole = self.duration
         at_end = np.array([[whole**3 / 3, whole**2 / 2], [whole**2 / 2, whole]])
         with_end = np.stack([t**2 * (3 * whole - t) / 6, t**2 / 2], axis=1)
@@ -139,7 +140,7 @@ def _integrated_walk(steps: Array, generator: np.random.Generator) -> tuple[Arra
     h = steps[:, None]
     kick = np.sqrt(h) * first
     velocity = np.cumsum(kick, axis=0)
-    # The integral within a step: half of its kick, and what is independent of it
+    # Integral within a step: half of its increment times the step, and an independent part
     within = h * kick / 2 + np.sqrt(h**3 / 12) * second
     before = velocity - kick
     return np.cumsum(h * before + within, axis=0), velocity
@@ -147,18 +148,19 @@ def _integrated_walk(steps: Array, generator: np.random.Generator) -> tuple[Arra
 
 @dataclass(frozen=True)
 class StepErrors:
-    """Errors that change at once and then stay, as a wrong GNSS fix makes them.
+    """Errors that jump and then stay constant, as with a wrong GNSS fix.
 
-    Each jump draws a new level; before the first there is none. The POS does not know of them.
+    Each jump draws a new error; there is none before the first jump. The variances that the POS
+    reports do not include these errors.
 
     Attributes
     ----------
     sigma_position : tuple of float, metres; north, east, up
     sigma_attitude : tuple of float, radians; roll, pitch, heading
     at : tuple of float, seconds
-        When it jumps.
+        Times of jumps.
     per_hour : float
-        How often it jumps besides, at random.
+        Mean number of additional jumps per hour, at random times.
     """
 
     sigma_position: Three
@@ -185,7 +187,7 @@ class StepErrors:
 
 @dataclass(frozen=True)
 class CombinedModel:
-    """Several models, independent of each other.
+    """Sum of several independent models.
 
     Attributes
     ----------
@@ -215,5 +217,5 @@ class CombinedModel:
 
 
 def combine_models(parts: Sequence[PosErrors]) -> PosErrors:
-    """One model of several; a single one stays as it is."""
+    """Combine models into one; a single model is returned unchanged."""
     return parts[0] if len(parts) == 1 else CombinedModel(tuple(parts))

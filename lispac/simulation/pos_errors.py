@@ -1,6 +1,6 @@
-"""Errors of the POS: correlated in time, as a post-processed trajectory has them.
+"""POS errors that are correlated in time, as in a post-processed trajectory.
 
-Each is a first-order Gauss-Markov process (Gelb 1974), drawn by its exact recursion.
+Each error is a first-order Gauss-Markov process (Gelb 1974), drawn with its exact recursion.
 """
 
 from dataclasses import dataclass
@@ -18,9 +18,9 @@ def gauss_markov(
     correlation_time: float,
     generator: np.random.Generator,
 ) -> Array:
-    """One stationary first-order Gauss-Markov process.
+    """Draw a stationary first-order Gauss-Markov process.
 
-    Its autocovariance is ``sigma**2 exp(-|lag| / correlation_time)`` from the first sample on.
+    The autocovariance is ``sigma**2 exp(-|lag| / correlation_time)`` from the first sample on.
 
     Parameters
     ----------
@@ -34,11 +34,11 @@ def gauss_markov(
     -------
     ndarray of shape (count,)
     """
-    from scipy.signal import lfilter  # half a second, and a window asks for no errors
+    from scipy.signal import lfilter  # slow import, not needed without errors
 
     memory = np.exp(-interval / correlation_time)
     drive = sigma * generator.standard_normal(count)
-    # The first sample has the stationary variance already; the others add what forgetting takes.
+    # The first sample has the stationary variance; the noise of the others maintains it.
     drive[1:] *= np.sqrt(1 - memory**2)
     return np.asarray(lfilter([1.0], [1.0, -memory], drive))
 
@@ -63,7 +63,7 @@ class PosErrorModel:
     def draw(
         self, count: int, interval: float, generator: np.random.Generator
     ) -> tuple[Array, Array]:
-        """Errors over a survey.
+        """Draw the errors during a survey.
 
         Returns
         -------

@@ -9,10 +9,11 @@ from lispac.compiled_code import njit
 def cast_rays(  # type: ignore[no-untyped-def]
     origins, directions, max_range, rectangles, cylinders, spheres, ranges, labels, cosines
 ):
-    """Range, surface index (-1 none) and cosine of incidence of each ray, into the last three.
+    """Compute the range, surface index (-1 for none) and cosine of incidence of each ray.
 
-    Rows of ``rectangles`` (k, 12), ``cylinders`` (m, 5) and ``spheres`` (l, 4) are those of
-    `lispac.simulation.scene`; indices count through them in this order.
+    The results are written to the last three arguments. The rows of ``rectangles`` (k, 12),
+    ``cylinders`` (m, 5) and ``spheres`` (l, 4) are those of `lispac.simulation.scene`; the index of
+    a surface counts through them in this order.
     """
     for i in range(len(origins)):
         ranges[i], labels[i], cosines[i] = _nearest_hit(
@@ -64,7 +65,7 @@ def _nearest_hit(ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders, spher
         radius = spheres[i, 3]
         x, y, z = ox - spheres[i, 0], oy - spheres[i, 1], oz - spheres[i, 2]
         b = x * dx + y * dy + z * dz
-        # Squared distance of the centre from the ray: a difference of squares of the range would
+        # Squared distance of the centre from the ray: a difference of squared ranges would
         # lose digits far off.
         u, v, w = x - b * dx, y - b * dy, z - b * dz
         inside = radius * radius - (u * u + v * v + w * w)

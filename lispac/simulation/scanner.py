@@ -1,9 +1,9 @@
-"""Rotating scanners: pulses sent, surfaces hit, and readings.
+"""Simulation of rotating scanners: emitted pulses, surfaces hit, and recorded points.
 
-The errors of the mounting are put into the beams themselves, not added to finished points: a pulse
-leaves from where the true lever arm puts the scanner, along ``R_local_body R_body_lidar R_x u``, at
-its time plus the latency, and stops at the first surface; the range offset is missing in what is
-read (thesis 3.4.2).
+Errors of the mounting are applied to the beams, not added to computed points. A pulse starts at the
+position of the scanner according to the true lever arm, in the direction
+``R_local_body R_body_lidar R_x u``, at its time plus the latency, and ends at the first surface.
+The range offset is subtracted from the recorded range (thesis 3.4.2).
 """
 
 from collections.abc import Sequence
@@ -21,47 +21,48 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 Axis = Literal["x", "z"]
 
-# Echoes of one pulse closer than this melt into one wrong range; farther ones are distinguished.
+# Echoes of one pulse closer together than this merge into one wrong range; others are separate.
 PULSE_LENGTH = 1.0  # metres
-# Two surfaces meeting at an edge within this are no mixed echo.
+# Smallest distance between the echoes at an edge for which the range counts as mixed.
 SMALLEST_MIX = 0.01  # metres
 CHUNK = 1 << 16  # pulses cast together
 
 
 @dataclass(frozen=True)
 class Scanner:
-    """A scanner that turns about an axis of the LiDAR frame; as it stands a 2D profiler.
+    """A scanner that rotates about an axis of the LiDAR frame; by default a 2D profiler.
 
-    A beam of elevation ``e`` at angle ``a`` leaves along ``(sin e, cos e cos a, cos e sin a)``
-    where the axis is x, and along ``(cos e cos a, cos e sin a, sin e)`` where it is z. A profiler
-    has the one elevation 0 and the axis x, so that ``x_lidar = 0`` for every point.
+    The direction of a beam with elevation ``e`` at angle ``a`` is
+    ``(sin e, cos e cos a, cos e sin a)`` if the axis is x, and
+    ``(cos e cos a, cos e sin a, sin e)`` if it is z. A profiler has the single elevation 0 and the
+    axis x, so that ``x_lidar = 0`` for every point.
 
-    A beam deviates both ways across itself: along the turn what is read of the angle is wrong,
-    and across it the beam leaves at another elevation than the one that is written down.
+    The direction of a beam has two random errors. The recorded angle of rotation differs from the
+    true one, and the beam leaves at an elevation that differs from its nominal, recorded elevation.
 
     Attributes
     ----------
     pulses_per_second : float
-        Of all beams over the whole turn, as a data sheet states it; the window keeps a part.
+        Pulses of all beams over the whole rotation, as in data sheets; only those in the window
+        are recorded.
     turns_per_second : float
     window : pair of float, radians
-        First and last angle recorded by a line whose site lies to port; starboard is its mirror
-        image.
+        First and last recorded angle if the site is to port; mirrored if it is to starboard.
     max_range : float, metres
     range_sigma, angle_sigma : float, metres and radians
-        The angle's holds along the turn and across it alike.
+        The sigma of the angle applies in the direction of rotation and perpendicular to it.
     divergence : float, radians
         Full width of the beam, which smears echoes at edges.
     elevations : tuple of float, radians
-        Of the beams, in the order in which they fire.
+        Elevations of the beams, in the order in which they fire.
     axis : {"x", "z"}
-        That the beams turn about.
+        Axis of rotation.
     min_range : float, metres
-        Nothing nearer is recorded.
+        Shorter ranges are not recorded.
     incidence_growth : float
         The sigma of a range is ``range_sigma / cos(incidence) ** incidence_growth``.
     grazing : float, radians
-        Beyond this incidence nothing comes back.
+        Largest angle of incidence that gives an echo.
     """
 
     pulses_per_second: float
@@ -80,13 +81,13 @@ class Scanner:
     def pulses(
         self, start: float, stop: float, starboard: bool
     ) -> tuple[Array, Array, NDArray[np.intp]]:
-        """Pulses of all whole turns in a stretch of time, in their order.
+        """Pulses of all whole rotations in a time span, in order of time.
 
         Parameters
         ----------
         start, stop : float, seconds
         starboard : bool
-            Which side the window faces.
+            Whether the window faces starboard instead of port.
 
         Returns
         -------
@@ -103,7 +104,7 @@ class Scanner:
         return time.ravel(), np.tile(angle, len(turns)), np.tile(beam, len(turns))
 
     def turn(self, starboard: bool) -> tuple[Array, Array, NDArray[np.intp]]:
-        """Angle, seconds from the first pulse, and beam of the pulses of one turn."""
+        """Angle, time from the first pulse in seconds, and beam of the pulses of one rotation."""
         speed = 2 * np.pi * self.turns_per_second  # rad/s
         first, last = self.window
         if starboard:
@@ -116,7 +117,7 @@ class Scanner:
         return max(int((stop - start) * self.turns_per_second), 1)
 
     def directions(self, angle: Array, elevation: Array | float) -> Array:
-        """Unit vectors along beams, shape (n, 3), LiDAR frame.
+        """Unit vectors in the direction of the beams, shape (n, 3), LiDAR frame.
 
         Parameters
         ----------
@@ -139,10 +140,10 @@ class Echoes:
     time : ndarray of shape (n,), seconds
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame, with the scanner's errors
     true_points_local : ndarray of shape (n, 3), metres, local
-        Where the middle of the beam hit the surface.
+        Intersection of the centre of the beam with the surface.
     intensity : ndarray of shape (n,)
     label : ndarray of shape (n,)
-        Index of the surface; -1 where the beam hit an edge and the range is of neither.
+        Index of the surface; -1 for a mixed range of two surfaces at an edge.
     """
 
     time: Array
@@ -154,7 +155,7 @@ class Echoes:
 
 @dataclass(frozen=True, eq=False)
 class _PulseHits:
-    """Pulses that hit a surface, before any reading."""
+    """Pulses that hit a surface, before range errors and recording."""
 
     time: Array
     angle: Array
@@ -172,7 +173,7 @@ class _PulseHits:
 
 
 class _RayIntersections(NamedTuple):
-    """Rays and their intersections; label -1 where there is none."""
+    """Rays and their intersections; label -1 if a ray hits nothing."""
 
     origins: Array
     directions: Array
@@ -182,7 +183,7 @@ class _RayIntersections(NamedTuple):
 
     @property
     def points_local(self) -> Array:
-        """Where they meet it, shape (n, 3), metres, local."""
+        """Intersections, shape (n, 3), metres, local."""
         return np.asarray(self.origins + self.distance[:, None] * self.directions)
 
     def of(self, chosen: NDArray[np.intp]) -> "_RayIntersections":
@@ -193,7 +194,7 @@ class _RayIntersections(NamedTuple):
         )  # fmt: skip
 
     def filled_from(self, other: "_RayIntersections") -> "_RayIntersections":
-        """The other's rays where these meet nothing, beside a rim."""
+        """Replace the rays that hit nothing, beside an edge, by the rays of ``other``."""
         is_hit = self.label >= 0
         return _RayIntersections(
             np.where(is_hit[:, None], self.origins, other.origins),
@@ -218,15 +219,16 @@ def scan_scene(
     Parameters
     ----------
     states : tuple of ndarray of shape (n,), (n, 3), (n, 3)
-        True time, position (local) and attitude against the local axes. Between two samples the
-        vessel is where linear interpolation puts it, which is all that a sampled POS can know.
+        True time, position (local) and attitude relative to the local axes. They are interpolated
+        linearly between two samples, as in georeferencing.
     recorded : pair of float, seconds
+        Start and end of recording.
     starboard : bool
-        On which side the site lies.
+        Whether the site is to starboard.
     mounting : Mounting
-        The true one; times come out with its latency missing, ranges with its offset missing.
+        The true mounting. Recorded times lack its latency, recorded ranges its range offset.
     generator : numpy Generator or None
-        None for a scanner without noise and without width of beam.
+        None for a scanner without noise and beam divergence.
     """
     astray = None if generator is None else generator.spawn(1)[0]
     hits = _intersect_pulses(scanner, scene, states, recorded, starboard, mounting, astray)
@@ -262,7 +264,7 @@ def _intersect_pulses(
     mounting: Mounting,
     astray: np.random.Generator | None,
 ) -> _PulseHits:
-    """Intersections of the pulses; with ``astray``, of the deviated beams and their rims."""
+    """Intersections of the pulses; with ``astray``, with errors of direction and divergence."""
     elevations = np.array(scanner.elevations)
     rotation_body_lidar = mounting.rotation_body_lidar
     if mounting.scan_angle_offset:
@@ -272,9 +274,9 @@ def _intersect_pulses(
     poses = np.hstack([position, attitude])
 
     def intersect(time: Array, angle: Array, elevation: Array) -> _RayIntersections:
-        """Rays of these pulses and their intersections."""
+        """Rays of the given pulses and their intersections."""
         at = time + mounting.latency
-        # Only the samples around: the kernel walks through them pulse by pulse.
+        # Only the samples around these pulses, through which the kernel steps pulse by pulse.
         first = max(int(np.searchsorted(knots, at[0])) - 1, 0)
         last = int(np.searchsorted(knots, at[-1])) + 1
         origins, directions = np.empty((len(at), 3)), np.empty((len(at), 3))
@@ -291,7 +293,7 @@ def _intersect_pulses(
     count = scanner.turns(*recorded)
     together = max(CHUNK // len(angles), 1)
     for begin in range(0, count, together):
-        # Never all pulses of a line: a scanner of many beams sends a hundred million in a minute.
+        # Not all pulses at once: a scanner with many beams emits a hundred million in a minute.
         turns = np.arange(begin, min(begin + together, count))
         time = (recorded[0] + turns[:, None] / scanner.turns_per_second + delay).ravel()
         angle, beam = np.tile(angles, len(turns)), np.tile(beams, len(turns))
@@ -304,7 +306,7 @@ def _intersect_pulses(
             found = intersect(time[hit], angle[hit], elevation).filled_from(found)
             edge_distance = found.distance
         if astray is not None and scanner.divergence > 0 and len(hit):
-            # One more ray on the rim of the beam, on either side in turn
+            # One more ray at the edge of the beam, alternating between both sides
             half = scanner.divergence / 2
             side = np.where((begin * len(angles) + hit) % 2 == 0, half, -half)
             rim = intersect(time[hit], angle[hit] + side, elevation)

@@ -16,7 +16,7 @@ UP = (0.0, 0.0, 1.0)
 
 @dataclass(frozen=True, eq=False)
 class Rectangle:
-    """A flat rectangle, seen from both sides.
+    """A flat rectangle, visible from both sides.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Cylinder:
     ----------
     name : str
     north, west : float, metres, local
-        Where the axis stands.
+        Position of the axis.
     bottom, top : float, metres, local
     radius : float, metres
     reflectance : float, in [0, 1]
@@ -78,14 +78,14 @@ class Cylinder:
         return np.array([self.north, self.west, self.bottom, self.top, self.radius])
 
     def distance(self, points_local: Array) -> Array:
-        """Signed distance of points to the mantle, shape (n,), metres."""
+        """Signed distance of points to the lateral surface, shape (n,), metres."""
         offset = points_local[:, :2] - (self.north, self.west)
         return np.asarray(np.hypot(offset[:, 0], offset[:, 1]) - self.radius)
 
 
 @dataclass(frozen=True, eq=False)
 class Sphere:
-    """A ball, seen from outside and from inside.
+    """A sphere, visible from outside and from inside.
 
     Attributes
     ----------
@@ -106,7 +106,7 @@ class Sphere:
         return np.array([*self.centre, self.radius])
 
     def distance(self, points_local: Array) -> Array:
-        """Signed distance of points to the ball, shape (n,), metres; positive outside."""
+        """Signed distance of points to the sphere, shape (n,), metres; positive outside."""
         return np.asarray(np.linalg.norm(points_local - self.centre, axis=1) - self.radius)
 
 
@@ -130,7 +130,7 @@ def upright_rectangle(
         North and **west** of the middle of its lower edge.
     bottom, top, width : float, metres
     facing_deg : float
-        Azimuth its front faces, clockwise from north.
+        Azimuth of its normal, clockwise from north.
     """
     azimuth = np.radians(facing_deg)
     normal = np.array([np.cos(azimuth), -np.sin(azimuth), 0.0])
@@ -147,14 +147,14 @@ def tilted_rectangle(
     elevation_deg: float,
     reflectance: float = 0.4,
 ) -> Rectangle:
-    """A rectangle of level width whose normal has an azimuth and an elevation.
+    """A rectangle with a horizontal width and a normal with given azimuth and elevation.
 
     Parameters
     ----------
     centre : tuple of float, metres, local
     width, height : float, metres
     facing_deg, elevation_deg : float, degrees
-        Azimuth of the normal, and how far it rises above level.
+        Azimuth of the normal, and its angle above the horizontal.
     """
     azimuth, elevation = np.radians([facing_deg, elevation_deg])
     level = np.array([np.cos(azimuth), -np.sin(azimuth), 0.0])
@@ -194,13 +194,13 @@ def box_faces(
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """Surfaces; the nearest one a ray hits hides those behind it."""
+    """Set of surfaces; the nearest surface on a ray occludes those behind it."""
 
     surfaces: tuple[Surface, ...]
 
     @classmethod
     def of(cls, surfaces: Sequence[Surface]) -> "Scene":
-        """Kind by kind, so that one index counts through the arrays of the kernel."""
+        """Scene of surfaces sorted by kind, so that one index counts through all arrays."""
         return cls(tuple(s for kind in (Rectangle, Cylinder, Sphere, Mesh) for s in surfaces
                          if isinstance(s, kind)))  # fmt: skip
 
@@ -234,7 +234,7 @@ class Scene:
 
     @cached_property
     def meshes(self) -> MeshCaster | None:
-        """The meshes, where there are any."""
+        """Caster of the meshes; None if there are none."""
         found = [surface for surface in self.surfaces if isinstance(surface, Mesh)]
         return MeshCaster.of(found) if found else None
 

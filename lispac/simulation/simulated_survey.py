@@ -1,4 +1,4 @@
-"""Simulate a whole survey from one seed: voyage, scene, POS and scanner with errors."""
+"""Simulation of a whole survey from one seed: motion, scene, POS and scanner with errors."""
 
 import os
 from concurrent.futures import ThreadPoolExecutor
@@ -44,7 +44,7 @@ class SimulatedLine:
     label : ndarray of shape (n,)
         Index into the survey's surface names; -1 for an echo mixed from two surfaces.
     true_points_local : ndarray of shape (n, 3), metres, local
-        Where the beam hit the surface.
+        Intersections of the beams with the surfaces.
     """
 
     name: str
@@ -58,7 +58,7 @@ class SimulatedLine:
 
 @dataclass(frozen=True, eq=False)
 class SimulatedTrajectory:
-    """Reported trajectory and the true one.
+    """Trajectory reported by the POS, and the true one.
 
     Attributes
     ----------
@@ -66,15 +66,15 @@ class SimulatedTrajectory:
     latitude, longitude : ndarray of shape (n,), radians
     height : ndarray of shape (n,), metres above the ellipsoid
     roll, pitch, heading : ndarray of shape (n,), radians
-        Against North-West-Up at the vessel, in the program's convention; heading in (-pi, pi].
+        Relative to North-West-Up at the vessel, in the program's convention; heading in (-pi, pi].
     sigma_position : ndarray of shape (n, 3), metres; north, east, up
     sigma_attitude : ndarray of shape (n, 3), radians; roll, pitch, heading
-        What the POS takes its errors for.
+        Standard deviations reported by the POS.
     interval : float, seconds
-        Between two states.
+        Time between two states.
     true_position_local : ndarray of shape (n, 3), metres, local
     true_attitude : ndarray of shape (n, 3), radians
-        Roll, pitch, heading against the axes of the local frame, without jumps.
+        Roll, pitch, heading relative to the axes of the local frame, without jumps.
     """
 
     time: Array
@@ -101,7 +101,7 @@ class SurveySetup:
         Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame.
     scene : Scene
     targets, validation : tuple of str
-        Names of the rectangles and balls of the scene used as targets.
+        Names of the rectangles and spheres of the scene used as targets and validation planes.
     voyage : MotionSource
     pos : PosErrors
     scanner : Scanner
@@ -121,7 +121,7 @@ class SurveySetup:
 
 @dataclass(frozen=True, eq=False)
 class SimulatedSurvey:
-    """A whole survey with its truth.
+    """A whole simulated survey with the true values.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ class SimulatedSurvey:
     mounting : Mounting
         The true one.
     targets, validation : dict of name to ndarray of shape (3,), metres, local
-        A seed on each: the middle of a plane, the point of a ball that faces the vessel.
+        Seed on each: the centre of a plane, or the point of a sphere that faces the vessel.
     """
 
     origin: tuple[float, float, float]
@@ -143,7 +143,7 @@ class SimulatedSurvey:
 
     @property
     def lever_arm(self) -> Array:
-        """The true one, shape (3,), metres, body."""
+        """True lever arm, shape (3,), metres, body."""
         return self.mounting.lever_arm
 
     @property
@@ -153,7 +153,7 @@ class SimulatedSurvey:
 
     @property
     def surface_names(self) -> tuple[str, ...]:
-        """Names of the surfaces by the labels of the points."""
+        """Names of the surfaces; the labels of points are indices into them."""
         return self.scene.names
 
 
@@ -171,12 +171,12 @@ def port_survey(
     Parameters
     ----------
     points_per_second : float
-        Pulses per second of the profiler over its whole turn; the window toward the quay
-        takes a fifth of them.
+        Pulses per second of the profiler over its whole rotation; a fifth of them lie in the window
+        towards the quay.
     boresight_deg : tuple of float
         True roll, pitch, yaw.
     seed, noise, pos_errors, progress
-        As for `simulate_survey`.
+        See `simulate_survey`.
     """
     setup = SurveySetup(
         ORIGIN, port_scene(), TARGETS, VALIDATION, SailedTrajectory(six_lines(), POS_HEIGHT),
@@ -196,21 +196,21 @@ def simulate_survey(
 ) -> SimulatedSurvey:
     """Simulate a survey.
 
-    The same arguments give the same arrays. The vessel's motion depends on the seed alone, so
-    surveys with and without noise or POS errors can be compared point by point.
+    The result depends only on the arguments. The motion of the vessel depends only on the seed, so
+    that surveys with and without noise or POS errors can be compared point by point.
 
     Parameters
     ----------
     noise : bool
         Whether the scanner has range and angle noise and mixed echoes at edges.
     pos_errors : bool
-        Whether the POS errs. Without noise and POS errors, georeferencing with the true
-        mounting puts every point onto its surface.
+        Whether the POS has errors. Without noise and POS errors, every point georeferenced with the
+        true mounting lies on its surface.
 
     Raises
     ------
     InputError
-        Where the trajectory does not cover the lines.
+        If the trajectory does not cover the lines.
     """
     voyage, scene = setup.voyage, setup.scene
     if isinstance(voyage, RecordedTrajectory):
@@ -222,7 +222,7 @@ def simulate_survey(
     trajectory = _reported_trajectory(setup, motion, errors if pos_errors else None)
     states = (trajectory.time, motion.position, motion.attitude)
     if scene.meshes is not None:
-        progress(0.0)  # made once, before the threads
+        progress(0.0)  # created once, before the threads start
 
     def record(i: int) -> Echoes:
         start, stop = motion.recorded[i]
@@ -262,7 +262,7 @@ def _require_trajectory_covers(motion: VesselMotion, latency: float) -> None:
 def _surface_seeds(
     setup: SurveySetup, names: tuple[str, ...], motion: VesselMotion
 ) -> dict[str, Array]:
-    """Middles of rectangles, and of balls the point that faces the vessel's mean place."""
+    """Seeds on surfaces: centres of rectangles, points of spheres towards the mean position."""
     seeds = {}
     for name in names:
         surface = setup.scene[name]
@@ -275,19 +275,19 @@ def _surface_seeds(
 
 
 def _nearest_rows(time: Array, even: Array, values: Array) -> Array:
-    """Rows of evenly spaced values nearest to any times, shape (n, k)."""
+    """Rows of evenly sampled values nearest to given times, shape (n, k)."""
     if len(time) == len(even):
         return values
-    # The nearest and not between two: a mean of white noise would be smaller than given.
+    # No interpolation, which would reduce the standard deviation of white noise.
     return values[np.rint(time / (even[1] - even[0])).astype(np.intp)]
 
 
 def _reported_trajectory(
     setup: SurveySetup, motion: VesselMotion, generator: np.random.Generator | None
 ) -> SimulatedTrajectory:
-    """Convert true states to POS output: geodetic, relative to the level at the vessel."""
+    """Convert true states to POS output: geodetic, attitude relative to the local level."""
     time, interval = motion.time, motion.interval
-    # A recorded trajectory may have gaps: its errors are those of a whole one at its times.
+    # A recorded trajectory may have gaps: errors are drawn for all times and taken at its states.
     even = np.arange(round((time[-1] - time[0]) / interval) + 1) * interval
     position_error, attitude_error = np.zeros((2, len(time), 3))
     if generator is not None:

@@ -1,4 +1,4 @@
-"""Values that the thesis chose by eye, compared with the same rule here.
+"""Comparison of values chosen visually in the thesis with those of the same rule in this program.
 
 Tables 3.2 and 3.3 and appendix C for the terrestrial site, sections 3.9 and 4.4.1.1 for the marine.
 """
@@ -24,11 +24,11 @@ class ThesisValue:
     Attributes
     ----------
     lines : tuple of int, degrees
-        Headings; none where it finds the error invisible.
+        Headings; empty if the error is invisible according to the thesis.
     inclination_deg : tuple of int
         Lowest and highest.
     suitable_inclinations_deg : tuple of int
-        Lowest and highest inclination that it keeps by the type I criterion.
+        Lowest and highest inclination that the thesis keeps by the type I criterion.
     """
 
     lines: tuple[int, ...]
@@ -64,7 +64,7 @@ REASONS: Mapping[tuple[str, str], str] = {
     ("terrestrial", "range_offset"): "visibility.offset_not_kept",
     ("marine", "roll"): "visibility.leaning_back",
 }
-"""Code of the message why an error has another best configuration than in the thesis."""
+"""Code of the message with the reason for a best configuration different from the thesis."""
 
 
 @dataclass(frozen=True)
@@ -74,9 +74,10 @@ class ThesisComparison:
     Attributes
     ----------
     lines_agree : bool
-        The thesis's lines are one of each group that is needed here (marine: of different groups).
+        Whether the lines of the thesis include one of each group needed here (marine site: whether
+        they are from different groups).
     reason : Message or None
-        Where they do not agree.
+        Reason if they do not agree.
     """
 
     best: BestConfiguration
@@ -87,7 +88,7 @@ class ThesisComparison:
 
 
 def compare_with_thesis(study: VisibilityStudy) -> tuple[ThesisComparison, ...]:
-    """Every error of a site beside what the thesis chose for it."""
+    """Compare the best configuration for every error of a site with that of the thesis."""
     rows = []
     for error in study.site.errors:
         best, thesis = study.best_configuration(error), THESIS_VALUES[study.site.name][error]
@@ -113,7 +114,7 @@ def do_fewest_lines_agree(study: VisibilityStudy) -> bool:
 def _disagreement_reason(
     study: VisibilityStudy, best: BestConfiguration, thesis: ThesisValue
 ) -> Message:
-    """What there is to see at both inclinations, and why they differ where that is known."""
+    """Visibility of the error at both inclinations, and the reason for the difference if known."""
     degrees = np.round(np.degrees(study.site.inclinations)).astype(int)
     places = []
     if best.inclination is not None:

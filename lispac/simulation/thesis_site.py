@@ -1,10 +1,10 @@
-"""The two sites of the thesis on which errors are made visible (sections 3.5 and 3.9).
+"""The two sites of the thesis for the visibility of errors (sections 3.5 and 3.9).
 
-A profiler passes one board on six straight lines, level and steadily, without noise. One of eight
-systematic errors is put into the measurement: the range is where the beam with the error hits the
-board's plane (3.4.2). The points are then placed by someone who does not know the error.
+A profiler passes one board on six straight lines, at constant speed and level, without noise. The
+measurement contains one of eight systematic errors: the range is that at which the beam with the
+error hits the plane of the board (3.4.2). The points are then georeferenced without the error.
 
-Decided here, because the thesis shows it in figures only or not at all:
+Assumptions, because the thesis specifies them only in figures or not at all:
 
 - An inclination is counted from the upright board, positive where its upper edge leans towards the
   vessel. So the boards at +60 deg are the ones that run along the beams (figure 3.9), and those of
@@ -15,10 +15,11 @@ Decided here, because the thesis shows it in figures only or not at all:
   edge. The thesis gives no distance for the terrestrial site. From 5 m the boards at +60 run along
   the beams and the type I criterion keeps nearly the inclinations the appendix keeps; 2 or 10 m
   do not.
-- Beams are those that would meet the board if there were no error, and its plane has no end
-  (``aimed``): only so do points fly far off where a board runs along the beams, as 3.4.4.1 says.
-  On a real board (``struck``) no point moves farther than its range times the error.
-- A board has one face. From behind it gives no points.
+- ``aimed`` beams are those that would hit the board without the error, and the plane of the board
+  is unlimited. Only then are points displaced far where the board is nearly parallel to the beams,
+  as described in 3.4.4.1. On a real board (``struck``), a point is displaced by at most its range
+  times the error.
+- A board is visible only from the front.
 """
 
 from collections.abc import Mapping
@@ -52,7 +53,7 @@ SIZES: Mapping[str, float] = {
 """The eight errors of table 3.2, radians and metres."""
 
 MARGIN: Mapping[Beams, float] = {"aimed": 0.0, "struck": np.radians(2.5)}
-"""Profiles reach so far beyond the board: an error moves beams onto it that were beside it."""
+"""Extension of the profiles beyond the board: with an error, beams beside the board may hit it."""
 
 
 @dataclass(frozen=True)
@@ -62,14 +63,14 @@ class ThesisSite:
     Attributes
     ----------
     distance, rise : float, metres
-        Of the board's lower edge from the scanner: horizontal distance when abeam, and upwards.
+        Horizontal distance when abeam, and height, of the board's lower edge from the scanner.
     inclinations : tuple of float, radians
     errors : tuple of str
-        Those studied, of `SIZES`.
+        Studied errors, names of `SIZES`.
     angle_step : float, radians
-        Between the beams of a profile.
+        Angle between the beams of a profile.
     profile_spacing : float, metres
-        Along the line.
+        Distance between profiles along the line.
     """
 
     name: str
@@ -113,7 +114,7 @@ NO_ERROR = Mounting(np.zeros(3), np.zeros(3))
 
 
 def mounting_with_error(error: str, share: float = 1.0) -> Mounting:
-    """The true mounting where one of the eight errors is there, as a share of its size."""
+    """True mounting with one of the eight errors, scaled by ``share``."""
     values = np.zeros(len(CALIBRATION))
     values[CALIBRATION.index(error)] = share * SIZES[error]
     return Mounting.of_values(values)
@@ -125,7 +126,7 @@ def board_plane(board: Board) -> Plane:
 
 
 def is_on_board(points: Array, board: Board) -> NDArray[np.bool_]:
-    """Which points of its plane lie on the board, (n,): what 3.4.3 asks of four triangles' areas.
+    """Whether each point of its plane is on the board, (n,); 3.4.3 uses areas of four triangles.
 
     Parameters
     ----------
@@ -139,19 +140,19 @@ def is_on_board(points: Array, board: Board) -> NDArray[np.bool_]:
 def simulate_board(
     site: ThesisSite, course: Course, inclination: float, error: Mounting, beams: Beams = "aimed"
 ) -> Array:
-    """The board's points, placed by someone who takes the mounting to have no error.
+    """Points of the board, georeferenced with a mounting without the error.
 
     Parameters
     ----------
     error : Mounting
-        The true one.
+        The true mounting.
     beams : {"aimed", "struck"}
-        Those that would meet the board without the error, or those that meet it with the error.
+        Beams that would hit the board without the error, or beams that hit it with the error.
 
     Returns
     -------
     ndarray of shape (n, 3), metres, local
-        None where the board is only visible from behind.
+        None if the board is visible only from behind.
     """
     board = site.board(inclination)
     directions, poses = _beams_and_poses(site, board, course, MARGIN[beams])
@@ -175,7 +176,7 @@ def _beams_and_poses(
     corners = np.array(board.centre) + [
         (u * across + v * up) * SIDE / 2 for u in (-1, 1) for v in (-1, 1)
     ]
-    # Both grids lie alike for lines run in opposite directions.
+    # Both grids are the same for lines run in opposite directions.
     edge = float(np.array([0.0, site.distance, 0.0]) @ ahead)
     angles = np.arctan2(corners[:, 2], corners @ left)
     middle = float(np.angle(np.exp(1j * angles).mean()))
@@ -198,11 +199,11 @@ def _beams_and_poses(
 def _intersect_board(
     directions: Array, poses: Poses, mounting: Mounting, board: Board
 ) -> tuple[Array, Array]:
-    """Where beams meet a board's plane on its face: readings (n,) and points (n, 3), metres.
+    """Intersections of beams with the front of a board's plane: ranges (n,), points (n, 3), metres.
 
-    Readings of beams that come from behind, or never meet it, are NaN.
+    Recorded ranges of beams that come from behind, or do not hit the plane, are NaN.
     """
-    # Whatever the mounting, a reading of one metre more is a point one metre farther on the beam.
+    # With any mounting, a range longer by one metre gives a point one metre farther on the beam.
     near, far = (
         place_points(directions, poses, mounting),
         place_points(2 * directions, poses, mounting),

@@ -20,19 +20,19 @@ class VesselHandling:
     Attributes
     ----------
     speed, speed_abeam : float, metres per second
-        On the run, and in front of the boards, where a helmsman slows down.
+        On the line, and in front of the boards, where the vessel slows down.
     slow_time : float, seconds
-        Half-width of the slow stretch.
+        Half-width of the slow part.
     ramp : float, seconds
-        To come up to speed before a line, and to stop after it.
+        Time for acceleration before a line, and for stopping after it.
     transit : float, seconds
-        From one stop to the start of the next run-up, turning on the way.
+        Time from one stop to the start of the next acceleration, including the turn.
     wait : float, seconds
-        Of standing still at both ends of the survey.
+        Time at rest at both ends of the survey.
     roll, pitch, yaw : float, radians, 1 sigma
     heave, drift : float, metres, 1 sigma
     periods : pair of float, seconds
-        Shortest and longest of the sea.
+        Shortest and longest period of the sea motion.
     """
 
     speed: float = 2.2
@@ -85,7 +85,7 @@ class SailedLine:
 
     @property
     def _lost(self) -> float:
-        """Way that is not made for going slowly, on either side of abeam."""
+        """Reduction of the distance by the slow part, on either side of abeam, metres."""
         own = self.handling
         return float((own.speed - own.speed_abeam) * own.slow_time * np.sqrt(np.pi) / 2)
 
@@ -101,7 +101,7 @@ class SailedLine:
         return np.asarray(own.speed * time - self._lost * erf(time / own.slow_time))
 
     def course(self) -> Array:
-        """Positions from standstill over the recorded stretch to standstill, shape (n, 2)."""
+        """Positions from rest through the recorded part to rest, shape (n, 2), metres."""
         start, stop = self.times
         ramp = self.handling.ramp
         time = np.arange(round((start - ramp) * RATE), round((stop + ramp) * RATE) + 1) / RATE
@@ -113,7 +113,7 @@ class SailedLine:
 
 
 def _ramp_distance(time: Array, ramp: float) -> Array:
-    """Way made in ``time`` at unit speed that fades out smoothly over ``ramp`` seconds."""
+    """Distance in ``time`` with a speed that decreases smoothly from 1 to 0 in ``ramp`` seconds."""
     u = time / ramp
     return np.asarray(ramp * (u - u**3 + u**4 / 2))
 
@@ -150,15 +150,15 @@ class VesselMotion:
 def sail_lines(
     lines: Sequence[SailedLine], height: float, generator: np.random.Generator
 ) -> VesselMotion:
-    """Sail the lines one after the other in one unbroken motion.
+    """Simulate the lines one after the other as one continuous motion.
 
-    Between two lines the vessel stops, turns the short way while it moves over, and starts
-    again; straight starboard where it must turn about.
+    Between two lines the vessel stops, turns by the smaller angle while it moves to the next line,
+    and starts again; turns by 180 deg are to starboard.
 
     Parameters
     ----------
     lines : sequence of SailedLine
-        All of them handled alike.
+        All with the same handling.
     height : float, metres
         Mean height of the POS in the local frame.
     """
@@ -202,7 +202,7 @@ def sail_lines(
 def _sea_motion(
     time: Array, sigma: float, range_of: tuple[float, float], generator: np.random.Generator
 ) -> Array:
-    """A smooth motion: a few sines with random periods and phases."""
+    """Smooth motion as a sum of sines with random periods and phases."""
     periods = generator.uniform(*range_of, SINES)
     phases = generator.uniform(0, 2 * np.pi, SINES)
     weights = generator.uniform(0.5, 1.0, SINES)

@@ -1,17 +1,18 @@
 """How visible a systematic error is on a board: the criteria of the thesis (section 3.4.4).
 
-The criterion of type I, from planarity and centroidal distance, is 1 if the points form a board at
-its place, and 0 if they do not: a first selection. Those of type II, angular deviation and signed
-orthogonal distance, are the rotation and shift of their plane: what is visible of the error.
+The type I criterion, from planarity and centroidal distance, is a first selection. It is 1 if the
+points form a board at the position of the board, and 0 if they do not. The type II criteria,
+angular deviation and signed orthogonal distance, are the rotation and shift of the plane of the
+points, by which the error is visible.
 
-Where the thesis leaves something open or is misprinted:
+Choices where the thesis is incomplete or contains misprints:
 
 - Planarity is that of West et al. (2004), whom it cites: (l2 - l3) / l1, eigenvalues descending.
-- Figure 3.8, how the two become one number, is a picture. Planarity times one less the normalised
-  distance is 1 only where both are as good as they can be, and 0 where either is as bad.
+- Figure 3.8 shows the combination of the two values only graphically. Here it is the planarity
+  times one minus the normalised distance, which is 1 only if both are best, and 0 if one is worst.
 - Figure 3.10 divides the orthogonal distance by the length of the simulated plane's normal, which
   is 1, and omits the d of the reference plane: right only where that goes through the origin.
-- Figure 3.10 wants an angle in 0 to 90 deg of an arc tangent that gives one up to 180 deg: two
+- Figure 3.10 requires an angle from 0 to 90 deg, but its arc tangent gives up to 180 deg, since two
   normals of one plane may point to opposite sides.
 """
 
@@ -72,7 +73,7 @@ def normalise_distances(distances: Array) -> Array:
     Parameters
     ----------
     distances : ndarray of any shape, metres
-        What is compared with each other; NaN where there are no points.
+        Distances to be compared; NaN where there are no points.
 
     Returns
     -------

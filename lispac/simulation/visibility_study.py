@@ -1,10 +1,10 @@
 """Visibility of every error on every line and inclination of a site; best configurations.
 
-The rule the thesis applies by eye (3.5.2), made exact: an inclination is kept where the type I
-criterion reaches a threshold on every line, from the upright board outwards; of those kept it is
-best where the lines differ most in both numbers of the type II criterion. Lines that show the same
-form a group, and a configuration takes one line of each: so the eight combinations of table 3.1
-come about.
+The rule is that of the thesis (3.5.2), which applies it visually. Starting from the vertical board,
+an inclination is kept if the type I criterion reaches a threshold on every line. The best of these
+inclinations is that at which the lines differ most in both type II criteria. Lines with the same
+effect form a group, and a configuration has one line of each group, which gives the eight
+combinations of table 3.1.
 """
 
 from collections.abc import Sequence
@@ -39,9 +39,9 @@ Array = NDArray[np.float64]
 THRESHOLD = 0.75
 """Threshold of the type I criterion. The thesis gives no number, only "near 1"."""
 ALIKE = 0.1
-"""Lines show the same where they differ by less than this share of the largest value."""
+"""Largest difference between lines with the same effect, as a share of the largest value."""
 LEAST = 0.001, np.radians(0.02)
-"""Differences of orthogonal distance (metres) and angular deviation (radians) that are none."""
+"""Negligible differences of orthogonal distance (metres) and angular deviation (radians)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,9 +177,9 @@ def study_visibility(
 ) -> VisibilityStudy:
     """Simulate every error on every line and inclination.
 
-    Centroidal distances are normalised over all of a site's errors together. Within one error
-    whose distance is the same everywhere, equation 3.4 would stretch nothing to the whole of 0 to
-    1. The thesis does not say over what; its figure 3.18 holds three errors.
+    Centroidal distances are normalised over all errors of a site together. For a single error with
+    nearly constant distance, equation 3.4 would stretch insignificant differences to the range from
+    0 to 1. The thesis does not specify this; its figure 3.18 contains three errors.
     """
     shape = len(site.errors), len(LINES), len(site.inclinations)
     points = np.zeros(shape, dtype=np.int64)

@@ -1,1 +1,1 @@
-"""Trajectory, scan, georeferencing: how points are placed in the local frame."""
+"""Trajectories, scans and georeferencing of points in the local frame."""

@@ -1,4 +1,4 @@
-"""Messages about the points of a line, from its audit: the object, the number, the effect."""
+"""Messages about the points of a line from its audit: the object, the number, the effect."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, pairwise
@@ -18,33 +18,34 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.warning_causes import Cause
 
 FAR_POINT_SHARE = 0.001
-"""Share of points beyond the reach of the scanner from which the file is suspect: its unit, or the
-scanner that was given."""
+"""Share of points beyond the largest range from which the unit of the file, or the given scanner,
+is probably wrong."""
 COARSE_STEP = 0.9e-3
-"""Seconds: steps of the point times from here on are reported."""
+"""Smallest step of the point times that is reported, seconds."""
 MIN_GROUP_SHARE = 0.01
-"""Share of the points that a scanner or a pass has at least."""
+"""Smallest share of the points for a separate scanner or line."""
 MAX_SCANNERS = 8
-"""Values of an attribute up to which it is taken to number scanners or passes."""
+"""Largest number of values of an attribute that is assumed to number scanners or lines."""
 MIN_REPEATED = 0.01
-"""Share of its points from which a line repeats another one."""
+"""Smallest share of common points for which a line is reported to repeat another one."""
 SIMULTANEOUS = 0.05
-"""Share of the time of the shorter line from which two lines are of the same time."""
+"""Smallest common share of the duration of the shorter line for simultaneous lines."""
 WHOLE_SECONDS = 2.0
-"""Seconds by which spans to whole seconds may overlap where the lines do not."""
+"""Overlap in seconds that may result from the rounding of time spans to whole seconds."""
 NEAR_ROLLOVER = 1.5
-"""Seconds from a time rollover within which a line crosses it."""
+"""Largest distance in seconds from a time rollover at which a line is assumed to cross it."""
 LONG_PAUSE = 60.0
-"""Seconds without points that separate two passes in any case."""
+"""Pause in seconds that separates two lines in any case."""
 MIN_TURN = np.radians(30.0)
-"""Change of heading over a pause that makes two passes of it."""
+"""Change of heading during a pause that separates two lines, radians."""
 HALFWAY = 0.5
-"""Share of the way at its speed that a vessel makes over a pause without stopping."""
+"""Smallest ratio of the distance covered during a pause to that at constant speed for which the
+vessel did not stop."""
 QUANTILE = 0.95
-"""Quantile of the speeds and angular rates on a line, for the effect of an error of time."""
+"""Quantile of the speeds and angular rates of a line used for the effect of a time error."""
 SCANNERS = ("scanner_channel", "scanner", "scanner_id", "head", "head_id", "device", "device_id",
             "sensor_id", "lidar_id")  # fmt: skip
-"""Attributes that number scanners; the others number passes, or either."""
+"""Attributes that number scanners; other attributes number lines, or either."""
 
 
 def line_messages(
@@ -53,17 +54,17 @@ def line_messages(
     trajectory: LocalTrajectory | None = None,
     times: NDArray[np.float64] | None = None,
 ) -> tuple[Message, ...]:
-    """Messages about one line, or one file where there is no trajectory.
+    """Messages about one line, or about one file without a trajectory.
 
     Parameters
     ----------
     name : str
-        Of the line or file.
+        Name of the line or file.
     audit : LineAudit
     trajectory : LocalTrajectory, optional
-        Without it, effects of the motion are not given.
+        Needed for the effects of the motion.
     times : ndarray of shape (n,), seconds, in the trajectory's time base, optional
-        Some times of the line, ascending, that have a pose.
+        Sample of the times of the line that have a pose, ascending.
     """
     if not audit.read:
         return ()
@@ -79,7 +80,7 @@ def line_messages(
 
 
 def shared_messages(audits: Mapping[str, LineAudit]) -> tuple[Message, ...]:
-    """Messages about lines that have points in common, by name of the line."""
+    """Messages about lines with common points, by name of the line."""
     found = []
     for (one, first), (other, second) in combinations(audits.items(), 2):
         share = shared_point_fraction(first, second)
@@ -100,16 +101,16 @@ def shared_messages(audits: Mapping[str, LineAudit]) -> tuple[Message, ...]:
 def simultaneous_messages(
     audits: Mapping[str, LineAudit], first_times: Mapping[str, float]
 ) -> tuple[Message, ...]:
-    """Messages about lines with points of the same time: one is a copy, or of another scanner.
+    """Messages about simultaneous lines: one is a copy, or from another scanner.
 
-    Lines that share points exactly are left to `shared_messages`.
+    Lines with identical points are reported by `shared_messages` instead.
 
     Parameters
     ----------
     audits : mapping of str to LineAudit
-        By name of the line.
+        Audits by name of the line.
     first_times : mapping of str to float, seconds
-        The earliest time of each line in the trajectory's time base.
+        Earliest time of each line in the trajectory's time base.
     """
     spans = {
         name: _shift_to_trajectory_time(_unrolled_spans(audit.spans), first_times[name])
@@ -143,7 +144,7 @@ def simultaneous_messages(
 def _shift_to_trajectory_time(
     spans: Sequence[tuple[float, float]], first_time: float
 ) -> list[tuple[float, float]]:
-    """Spans of a file in the trajectory's time base, by the earliest time of the line."""
+    """Time spans of a file in the trajectory's time base, shifted by the line's earliest time."""
     shift = np.floor(first_time) - spans[0][0]
     return [(start + shift, end + shift) for start, end in spans]
 
@@ -215,7 +216,7 @@ def _noise_class_warning(name: str, audit: LineAudit) -> Iterator[Message]:
 
 
 def _group_messages(name: str, audit: LineAudit) -> Iterator[Message]:
-    """Scanners or passes that one file holds, by an attribute."""
+    """Messages about several scanners or lines in one file, according to an attribute."""
     for attribute, large in _find_large_groups(audit):
         code = "several_scanners" if attribute in SCANNERS else "several_sources"
         yield Message(
@@ -231,7 +232,7 @@ def _group_messages(name: str, audit: LineAudit) -> Iterator[Message]:
 
 
 def has_several_scanners(audit: LineAudit) -> bool:
-    """Whether an attribute shows that the points are of more than one scanner."""
+    """Whether an attribute shows that the points are from several scanners."""
     return any(attribute in SCANNERS for attribute, _ in _find_large_groups(audit))
 
 
@@ -247,7 +248,7 @@ def _find_large_groups(audit: LineAudit) -> Iterator[tuple[str, list[str]]]:
 def _several_lines_messages(
     name: str, audit: LineAudit, trajectory: LocalTrajectory | None, times: NDArray[np.float64]
 ) -> Iterator[Message]:
-    """Passes that one file holds, by pauses over which the vessel turned or that are long."""
+    """Messages about several lines in one file, separated by turns or long pauses."""
     spans = _unrolled_spans(audit.spans)
     if len(spans) < 2:
         return
@@ -256,7 +257,7 @@ def _several_lines_messages(
         if trajectory is None or not len(times):
             passes += bool(after - before > LONG_PAUSE)
             continue
-        # The audit has the times of the file: only their differences are taken from it.
+        # The audit has the times of the file, of which only the differences are used.
         shift = times[0] - spans[0][0]
         ends = np.clip(np.array([before, after]) + shift, times[0], times[-1])
         passes += _has_vessel_turned(trajectory, ends) or (
@@ -282,9 +283,10 @@ def _has_vessel_turned(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -
 
 
 def _has_vessel_continued(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
-    """Whether the vessel continued at its speed between two times, (2,), seconds.
+    """Whether the vessel continued at its speed between two times, shape (2,), seconds.
 
-    So it is where a line was cut to objects: the trajectory may have no states between them.
+    This is the case if only points on certain objects were exported from a line. The trajectory may
+    have no states in between.
     """
     position = np.stack([np.interp(ends, trajectory.time, axis) for axis in trajectory.position.T])
     speed = np.linalg.norm(trajectory.rate_at(ends)[:, :3], axis=1).mean()

@@ -1,8 +1,8 @@
 """The shape of a scanner's beams: a plane, a cone or several cones through the optical centre.
 
-The beams of a profiler lie in a plane or on a cone about the axis of its mirror, those of each
-laser of a spinning scanner on a cone about the common axis. Points that were recovered rightly from
-a georeferenced cloud lie there as well, whatever their noise in range.
+The beams of a profiler lie in a plane or on a cone about the axis of its mirror. The beams of each
+laser of a spinning scanner lie on a cone about the common axis. Points that are correctly recovered
+from a georeferenced cloud lie on these surfaces too, independent of their range noise.
 """
 
 from dataclasses import dataclass
@@ -15,9 +15,9 @@ Array = NDArray[np.float64]
 KEPT_SHARE = 0.9
 """Share of the points, those with the smallest residuals, used in the fit."""
 ROUNDS = 3
-"""Fits, each to the points kept by the one before."""
+"""Number of fits; each uses the points with the smallest residuals of the previous one."""
 NORMAL = 1.4826
-"""Standard deviation of a normal distribution over its median absolute deviation."""
+"""Ratio of the standard deviation of a normal distribution to its median absolute deviation."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +30,7 @@ class BeamCone:
     ----------
     axis : ndarray of shape (3,), no unit, LiDAR frame
     cosines : ndarray of shape (rings,), no unit
-        Of the angle between axis and beams; one for a plane or a single cone.
+        Cosine of the angle between axis and beams; a single one for a plane or one cone.
     residual : float, metres
         Robust standard deviation of the points from the plane or their cone.
     """
@@ -66,7 +66,7 @@ def fit_cone(points_lidar: Array) -> BeamCone:
 
 
 def fit_cones(points_lidar: Array, ring: NDArray[np.int64]) -> BeamCone:
-    """Fit one cone a ring with a common axis and the apex in the optical centre.
+    """Fit one cone per ring, with a common axis and the apex in the optical centre.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def fit_cones(points_lidar: Array, ring: NDArray[np.int64]) -> BeamCone:
 
 
 def beam_direction_spread(points_lidar: Array) -> float:
-    """Extent of the beam directions, radians: the standard deviation where it is largest.
+    """Spread of the beam directions, radians: standard deviation in the direction of its maximum.
 
     Parameters
     ----------

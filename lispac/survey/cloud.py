@@ -1,7 +1,7 @@
-"""Lines placed in the local frame, read only where needed.
+"""Lines georeferenced in the local frame; only the required regions are read.
 
-Points are identified by number: the place in their line, in the order of its file. That is what
-picks are kept in, whether the line is in memory or on disk.
+Points are identified by their number, which is their index in the line in the order of the file.
+Picked points are stored by these numbers, for lines in memory as well as on disk.
 """
 
 from collections.abc import Mapping
@@ -23,14 +23,14 @@ Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
 MAX_POINTS = 4_000_000
-"""Points of a region; where a line has more of them there, a fair sample stands for all: a half, a
-quarter and so on of its points, the same ones for a line in memory and on disk."""
+"""Largest number of points of a region. If a line has more, a uniform random sample is used: one
+half, one quarter and so on of its points, the same ones for a line in memory and on disk."""
 
 PROBES, FEWEST_PROBES, BESIDE = 50_000, 50, 1.0
-"""Points of a line that show how far another mounting moves it, how many of them must lie near a
-place or within so many metres beside it."""
+"""Number of points of a line used to estimate its displacement by another mounting, smallest number
+of them near a place, and additional search distance around the place in metres."""
 MARGIN_FACTOR, MIN_MARGIN = 1.25, 0.05
-"""Enlargement of the largest displacement: a factor, and metres."""
+"""Safety margin of the largest displacement: a factor, and a smallest margin in metres."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +42,7 @@ class SphereRegion:
     numbers : ndarray of shape (n,), ascending
     points : ndarray of shape (n, 3), metres, local frame
     one_in : int
-        1 where these are all points; of more than `MAX_POINTS`, one in so many is here.
+        Sampling: one in this number of the points is included; 1 if all are.
     """
 
     numbers: Numbers
@@ -56,7 +56,7 @@ class Line(Protocol):
     def __len__(self) -> int: ...
     @property
     def fingerprint(self) -> str:
-        """Identifies the points, so that stored point numbers can be verified."""
+        """Identification of the points, by which stored point numbers can be verified."""
 
     @property
     def first_time(self) -> float:
@@ -78,21 +78,21 @@ class Cloud(Protocol):
 
     @property
     def place(self) -> Georeferencer:
-        """Transformation of its points into the local frame."""
+        """Transformation of the points into the local frame."""
 
     def __len__(self) -> int: ...
     def __getitem__(self, numbers: Numbers) -> Array:
         """Points by their numbers, shape (n, 3), metres."""
 
     def within(self, centre: Array, radius: float, *, limit: int | None = None) -> SphereRegion:
-        """The points within a sphere; a fair sample where there are more than ``limit``.
+        """Points within a sphere; a uniform random sample if there are more than ``limit``.
 
         Parameters
         ----------
         centre : ndarray of shape (3,), metres, local frame
         radius : float, metres
         limit : int or None
-            `MAX_POINTS` where it is not given.
+            By default `MAX_POINTS`.
         """
 
     @property
@@ -112,7 +112,7 @@ class Cloud(Protocol):
         """Intensities of the sample, shape (n,), as in the file, if the line has any."""
 
     def sample_lidar(self, numbers: Numbers) -> tuple[Array, Array]:
-        """Points of the sample by their place in it, as `Line.take`."""
+        """Points of the sample, selected by their index in it; see `Line.take`."""
 
     def georeferenced_with(self, mounting: Mounting) -> "Cloud":
         """The line georeferenced with another boresight and lever arm."""
@@ -120,17 +120,17 @@ class Cloud(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class CloudInMemory:
-    """A line that was read whole.
+    """A line that is completely in memory.
 
     Attributes
     ----------
     scan : Scan
     place : Georeferencer
-        Puts its points into the local frame.
+        Georeferences the points in the local frame.
     ordered : ndarray of shape (n, 3), metres, local frame
-        All points as they were placed first.
+        All points with the mounting ``ordered_with``, used for searching.
     ordered_with : Mounting
-        With which that was.
+        Mounting with which the line was first georeferenced.
     """
 
     scan: Scan
@@ -140,7 +140,7 @@ class CloudInMemory:
 
     @classmethod
     def of(cls, scan: Scan, trajectory: LocalTrajectory, mounting: Mounting) -> "CloudInMemory":
-        """Place a line."""
+        """Georeference a line."""
         place = Georeferencer.of(trajectory, mounting)
         return cls(scan, place, place(scan.points_lidar, scan.time), mounting)
 
@@ -212,13 +212,13 @@ class CloudInMemory:
 
 @dataclass(frozen=True, eq=False)
 class CloudOnDisk:
-    """An imported line.
+    """An imported line on disk.
 
     Attributes
     ----------
     stored : StoredLine
     place : Georeferencer
-        Puts its points into the local frame.
+        Georeferences the points in the local frame.
     """
 
     stored: StoredLine
@@ -295,8 +295,9 @@ def _largest_move_near(
 ) -> float:
     """Largest displacement of points near a place, metres.
 
-    Far below ``max_shift``, the shift of the farthest point of the line: that of points about the
-    place is estimated from points of the line, shape (n, 3), placed before and after.
+    It is estimated from points of the line near the place, given by their positions ``before`` and
+    ``after``, shape (n, 3), and is usually far below ``max_shift``, the displacement of the
+    farthest point of the line.
     """
     near = ((after - centre) ** 2).sum(axis=1) <= (radius + BESIDE) ** 2
     if np.count_nonzero(near) < FEWEST_PROBES:
@@ -306,5 +307,5 @@ def _largest_move_near(
 
 
 def place_clouds(clouds: Mapping[str, Cloud], mounting: Mounting) -> dict[str, Cloud]:
-    """All lines placed with another mounting."""
+    """Georeference all lines with another mounting."""
     return {name: cloud.georeferenced_with(mounting) for name, cloud in clouds.items()}

@@ -1,11 +1,12 @@
-"""Coordinate systems of georeferenced points, by PROJ: to the earth's centre and the local frame.
+"""Coordinate systems of georeferenced points and their conversion to the local frame by PROJ.
 
-A map projection is neither true to north nor to scale: points never go from grid coordinates to
-the local frame by subtraction, always by latitude, longitude and height above the ellipsoid.
+A map projection preserves neither north nor scale. Grid coordinates are therefore never converted
+to the local frame by subtraction, but by latitude, longitude and height above the ellipsoid.
 
-The trajectory carries no datum. A cloud is made by adding vectors to the trajectory and projecting
-the sum, so unless the user says otherwise both are in the datum of the cloud and nothing is shifted
-between datums: that is what makes the inverse exact. PROJ's network access stays off.
+The trajectory has no datum of its own. A cloud is computed by adding vectors to the trajectory and
+projecting the sum. Unless the user specifies another datum, the trajectory is therefore assumed to
+be in the datum of the cloud, and no datum shift is applied, so that the conversion can be inverted
+exactly. Network access of PROJ is disabled.
 """
 
 import os
@@ -39,38 +40,38 @@ from lispac.survey.crs_operation import best_operation
 Array = NDArray[np.float64]
 Geodetic = tuple[Array, Array, Array]
 UNITS = {"metre": 1.0, "foot": 0.3048, "us-survey-foot": 1200 / 3937}
-"""Metres in each unit a length may be given in."""
+"""Length in metres of each unit."""
 ELLIPSOID = "ellipsoid"
 CHANGING = ("t_epoch=", "defmodel")
-"""Steps of PROJ whose outcome depends on the date."""
+"""Text in PROJ operations whose result depends on the date."""
 GRID_ENDINGS = (".gtx", ".tif", ".tiff")
 HEIGHT_OFFSET = re.compile(r"[+-]\d+(\.\d+)?")
-"""Metres that are added to heights; the sign distinguishes them from an EPSG code."""
+"""Pattern of an offset in metres to be added to heights; its sign distinguishes it from a code."""
 Columns = tuple[Array, Array, Array]
 BLOCK = 1 << 17
-"""Points per call, for example of PROJ, which releases Python's lock."""
+"""Number of points per call, for example of PROJ, which releases Python's global lock."""
 
 
 @dataclass(frozen=True, eq=False)
 class CoordinateSystem:
     """Conversion of the coordinates of a cloud to latitude, longitude and height.
 
-    Made by `coordinate_system`.
+    Created by `coordinate_system`.
 
     Attributes
     ----------
     crs : pyproj.CRS
-        As given.
+        System as given by the user.
     height : str
         Description of the height reference.
     unit : str
-        Of the horizontal coordinates.
+        Unit of the horizontal coordinates.
     assumptions : tuple of Message
-        How the system is used.
+        Assumptions about the system.
     metres : three of float
-        Metres in each unit of x, y and height; of a degree, what it is at the equator.
+        Length in metres of the units of x, y and height; for a degree, its length at the equator.
     written : pyproj.CRS
-        What a file of such points has to name: with the heights chosen, where they have a code.
+        System to be written to files: includes the chosen heights if they have a code.
     """
 
     crs: CRS
@@ -88,7 +89,7 @@ class CoordinateSystem:
 
     @property
     def name(self) -> str:
-        """Name and, where there is one, EPSG code."""
+        """Name, with the EPSG code if there is one."""
         if self.frame is not None:
             return gettext("local frame (north, west, up)")
         code = self.crs.to_epsg()
@@ -118,12 +119,12 @@ class CoordinateSystem:
         points_crs : ndarray of shape (n, 3)
             East, north (or longitude, latitude in degrees) and height, as LAS stores them.
         strict : bool
-            Whether points outside are refused; otherwise they come out not finite.
+            Whether points outside raise an error; otherwise their results are not finite.
 
         Raises
         ------
         InputError
-            Where points lie outside what the system or its geoid grid covers.
+            If points are outside the area covered by the system or its geoid grid.
         """
         run = partial(self._to_geodetic_block, strict=strict)
         return run_in_blocks(run, *np.asarray(points_crs, dtype=float).T)
@@ -133,7 +134,7 @@ class CoordinateSystem:
         return geodetic_to_ecef(*self.to_geodetic(points_crs))
 
     def to_local(self, points_crs: Array, frame: LocalFrame, *, strict: bool = True) -> Array:
-        """Points in the local frame, shape (n, 3), metres; as `to_geodetic`."""
+        """Points in the local frame, shape (n, 3), metres; see `to_geodetic`."""
         return frame.to_local(*self.to_geodetic(points_crs, strict=strict))
 
     def from_geodetic(
@@ -160,7 +161,7 @@ class CoordinateSystem:
         longitude, latitude, height = place
         if strict:
             self._require_inside(place, (x, y, z))
-        else:  # PROJ says infinity, of which a sine is warned about
+        else:  # PROJ returns infinity, whose sine would cause a warning
             inside = np.isfinite(np.stack(place)).all(axis=0)
             latitude, longitude, height = (
                 np.where(inside, each, np.nan) for each in (latitude, longitude, height)
@@ -219,24 +220,24 @@ def coordinate_system(
     Parameters
     ----------
     text : str
-        An EPSG code (``EPSG:32619``, ``32619``, ``EPSG:6347+5703``), WKT, a name PROJ knows, or
-        ``local:`` with latitude, longitude (degrees) and height (metres above the ellipsoid) of the
-        origin of a frame towards north, west and up, parted by commas.
+        An EPSG code (``EPSG:32619``, ``32619``, ``EPSG:6347+5703``), WKT, a name known to PROJ, or
+        ``local:`` followed by latitude, longitude (degrees) and height (metres above the ellipsoid)
+        of the origin of a North-West-Up frame, separated by commas.
     height : str
-        What heights are counted from: ``ellipsoid``, the EPSG code of a vertical system, the path
-        of a geoid grid (.gtx, .tif), or metres with a sign (``+31.2``, ``-28.4``) that are added
-        to get heights above the ellipsoid. Empty: that of the system, else the ellipsoid.
+        Height reference: ``ellipsoid``, the EPSG code of a vertical system, the path of a geoid
+        grid (.gtx, .tif), or metres with a sign (``+31.2``, ``-28.4``) to be added to obtain
+        heights above the ellipsoid. If empty, that of the system, or else the ellipsoid.
     height_unit : str
-        One of `UNITS`; empty: that of the system, else that of the horizontal coordinates.
+        One of `UNITS`; if empty, that of the system, or else that of the horizontal coordinates.
     trajectory_datum : str
-        Geographic system of the trajectory where it is not that of the points.
+        Geographic system of the trajectory, if it differs from that of the points.
     epoch : float or None, decimal year
-        Needed where the shift between the datums changes with time.
+        Required if the shift between the datums depends on time.
 
     Raises
     ------
     InputError
-        Where PROJ does not know the system, it is not tied to the earth, or a grid is missing.
+        If PROJ does not know the system, it has no relation to the earth, or a grid is missing.
     """
     if text.startswith(LOCAL_PREFIX):
         return _local_system(text)
@@ -244,20 +245,20 @@ def coordinate_system(
         return _resolve_heights(
             _without_datum_shift(_parse_system(text)), height, height_unit, trajectory_datum, epoch
         )
-    except (CRSError, ProjError, IndexError) as reason:  # pyproj's words for systems out of joint
+    except (CRSError, ProjError, IndexError) as reason:  # error of pyproj for inconsistent systems
         raise InputError(
             error("crs.unusable", system=_shorten(text), reason=_shorten(str(reason)))
         ) from reason
 
 
 def local_frame_text(frame: LocalFrame) -> str:
-    """The text of a local frame that `coordinate_system` takes."""
+    """Text of a local frame for `coordinate_system`."""
     latitude, longitude = np.degrees(frame.latitude), np.degrees(frame.longitude)
     return f"{LOCAL_PREFIX}{float(latitude)!r},{float(longitude)!r},{float(frame.height)!r}"
 
 
 def _local_system(text: str) -> CoordinateSystem:
-    """A local frame as a system.
+    """Coordinate system of a local frame.
 
     Raises
     ------
@@ -354,7 +355,7 @@ def _shorten(text: str) -> str:
 
 
 def _split_compound(crs: CRS) -> tuple[CRS, CRS | None]:
-    """The horizontal system, and the vertical one where heights are not above the ellipsoid."""
+    """Horizontal system, and the vertical one if heights are not above the ellipsoid."""
     if not crs.is_compound:
         return crs, None
     horizontal, vertical = crs.sub_crs_list[:2]
@@ -362,7 +363,7 @@ def _split_compound(crs: CRS) -> tuple[CRS, CRS | None]:
 
 
 def _without_datum_shift(crs: CRS) -> CRS:
-    """The system without a shift to another datum that its text may have brought."""
+    """System without a shift to another datum that its definition may contain."""
     return crs.source_crs if crs.is_bound and crs.source_crs is not None else crs
 
 
@@ -379,7 +380,7 @@ def _height_factor(crs: CRS, source: CRS, height_unit: str) -> tuple[float, str]
     Raises
     ------
     InputError
-        Where the unit is not known.
+        If the unit is unknown.
     """
     own = source.axis_info[-1].unit_conversion_factor
     if height_unit:
@@ -405,7 +406,7 @@ def _ellipsoidal_system(horizontal: CRS, trajectory_datum: str) -> CRS:
     Raises
     ------
     InputError
-        If the datum cannot be determined, or is not geographic.
+        If the datum cannot be determined or is not geographic.
     """
     if trajectory_datum:
         datum = _parse_system(trajectory_datum)
@@ -427,18 +428,18 @@ def _ellipsoidal_system(horizontal: CRS, trajectory_datum: str) -> CRS:
 
 
 def geoid_grid(grid: Path) -> Transformer:
-    """Grid from heights above the geoid to ellipsoidal heights; longitude, latitude in degrees.
+    """Conversion of heights above the geoid to ellipsoidal ones; longitude, latitude in degrees.
 
     Raises
     ------
     InputError
-        Where there is no such grid, or it cannot be read.
+        If the grid does not exist or cannot be read.
     """
     if not grid.is_file():
         raise InputError(error("crs.geoid_not_found", file=str(grid)))
     if "," in str(grid) or '"' in str(grid):
         raise InputError(error("crs.geoid_path", file=str(grid)))
-    try:  # pyproj turns degrees into the radians of the shift, and back
+    try:  # pyproj converts degrees to radians for the shift, and back
         return Transformer.from_pipeline(
             f'+proj=vgridshift +grids="{grid.resolve()}" +multiplier=1'
         )
@@ -447,7 +448,7 @@ def geoid_grid(grid: Path) -> Transformer:
 
 
 def run_in_blocks(run: Callable[[Array, Array, Array], Columns], *axes: Array) -> Columns:
-    """Run over blocks of three columns; returns three columns."""
+    """Apply a function to blocks of three columns; returns three columns."""
     count = len(axes[0])
     if count <= BLOCK:
         return run(*(np.ascontiguousarray(axis) for axis in axes))

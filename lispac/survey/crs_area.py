@@ -1,4 +1,4 @@
-"""The part of the world that a coordinate system is meant for."""
+"""Area of use of a coordinate system."""
 
 from typing import TYPE_CHECKING
 
@@ -6,11 +6,11 @@ if TYPE_CHECKING:
     from pyproj import CRS
 
 AREA_MARGIN_DEG = 3.0
-"""Degrees beyond the area of a coordinate system that a survey may lie: half a UTM zone."""
+"""Tolerance in degrees around the area of use of a coordinate system: half a UTM zone."""
 
 
 def area_of_use_elsewhere(crs: "CRS", latitude_deg: float, longitude_deg: float) -> str:
-    """Area of use of a system if a place is well outside; empty otherwise."""
+    """Area of use of a system if a place is far outside; empty otherwise."""
     area = crs.area_of_use
     if area is None:
         return ""

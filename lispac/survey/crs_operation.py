@@ -1,4 +1,4 @@
-"""Coordinate operation between two systems by PROJ, or why there is none."""
+"""Coordinate operation of PROJ between two systems, or the reason why there is none."""
 
 import re
 import warnings
@@ -14,11 +14,11 @@ from lispac.errors import InputError
 from lispac.messages import Message, error
 
 MAX_NAMED = 2
-"""Systems that a sentence names, those on the latest realizations."""
+"""Largest number of systems named in a message, those on the latest realizations."""
 
 
 def best_operation(source: CRS, target: CRS, epoch: float | None) -> Transformer:
-    """The most accurate operation; refused where PROJ knows none or lacks a grid for it.
+    """Most accurate operation between two systems.
 
     Parameters
     ----------
@@ -48,18 +48,19 @@ def best_operation(source: CRS, target: CRS, epoch: float | None) -> Transformer
 
 
 def realizations(system: CRS, target: CRS) -> list[tuple[str, str]]:
-    """Code and name of systems alike on the latest realizations of its datum with a way there.
+    """Codes and names of similar systems on the latest realizations of the same datum.
 
-    A datum such as NAD83(CSRS) stands for all its realizations and is tied to none of the frames
-    that satellite positioning works in; NAD83(CSRS)v7 is.
+    Only systems with an operation to ``target`` are included. A datum such as NAD83(CSRS) stands
+    for all its realizations and has no relation to the frames of satellite positioning, whereas a
+    realization such as NAD83(CSRS)v7 has.
 
     Parameters
     ----------
     system : pyproj.CRS
-        A projected or a geographic one.
+        A projected or a geographic system.
     """
     known = system.to_epsg()
-    # As part of a compound system it has lost the code of its projection.
+    # A system that is part of a compound system lacks the code of its projection.
     system = system if known is None else CRS.from_epsg(known)
     geodetic, operation = system.geodetic_crs, system.coordinate_operation
     if geodetic is None:
@@ -91,7 +92,7 @@ def realizations(system: CRS, target: CRS) -> list[tuple[str, str]]:
 def _transformer_group(source: CRS, target: CRS) -> TransformerGroup:
     set_network_enabled(active=False)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # of missing grids, which the caller reports
+        warnings.simplefilter("ignore", UserWarning)  # grids are missing, which the caller reports
         return TransformerGroup(source, target, always_xy=True, allow_ballpark=False)
 
 
@@ -105,9 +106,9 @@ def _has_no_operation(source: CRS, target: CRS) -> bool:
 
 
 def _projection_on_base(system: CRS, base: str) -> str:
-    """What PROJ reads as the projection of ``system`` on another base; empty where it cannot.
+    """Text for PROJ of the projection of ``system`` on another base; empty if there is none.
 
-    EPSG has a code for a projection on each realization only where one was requested.
+    EPSG has codes of a projection only for some of the realizations.
     """
     operation = system.coordinate_operation
     known = {} if operation is None else operation.to_json_dict().get("id", {})
@@ -120,7 +121,7 @@ def _projection_on_base(system: CRS, base: str) -> str:
 
 
 def _missing_grids_error(source: CRS, target: CRS, grids: list[str]) -> Message:
-    """Message that PROJ lacks grid files; for some operations the files are unknown."""
+    """Error that PROJ lacks grid files; for some operations the files are unknown."""
     folder = str(get_user_data_dir())
     if not grids:
         code = "crs.grid_missing_geoid" if source.is_compound else "crs.grid_missing"
@@ -132,7 +133,7 @@ def _missing_grids_error(source: CRS, target: CRS, grids: list[str]) -> Message:
 
 
 def _no_operation_error(source: CRS, target: CRS) -> Message:
-    """The message that PROJ knows no operation between two systems."""
+    """Error that PROJ has no operation between two systems."""
     horizontal = source.sub_crs_list[0] if source.is_compound else source
     found = realizations(horizontal.to_2d(), target)
     if not found:

@@ -1,7 +1,7 @@
 """Direct georeferencing: LiDAR frame to body frame to local frame (thesis equation 1.1).
 
-Besides boresight and lever arm, the offsets a calibration may find are part of it: of the ranges,
-of the scan angle (thesis 3.4.2) and of the scanner's clock.
+In addition to boresight and lever arm, the equation contains offsets that a calibration may
+estimate: of the ranges, of the scan angle (thesis 3.4.2) and of the scanner's clock.
 """
 
 import os
@@ -32,7 +32,7 @@ CALIBRATION = (
 )  # fmt: skip
 """Names of the values of a `Mounting`, in the order of `Mounting.values`."""
 STEEPEST_PITCH = float(np.radians(60.0))
-"""Pitch of a boresight from which roll and yaw are hardly separable."""
+"""Pitch of a boresight from which roll and yaw are hardly separable, radians."""
 AXES = tuple(
     np.array(rotation)
     for rotation in (
@@ -57,24 +57,24 @@ def is_steep(boresight: Array) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class Mounting:
-    """Position and orientation of the LiDAR in the body frame, and corrections of its readings.
+    """Position and orientation of the LiDAR in the body frame, and corrections of its data.
 
     Attributes
     ----------
     lever_arm : ndarray of shape (3,), metres, body
         Position of the optical centre of the LiDAR relative to the POS.
     boresight : ndarray of shape (3,), radians
-        Roll, pitch, yaw of the LiDAR frame in the body frame; where ``axes`` is given, of the
-        LiDAR frame once its axes are turned so.
+        Roll, pitch, yaw of the LiDAR frame in the body frame. If ``axes`` is given, it is applied
+        to the LiDAR frame first.
     range_offset : float, metres
         Added to every range.
     scan_angle_offset : float, radians
-        Turns every beam about the x axis of the LiDAR, about which a profiler's mirror turns.
+        Rotation of every beam about the x axis of the LiDAR, the axis of a profiler's mirror.
     latency : float, seconds
         Added to the time of every point before the trajectory is interpolated.
     axes : ndarray of shape (3, 3) or None
-        Rotation by right angles of the axes of the LiDAR before the boresight turns them. Roll and
-        yaw are one angle at a pitch of 90 deg; with the axes turned, the boresight stays small.
+        Rotation by multiples of 90 deg of the LiDAR axes, applied before the boresight. Roll and
+        yaw are not separable at a pitch of 90 deg; with this rotation, the boresight stays small.
     """
 
     lever_arm: Annotated[Array, ArrayShape(3)]
@@ -93,7 +93,7 @@ class Mounting:
         scan_angle_offset: float = 0.0,
         latency: float = 0.0,
     ) -> "Mounting":
-        """A mounting whose boresight stays regular: with turned axes where the pitch is steep.
+        """Mounting with separable boresight angles: its axes are rotated if the pitch is steep.
 
         Parameters
         ----------
@@ -123,7 +123,7 @@ class Mounting:
 
     @property
     def without_nominal_axes(self) -> "Mounting":
-        """Mounting without turned axes: its boresight is that of the whole rotation."""
+        """Mounting without rotated axes: its boresight is that of the whole rotation."""
         if self.axes is None:
             return self
         return replace(self, boresight=rotation_angles(self.rotation_body_lidar), axes=None)
@@ -135,12 +135,12 @@ class Mounting:
         return np.array([*self.boresight, *self.lever_arm, *others], dtype=float)
 
     def with_values(self, values: Array) -> "Mounting":
-        """The same mounting with other values, shape (9,), as `values` has them."""
+        """The same mounting with other values, shape (9,), in the order of `values`."""
         return replace(Mounting.of_values(values), axes=self.axes)
 
     @classmethod
     def of_values(cls, values: Array) -> "Mounting":
-        """The inverse of `values`, without turned axes."""
+        """Mounting without rotated axes from its values, shape (9,), in the order of `values`."""
         range_offset, scan_angle_offset, latency = (float(value) for value in values[6:])
         lever_arm, boresight = values[3:6].copy(), values[:3].copy()
         return cls(lever_arm, boresight, range_offset, scan_angle_offset, latency)
@@ -172,7 +172,7 @@ class Mounting:
 
 
 def place_points(points_lidar: Array, poses: Poses, mounting: Mounting) -> Array:
-    """Georeference points whose POS states are known one by one: the reference formula.
+    """Georeference points with known POS states: the reference implementation of the formula.
 
     Parameters
     ----------
@@ -205,10 +205,10 @@ def georeference(
     *,
     progress: Progress = no_progress,
 ) -> Array:
-    """Interpolate the trajectory and georeference in one pass over the points.
+    """Interpolate the trajectory and georeference points in one pass.
 
-    Same numbers as ``place(points_lidar, trajectory.at(time), mounting)`` to rounding, without
-    its temporaries, on all cores.
+    The result is that of ``place_points(points_lidar, trajectory.at(time), mounting)`` except for
+    rounding, but no temporary arrays are needed and all cores are used.
 
     Parameters
     ----------
@@ -222,16 +222,16 @@ def georeference(
     Raises
     ------
     InputError
-        Where a time lies outside the trajectory.
+        If a time lies outside the trajectory.
     """
     return Georeferencer.of(trajectory, mounting)(points_lidar, time, progress=progress)
 
 
 @dataclass(frozen=True, eq=False)
 class Georeferencer:
-    """Repeated georeferencing with prepared data of the trajectory.
+    """Georeferencing of several sets of points with prepared data of the trajectory.
 
-    A few hundred thousand points, a region of a line, already go to all cores.
+    From a few hundred thousand points on, such as a region of a line, all cores are used.
     """
 
     trajectory: LocalTrajectory
@@ -246,7 +246,7 @@ class Georeferencer:
     def __call__(
         self, points_lidar: Array, time: Array, *, progress: Progress = no_progress
     ) -> Array:
-        """As `georeference`."""
+        """Georeference points; see `georeference`."""
         corrected = self.mounting.corrected(points_lidar)
         points_lidar = np.ascontiguousarray(corrected, dtype=np.float64)
         time = np.ascontiguousarray(time, dtype=np.float64)
@@ -291,7 +291,7 @@ class Georeferencer:
         Parameters
         ----------
         reach : float, metres
-            Of the farthest point from the scanner.
+            Distance of the farthest point from the scanner.
         """
         mounting = self.mounting
         ranges = abs(mounting.range_offset - other.range_offset)
@@ -313,7 +313,7 @@ class Georeferencer:
 def kernel_arguments(
     trajectory: LocalTrajectory, mounting: Mounting
 ) -> tuple[float, Array, Array, Array, Array]:
-    """Latency, knots, states, rotation and lever arm as `lispac.survey.kernels` takes them."""
+    """Latency, knots, states, rotation and lever arm, as used by `lispac.survey.kernels`."""
     return (
         float(mounting.latency),
         *trajectory.knots,

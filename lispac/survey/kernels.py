@@ -1,10 +1,10 @@
-"""The compiled passes over points: scanner frame to local frame to map, and back.
+"""Compiled conversions of points: scanner frame to local frame to map, and back.
 
-To the local frame by thesis equation 1.1, as in `lispac.survey.georeferencing`.
+The conversion to the local frame is thesis equation 1.1, as in `lispac.survey.georeferencing`.
 
-Each function works on a contiguous piece of a line and releases Python's lock, so pieces run on
-all cores. Fused ones go through the piece in tiles that stay in the processor's cache: one
-implementation of each step, and no array of intermediate results.
+Each function processes a contiguous piece of a line and releases Python's global lock, so that
+pieces are processed on all cores. Functions that combine several steps process the piece in tiles
+that fit into the processor's cache, without arrays of intermediate results.
 """
 
 import numpy as np
@@ -13,19 +13,19 @@ from lispac.compiled_code import njit
 
 TILE = 2048
 SHORT = 0.1
-"""Radians; the first omitted term of the series is 3e-17 there."""
+"""Largest angle for the series, radians; the first omitted term is 3e-17 there."""
 TERMS = 20
-"""Coefficients of a polynomial of third degree in three variables."""
+"""Number of coefficients of a polynomial of third degree in three variables."""
 
 # Numba has no types mypy could check, hence the marks.
 
 
 @njit(nogil=True, cache=True)
 def find_interval(t, knots, k):  # type: ignore[no-untyped-def]
-    """The interval of ``knots`` that holds ``t``; -1 outside. ``k`` is where the last one was.
+    """Index of the interval of ``knots`` that contains ``t``; -1 outside.
 
-    Times mostly increase, so the interval of the last point or the next one holds; a jump is
-    found by bisection.
+    ``k`` is the interval of the previous point. Times mostly increase, so this interval or the next
+    one is usually correct; otherwise the interval is found by bisection.
     """
     last = len(knots) - 2
     if not (knots[0] <= t <= knots[-1]):
@@ -41,8 +41,8 @@ def find_interval(t, knots, k):  # type: ignore[no-untyped-def]
 def rotate_cosine_sine(cosine, sine, angle, turn):  # type: ignore[no-untyped-def]
     """Cosine and sine of ``angle + turn`` from those of ``angle``.
 
-    Between two states of a POS angles hardly change: a short series, exact to the last digits of a
-    double up to `SHORT`, takes a third of the time of the functions.
+    Angles hardly change between two states of a POS. Up to `SHORT` a short series is used, which is
+    exact to the last digits and takes a third of the time of the trigonometric functions.
     """
     if not -SHORT <= turn <= SHORT:
         return np.cos(angle + turn), np.sin(angle + turn)
@@ -56,9 +56,9 @@ def rotate_cosine_sine(cosine, sine, angle, turn):  # type: ignore[no-untyped-de
 def georeference_in_place(  # type: ignore[no-untyped-def]
     points_lidar, time, latency, knots, states, rotation, lever_arm, points_local
 ):
-    """Scanner frame to local frame; False where a time lies outside the trajectory.
+    """Convert from the scanner frame to the local frame; False if a time is not in the trajectory.
 
-    ``states`` are position and attitude at ``knots``, shape (m, 6).
+    ``states`` contains position and attitude at ``knots``, shape (m, 6).
     """
     k, known = 0, -1
     for i in range(len(time)):
@@ -127,7 +127,7 @@ def to_scanner_in_place(  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True, fastmath={"contract"})
 def evaluate_cubic(c, x, y, z):  # type: ignore[no-untyped-def]
-    """A polynomial of third degree; the order of ``c`` is that of `lispac.survey.smooth_map`."""
+    """Value of a cubic polynomial; the order of ``c`` is that of `lispac.survey.smooth_map`."""
     return (
         c[0]
         + z * (c[1] + z * (c[2] + z * c[3]))
@@ -146,10 +146,10 @@ def evaluate_cubic(c, x, y, z):  # type: ignore[no-untyped-def]
 def evaluate_smooth_map(points, root, children, leaf_of, boxes, coefficients, missed):  # type: ignore[no-untyped-def]
     """Apply the polynomial of its cell to each point, in place.
 
-    ``root`` is low x, low y, low z, side, high z; ``children`` of shape (nodes, 4) are -1 for a
-    leaf, whose number ``leaf_of`` gives, or -1 where only the exact way will do. Boxes of shape
-    (leaves, 6) are the middle and one over half the size. A point without a cell is left as it is
-    and marked in ``missed``; their number is returned.
+    ``root`` contains low x, low y, low z, side and high z. ``children``, shape (nodes, 4), is -1
+    for a leaf; ``leaf_of`` gives the number of the leaf, or -1 if the exact conversion is needed.
+    ``boxes``, shape (leaves, 6), contains the centre and the inverse of half the size. Points
+    without a cell are not changed but marked in ``missed``; their number is returned.
     """
     count = 0
     leaf = -1
@@ -192,9 +192,9 @@ def georeference_to_map(  # type: ignore[no-untyped-def]
     points_lidar, time, latency, knots, states, rotation, lever_arm,
     root, children, leaf_of, boxes, coefficients, points_map, missed,
 ):  # fmt: skip
-    """Scanner frame to map; points marked in ``missed`` are left in the local frame.
+    """Convert from scanner frame to map; points marked in ``missed`` stay in the local frame.
 
-    Returns the number of these, or -1 where a time lies outside the trajectory.
+    Returns the number of missed points, or -1 if a time lies outside the trajectory.
     """
     count = 0
     for start in range(0, len(time), TILE):
@@ -213,7 +213,7 @@ def georeference_to_map(  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True)
 def coordinates_from_integers(x, y, z, scales, offsets, points):  # type: ignore[no-untyped-def]
-    """Coordinates from whole steps, digit by digit what laspy makes of them."""
+    """Coordinates from integers, with exactly the same result as laspy."""
     for i in range(len(x)):
         points[i, 0] = x[i] * scales[0] + offsets[0]
         points[i, 1] = y[i] * scales[1] + offsets[1]
@@ -222,7 +222,7 @@ def coordinates_from_integers(x, y, z, scales, offsets, points):  # type: ignore
 
 @njit(nogil=True, cache=True)
 def integers_from_coordinates(points, offsets, scales, x, y, z):  # type: ignore[no-untyped-def]
-    """Whole steps of ``scales`` from ``offsets`` into ``x``, ``y``, ``z``; False past 32 bits."""
+    """Integers ``x``, ``y``, ``z`` in units of ``scales``; False if 32 bits are not enough."""
     fx, fy, fz = 1 / scales[0], 1 / scales[1], 1 / scales[2]
     for i in range(len(points)):
         a = np.rint((points[i, 0] - offsets[0]) * fx)
@@ -236,7 +236,7 @@ def integers_from_coordinates(points, offsets, scales, x, y, z):  # type: ignore
 
 @njit(nogil=True, cache=True)
 def bounds_and_reach(points):  # type: ignore[no-untyped-def]
-    """Low and high corner of points and the largest squared distance from the origin."""
+    """Lowest and highest corner of points, and largest squared distance from the origin."""
     low, high, farthest = np.full(3, np.inf), np.full(3, -np.inf), 0.0
     for i in range(len(points)):
         square = 0.0

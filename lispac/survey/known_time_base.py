@@ -18,8 +18,8 @@ from lispac.survey.time_base import (
 Array = NDArray[np.float64]
 
 MIN_SHARE_GAIN = 0.05
-"""Part of a line's points that a shift has to bring inside besides those that are, before it is
-offered."""
+"""Smallest additional share of a line's points that a time shift has to bring inside the trajectory
+to be suggested."""
 
 
 BASES = {
@@ -33,7 +33,7 @@ BASES = {
     "tai": "time_base.tai",
     "utc-hour": "time_base.utc_hour",
 }
-"""Code of the message that names a time base, by the key of the base."""
+"""Message code of the name of each time base, by its key."""
 
 
 def base_message(base: TimeBase) -> Message:
@@ -43,13 +43,13 @@ def base_message(base: TimeBase) -> Message:
 
 @dataclass(frozen=True)
 class KnownTimeBase:
-    """Known time base of a file, and its source.
+    """Known time base of a file, and where it comes from.
 
     Attributes
     ----------
     base : TimeBase or None
     is_given : bool
-        Whether the user gives it; otherwise it comes from the file or its format.
+        Whether the user has given it; otherwise it comes from the file or its format.
     suggested : bool
         Whether it is detected from the values, not given in the file.
     """
@@ -59,12 +59,12 @@ class KnownTimeBase:
     suggested: bool = False
 
     def fits(self, times: Array) -> bool:
-        """Whether there is a base that ``times`` (n,), seconds, can be in by their values."""
+        """Whether the base is known and ``times`` (n,), seconds, are possible in it."""
         return self.base is not None and self.base in plausible_bases(times)
 
     @property
     def message(self) -> Message:
-        """Its name and where it is from, as a part of other messages."""
+        """Name of the base and its source, as part of other messages."""
         if self.base is None:
             return note("time_base.unknown")
         name = base_message(self.base)
@@ -76,7 +76,7 @@ class KnownTimeBase:
 
 
 def time_base_error(times: Array, line_base: KnownTimeBase, file: str) -> Message | None:
-    """Error that ``times`` are impossible in the given base; None where possible.
+    """Error that ``times`` are impossible in the given base; None if they are possible.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def time_base_error(times: Array, line_base: KnownTimeBase, file: str) -> Messag
 def matches_of_known_bases(
     times: Array, track: Array, line_base: KnownTimeBase, other: KnownTimeBase
 ) -> tuple[TimeMatch, ...] | None:
-    """Conversions from the line's base to the trajectory's, best first, where given.
+    """Conversions from the known base of a line to that of the trajectory, the best first.
 
     Parameters
     ----------
@@ -119,11 +119,11 @@ def matches_of_known_bases(
     if line_base.base is None or other.base is None or not (line_base.is_given or other.is_given):
         return None
     if not line_base.fits(times) or not other.fits(track):
-        return None  # what the times deny is not known
+        return None  # a base in which the times are impossible does not count as known
     found = find_time_matches(
         times, track, point_bases=(line_base.base,), trajectory_bases=(other.base,)
     )
-    # A header that brings nothing inside is no reason to refuse.
+    # If the base in a header brings no point inside, all bases are tried instead.
     return found if found or line_base.is_given else None
 
 
@@ -181,12 +181,12 @@ def no_overlap_error(
 
 
 def clearly_better_match(matches: tuple[TimeMatch, ...], share: float) -> TimeMatch | None:
-    """Best of ``matches`` if clearly more points lie inside than the part ``share``."""
+    """Best match if its share of points inside is clearly larger than ``share``."""
     return matches[0] if matches and matches[0].share >= share + MIN_SHARE_GAIN else None
 
 
 def shift_note(matches: tuple[TimeMatch, ...], share: float, file: str) -> Message | None:
-    """The note on the shift that brings in clearly more than ``share``; None without one."""
+    """Note on a shift that brings clearly more points inside than ``share``; None without one."""
     best = clearly_better_match(matches, share)
     if best is None:
         return None

@@ -1,4 +1,4 @@
-"""Warnings about an unlikely lever arm: wrong sign or unit that nothing else reveals."""
+"""Warnings about an unlikely lever arm, such as a wrong sign or unit."""
 
 from collections.abc import Sequence
 
@@ -8,9 +8,9 @@ from lispac.messages import Message, note
 from lispac.warning_causes import Cause
 
 FAR_BELOW = 1.0
-"""Metres under the POS centre: there is water, or the hull."""
+"""Distance in metres below the POS from which a scanner would be in the hull or in the water."""
 LONG = 30.0
-"""Metres; from scanner to INS most vessels are shorter as a whole."""
+"""Length of a lever arm in metres that exceeds the size of most vessels."""
 
 
 def lever_arm_warnings(lever_arm: Sequence[float]) -> tuple[Message, ...]:

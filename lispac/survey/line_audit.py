@@ -7,11 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 PASS_GAP = 5.0
-"""Seconds without points that may separate two passes in one file."""
+"""Smallest pause in seconds that may separate two lines in one file."""
 COARSE_SHARE = 0.5
-"""Share of the gaps between distinct times that have to be coarse to speak of a resolution."""
+"""Smallest share of long gaps between distinct times for which the times count as coarse."""
 POINTS_PER_TIME = 1.5
-"""First returns with one time, on average, from which times are coarser than the points."""
+"""Mean number of first returns with the same time from which times count as coarse."""
 
 
 @dataclass(frozen=True)
@@ -21,28 +21,28 @@ class LineAudit:
     Attributes
     ----------
     read : int
-        Points of the file.
+        Number of points in the file.
     not_finite, no_range, too_far, duplicates : int
-        Excluded: values that are not numbers, returns without range, points beyond the largest
-        range, exact copies of other points of the line.
+        Number of excluded points: values that are not finite, returns without range, points beyond
+        the largest range, exact copies of other points of the line.
     withheld, of_classes, not_selected : int
-        Excluded by the withheld flag, by their class, and by the conditions of the user.
+        Number of points excluded by the withheld flag, by their class, and by user conditions.
     noise : mapping of str to int
-        Points of noise classes that are used, by class.
+        Number of used points in noise classes, by class.
     first_returns, distinct_times : int
-        Points that are first returns, and how often the time changes between them.
+        Number of first returns, and of changes of the time between them.
     time_step : float, seconds
-        Usual gap between distinct times where these are coarse; 0 where they are not.
+        Typical gap between distinct times if these are coarse; otherwise 0.
     groups : mapping of str to mapping of str to int
-        Points used, by value of the attributes that distinguish scanners and passes.
+        Number of used points by value, for the attributes that distinguish scanners and lines.
     spans : list of [float, float], seconds
-        Times in which the line has points, in the file's time base, to whole seconds; separated by
-        `PASS_GAP` at least.
+        Time spans with points, in the file's time base, rounded to whole seconds; separated by at
+        least `PASS_GAP`.
     mean_range : float, metres
     sketch : list of int
         The smallest hashes of the points used (bottom-k sketch, Broder 1997).
     repeated : float
-        Estimated share of the points used that are copies of points far before them in the file.
+        Estimated share of used points that are copies of much earlier points in the file.
     """
 
     read: int
@@ -65,15 +65,15 @@ class LineAudit:
 
     @property
     def points_per_time(self) -> float:
-        """First returns with one time, on average; no unit."""
+        """Mean number of first returns with the same time, no unit."""
         return self.first_returns / max(self.distinct_times, 1)
 
 
 def shared_point_fraction(one: LineAudit, other: LineAudit) -> float:
-    """Estimated share of the points of the smaller line that both lines have.
+    """Estimated share of the smaller line's points that both lines have.
 
-    By the bottom-k sketches: below the smaller of both largest hashes each sketch holds every hash
-    of its line.
+    The estimate uses the bottom-k sketches. Up to the smaller of their two largest hashes, each
+    sketch contains all hashes of its line.
     """
     if not one.sketch or not other.sketch:
         return 0.0
@@ -85,7 +85,7 @@ def shared_point_fraction(one: LineAudit, other: LineAudit) -> float:
 
 
 SKETCH = 2048
-"""Hashes of a sketch: a share of points is estimated to 2 %, one from 0.2 % is detected."""
+"""Number of hashes in a sketch: shares are accurate to 2 %, and detected from 0.2 % on."""
 
 
 def _sketch_limit(sketch: list[int]) -> int:
@@ -94,7 +94,7 @@ def _sketch_limit(sketch: list[int]) -> int:
 
 
 def usual_time_step(gaps: NDArray[np.int64], sums: NDArray[np.float64], changes: int) -> float:
-    """Usual gap between distinct times, seconds; 0 where most gaps are short.
+    """Typical gap between distinct times, seconds; 0 if most gaps are short.
 
     Parameters
     ----------
@@ -113,13 +113,13 @@ def usual_time_step(gaps: NDArray[np.int64], sums: NDArray[np.float64], changes:
 
 
 GRID_STEPS = (1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001)
-"""Seconds: steps that times are rounded to, the coarsest first."""
+"""Steps to which times may be rounded, seconds, the coarsest first."""
 GRID_TOLERANCE = 1e-6
-"""Seconds by which rounded times may miss a step: what 64 bits leave of a time since 1980."""
+"""Tolerance for multiples of a step, seconds: rounding of a time since 1980 in 64 bits."""
 
 
 def time_grid_step(times: NDArray[np.float64]) -> float:
-    """Coarsest step that all ``times`` (n,), seconds, are multiples of; 0 where there is none."""
+    """Coarsest step of which all ``times`` (n,), seconds, are multiples; 0 if there is none."""
     for step in GRID_STEPS:
         if np.abs(times - np.round(times / step) * step).max(initial=0.0) <= GRID_TOLERANCE:
             return step
@@ -127,7 +127,7 @@ def time_grid_step(times: NDArray[np.float64]) -> float:
 
 
 def time_spans(seconds: NDArray[np.int64]) -> list[list[float]]:
-    """Spans of ``seconds`` (n,), ascending whole seconds with points, apart by `PASS_GAP`."""
+    """Time spans from ``seconds`` (n,), ascending seconds with points, separated by `PASS_GAP`."""
     if not len(seconds):
         return []
     breaks = np.flatnonzero(np.diff(seconds) > PASS_GAP)

@@ -1,4 +1,4 @@
-"""The files of a survey: where they are and how they are read."""
+"""Files of a survey: their location and how they are read."""
 
 import re
 from dataclasses import dataclass
@@ -11,9 +11,9 @@ from lispac.former_names import accept_script_names, renamed_options
 from lispac.survey.time_rollover import resolve_rollover, restore_rollover
 
 TIME_ROLLOVER = "time_rollover"
-"""Option of every format of points: the time rollover of a line."""
+"""Name of the option for the time rollover of a line, which all point formats have."""
 OTHER_SURROGATES = re.compile(r"[\ud800-\udc7f\udd00-\udfff]")
-"""Halves of pairs of characters by which Python keeps no byte of a file name."""
+"""Pattern of surrogates that do not represent a byte of a file name in Python."""
 
 
 def printable(name: str) -> str:
@@ -30,10 +30,10 @@ class Reading:
     Attributes
     ----------
     format : str
-        Key of its format; empty for the program's own ways: SBET, smrmsg, LAS or LAZ in the LiDAR
+        Key of the format; empty for the default formats: SBET, smrmsg, LAS or LAZ in the LiDAR
         frame, text with named columns.
     options : tuple of (str, str)
-        Options that the file does not contain, determined when the project was created.
+        Information that the file does not contain, determined when the project was created.
     time_shift : float, seconds
         Added to the times of a line to bring them into the trajectory's time base.
     """
@@ -47,11 +47,11 @@ class Reading:
 
     @property
     def time_rollover(self) -> str:
-        """Moment of the time rollover of a line; empty where there is none."""
+        """Kind of the time rollover of a line, such as midnight; empty if there is none."""
         return dict(self.options).get(TIME_ROLLOVER, "")
 
     def to_trajectory_time(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
-        """A line's times (n,), seconds as its file has them, in the trajectory's time base."""
+        """Convert times (n,) of a line, seconds, from its file to the trajectory's time base."""
         resolved = resolve_rollover(times, self.time_rollover)
         return resolved + self.time_shift if self.time_shift else resolved
 
@@ -63,7 +63,7 @@ class Reading:
 
 
 USUAL = Reading()
-"""The program's own way."""
+"""Default: no options and no time shift."""
 
 
 @dataclass(frozen=True)

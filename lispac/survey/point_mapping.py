@@ -1,8 +1,8 @@
 """Fast conversion between scanner coordinates and map coordinates.
 
-PROJ is used once, to fit and check a `SmoothMap` about the trajectory; where that does not hold
-(beyond the scanner's reach, in the folds of a geoid grid) points go through PROJ one by one. Both
-ways agree with PROJ within `ACCURACY` everywhere.
+PROJ is used to fit and check a `SmoothMap` around the trajectory. Points that it does not cover,
+beyond the range of the scanner or at the cell boundaries of a geoid grid, are converted by PROJ
+individually. All results agree with PROJ within `ACCURACY`.
 """
 
 import os
@@ -24,15 +24,16 @@ from lispac.survey.trajectory import LocalTrajectory
 Array = NDArray[np.float64]
 
 PIECE = 1 << 17
-"""Points of one turn of a thread."""
+"""Number of points that a thread processes at a time."""
 NEAREST_REACH, FARTHEST_REACH = 512.0, 8192.0
-"""Metres about the trajectory that polynomials are fitted for: at first, and at most."""
+"""Initial and largest distance from the trajectory covered by the polynomials, metres."""
 
 
 class ScannerPointConverter:
     """Converts points between the frame of a scanner and a coordinate system.
 
-    Threads may share it. With another mounting the same fits serve; see `with_mounting`.
+    Threads may share a converter. The polynomials can also be used with another mounting; see
+    `with_mounting`.
 
     Parameters
     ----------
@@ -67,7 +68,7 @@ class ScannerPointConverter:
         return self.system.from_local(middle[None, :], self.trajectory.frame)[0]
 
     def fit_to(self, points_lidar: Array) -> SmoothMap | None:
-        """The polynomials that serve points of these ranges; None for the local frame.
+        """Polynomials for points with these ranges; None for the local frame.
 
         Parameters
         ----------
@@ -87,12 +88,12 @@ class ScannerPointConverter:
         points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
         time : ndarray of shape (n,), seconds, in the trajectory's time base
         threads : int, optional
-            All cores where not given.
+            By default all cores.
 
         Raises
         ------
         InputError
-            Where a time lies outside the trajectory or a point outside the coordinate system.
+            If a time lies outside the trajectory or a point outside the coordinate system.
         """
         points_lidar = np.ascontiguousarray(self.mounting.corrected(points_lidar), dtype=float)
         time = np.ascontiguousarray(time, dtype=float)
@@ -127,12 +128,13 @@ class ScannerPointConverter:
         Parameters
         ----------
         strict : bool
-            Refuse points outside the coordinate system; otherwise they are not finite.
+            Whether points outside the coordinate system raise an error; otherwise their results
+            are not finite.
 
         Raises
         ------
         InputError
-            As `to_map`.
+            See `to_map`.
         """
         points = np.array(points_map, dtype=float, order="C")
         time = np.ascontiguousarray(time, dtype=float)
@@ -159,7 +161,7 @@ class ScannerPointConverter:
 
 
 class _FittedMaps:
-    """Polynomials about a trajectory, fitted on demand and cached."""
+    """Polynomials for the surroundings of a trajectory, fitted on demand and cached."""
 
     def __init__(self, system: CoordinateSystem, trajectory: LocalTrajectory) -> None:
         self._system = system
@@ -206,7 +208,7 @@ class _FittedMaps:
         places = low + np.array(list(shares)) * (high - low)
         on_map = self._system.from_local(places, self._frame, strict=False)
         on_map = on_map[np.isfinite(on_map).all(axis=1)]
-        if not len(on_map):  # no part of the site is on the map: the points are reported
+        if not len(on_map):  # the site is outside the map: the caller reports the points
             on_map = np.array([[-1.0] * 3, [1.0] * 3])  # a box, for there is no fit about a point
         return fit_smooth_map(
             lambda points: self._system.to_local(points, self._frame, strict=False),

@@ -1,7 +1,7 @@
-"""Screening of the points of a line: which are used, which are excluded and why.
+"""Screening of the points of a line: which points are used, which are excluded and why.
 
-All ways in (import into the store, reading into memory, georeferencing from the file) use the same
-screen, so that they use the same points.
+Import into the store, reading into memory and georeferencing from the file all use this screening,
+so that they use the same points.
 """
 
 import re
@@ -21,22 +21,22 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 LARGEST, LARGEST_TIME = 1e9, 1e11
-"""No coordinate on earth in any unit, and no time in seconds, is larger."""
+"""Largest possible coordinate, in any unit, and largest possible time in seconds."""
 NEAREST = 0.001
-"""Metres: a return nearer to the optical centre is a shot without an echo."""
+"""Smallest range, metres; points nearer to the optical centre are pulses without an echo."""
 MAX_RANGE = 10_000.0
-"""Metres: no scanner measures farther."""
+"""Largest range of any scanner, metres."""
 NOISE_CLASSES = (7, 18)
 """Low and high noise (ASPRS LAS 1.4 R15, table 17)."""
 GROUPS = (
     "scanner_channel", "point_source_id", "user_data", "scanner", "scanner_id", "head", "head_id",
     "device", "device_id", "sensor_id", "lidar_id",
 )  # fmt: skip
-"""Attributes that distinguish the scanners or passes of one file."""
+"""Attributes that distinguish scanners or lines in one file."""
 MAX_VALUES = 64
-"""Values of such an attribute that are counted; one with more is something else."""
+"""Largest number of values of such an attribute; one with more has another meaning."""
 TIMES_PER_CHUNK, MAX_TIME_CHUNKS = 1000, 20
-"""Times of a chunk, and chunks, used to detect a grid of times."""
+"""Number of times per chunk, and of chunks, used to detect the resolution of the times."""
 RANGE_STEP = 101
 """One point in this number is used for the mean range."""
 
@@ -48,9 +48,9 @@ class AttributeCondition:
     Attributes
     ----------
     name : str
-        Of the attribute; ``time`` for the times, in the file's time base.
+        Name of the attribute; ``time`` for the times in the file's time base.
     low, high : float
-        Both included.
+        Limits, both inclusive.
     """
 
     name: str
@@ -73,7 +73,7 @@ class PointSelection:
         Whether points with the withheld flag are used.
     excluded_classes : tuple of int
     only : tuple of AttributeCondition
-        Points that meet all of them are used.
+        Only points that meet all these conditions are used.
     max_range : float, metres
         Largest distance from the scanner.
     """
@@ -85,12 +85,12 @@ class PointSelection:
 
     @classmethod
     def of(cls, choice: Mapping[str, Any]) -> "PointSelection":
-        """The selection that the options of a format state.
+        """Selection according to the options of a format.
 
         Raises
         ------
         InputError
-            Where an option cannot be read.
+            If an option is invalid.
         """
         return cls(
             choice.get("withheld", "exclude") == "keep",
@@ -149,16 +149,16 @@ def parse_largest_range(text: str) -> float:
 
 @dataclass(eq=False)
 class PointScreen:
-    """Excludes the points of one line that cannot or are not to be used, and audits the others.
+    """Exclusion of invalid and unwanted points of one line, with statistics of all points.
 
     Parameters
     ----------
     selection : PointSelection
     ranged : bool
-        Whether coordinates are in the scanner frame, so that they give the range.
+        Whether coordinates are in the scanner frame, so that ranges can be checked.
     far_copies : bool
-        Whether copies are found however far apart they are in the file; that takes 16 bytes a
-        point, otherwise memory is constant.
+        Whether to find copies at any distance in the file. This needs 16 bytes of memory per point;
+        otherwise the memory is constant.
     """
 
     selection: PointSelection
@@ -186,7 +186,7 @@ class PointScreen:
         self._some_times: list[Array] = []
 
     def __call__(self, time: Array, xyz: Array, extra: Mapping[str, NDArray[Any]]) -> Mask:
-        """Which points of the next chunk are used, shape (n,).
+        """Whether each point of the next chunk is used, shape (n,).
 
         Parameters
         ----------
@@ -194,12 +194,12 @@ class PointScreen:
         xyz : ndarray of shape (n, 3)
             Metres in the scanner frame, or in the unit of the map.
         extra : mapping of str to ndarray of shape (n, ...)
-            Attributes of the points under the names of the file.
+            Attributes of the points, with the names in the file.
 
         Raises
         ------
         InputError
-            Where a condition names an attribute that the file lacks.
+            If a condition uses an attribute that is not in the file.
         """
         time = np.ascontiguousarray(time, dtype=np.float64)
         xyz = np.ascontiguousarray(xyz, dtype=np.float64)
@@ -217,7 +217,7 @@ class PointScreen:
         return used
 
     def screen_recovered(self, points_lidar: Array) -> Mask:
-        """Which points recovered from map coordinates are used, shape (n,); the others are counted.
+        """Whether each point recovered from map coordinates is used, shape (n,); counts others.
 
         Parameters
         ----------
@@ -230,12 +230,12 @@ class PointScreen:
         return np.asarray(used)
 
     def add_ranges(self, points_lidar: Array) -> None:
-        """Take points (n, 3), metres, LiDAR frame, into the mean range."""
+        """Include points (n, 3), metres, LiDAR frame, in the mean range."""
         self._range_sum += float(np.sqrt((points_lidar**2).sum(axis=1)).sum())
         self._range_count += len(points_lidar)
 
     def result(self) -> LineAudit:
-        """The audit of all chunks so far."""
+        """Audit of all chunks so far."""
         counts = [int(count) for count in self._counts]
         times = sum(self._sketch.values())
         return LineAudit(
@@ -264,10 +264,10 @@ class PointScreen:
         )
 
     def _time_step(self) -> float:
-        """Step of the times where they are coarse, seconds; 0 where they are not.
+        """Step of the times if they are coarse, seconds; otherwise 0.
 
-        Points seen once a turn of the mirror have gaps of a turn, however fine their times: so
-        the step is that of a grid, if the times are on one.
+        Points recorded once per rotation of the mirror have gaps of one rotation even if their
+        times are fine. The step is therefore that of the grid on which all times lie, if any.
         """
         step = usual_time_step(self._gaps, self._sums, self._changes)
         grid = time_grid_step(np.concatenate(self._some_times)) if step else 0.0
@@ -352,9 +352,9 @@ class PointScreen:
 
 
 def _smallest_hashes(hashes: NDArray[np.uint64]) -> tuple[NDArray[np.uint64], NDArray[np.int64]]:
-    """The smallest different hashes, `SKETCH` of them at least if there are, and their numbers."""
+    """Smallest distinct hashes, at least `SKETCH` if there are as many, and their counts."""
     enough = 2 * SKETCH
-    if len(hashes) > 4 * enough:  # sorting all takes longer than everything else together
+    if len(hashes) > 4 * enough:  # sorting all hashes would take longer than all other steps
         values, times = np.unique(
             hashes[hashes <= np.partition(hashes, enough)[enough]], return_counts=True
         )
@@ -364,7 +364,7 @@ def _smallest_hashes(hashes: NDArray[np.uint64]) -> tuple[NDArray[np.uint64], ND
 
 
 def is_within_range(points_lidar: Array, max_range: float) -> Mask:
-    """Which points have a range up to the largest one, shape (n,).
+    """Whether the range of each point is at most the largest one, shape (n,).
 
     Parameters
     ----------
@@ -403,7 +403,7 @@ def _add_value_counts(value_counts: dict[int, int], values: NDArray[Any]) -> Non
     if values.ndim != 1 or not len(values):
         return
     low, high = values.min(), values.max()
-    if low == high and low == int(low):  # most files have one value, and this is quick to see
+    if low == high and low == int(low):  # most files have a single value, which is quick to detect
         value_counts[int(low)] = value_counts.get(int(low), 0) + len(values)
         return
     if values.dtype.kind == "f":

@@ -20,7 +20,7 @@ class Scan:
     time : ndarray of shape (n,), seconds, in the trajectory's time base
     intensity : ndarray of shape (n,) or None
     assumptions : tuple of Message
-        What the reader takes for granted.
+        Assumptions of the reader.
     """
 
     points_lidar: NDArray[np.float64]
@@ -30,7 +30,7 @@ class Scan:
 
     @cached_property
     def fingerprint(self) -> str:
-        """Number and checksum of the points: shows whether indices refer to the same points."""
+        """Number and checksum of the points, to verify that indices refer to the same points."""
         checksum = crc32(np.ascontiguousarray(self.points_lidar).data)
         checksum = crc32(np.ascontiguousarray(self.time).data, checksum)
         return f"{len(self)}-{checksum:08x}"
@@ -40,12 +40,12 @@ class Scan:
 
     @cached_property
     def first_time(self) -> float:
-        """The earliest of its times, seconds."""
+        """Earliest time, seconds."""
         return float(self.time.min())
 
     @cached_property
     def last_time(self) -> float:
-        """The latest of its times, seconds."""
+        """Latest time, seconds."""
         return float(self.time.max())
 
     @cached_property

@@ -1,10 +1,10 @@
-"""Scanner-frame points recovered from a georeferenced cloud.
+"""Recovery of points in the scanner frame from a georeferenced cloud.
 
-Most software exports points on the map, not in the scanner frame. With the trajectory, lever
-arm and boresight that made the cloud, the exact inverse of `lispac.survey.georeferencing` brings
-the scanner's vectors back; a calibration then starts as from raw lines. Errors of the cloud
-(its stored resolution, a strip adjustment, a smoothed or another trajectory) remain in the
-vectors.
+Most software exports points in map coordinates, not in the scanner frame. With the trajectory,
+lever arm and boresight from which the cloud was computed, the exact inverse of
+`lispac.survey.georeferencing` gives the points in the scanner frame, and the calibration is the
+same as with raw data. Errors of the cloud (its stored resolution, a strip adjustment, a smoothed or
+different trajectory) remain in these points.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -26,11 +26,11 @@ from lispac.survey.trajectory import LocalTrajectory
 Array = NDArray[np.float64]
 
 MAX_DISTANCE = 5000.0
-"""Metres from the scanner beyond which a point is not believed."""
+"""Largest plausible distance of a point from the scanner, metres."""
 
 
 class MapPointChunk(Protocol):
-    """Points of a file as a reader gives them: a dataclass with these and other fields."""
+    """Chunk of points of a file: a dataclass with at least these fields."""
 
     __dataclass_fields__: ClassVar[dict[str, Any]]
 
@@ -57,13 +57,13 @@ class RecoverySetup:
     Attributes
     ----------
     system : CoordinateSystem
-        Of the cloud.
+        Coordinate system of the cloud.
     trajectory : LocalTrajectory
-        The one the cloud was made with, not a better one computed later.
+        Trajectory from which the cloud was computed, not a better one from later processing.
     mounting : Mounting
-        Lever arm, boresight and offsets applied when the cloud was made.
+        Lever arm, boresight and offsets with which the cloud was computed.
     path : Path, optional
-        Of the cloud, for messages.
+        Path of the cloud, for messages.
     """
 
     system: CoordinateSystem
@@ -73,16 +73,16 @@ class RecoverySetup:
 
     @property
     def assumptions(self) -> tuple[Message, ...]:
-        """Assumptions under which the points are those of the scanner."""
+        """Assumptions of the recovery."""
         return (*self.system.assumptions, note("assumed.cloud_made_with"))
 
     @cached_property
     def mapping(self) -> ScannerPointConverter:
-        """The way between scanner and map, there and back."""
+        """Conversion between scanner frame and map in both directions."""
         return ScannerPointConverter(self.system, self.trajectory, self.mounting)
 
     def usable(self, time: Array) -> NDArray[np.bool_]:
-        """Which points have a pose, shape (n,): inside the trajectory and not in a gap of it.
+        """Whether each time has a pose, shape (n,): inside the trajectory and not in a gap.
 
         Parameters
         ----------
@@ -93,7 +93,7 @@ class RecoverySetup:
     def points_lidar(self, points_crs: Array, time: Array, *, threads: int | None = None) -> Array:
         """Recover points in the LiDAR frame, shape (n, 3), metres.
 
-        Single points outside the coordinate system are not finite.
+        The results for single points outside the coordinate system are not finite.
 
         Parameters
         ----------
@@ -103,8 +103,8 @@ class RecoverySetup:
         Raises
         ------
         InputError
-            Where a time lies outside the trajectory, most points lie outside the coordinate
-            system, or half come out farther from the scanner than any reaches.
+            If a time lies outside the trajectory, if most points lie outside the coordinate system,
+            or if half of the points are beyond the range of any scanner.
         """
         points_lidar = self.mapping.to_scanner(points_crs, time, threads=threads, strict=False)
         if 2 * np.count_nonzero(np.isfinite(points_lidar[:, 0])) < len(points_lidar):
@@ -116,20 +116,20 @@ class RecoverySetup:
 def recover_scanner_points(chunks: Iterable[C], recovery: RecoverySetup) -> Iterator[tuple[C, int]]:
     """Convert georeferenced points back to the scanner frame, chunk by chunk.
 
-    Memory holds one chunk.
+    Only one chunk is in memory at a time.
 
     Yields
     ------
     chunk
-        The same with ``xyz`` in the LiDAR frame in metres, and only the points that have a pose.
+        The chunk with ``xyz`` in the LiDAR frame, metres, without points that have no pose.
     lost : int
-        Points of the chunk that are excluded because they have none.
+        Number of points of the chunk that are excluded because they have no pose.
 
     Raises
     ------
     InputError
-        Where points come out farther from the scanner than any reaches: the coordinate system,
-        the height reference or the time base is another one.
+        If points are beyond the range of any scanner, because the coordinate system, the height
+        reference or the time base is wrong.
     """
     for chunk in chunks:
         usable = recovery.usable(chunk.time)
@@ -141,7 +141,7 @@ def recover_scanner_points(chunks: Iterable[C], recovery: RecoverySetup) -> Iter
 
 
 def require_within_reach(points_lidar: Array, recovery: RecoverySetup) -> None:
-    """Refuse points of which half are farther from the scanner than any scanner sees.
+    """Refuse points if half of them are beyond the range of any scanner.
 
     Parameters
     ----------
@@ -170,11 +170,11 @@ def require_within_reach(points_lidar: Array, recovery: RecoverySetup) -> None:
 
 
 EXAMINED_POINTS = 10_000
-"""Points of a chunk that are examined."""
+"""Number of points of a chunk that are checked."""
 
 
 def require_scanner_frame(points_lidar: Array, path: Path) -> None:
-    """Refuse points, assumed in the LiDAR frame, of which half are beyond any scanner's range.
+    """Refuse points in the assumed LiDAR frame if half of them are beyond any scanner's range.
 
     Parameters
     ----------

@@ -1,8 +1,9 @@
-"""Check whether recovered points lie where the scanner can measure.
+"""Check whether recovered points lie on surfaces that the beams of the scanner can reach.
 
-That is a plane or a cone for a profiler, and one cone a laser for a spinning scanner. A wrong
-height reference, time, lever arm or attitude moves the recovered points off it. Where they are off,
-each of these causes is tried, and the one that brings the points back is named with its value.
+These are a plane or a cone for a profiler, and one cone per laser for a spinning scanner. A wrong
+height reference, time, lever arm or attitude displaces the recovered points from this surface. Each
+of these causes is then tested, and the one that explains the displacement is reported with its
+value.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -28,32 +29,32 @@ from lispac.warning_causes import Cause
 Array = NDArray[np.float64]
 
 MAX_POINTS = 4000
-"""Points of the sample that a cause is tried with."""
+"""Largest number of points with which a cause is tested."""
 MIN_POINTS = 200
 """Smallest number of points for a result."""
 MAX_RESIDUAL = 0.005
-"""Metres: smoothing of the trajectory, rounding and jitter of the times leave as much."""
+"""Largest residual, metres, due to trajectory smoothing, rounding and jitter of the times."""
 MAX_ANGULAR = 0.0005
-"""Radians of beam direction, allowed besides."""
+"""Additional tolerance of the beam direction, radians."""
 SMALLEST_ARC = 0.35
-"""Radians: beams of a smaller arc do not distinguish a cone from a wrong recovery."""
+"""Smallest arc of the beams, radians, that distinguishes a cone from a wrong recovery."""
 PROFILER_RATIO = 0.1
-"""Residual over range up to which a scanner may be a profiler although no cause explains it."""
+"""Largest ratio of residual to range for a possible profiler if no cause explains the residual."""
 LARGEST_TURN = np.radians(2.0)
-"""Between the scan plane and the axes of the scanner, which a profiler has along it."""
+"""Largest angle between the scan plane and the axes of the scanner, radians."""
 TURN_RATIO = 0.01
-"""Residual over the extent of the points up to which the direction of the plane is certain."""
+"""Largest ratio of residual to extent of the points for a reliable direction of the plane."""
 MIN_REDUCTION = 3.0
-"""Factor by which a cause has to reduce the residual to explain it."""
+"""Smallest factor by which a cause has to reduce the residual."""
 RIVAL_RATIO = 1.5
-"""Factor between the residuals of the best cause and the next from which only the best is named."""
+"""Ratio of the residuals of the next and the best cause from which only the best is reported."""
 HEIGHTS = np.arange(-120.0, 121.0, 2.0)
-"""Metres: the geoid lies between 107 m below and 86 m above the ellipsoid."""
+"""Height offsets to be tested, metres; the geoid is between 107 m below and 86 m above."""
 TIMES = (-37.0, -19.0, -18.0, -2.0, -1.0, -0.5, -0.2, -0.1, -0.05, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0,
          18.0, 19.0, 37.0)  # fmt: skip
-"""Seconds: leap seconds between time bases, and what latencies come to."""
+"""Time offsets to be tested, seconds: leap seconds between time bases, and possible latencies."""
 LEVERS = np.linspace(-3.0, 3.0, 25)
-"""Metres: errors of a lever arm that are tried."""
+"""Errors of the lever arm to be tested, metres."""
 RINGS = ("ring", "ring_number", "laser_id", "laser_number", "laser", "beam_id", "channel")
 """Attributes that number the lasers of a spinning scanner."""
 MAX_RINGS = 256
@@ -119,9 +120,9 @@ class ResidualCause:
     ----------
     cause : str
     value : float
-        Metres or seconds to be added; 0 where the cause has none.
+        Correction to be added, metres or seconds; 0 if the cause has no value.
     residual : float, metres
-        With this cause corrected.
+        Residual after this correction.
     """
 
     cause: str
@@ -137,11 +138,11 @@ def recovery_messages(
     Parameters
     ----------
     name : str
-        Of the line.
+        Name of the line.
     sample : LineSample
-        Points all over the line.
+        Points from the whole line.
     recovery : RecoverySetup
-        As the line is recovered.
+        Setup with which the line is recovered.
     """
     sample = sample.thinned(MAX_POINTS)
     if len(sample.time) < MIN_POINTS:
@@ -177,7 +178,7 @@ def recovery_messages(
     for cone, explanations in zip(fitted, tried, strict=True):
         if fitting := _sufficient_explanations(cone, explanations, allowed):
             return (_causes_message(name, cone if np.isfinite(cone.residual) else first, fitting),)
-    # Two errors at once, or a rough trajectory, leave more; but not so for a scanner of any shape.
+    # A larger residual may be due to two errors or a rough trajectory, up to a limit.
     if len(shapes) == 1 or first.residual <= PROFILER_RATIO * distance:
         limit = max(allowed, RIVAL_RATIO * tried[0][0].residual)
         if fitting := _sufficient_explanations(first, tried[0], limit):
@@ -195,7 +196,7 @@ def _sufficient_explanations(
 
 
 def _causes_message(name: str, cone: BeamCone, fitting: list[ResidualCause]) -> Message:
-    """The message that names the causes that fit, the best first."""
+    """Message with the causes that explain the residual, the best first."""
     best = fitting[0]
     rivals = [each for each in fitting[1:] if each.residual < RIVAL_RATIO * best.residual]
     if rivals:
@@ -226,7 +227,7 @@ def _fit_beam_plane(points: _RecoveredPoints) -> BeamCone:
 
 
 def _fit_beam_cone(points: _RecoveredPoints) -> BeamCone:
-    """A cone, if the beams distinguish it from a plane or a point."""
+    """Fitted cone, if the beams distinguish it from a plane or a point."""
     cone = fit_cone(points.points)
     return (
         cone
@@ -280,7 +281,7 @@ def _residual_warning(
 def _evaluate_causes(
     sample: LineSample, recovery: RecoverySetup, recovered: _RecoveredPoints, shape: Shape
 ) -> Iterator[ResidualCause]:
-    """Each cause with its best value."""
+    """Evaluate each cause with its best value."""
     points = recovered.points
     metre = recovery.system.metres[2]
     raised = replace(sample, points_map=sample.points_map + np.array([0.0, 0.0, 1.0 / metre]))
@@ -323,7 +324,7 @@ def _best_explanation(
     points_with_value: Callable[[float], _RecoveredPoints | None],
     shape: Shape,
 ) -> ResidualCause:
-    """The value with the smallest residual, refined about the best of some."""
+    """Value of a cause with the smallest residual, refined around the best of given values."""
 
     def residual(value: float) -> float:
         found = points_with_value(value)
@@ -349,7 +350,7 @@ REFINEMENTS = 16
 
 
 def _recover_sample(sample: LineSample, recovery: RecoverySetup) -> _RecoveredPoints | None:
-    """Points with a pose in the LiDAR frame; None where there are not enough."""
+    """Points with a pose in the LiDAR frame; None if there are too few."""
     usable = recovery.usable(sample.time)
     if np.count_nonzero(usable) < MIN_POINTS:
         return None

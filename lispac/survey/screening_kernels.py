@@ -15,15 +15,15 @@ KEPT, NOT_FINITE, NO_RANGE, TOO_FAR, DUPLICATE, EXCLUDED = range(6)
 """Result of the screening of a point."""
 
 WINDOW_SLOTS = 1 << 17
-"""Slots of a hash table of recent points; it is cleared when half full."""
+"""Number of slots of a hash table of recent points, which is cleared when half full."""
 LONGEST_RUN = 64
-"""Points of one time that are compared one by one."""
+"""Largest number of points with the same time that are compared individually."""
 GAP_BINS = 200
 """Bins of gaps between distinct times, eight to an octave from `MIN_GAP`."""
 MIN_GAP = 1e-4
-"""Seconds; shorter gaps between distinct times are fine in any case."""
+"""Gap between distinct times below which their resolution is sufficient, seconds."""
 MAX_GAP = 10.0
-"""Seconds; longer gaps are pauses, not steps."""
+"""Gap above which times are separated by a pause, seconds."""
 
 # Numba has no types mypy could check, hence the marks.
 
@@ -50,7 +50,7 @@ def point_hash(t, x, y, z):  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True)
 def screen_values(time, xyz, nearest, farthest, largest, largest_time, status):  # type: ignore[no-untyped-def]
-    """Mark points that are not numbers, have no range, or are too far; count them by status.
+    """Mark points that are not finite, have no range, or are too far; count points by status.
 
     ``status`` (n,) holds `EXCLUDED` where a point was excluded before, else `KEPT`. A negative
     ``farthest`` leaves ranges unchecked.

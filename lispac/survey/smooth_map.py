@@ -1,10 +1,10 @@
-"""A mapping that is smooth, replaced by polynomials that are checked against it.
+"""Approximation of a smooth mapping by polynomials, with a check of the residuals.
 
-Map projections bend so little over a site that a polynomial of third degree follows them to a
-thousandth of a millimetre over kilometres; it costs twenty nanoseconds a point where PROJ takes a
-microsecond. The square about the site is quartered where it does not, as along the meridians and
-parallels where a geoid grid is folded (it is interpolated linearly between its nodes). What a
-polynomial cannot follow even in the smallest cells is left to the exact way.
+A polynomial of third degree approximates a map projection to a thousandth of a millimetre over
+kilometres. It takes twenty nanoseconds per point, while PROJ takes a microsecond. The square around
+the site is divided into quarters where the residuals are too large, for example along the lines of
+a geoid grid, where its linear interpolation has kinks. If a polynomial is not accurate enough even
+in the smallest cells, the exact mapping is used there.
 """
 
 from collections.abc import Callable
@@ -20,13 +20,13 @@ from lispac.survey import kernels
 Array = NDArray[np.float64]
 
 RESIDUAL = 1e-6
-"""Metres that a polynomial may be off at its check points; a tenth of the guaranteed accuracy."""
+"""Largest residual of a polynomial at its check points, metres; a tenth of `ACCURACY`."""
 ACCURACY = 1e-5
-"""Metres that a mapped point is off at most."""
+"""Guaranteed accuracy of mapped points, metres."""
 MIN_CELL = 30.0
-"""Metres: cells are not quartered below."""
+"""Smallest side of a cell, metres."""
 MAX_CELLS = 40_000
-"""Cells; above them the rest goes the exact way."""
+"""Largest number of cells; the exact mapping is used for the rest."""
 POWERS = np.array([(i, j, k) for i in range(4) for j in range(4 - i) for k in range(4 - i - j)])
 """Exponents of x, y, z in the order of the coefficients of `evaluate_cubic`."""
 
@@ -36,7 +36,7 @@ def _polynomial_terms(places: Array) -> Array:
 
 
 _NODES = np.array(list(product(chebpts1(4), repeat=3)))
-# Edges and corners too: a fold may cut off no more than one.
+# Including edges and corners: a kink may affect only a single corner.
 _CHECKS = np.concatenate(
     [
         np.array(list(product(np.linspace(-1, 1, 5), np.linspace(-1, 1, 5), (-1.0, 0.3, 1.0)))),
@@ -62,9 +62,9 @@ class SmoothMap:
     coefficients : ndarray of shape (leaves, 3, 20)
         As `lispac.survey.kernels.evaluate_smooth_map` takes them.
     residual : float, metres
-        Largest departure from the exact mapping at the check points of all cells.
+        Largest deviation from the exact mapping at the check points of all cells.
     exact_share : float, 0 to 1
-        Part of the square that is left to the exact way.
+        Share of the square in which the exact mapping is used.
     """
 
     root: Array
@@ -85,14 +85,14 @@ class SmoothMap:
         )
 
     def apply(self, points: Array) -> NDArray[np.bool_]:
-        """Map points in place, shape (n, 3); gives back which are left as they were."""
+        """Map points (n, 3) in place; returns which of them were not changed."""
         missed = np.zeros(len(points), dtype=np.bool_)
         kernels.evaluate_smooth_map(points, *self.tables, missed)
         return missed
 
     @property
     def tables(self) -> tuple[NDArray[np.generic], ...]:
-        """Arrays that the kernels take."""
+        """Arrays for the compiled functions."""
         return self.root, self.children, self.leaf_of, self.boxes, self.coefficients
 
 
@@ -113,7 +113,7 @@ def fit_smooth_map(
     low, high : ndarray of shape (3,)
         Corners of the box.
     metres_in, metres_out : ndarray of shape (3,)
-        Metres in each unit of what goes in and what comes out.
+        Metres in each unit of the input and of the output.
     """
     middle, half = (low + high) / 2, (high - low) / 2
     side = 2 * float(half[:2].max()) * (1 + 1e-9)
@@ -172,7 +172,7 @@ def _fit_cells(
     known = np.asarray(np.isfinite(values).all(axis=(1, 2)))
     values = np.where(known[:, None, None], values, 0.0)
     at_nodes, at_checks = values[:, : len(_NODES)], values[:, len(_NODES) :]
-    # About their mean: northings of thousands of kilometres would cost digits.
+    # Relative to their mean: northings of thousands of kilometres would lose digits.
     mean = at_nodes.mean(axis=1, keepdims=True)
     found = np.einsum("tn,cnd->cdt", _FIT, at_nodes - mean)
     found[:, :, 0] += mean[:, 0]

@@ -1,10 +1,10 @@
-"""Insert states between those of a trajectory, from velocities and angular rates.
+"""Insertion of states into a trajectory, computed from velocities and angular rates.
 
-A straight line between two states cuts off the motion between them, by 6 mm and more at 10 Hz in
-waves. Where the file has velocities and angular rates, the cubic that has the states and their
-derivatives at both ends (Hermite interpolation; de Boor 2001, IV) follows the motion. Its values
-are inserted as further states, so close that straight lines between them suffice: whatever
-interpolates a trajectory then interpolates alike.
+The error of linear interpolation between states is 6 mm and more at 10 Hz in waves. If the file has
+velocities and angular rates, cubic Hermite interpolation (de Boor 2001, IV), which uses the states
+and their derivatives at both ends, follows the motion. Its values are inserted as additional
+states, so close together that linear interpolation between them is sufficient. All functions can
+then use linear interpolation.
 """
 
 from dataclasses import dataclass
@@ -15,31 +15,31 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 LIMIT = np.array([1e-4] * 3 + [float(np.radians(1e-4))] * 3)
-"""Metres and radians that straight lines between the inserted states may be off by."""
+"""Largest error of linear interpolation between the inserted states, metres and radians."""
 MAX_PARTS = 20
-"""Parts that an interval is divided into at most."""
+"""Largest number of parts into which an interval is divided."""
 MAX_ERROR_RATIO = 0.5
-"""Error of the cubic over that of a straight line, at excluded states, up to which it is used."""
+"""Largest ratio of the errors of cubic and linear interpolation for which the cubic is used."""
 MIN_STATES = 20
-"""States that can be excluded, below which nothing is inserted."""
+"""Smallest number of test states; with fewer, no states are inserted."""
 QUANTILE = 0.995
-"""Quantile of the intervals, for the number of parts."""
+"""Quantile of the intervals that determines the number of parts."""
 
 
 @dataclass(frozen=True, eq=False)
 class DenseStates:
-    """States with those inserted between them.
+    """States of a trajectory with the inserted ones.
 
     Attributes
     ----------
     time : ndarray of shape (m,), seconds
     states : ndarray of shape (m, 6), metres and radians
     error : ndarray of shape (m - 1, 6), metres and radians, or None
-        By how much the cubics may be off; None where nothing was inserted.
+        Estimated error of the cubics; None if no states were inserted.
     unused : tuple of int
-        Components whose derivatives contradict the states, so that they are interpolated linearly.
+        Components whose derivatives contradict the states; they are interpolated linearly.
     parts : int
-        Intervals that one interval between given states was divided into.
+        Number of intervals into which each interval between given states was divided.
     """
 
     time: Array
@@ -52,11 +52,11 @@ class DenseStates:
 def insert_states(
     time: Array, states: Array, derivatives: Array, longest_gap: float
 ) -> DenseStates:
-    """Insert states where straight lines between the given ones are off by more than `LIMIT`.
+    """Insert states if the error of linear interpolation between the given ones exceeds `LIMIT`.
 
-    The derivatives of a component are used where the cubic predicts states that are excluded
-    clearly better than a straight line does. Velocities along other axes or with another sign, and
-    rates in another unit, do not.
+    The derivatives of a component are used only if the cubic predicts omitted states clearly better
+    than a straight line. This is not the case for velocities along other axes or with another sign,
+    or for rates in another unit.
 
     Parameters
     ----------
@@ -64,9 +64,9 @@ def insert_states(
     states : ndarray of shape (n, 6), metres and radians
         Angles without jumps by 2 pi.
     derivatives : ndarray of shape (n, 6), metres and radians a second
-        Zeros where there are none.
+        Zeros for components without derivatives.
     longest_gap : float, seconds
-        Between two states that may be bridged.
+        Longest interval between two states over which positions are interpolated.
     """
     steps = np.diff(time)
     bridged = steps <= longest_gap
@@ -82,7 +82,7 @@ def insert_states(
     error_cubic = states[inner] - hermite_cubic(u, span[:, None], ends, slopes)
     error_straight = np.abs(straight).mean(axis=0)
     used = np.abs(error_cubic).mean(axis=0) < MAX_ERROR_RATIO * error_straight
-    # Of a parabola, the error over one interval is a quarter of that over two.
+    # For a parabola, the error over one interval is a quarter of that over two.
     needed = np.quantile(np.abs(straight), QUANTILE, axis=0) / 4
     coarse = needed > LIMIT
     unused = tuple(np.flatnonzero(coarse & ~used & derivatives.any(axis=0)).tolist())
@@ -90,7 +90,7 @@ def insert_states(
     parts = min(parts, MAX_PARTS)
     if parts <= 1:
         return DenseStates(time, states, unused=unused)
-    # Of a polynomial of fourth degree, a sixteenth: the excluded states measure the error.
+    # For a polynomial of fourth degree, a sixteenth; the omitted states give the error.
     off = np.zeros_like(states)
     off[inner] = error_cubic / 16 * used
     return _insert_parts(time, states, derivatives, bridged, used, off, parts, unused)
@@ -125,7 +125,7 @@ def hermite_cubic(
     Parameters
     ----------
     u : ndarray of shape (n, 1)
-        Where between the two, 0 to 1.
+        Position between the two states, 0 to 1.
     span : ndarray of shape (n, 1), seconds
     ends : two ndarrays of shape (n, m)
         States.
@@ -147,7 +147,7 @@ def hermite_cubic(
 def attitude_rates(attitude: Array, body_rates: Array) -> Array:
     """Derivatives of roll, pitch and heading from angular rates about the body axes.
 
-    Titterton and Weston (2004), 3.6.3; of roll positive starboard down, pitch positive bow up.
+    Titterton and Weston (2004), 3.6.3, for roll positive starboard down and pitch positive bow up.
 
     Parameters
     ----------

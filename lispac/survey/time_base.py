@@ -1,9 +1,9 @@
 """Time bases: identification, and conversion between them.
 
-Two bases differ by a constant over any survey that no leap second falls into: by the offset of
-their zeros, by the leap seconds, and by whole days or weeks where a base starts again at midnight
-or on Sunday. So a conversion is one shift in seconds, and of the whole days or weeks those are
-taken that bring two files together.
+During a survey without a leap second, two time bases differ by a constant: the difference of their
+origins, the leap seconds, and whole days or weeks if a base restarts at midnight or on Sunday. A
+conversion is therefore a single shift in seconds. The number of whole days or weeks is chosen so
+that the times of two files overlap.
 """
 
 from collections.abc import Iterable
@@ -20,11 +20,11 @@ Array = NDArray[np.float64]
 
 HOUR, DAY, WEEK = 3600.0, 86_400.0, 604_800.0
 GPS_AFTER_TAI = 19.0
-"""Seconds that GPS time is behind TAI, at all times."""
+"""Constant difference of TAI minus GPS time, seconds."""
 GPS_EPOCH = datetime(1980, 1, 6, tzinfo=UTC).timestamp()
-"""Unix time of the zero of GPS time, seconds."""
+"""Unix time of the origin of GPS time, seconds."""
 NEAR_START = 60.0
-"""Seconds before and after midnight or the end of a week for the detection of a rollover."""
+"""Time in seconds before and after midnight or the end of a week to detect a rollover."""
 
 LEAP_DATES = (
     date(1981, 7, 1), date(1982, 7, 1), date(1983, 7, 1), date(1985, 7, 1), date(1988, 1, 1),
@@ -32,7 +32,7 @@ LEAP_DATES = (
     date(1996, 1, 1), date(1997, 7, 1), date(1999, 1, 1), date(2006, 1, 1), date(2009, 1, 1),
     date(2012, 7, 1), date(2015, 7, 1), date(2017, 1, 1),
 )  # fmt: skip
-"""Days at whose start GPS gained a second on UTC (IERS Bulletin C); none announced after 2017."""
+"""Dates from which GPS minus UTC is one second larger (IERS Bulletin C); none after 2017."""
 
 _LEAP_UTC = np.array(
     [datetime(d.year, d.month, d.day, tzinfo=UTC).timestamp() - GPS_EPOCH for d in LEAP_DATES]
@@ -47,16 +47,16 @@ class TimeBase:
     Attributes
     ----------
     key : str
-        As in the project file and at the command line.
+        Name in the project file and on the command line.
     offset : float, seconds
-        Continuous time since 1980-01-06 at zero, leap seconds apart.
+        Time since 1980-01-06 at its origin, without leap seconds.
     period : float or None, seconds
-        After which it starts again; None where it never does.
+        Period after which it restarts; None if it never does.
     utc : bool
-        Whether it lacks the leap seconds that GPS time counts.
+        Whether leap seconds are not counted, unlike in GPS time.
     lowest, highest : float, seconds
-        Values a survey can have. Absolute bases: years 2000 to 2045. Periodic ones: one period
-        more, for writers that continue through midnight.
+        Possible values in a survey. For absolute bases, years 2000 to 2045; for periodic bases,
+        up to two periods, since some files continue the count after the rollover.
     """
 
     key: str
@@ -84,13 +84,13 @@ BASES = (
     _absolute_base("tai", -GPS_EPOCH - GPS_AFTER_TAI, False),
     TimeBase("utc-hour", 0.0, HOUR, True, 0.0, 2 * HOUR),
 )
-"""All bases, the more usual first."""
+"""All time bases, the more common ones first."""
 
 KEYS = tuple(base.key for base in BASES)
 
 
 def base_of_key(key: str) -> TimeBase:
-    """The base of that key.
+    """Time base with this key.
 
     Raises
     ------
@@ -104,10 +104,10 @@ def base_of_key(key: str) -> TimeBase:
 
 
 def plausible_bases(times: Array) -> tuple[TimeBase, ...]:
-    """Bases that ``times`` can be in by their values alone, the more usual first.
+    """Bases in which the values of ``times`` are possible, the more common ones first.
 
-    Below one week, times are not taken for adjusted GPS time, which had such values in September
-    2011 alone.
+    Times below one week are never assumed to be adjusted GPS time, which had such values only in
+    September 2011.
 
     Parameters
     ----------
@@ -142,14 +142,14 @@ def to_gps(times: Array, base: TimeBase, near: float | None = None) -> Array:
 
     Parameters
     ----------
-    times : ndarray of shape (n,), seconds in ``base``; wraps already unrolled (`unroll_times`)
+    times : ndarray of shape (n,), seconds in ``base``, with rollovers resolved (`unroll_times`)
     near : float, GPS seconds since 1980-01-06
-        For a base that starts again every day or week: a time within half a period of the first.
+        For a base that restarts every day or week: a time within half a period of the first time.
 
     Raises
     ------
     InputError
-        Where ``near`` is needed and missing.
+        If ``near`` is needed and missing.
     """
     times = np.asarray(times, dtype=np.float64)
     if not times.size:
@@ -178,8 +178,8 @@ def from_gps(gps: Array, base: TimeBase) -> Array:
 def unroll_times(times: Array) -> tuple[Array, int]:
     """Times with the rollover at midnight or end of the week resolved.
 
-    A step back counts as a new start where it is a whole day or week but for a step ahead of at
-    most a minute, from the last minute before to the first one after it.
+    A step backwards counts as a rollover if it leads from the last minute of a day or week to the
+    first minute of the next one, with at most a minute in between.
 
     Parameters
     ----------
@@ -189,7 +189,7 @@ def unroll_times(times: Array) -> tuple[Array, int]:
     -------
     times : ndarray of shape (n,), seconds
     count : int
-        Starts found.
+        Number of rollovers.
     """
     times = np.asarray(times, dtype=np.float64)
     added, count = np.zeros(len(times)), 0
@@ -201,14 +201,14 @@ def unroll_times(times: Array) -> tuple[Array, int]:
 
 
 def period_between(before: float, after: float, leeway: float = NEAR_START) -> float:
-    """Seconds, a day or a week, that start again between two times; 0 where none does.
+    """Period in seconds, a day or a week, that restarts between two times; 0 if none does.
 
     Parameters
     ----------
     before, after : float, seconds
-        The last time before and the first one after.
+        Last time before and first time after the rollover.
     leeway : float, seconds
-        That each of the two may be from the start.
+        Largest distance of each of the two from the rollover.
     """
     for period in (DAY, WEEK, HOUR):
         if period - leeway <= before < period and 0 <= after < leeway:
@@ -223,11 +223,11 @@ class TimeMatch:
     Attributes
     ----------
     pairs : tuple of (TimeBase, TimeBase)
-        Bases of points and trajectory that lead to this shift, the more usual first.
+        Bases of points and trajectory that lead to this shift, the more common ones first.
     shift : float, seconds
-        To be added to the point times.
+        Shift to be added to the point times.
     share : float
-        Part of the point times that then lies inside the trajectory's span.
+        Share of the point times that then lie inside the time span of the trajectory.
     leap_assumed : bool
         Whether the current leap seconds were used because neither file contains the date.
     """
@@ -239,12 +239,12 @@ class TimeMatch:
 
     @property
     def points(self) -> TimeBase:
-        """The likeliest base of the points."""
+        """Most likely time base of the points."""
         return self.pairs[0][0]
 
     @property
     def trajectory(self) -> TimeBase:
-        """The likeliest base of the trajectory."""
+        """Most likely time base of the trajectory."""
         return self.pairs[0][1]
 
     def applied(self, times: Array) -> Array:
@@ -259,21 +259,21 @@ def find_time_matches(
     point_bases: Iterable[TimeBase] | None = None,
     trajectory_bases: Iterable[TimeBase] | None = None,
 ) -> tuple[TimeMatch, ...]:
-    """All conversions that bring points onto the trajectory, best first.
+    """Find all conversions that bring points into the time span of the trajectory, best first.
 
     Parameters
     ----------
     point_times : ndarray of shape (n,), seconds
-        Of one line, all or a sample.
+        All times of one line, or a sample.
     trajectory_times : ndarray of shape (m,), seconds, increasing
     point_bases, trajectory_bases : iterable of TimeBase, optional
-        Where the base is given; otherwise all that the values allow.
+        Known bases; by default all in which the values are possible.
 
     Returns
     -------
-    tuple of Match
-        By the share inside; among equal ones no shift comes first, then the more usual bases.
-        Empty where nothing brings one point inside.
+    tuple of TimeMatch
+        Ordered by the share of points inside; of equal shares, no shift comes first, then the more
+        common bases. Empty if no conversion brings any point inside.
     """
     points = np.asarray(point_times, dtype=np.float64)
     points = points[np.isfinite(points)]
@@ -301,7 +301,7 @@ def find_time_matches(
 def _possible_shifts(
     line_base: TimeBase, other: TimeBase, centre: float, goal: float
 ) -> list[tuple[float, bool]]:
-    """Shifts from one base to another that bring ``centre`` next to ``goal``."""
+    """Shifts from one base to another that bring ``centre`` close to ``goal``."""
     leap, assumed = 0.0, False
     if line_base.utc != other.utc:
         if line_base.period is None:
@@ -314,7 +314,7 @@ def _possible_shifts(
     periods = [base.period for base in (line_base, other) if base.period is not None]
     if not periods:
         return [(shift, assumed)]
-    # A trajectory may be longer than a day: the neighbouring days are tried too.
+    # A trajectory may be longer than a day, so neighbouring days are tested as well.
     near = round((goal - centre - shift) / min(periods))
     return [(shift + min(periods) * (near + k), assumed) for k in (0, -1, 1)]
 
@@ -325,5 +325,5 @@ def _match_rank(match: TimeMatch) -> tuple[float, bool, int]:
 
 
 def equally_good_matches(matches: tuple[TimeMatch, ...]) -> tuple[TimeMatch, ...]:
-    """Matches as good as the first, to half a per cent of the points."""
+    """Matches that are as good as the first within half a per cent of the points."""
     return tuple(match for match in matches[1:] if match.share >= matches[0].share - 0.005)

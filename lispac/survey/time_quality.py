@@ -1,4 +1,4 @@
-"""Quality of times, and coverage of a line by the trajectory."""
+"""Quality of the times of a file, and coverage of a line by the trajectory."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ from lispac.untrusted_values import LEAST_AMOUNT
 Array = NDArray[np.float64]
 
 COARSEST_HARMLESS = 1e-4
-"""Seconds: a vessel at 10 m/s moves by 1 mm in it."""
+"""Coarsest harmless resolution of times, seconds: a vessel at 10 m/s moves by 1 mm."""
 
 
 @dataclass(frozen=True)
@@ -22,14 +22,13 @@ class TimeQuality:
     ----------
     count : int
     duplicates : int
-        Times equal to the one before, or nearer to it than the resolution of any clock.
+        Number of times equal to the previous one, or closer to it than any clock resolves.
     backward : int
-        Times earlier than the one before.
+        Number of times earlier than the previous one.
     first_disorder : int or None
         Index of the first such time.
     resolution : float or None, seconds
-        Step that 32-bit numbers leave at these values, where the times show that they have gone
-        through them.
+        Resolution of 32-bit numbers at these values, if the times were rounded to 32 bits.
     """
 
     count: int
@@ -39,7 +38,7 @@ class TimeQuality:
     resolution: float | None
 
     def messages(self, file: str) -> tuple[Message, ...]:
-        """A warning for each thing that is wrong; ``file`` is the name of the file."""
+        """Warning for each problem; ``file`` is the name of the file."""
         found = []
         if self.resolution is not None:
             found.append(warning("times.coarse", file=file, step=self.resolution))
@@ -70,10 +69,10 @@ def assess_times(times: Array) -> TimeQuality:
 
 
 def _float32_step(times: Array) -> float | None:
-    """Step of 32-bit numbers where times use every one of its values, not a coarser grid.
+    """Resolution of 32-bit numbers if the times use all their values, not only a coarser grid.
 
-    Times at whole seconds pass through 32 bits unharmed: all their steps are multiples of a
-    second, while 32-bit numbers would resolve finer ones.
+    Times in whole seconds are not affected by rounding to 32 bits: all their steps are multiples of
+    one second, although 32-bit numbers would have a finer resolution.
     """
     if len(times) < 3 or not np.isfinite(times).all() or np.abs(times).max() > 1e30:
         return None
@@ -95,7 +94,7 @@ class TrajectoryCoverage:
     Attributes
     ----------
     start, end : float, seconds
-        Of the line; not a number where it has no points.
+        First and last time of the line; NaN if it has no points.
     count : int
         Points of the line.
     outside : int
@@ -103,7 +102,7 @@ class TrajectoryCoverage:
     in_gaps : int
         Points in gaps of the trajectory longer than ``longest_gap``.
     gaps : tuple of (float, float), seconds
-        Start and end of those gaps that reach into the line's span.
+        Start and end of the gaps that overlap the time span of the line.
     longest_gap : float, seconds
     """
 
@@ -117,12 +116,12 @@ class TrajectoryCoverage:
 
     @property
     def share_outside(self) -> float:
-        """Part of the points before or after the trajectory."""
+        """Share of the points before or after the trajectory."""
         return self.outside / self.count if self.count else 0.0
 
     @property
     def share_in_gaps(self) -> float:
-        """Part of the points in gaps."""
+        """Share of the points in gaps."""
         return self.in_gaps / self.count if self.count else 0.0
 
     @property
@@ -141,7 +140,7 @@ def assess_coverage(
     line_times : ndarray of shape (n,), seconds, in any order; in the trajectory's time base
     trajectory_times : ndarray of shape (m,), seconds, increasing
     longest_gap : float, seconds
-        Between two states that may be bridged.
+        Longest interval between two states over which positions are interpolated.
     """
     times = np.asarray(line_times, dtype=np.float64)
     track = np.asarray(trajectory_times, dtype=np.float64)
@@ -168,11 +167,11 @@ def assess_coverage(
 
 
 SHORT = 2.0
-"""Seconds that accuracies may miss at the ends of the trajectory without a message."""
+"""Time in seconds without accuracies at the ends of the trajectory that gives no message."""
 
 
 def accuracy_coverage_warning(accuracy_times: Array, track: Array, file: str) -> Message | None:
-    """The warning that accuracies do not cover the whole trajectory; None where they do.
+    """Warning that accuracies do not cover the whole trajectory; None if they do.
 
     Parameters
     ----------
@@ -191,14 +190,14 @@ def accuracy_coverage_warning(accuracy_times: Array, track: Array, file: str) ->
 
 
 def exclusion_notes(covered: TrajectoryCoverage, lost: int, file: str) -> tuple[Message, ...]:
-    """Notes on the points of a line that have no pose, and why.
+    """Notes on the points of a line without a pose, with the reasons.
 
     Parameters
     ----------
     covered : TrajectoryCoverage
-        Of all points of the line.
+        Coverage of all points of the line.
     lost : int
-        Points without a pose.
+        Number of points without a pose.
     file : str
         Name of the file of the line.
     """

@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 NONE = "none"
 PERIODS: Mapping[str, float] = {"midnight": DAY, "week-end": WEEK, "full-hour": HOUR}
-"""Seconds added after a rollover, by the option; 0 for other values."""
+"""Seconds added to times after a rollover, by the value of the option."""
 KEYS = (NONE, *PERIODS)
 PLACES: Mapping[str, Message] = {
     "midnight": note("rollover.midnight"), "week-end": note("rollover.week_end"),
@@ -22,16 +22,16 @@ PLACES: Mapping[str, Message] = {
 
 
 def find_rollover(times: Array) -> str:
-    """Find the rollover of a line: a key of `PERIODS`, empty where there is none.
+    """Find the rollover of a line: a key of `PERIODS`, or empty if there is none.
 
-    A line is shorter than half a day, and its points may be in any order: so its times start again
-    where they lie at both ends of a day or week with more than half of it empty between them, and
-    what is missing from the last one before to the first one after is short (`period_between`).
+    Points may be in any order, and a line is shorter than half a day. There is a rollover if the
+    times lie at both ends of a day or week, with more than half of it empty in between, and if the
+    gap from the last time before to the first time after the rollover is short (`period_between`).
 
     Parameters
     ----------
     times : ndarray of shape (n,), seconds, in any order
-        Of all points, or a sample with the earliest and the latest among them.
+        Times of all points, or of a sample that includes the earliest and the latest one.
     """
     times = np.asarray(times, dtype=np.float64)
     if len(times) < 2 or not np.isfinite(times).all():
@@ -44,7 +44,7 @@ def find_rollover(times: Array) -> str:
         last, first = float(times[after].max()), float(times[~after].min())
         if first - last < period / 2:
             continue
-        # A sample need not have the minute about midnight in it.
+        # A sample may have no times within a minute of midnight.
         leeway = max(NEAR_START, (last + period - first) / 10)
         if period_between(high, low, leeway) == period:
             return key
@@ -52,13 +52,13 @@ def find_rollover(times: Array) -> str:
 
 
 def resolve_rollover(times: Array, rollover: str) -> Array:
-    """Times of a line (n,) with the rollover resolved, in any part and order of it.
+    """Times of a line, or of any part of it, with the rollover resolved, shape (n,).
 
     Parameters
     ----------
     times : ndarray of shape (n,), seconds, as the file has them
     rollover : str
-        As `find_rollover` gives it. What lies in the first half of the day or week is after it.
+        Result of `find_rollover`. Times in the first half of the day or week are after it.
     """
     period = PERIODS.get(rollover)
     if period is None:
@@ -75,7 +75,7 @@ def restore_rollover(times: Array, rollover: str) -> Array:
 
 
 def rollover_note(times: Array, rollover: str, file: str) -> Message:
-    """The note on the time rollover of a line and on what is added to its times.
+    """Note on the time rollover of a line and on the period added to its times.
 
     Parameters
     ----------

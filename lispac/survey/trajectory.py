@@ -15,13 +15,14 @@ from lispac.survey.state_densification import insert_states
 Array = NDArray[np.float64]
 
 LONGEST_GAP = 1.5
-"""Seconds between two states that a straight line may bridge, where nothing else is set; text
-exports come at 1 Hz."""
+"""Default for the longest interval between two states over which positions are interpolated,
+seconds; text exports have 1 Hz."""
 TICK = 1e-4
-"""Seconds over which an angular rate is brought to another frame."""
+"""Step in seconds for the conversion of angular rates to another frame."""
 COMPONENTS = ("north", "west", "up", "roll", "pitch", "heading")
 STEEPEST = float(np.radians(80.0))
-"""Pitch beyond which roll and heading run too fast to be interpolated; at 90 deg they are one."""
+"""Pitch in radians beyond which roll and heading change too fast for interpolation; at 90 deg they
+are not separable."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,8 +34,8 @@ class Trajectory:
     time : ndarray of shape (n,), seconds, strictly increasing
     latitude : ndarray of shape (n,), radians
     longitude : ndarray of shape (n,), radians
-        Without jumps by 2 pi, and so that their mean lies between -pi and pi: a trajectory across
-        the antimeridian goes beyond.
+        Without jumps by 2 pi and with a mean between -pi and pi; values of a trajectory across the
+        antimeridian may exceed these limits.
     height : ndarray of shape (n,), metres above the ellipsoid
     attitude : ndarray of shape (n, 3), radians
         Roll, pitch (positive bow down), heading (clockwise from true north at the vessel).
@@ -63,17 +64,17 @@ class Trajectory:
 
     @property
     def longitude_within_half_turn(self) -> Array:
-        """Longitudes from -pi to pi, shape (n,), radians, as files state them."""
+        """Longitudes from -pi to pi, shape (n,), radians, as in files."""
         turns = np.round(self.longitude / (2 * np.pi))
         return np.asarray(self.longitude - 2 * np.pi * turns)
 
     def with_positions_only(self) -> "Trajectory":
-        """The states that have a position: latitude and longitude of a receiver are 0 before a fix.
+        """Trajectory without states that have no position, whose latitude and longitude are 0.
 
         Raises
         ------
         InputError
-            Where none has one.
+            If no state has a position.
         """
         placed = (self.latitude != 0) | (self.longitude_within_half_turn != 0)
         if placed.all():
@@ -105,7 +106,7 @@ def continuous_longitude(longitude: Array) -> Array:
     Parameters
     ----------
     longitude : ndarray of shape (n,), radians
-        From -pi to pi or from 0 to 2 pi, one after the other along a path.
+        From -pi to pi or from 0 to 2 pi, in order along a path.
     """
     unwrapped = np.unwrap(longitude)
     turns = np.round(np.mean(unwrapped) / (2 * np.pi)) if len(unwrapped) else 0.0
@@ -129,7 +130,7 @@ class TrajectoryAccuracy:
 
     @classmethod
     def constant(cls, position: Array, attitude: Array) -> "TrajectoryAccuracy":
-        """The same sigmas at all times.
+        """Accuracy with the same sigmas at all times.
 
         Parameters
         ----------
@@ -168,7 +169,7 @@ class Poses:
 
 @dataclass(frozen=True, eq=False)
 class LocalTrajectory:
-    """The trajectory in a local frame, ready for interpolation.
+    """Trajectory in a local frame, prepared for interpolation.
 
     Attributes
     ----------
@@ -176,15 +177,15 @@ class LocalTrajectory:
     time : ndarray of shape (n,), seconds, strictly increasing
     position : ndarray of shape (n, 3), metres, local
     attitude : ndarray of shape (n, 3), radians
-        Roll, pitch, heading against the axes of the local frame, without jumps by 2 pi.
+        Roll, pitch, heading relative to the axes of the local frame, without jumps by 2 pi.
     longest_gap : float, seconds
-        Between two states that may be bridged.
+        Longest interval between two states over which positions are interpolated.
     messages : tuple of Message
         Warnings and notes about the states.
     curve_error : ndarray of shape (n - 1, 6), metres and radians, or None
-        By how much states that were inserted between those of the file may be off.
+        Estimated error of the states that were inserted between those of the file.
     parts : int
-        Intervals here that one interval of the file was divided into.
+        Number of intervals into which each interval of the file was divided.
     """
 
     frame: LocalFrame
@@ -200,15 +201,15 @@ class LocalTrajectory:
     def of(
         cls, trajectory: Trajectory, frame: LocalFrame, longest_gap: float = LONGEST_GAP
     ) -> "LocalTrajectory":
-        """Bring a trajectory into ``frame``: positions, and attitude turned to its axes.
+        """Convert positions and attitudes of a trajectory to a local frame.
 
-        Where the trajectory has velocities and angular rates, and straight lines between its states
-        are too coarse for the motion, further states are inserted (`insert_states`).
+        If the trajectory has velocities and angular rates, and linear interpolation between its
+        states is too coarse for the motion, states are inserted (`insert_states`).
 
         Raises
         ------
         InputError
-            Where the body frame points up or down nearly all the time.
+            If the body frame points up or down nearly all the time.
         """
         position = frame.to_local(trajectory.latitude, trajectory.longitude, trajectory.height)
         rotation_level_body = rotation_matrix(*trajectory.attitude.T)
@@ -240,9 +241,9 @@ class LocalTrajectory:
 
     @cached_property
     def knots(self) -> tuple[Array, Array]:
-        """Times, and position and attitude in one row each, (n, 6), for compiled passes.
+        """Times (n,), and positions and attitudes in one array (n, 6), for compiled functions.
 
-        Made once: every line that is placed, and every mounting it is placed with, needs them.
+        They are computed once, since all lines and mountings use them.
         """
         return (
             np.ascontiguousarray(self.time, dtype=np.float64),
@@ -251,17 +252,17 @@ class LocalTrajectory:
 
     @cached_property
     def has_gaps(self) -> bool:
-        """Whether anything between two states may not be bridged."""
+        """Whether there are intervals in which positions are not interpolated."""
         return bool(self._gap_intervals.any())
 
     @cached_property
     def _gap_intervals(self) -> NDArray[np.bool_]:
-        """Intervals between states that are too long, or too steep, shape (n - 1,)."""
+        """Whether each interval between states is too long or has too steep a pitch, (n - 1,)."""
         steep = np.abs(self.attitude[:, 1]) > STEEPEST
         return np.asarray((np.diff(self.time) > self.longest_gap) | steep[:-1] | steep[1:])
 
     def covers(self, time: Array) -> NDArray[np.bool_]:
-        """Which of ``time`` have a pose: inside, not in a gap, and not where the pitch is steep.
+        """Whether each time has a pose: inside, not in a gap, and without a steep pitch.
 
         Parameters
         ----------
@@ -276,13 +277,13 @@ class LocalTrajectory:
             last = len(self.time) - 2
             behind = np.searchsorted(self.time, time)
             out = np.flatnonzero(self._gap_intervals[np.clip(behind - 1, 0, last)])
-            # At a state itself it is enough that what follows may be bridged.
+            # At a state itself, only the interval after it has to be valid.
             at = np.minimum(behind[out], last)
             inside[out] &= (self.time[at] == time[out]) & ~self._gap_intervals[at]
         return np.asarray(inside)
 
     def rate_at(self, time: Array) -> Array:
-        """Derivative of position and attitude by time, shape (n, 6), metres and radians a second.
+        """Time derivative of position and attitude, shape (n, 6), metres and radians per second.
 
         ``time`` has to lie inside the trajectory, as for `at`.
         """
@@ -299,7 +300,7 @@ class LocalTrajectory:
         Raises
         ------
         InputError
-            Where a time lies outside the trajectory.
+            If a time lies outside the trajectory.
         """
         if len(time) and not self.covers(np.array([np.min(time), np.max(time)])).all():
             raise InputError(outside_trajectory_message(time, self.time))
@@ -314,7 +315,7 @@ def _interpolate(time: Array, known_time: Array, values: Array) -> Array:
 
 
 def outside_trajectory_message(time: Array, known: Array) -> Message:
-    """The message that points lie outside the trajectory.
+    """Message that points lie outside the time span of the trajectory.
 
     Parameters
     ----------

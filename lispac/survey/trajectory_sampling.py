@@ -1,4 +1,4 @@
-"""Check whether the states of a trajectory are dense enough for its motion."""
+"""Check whether the states of a trajectory are dense enough for the motion of the vessel."""
 
 from collections.abc import Mapping
 
@@ -12,18 +12,18 @@ from lispac.warning_causes import Cause
 Array = NDArray[np.float64]
 
 MAX_ERROR_SHARE = 0.1
-"""Share of the given accuracy that the error of the interpolation may reach."""
+"""Largest ratio of the interpolation error to the given accuracy."""
 WINDOW = 0.25
-"""Seconds over which errors of one sign add up; waves are longer, vibration is shorter."""
+"""Averaging time in seconds, which removes vibration but not the motion in waves."""
 QUANTILE = 0.95
-"""Quantile of the points of a line, for the error that is reported."""
+"""Quantile over the points of a line of the error that is reported."""
 
 
 def interpolation_error(trajectory: LocalTrajectory) -> Array:
     """Error bound of the interpolation between the states, shape (n - 1, 6).
 
-    Between two states dt apart it is at most ``dt^2 / 8`` times the second derivative (de Boor
-    2001, I), which the second differences of the states give. The error of states that were
+    For an interval dt, the error is at most ``dt^2 / 8`` times the second derivative (de Boor 2001,
+    I), which is computed from the second differences of the states. The error of states that were
     inserted from velocities and angular rates is added.
 
     Parameters
@@ -40,8 +40,8 @@ def interpolation_error(trajectory: LocalTrajectory) -> Array:
     steps = np.diff(trajectory.time)
     slopes = np.diff(states, axis=0) / steps[:, None]
     curvature = np.diff(slopes, axis=0) / (0.5 * (steps[:-1] + steps[1:]))[:, None]
-    # Noise of single states and vibration change their sign from state to state and average out
-    # over a target; what stays over the window is the error of the motion.
+    # Noise of states and vibration change their sign from state to state and average out
+    # over a target; the mean over the window is the error due to the motion.
     width = max(1, round(WINDOW / float(np.median(steps))))
     smooth = uniform_filter1d(curvature, width, axis=0, mode="nearest")
     ends = np.abs(np.vstack([smooth[:1], smooth, smooth[-1:]]))
@@ -61,7 +61,7 @@ def interpolation_messages(
     Parameters
     ----------
     times : mapping of str to ndarray of shape (n,), seconds
-        Of some points of each line, by its name: intervals without points do not count.
+        Times of some points of each line, by its name; intervals without points do not count.
     """
     if len(trajectory.time) < 3:
         return ()
@@ -71,12 +71,12 @@ def interpolation_messages(
     found = []
     for name, own in times.items():
         own = own[(own >= trajectory.time[0]) & (own < trajectory.time[-1])]
-        of_line = np.searchsorted(trajectory.time, own, side="right") - 1  # an interval a point
+        of_line = np.searchsorted(trajectory.time, own, side="right") - 1  # interval of each point
         bridged = steps[of_line] <= trajectory.longest_gap
         own, of_line = own[bridged], of_line[bridged]
         if len(of_line) < 2:
             continue
-        # The bound is reached in the middle of an interval; at a state there is no error.
+        # The error has its maximum in the middle of an interval and is zero at the states.
         u = (own - trajectory.time[of_line]) / steps[of_line]
         error = np.quantile(errors[of_line] * (4 * u * (1 - u))[:, None], QUANTILE, axis=0)
         position_sigma, attitude_sigma = (

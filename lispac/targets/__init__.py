@@ -1,1 +1,1 @@
-"""From a seed to a plane or sphere on every line."""
+"""Search for a plane or sphere on every line, starting from a seed."""

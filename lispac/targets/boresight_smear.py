@@ -8,33 +8,34 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 PRIOR_OFF, ROUGHLY_OFF = radians(2.0), radians(0.2)
-"""Sigma of each angle of a boresight that nothing has been estimated for, and of one that makes the
-lines nearly meet, radians."""
+"""Sigma in radians of each boresight angle: for a boresight without an estimate, and for a rough
+one with which the lines nearly coincide."""
 
 
 def remove_smear(placed: Array, off: Array, moves: Array, noise: float, off_by: float) -> Array:
     """Distances without the part that a boresight error can explain.
 
-    A turn of the LiDAR moves the points of a board along its normal. Where the platform turns or
-    travels meanwhile they do not move alike, and a flat board is placed bent. The turn that
-    explains most is searched for by least squares together with a plane; it is held to what the
-    boresight may be off by, so that a board crossed in no time keeps its own bend.
+    A boresight error shifts the points of a board along its normal. If the platform turns or moves
+    during the measurement, the shifts differ and a flat board appears bent. The boresight error is
+    estimated by least squares together with a plane. The sigma of the boresight constrains it, so
+    that the real curvature of a board that was scanned in a short time is not removed.
 
     Parameters
     ----------
     placed : ndarray of shape (m, 2), metres, in the plane
-    off : ndarray of shape (m,), metres, from the plane
+    off : ndarray of shape (m,), metres
+        Distances from the plane.
     moves : ndarray of shape (m, 3), metres per radian
-        Along the normal, as each angle turns.
+        Derivatives of these distances with respect to the boresight angles.
     noise : float, metres
-        Of a point.
+        Standard deviation of the distance of a point.
     off_by : float, radians
         Sigma of each angle of the boresight: `PRIOR_OFF` or `ROUGHLY_OFF`.
 
     Returns
     -------
     ndarray of shape (m,), metres
-        From the plane that is left.
+        Distances from the adjusted plane without the effect of the boresight error.
     """
     scale = max(float(np.abs(placed).max()), 1e-6)
     design = np.column_stack([np.ones(len(off)), placed / scale, moves * off_by])
@@ -48,23 +49,26 @@ def remove_smear(placed: Array, off: Array, moves: Array, noise: float, off_by: 
 def beam_intersections(
     points: Array, turns: Array, off: Array, beams: Array, normal: Array
 ) -> tuple[Array, Array]:
-    """Intersections of beams and plane, and their derivatives by the boresight.
+    """Intersections of beams and plane, and their derivatives with respect to the boresight.
 
-    A point off the plane lies farther along its beam, and moves farther. Both are the surface's own
-    shape once more, which the turns would explain with itself where the beams meet it aslant.
+    The derivatives at the points themselves depend on the distances of the points from the plane,
+    because a point farther along its beam moves farther. At oblique incidence, the estimated
+    boresight error would then absorb the shape of the surface. The derivatives are therefore
+    computed at the intersections.
 
     Parameters
     ----------
     points : ndarray of shape (m, 3), metres, local frame
     turns : ndarray of shape (3, m, 3), metres per radian, local frame
-    off : ndarray of shape (m,), metres, from the plane
+    off : ndarray of shape (m,), metres
+        Distances from the plane.
     beams : ndarray of shape (m, 3), metres, local frame
-        From the scanner to each point.
+        Vectors from the scanner to each point.
     normal : ndarray of shape (3,), local frame
-        Of the plane.
+        Normal of the plane.
     """
     ahead = beams @ normal
-    # A grazing beam intersects the plane anywhere: there points are left as they are.
+    # The intersection of a grazing beam is poorly determined: such points are not changed.
     clear = np.abs(off) < 0.1 * np.abs(ahead)
     along = np.where(clear, off, 0.0) / np.where(clear, ahead, 1.0)
     return points - along[:, None] * beams, turns * (1.0 - along)[None, :, None]

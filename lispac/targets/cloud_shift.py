@@ -1,7 +1,8 @@
-"""Shift of one line against another around a seed, with a wrong boresight.
+"""Shift between two lines around a seed, caused by a wrong boresight.
 
-The same target stands elsewhere in each line. What surrounds it has moved along with it, so the
-translation that aligns one line's surroundings with the other's gives the place.
+A wrong boresight places the same target at a different position in each line. Its surroundings are
+displaced in the same way, so the translation that aligns the surroundings of the target in one line
+with the other line predicts the position of the target there.
 """
 
 from dataclasses import dataclass
@@ -17,21 +18,21 @@ Indices = NDArray[np.int64]
 
 # Coarse to fine: side of a voxel at each level, metres; the kernel reaches two voxels.
 LEVELS = (0.2, 0.1, 0.05)
-# Candidates carried from one level to the next, and how different they must be, in voxels.
+# Number of candidates passed from one level to the next, and their smallest difference, in voxels.
 MAX_CANDIDATES = 24
 MIN_SEPARATION = 1.5
 
 
 @dataclass(frozen=True, eq=False)
 class CloudShift:
-    """A translation and how well it lays one cloud on the other.
+    """Translation of one cloud onto another, with a score.
 
     Attributes
     ----------
     vector : ndarray of shape (3,), metres, local frame
-        To be added to the first cloud's points.
+        Vector to be added to the points of the first cloud.
     score : float, in [0, 1]
-        Weighted share of the first cloud's points that meet the second.
+        Weighted share of the first cloud's points that coincide with the second cloud.
     """
 
     vector: Array
@@ -41,7 +42,7 @@ class CloudShift:
 def find_shifts(
     first: Array, weights: Array, second: Array, max_shift: float, *, prefer_small: float = 0.02
 ) -> list[CloudShift]:
-    """Translations that lay the first cloud onto the second, the best first.
+    """Find translations of the first cloud onto the second, the best first.
 
     All translations up to ``max_shift`` on each axis are tried on coarse voxels; the best of them
     are refined on finer ones.
@@ -51,15 +52,16 @@ def find_shifts(
     first : ndarray of shape (n, 3), metres, local frame
     weights : ndarray of shape (n,)
     second : ndarray of shape (m, 3), metres, local frame
-        Must reach farther than the first by ``max_shift`` on every side.
+        Has to extend beyond the first cloud by ``max_shift`` on every side.
     max_shift : float, metres
     prefer_small : float
-        What a translation of one metre costs of the score. Along a wall nothing else decides.
+        Reduction of the score per metre of translation. Along a wall, where all translations fit
+        equally well, the smallest one is preferred.
 
     Returns
     -------
     list of Shift
-        Distinct ones; empty where nothing matches.
+        Translations that differ from each other; empty if nothing matches.
     """
     origin = first.mean(axis=0)
     first, second = first - origin, second - origin
@@ -87,7 +89,7 @@ def find_shifts(
 def rate_shifts(
     first: Array, weights: Array, second: Array, vectors: Array, *, prefer_small: float = 0.02
 ) -> list[CloudShift]:
-    """Given translations with their scores, as `find_shifts` rates the ones it finds.
+    """Scores of given translations, computed as in `find_shifts`.
 
     Parameters
     ----------
@@ -116,15 +118,15 @@ def _shift_scores(first: Array, weights: Array, second: Array, tried: Array, vox
 
 
 def voxel_numbers(points: Array, voxel: float) -> Indices:
-    """The voxel of each point (n, 3), local frame, as one number.
+    """Number of the voxel of each point (n, 3), local frame.
 
-    The raster stays where the points move.
+    The voxel grid is fixed in the local frame and does not depend on the points.
     """
     return cell_keys(points, voxel * np.floor(finite_bounds(points)[0] / voxel), voxel)[0]
 
 
 def _voxel_means(points: Array, weights: Array, voxel: float) -> tuple[Array, Array]:
-    """One mean point per voxel, with its largest weight: dense parts do not outvote sparse ones."""
+    """Mean point and largest weight in each voxel, so that dense parts have no more influence."""
     _, group, count = np.unique(
         voxel_numbers(points, voxel), return_inverse=True, return_counts=True
     )
@@ -176,10 +178,10 @@ def _closeness_field(
 def _mean_closeness(
     field: NDArray[np.float32], places: Array, mass: Array, steps: Array
 ) -> Array:  # pragma: no cover - compiled
-    """Mass-weighted closeness at the places moved by each of the steps, both in voxels.
+    """Weighted mean of the closeness at the places, shifted by each of the steps, in voxels.
 
-    Most steps are whole: then where the places lie is worked out once, and moving them is an
-    addition of whole numbers, which takes a third of the time.
+    Most steps are integers. The voxels of the places are then computed only once and shifted by
+    integer addition, which takes a third of the time.
     """
     flat = field.reshape(-1)
     scores = np.zeros(steps.shape[0])

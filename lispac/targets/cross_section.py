@@ -1,7 +1,7 @@
-"""Sections: a thin strip of all lines, laid flat at true scale.
+"""Cross-sections: the points of all lines in a thin strip, drawn to scale.
 
-A section shows best where lines disagree: across a board each line draws its own stroke, and the
-strokes are offset, or lean, as the lines are.
+A cross-section shows differences between lines. Across a board, the points of each line form a
+stroke, and an offset or tilt between the strokes is that between the lines.
 """
 
 from collections.abc import Iterable
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 UP = np.array([0.0, 0.0, 1.0])
 
 LEVEL = np.cos(np.radians(80.0))
-"""Horizontal part of a normal below which its direction is undefined: the target lies flat."""
+"""Horizontal component of a normal below which the target is horizontal and has no azimuth."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +48,7 @@ class Section:
         return np.asarray(np.cross(self.right, self.up))
 
     def to_section_axes(self, points: Array) -> Array:
-        """Coordinates in the picture of those points that lie in the strip.
+        """Picture coordinates of the points inside the strip.
 
         Parameters
         ----------
@@ -64,7 +64,7 @@ class Section:
         return np.asarray(placed[inside, :2])
 
     def cut_points(self, cloud: Cloud) -> Array:
-        """`to_section_axes` of a line, shape (k, 2), of which only the surroundings are read."""
+        """`to_section_axes` for a line, shape (k, 2); only points near the section are read."""
         pieces = max(1, round(self.width / max(self.height, self.thickness)))
         step = self.width / pieces
         radius = 0.5 * float(np.linalg.norm([step, self.height, self.thickness])) * 1.001
@@ -72,7 +72,7 @@ class Section:
         for k in range(pieces):
             offset = (k + 0.5) * step - 0.5 * self.width
             points = cloud.within(self.centre + offset * self.right, radius).points
-            # The last piece keeps its far end, so that no point counts twice and none is lost.
+            # Only the last piece includes its far end: each point belongs to exactly one piece.
             along = (points - self.centre) @ self.right - offset
             own = (along >= -0.5 * step) & ((along < 0.5 * step) | (k == pieces - 1))
             found.append(self.to_section_axes(points[own]))
@@ -80,10 +80,10 @@ class Section:
 
 
 def common_normal(groups: Iterable[Array]) -> Array:
-    """The direction several groups of points (n, 3) face, each by itself; a unit vector (3,).
+    """Common normal of several groups of points (n, 3), a unit vector (3,), in the local frame.
 
-    All in the local frame. Lines that are offset would give the plane through all their points
-    another direction.
+    A plane is fitted to each group separately, since an offset between the groups would tilt a
+    plane through all points.
     """
     normals = np.array([fit_plane(points).normal for points in groups])
     _, axes = np.linalg.eigh(normals.T @ normals)
@@ -99,18 +99,19 @@ def section_across_target(
     size: float = 2.0,
     thickness: float = 0.2,
 ) -> Section:
-    """The strip square to a target, through its middle.
+    """Section perpendicular to a target through its centre.
 
     Parameters
     ----------
     centre : ndarray of shape (3,), metres, local frame
     normal : ndarray of shape (3,), unit vector, local frame
     eye : ndarray of shape (3,), metres, local frame
-        From where the target was scanned: that side is on the left, and below in a level section.
+        Position from which the target was scanned. This side is on the left of the picture, and at
+        the bottom of a horizontal section.
     level : bool
-        Lay the strip level and view it from above, instead of upright and along the target.
+        Whether the section is horizontal and viewed from above, instead of vertical.
     size : float, metres
-        Of the picture, each way.
+        Width and height of the picture.
     thickness : float, metres
     """
     ahead = np.array([normal[0], normal[1], 0.0])
@@ -128,19 +129,19 @@ def section_across_target(
 def section_between(
     first: Array, second: Array, *, height: float | None = None, thickness: float = 0.2
 ) -> Section:
-    """The upright strip from one point to another.
+    """Vertical section from one point to another.
 
     Parameters
     ----------
     first, second : ndarray of shape (3,), metres, local frame
     height : float, metres, optional
-        Of the picture; as high as it is long, and at least 2 m, where it is not given.
+        Height of the picture. If omitted, it is equal to the length, and at least 2 m.
     thickness : float, metres
 
     Raises
     ------
     InputError
-        Where the points lie above each other.
+        If one point is vertically above the other.
     """
     way = np.array([*(second - first)[:2], 0.0])
     length = float(np.linalg.norm(way))

@@ -1,4 +1,4 @@
-"""Expected target of the surveyor, compared with the plane found."""
+"""Expected size and inclination of a target, compared with the plane that was found."""
 
 from dataclasses import dataclass
 from math import radians
@@ -11,7 +11,7 @@ from lispac.messages import Message, error, note
 
 Array = NDArray[np.float64]
 
-# The outline is true to about one spacing of the points on each side.
+# The outline is accurate to about one point spacing on each side.
 TOLERANCE, RELATIVE_TOLERANCE = 0.10, 0.08
 # The prior boresight may be off by two degrees on each axis.
 TILT_TOLERANCE = radians(5.0)
@@ -24,9 +24,9 @@ class ExpectedTarget:
     Attributes
     ----------
     width, height : float, metres
-        Level, and up the slope.
+        Along the horizontal direction, and up the slope.
     inclination : float, radians, optional
-        From level: 0 lies flat, pi/2 stands upright.
+        Angle from the horizontal: 0 for a horizontal plane, pi/2 for a vertical one.
     """
 
     width: float
@@ -41,14 +41,14 @@ class ExpectedTarget:
 
 
 def plane_inclination(normal: Array) -> float:
-    """Angle of a plane from level by its normal, shape (3,), radians in [0, pi/2]."""
+    """Angle between a plane and the horizontal, radians in [0, pi/2]; ``normal`` of shape (3,)."""
     return float(np.arctan2(np.hypot(normal[0], normal[1]), abs(normal[2])))
 
 
 def deviations_from_expected(
     expected: ExpectedTarget, extent: Array, normal: Array
 ) -> tuple[Message, ...]:
-    """Deviations of a plane from the expected one; empty where it agrees.
+    """Deviations of a plane from the expected one; empty if it agrees.
 
     Parameters
     ----------

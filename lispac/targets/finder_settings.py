@@ -8,7 +8,7 @@ from lispac.errors import InputError
 from lispac.messages import error
 
 THRESHOLDS, RADII = (1e-6, 100.0), (1e-3, 1e6)
-"""Least and largest distance threshold and search radius, metres."""
+"""Smallest and largest distance threshold and search radius, metres."""
 
 
 def is_possible_search(threshold: float, radius: float) -> bool:
@@ -23,21 +23,21 @@ class FinderSettings:
     Attributes
     ----------
     radius : float, metres
-        Only points this near to the seed can belong to the patch. A wide surface, a wall or a
-        tower face, is cut there.
+        Search radius: only points within this distance of the seed can belong to the patch. Larger
+        surfaces, such as a wall or the face of a tower, are cut there.
     threshold : float, metres
-        Farthest a point may lie from its plane (thesis default 0.01).
+        Largest distance of a point from its plane (thesis default 0.01).
     stop : float, in (0, 1)
-        Stop criterion (thesis default 0.98). Planes are drawn until the probability of having
-        drawn one free of outliers, given the share of the points near the seed that the best
-        plane so far holds, reaches this value.
+        RANSAC confidence (thesis default 0.98). Samples are drawn until the probability that at
+        least one of them is free of outliers reaches this value, given the share of inliers of the
+        best plane so far.
     min_points : int
-        Smallest patch that counts as found.
-    max_tilt : float, radians, at most a right angle
-        Largest angle between a target in one line and the same target in another, or between
-        the plane and an expected normal.
+        Smallest number of points of a patch.
+    max_tilt : float, radians, at most pi/2
+        Largest angle between the normals of a target in two lines, or between the normal of the
+        plane and an expected one.
     max_shift : float, metres
-        Farthest the prior boresight may displace a target from one line to another.
+        Largest displacement of a target between two lines with the prior boresight.
     seed : int
         Seed of the random draws, 0 or more: the same points and settings give the same patch.
     """
@@ -60,7 +60,7 @@ class FinderSettings:
             ("max_shift", self.max_shift >= 0.0),
             ("seed", self.seed >= 0),
         ):
-            if not good:  # a NaN fails every comparison, so it ends here too
+            if not good:  # comparisons with NaN are false, so NaN is refused here as well
                 raise InputError(error("finder.setting", name=name, value=getattr(self, name)))
 
 
@@ -71,7 +71,7 @@ class FinderChoices:
     Attributes
     ----------
     min_points, max_tilt, stop, seed
-        As of `FinderSettings`.
+        See `FinderSettings`.
     """
 
     min_points: int = FinderSettings.min_points
@@ -88,7 +88,7 @@ class FinderChoices:
         Raises
         ------
         InputError
-            Where the finder cannot work with them.
+            If the settings are invalid.
         """
         return FinderSettings(**asdict(self), **others)
 

@@ -1,9 +1,8 @@
-"""All the flat patches of a cloud: local planes grown into each other's neighbourhood.
+"""Coarse search for all flat patches of a cloud by region growing.
 
-A coarse search for planes. Each point's plane through its neighbours gives its
-direction; regions grow from the flattest points over neighbours that lie on the region's plane and
-face as it does (Rabbani, van den Heuvel and Vosselman 2006). Where a patch is needed to the last
-point, `lispac.targets.plane_finder` takes it from there.
+A plane through the neighbours of each point gives its normal. Regions grow from the flattest points
+to neighbours that lie on the plane of the region and have a similar normal (Rabbani, van den Heuvel
+and Vosselman 2006). `lispac.targets.plane_finder` then determines all points of a patch.
 """
 
 from dataclasses import dataclass
@@ -21,11 +20,11 @@ from lispac.targets import outline
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# Neighbours whose plane is a point's own: a square of four by four points, less its corners.
+# Points used for the normal of a point: a square of four by four points without its corners.
 NEIGHBOURS = 12
-# Most a neighbour's plane may be turned from the region's.
+# Largest angle between the normals of a neighbour and of the region.
 TURN = cos(radians(20.0))
-# A voxel must be so many thresholds wide, or noise decides where local planes face.
+# Smallest side of a voxel, in thresholds; in smaller ones noise dominates the normals.
 WIDE = 1.7
 
 
@@ -36,14 +35,14 @@ class FlatPatch:
     Attributes
     ----------
     points : ndarray of shape (n, 3), metres, local frame
-        One of each voxel.
+        One point in each voxel.
     plane : Plane
     centre : ndarray of shape (3,), metres, local frame
-        Of the points.
+        Mean of the points.
     extent : ndarray of shape (2,), metres
         Width (level) and height (up the slope).
     area : float, square metres
-        That the points cover.
+        Area covered by the points.
     """
 
     points: Array
@@ -55,14 +54,14 @@ class FlatPatch:
 
 @dataclass(frozen=True, eq=False)
 class FlatPatches:
-    """The patches of a cloud, the largest first, and the patch of each thinned point.
+    """Patches of a cloud, the largest first, and the patch of each point of the thinned cloud.
 
     Attributes
     ----------
     patches : tuple of FlatPatch
     thinned : ndarray of shape (n, 3), metres, local frame
     label : ndarray of shape (n,), int
-        Index into ``patches``, -1 for none.
+        Index into ``patches``; -1 for points outside any patch.
     """
 
     patches: tuple[FlatPatch, ...]
@@ -71,7 +70,7 @@ class FlatPatches:
 
 
 def voxel_side(threshold: float, finest: float = 0.04) -> float:
-    """Side of the voxels that a cloud with such noise may be thinned to, metres."""
+    """Side of the voxels for thinning a cloud with this noise, metres."""
     return max(finest, WIDE * threshold)
 
 
@@ -83,14 +82,14 @@ def find_flat_patches(
     Parameters
     ----------
     points : ndarray of shape (n, 3), metres, local frame
-        Points with a missing coordinate are passed over.
+        Points with a coordinate that is not finite are ignored.
     threshold : float, metres
-        Farthest a point may lie from its patch.
+        Largest distance of a point from its patch.
     voxel : float, metres, optional
-        Of several points in one voxel the first stands for all; `voxel_side` the threshold where
-        not given.
+        Side of the voxels; the first point in each voxel is used. If omitted, `voxel_side` of the
+        threshold.
     least : int
-        Smallest patch, in thinned points.
+        Smallest number of points of the thinned cloud in a patch.
     """
     voxel = voxel or voxel_side(threshold)
     thinned = _thin_to_voxels(points, voxel)
@@ -102,7 +101,7 @@ def find_flat_patches(
     centroids, normals = local_planes(thinned, neighbours)
     uneven = _neighbourhood_rms(thinned, neighbours, centroids, normals)
     order = np.argsort(uneven, kind="stable")
-    # NaN, of straight rows of points, comes last and is no beginning.
+    # Points on a straight line have NaN, which is sorted last; they do not start a region.
     order = order[: np.count_nonzero(uneven <= threshold)]
     label, count = _grow_regions(thinned, neighbours, normals, order, threshold, TURN, least)
     patches = [_build_patch(thinned[label == k], voxel) for k in range(count)]
@@ -116,7 +115,7 @@ def find_flat_patches(
 def _build_patch(points: Array, voxel: float) -> FlatPatch:
     plane = fit_plane(points)
     placed = points @ plane_axes(plane.normal).T
-    # Twice the voxel: a sheet that runs through voxels askew leaves some of them empty.
+    # Twice the voxel: an oblique surface leaves some of the voxels empty.
     area = outline.filled_area(placed, 2.0 * voxel)
     return FlatPatch(points, plane, points.mean(axis=0), extent_in_plane(plane, points), area)
 
@@ -135,7 +134,7 @@ def _thin_to_voxels(points: Array, voxel: float) -> Array:
 def _neighbourhood_rms(
     points: Array, neighbours: Indices, centroids: Array, normals: Array
 ) -> Array:  # pragma: no cover - compiled
-    """RMS distance of each neighbourhood to its plane; NaN where it has none."""
+    """RMS distance of each neighbourhood from its plane; NaN where it has no plane."""
     rms = np.empty(len(points))
     for i in range(len(points)):
         total = 0.0
@@ -189,7 +188,7 @@ def _grow_regions(
                     label[there] = count
                     queue[tail] = there
                     tail += 1
-            # Sums are counted from the seed: at large coordinates they would lose digits.
+            # Sums are relative to the seed: with large coordinates they would lose digits.
             for k in range(3):
                 a = points[here, k] - points[seed, k]
                 sums[k] += a

@@ -1,9 +1,9 @@
-"""Search in every line from one seed, for any shape of target.
+"""Search for a target of any shape in every line, starting from one seed.
 
-The boresight is not yet known, so the target stands up to a metre and more from the seed in the
-other lines. A reference is found in one line; for each other line the translation that lays the
-reference's surroundings onto that line's predicts where the target is. The search there, and the
-comparison with the reference, depend on the shape.
+The boresight is not yet known, so in the other lines the target may be a metre or more from the
+seed. The target is first found in one line, the reference. For each other line, the translation of
+the reference's surroundings onto this line predicts the position of the target. The search there
+and the comparison with the reference depend on the shape.
 """
 
 import os
@@ -27,34 +27,35 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Patch = TypeVar("Patch")
 
-# Weight of the patch in the translation of the line; its surroundings have the rest.
+# Weight of the patch when the translation is determined; its surroundings have the remainder.
 PATCH_SHARE = 0.5
-# A seed this near to a point of a line, metres, was taken from that line: coordinates are often
-# written with three decimals.
+# A seed within this distance of a point of a line, metres, is considered a point of that line:
+# coordinates are often written with three decimals.
 CLICK_GAP = 0.002
-# Translations tested, and the score difference of another patch below which it is ambiguous.
+# Number of translations tested, and the ratio to the best score from which a patch is ambiguous.
 MAX_CANDIDATES, MIN_SCORE_RATIO = 6, 0.97
-# A match that scores less than this share of its translation is little like the reference.
+# A match whose score is below this share of the translation's score differs from the reference.
 MIN_MATCH = 0.9
 
 
 @dataclass(frozen=True)
 class ShapeSearch(Generic[Patch]):
-    """Functions and messages of a shape for the search.
+    """Functions and messages that the search needs for one shape.
 
     Attributes
     ----------
     no_line : str
         Code of the message that there is no line.
     in_no_line : str
-        Code of the message that no line has the target, with the reason in the nearest line.
+        Code of the message that no line has the target, with the reason for the nearest line.
     error : type of TargetNotFound
     find : callable of a line's name
-        The patch at the seed; raises TargetNotFound.
+        Finds the patch at the seed; raises TargetNotFound.
     distance : callable of a line's name and its patch
-        From the seed, metres.
+        Gives the distance of the patch from the seed, metres.
     follow : callable of a line's name and its patch
-        What finds that patch again in another line, given by its name; it raises TargetNotFound.
+        Gives a function that finds this patch in another line, given by its name, and raises
+        TargetNotFound.
     """
 
     no_line: str
@@ -67,7 +68,7 @@ class ShapeSearch(Generic[Patch]):
 
 @dataclass(frozen=True, eq=False)
 class WeightedSurroundings:
-    """Points around a patch, with weights for the search of the shift.
+    """Points around a patch, with weights for the determination of the shift.
 
     Attributes
     ----------
@@ -87,7 +88,7 @@ def search_target_in_lines(
     first_line: str | None,
     progress: Progress,
 ) -> tuple[dict[str, Patch], dict[str, Message]]:
-    """The target under the seed in every line, and why it is missing in the others.
+    """Find the target at the seed in every line, or the reason why a line has none.
 
     Parameters
     ----------
@@ -96,7 +97,7 @@ def search_target_in_lines(
     Raises
     ------
     TargetNotFound
-        The shape's own error: the line clicked has no such target at the seed, or no line has.
+        The error of the shape: the clicked line has no such target at the seed, or no line has.
     """
     if first_line is not None:
         if first_line not in clouds:
@@ -104,7 +105,7 @@ def search_target_in_lines(
         return _search_from_reference(clouds, first_line, shape.find(first_line), shape, progress)
     patches, reasons = _search_each_line(clouds, shape.find)
     if not patches:
-        # The reason in the nearest line only: a list of all of them helps nobody.
+        # Only the reason for the nearest line is given; a list for all lines would not help.
         if not clouds:
             raise shape.error(error(shape.no_line))
         nearest_line = min(clouds, key=lambda name: nearest_point(clouds[name], seed)[1])
@@ -128,7 +129,7 @@ def search_target_in_lines(
 
 
 def indices_near(cloud: Array, grid: PointGrid | None, centre: Array, radius: float) -> Indices:
-    """Indices of a line's points within a sphere, by its cells where it has them.
+    """Indices of a line's points within a sphere, using prepared cells if there are any.
 
     Parameters
     ----------
@@ -157,17 +158,17 @@ def surroundings_of_patch(
     ----------
     cloud : ndarray of shape (n, 3), metres, local frame
     patch : ndarray of shape (k,), int
-        Its indices.
+        Indices of the patch.
     centre, seed : ndarray of shape (3,), metres, local frame
     """
     around = indices_near(cloud, grid, seed, settings.radius)
     on_patch = np.isin(around, patch, assume_unique=True)
-    # Near the patch the surroundings have moved as it has; farther off a little differently.
+    # Surroundings near the patch have the same displacement; farther away it differs slightly.
     distance = np.linalg.norm(cloud[around] - centre, axis=1)
     weights = 1.0 / (1.0 + (distance / (0.5 * settings.radius)) ** 2)
     beside = ~on_patch
     if beside.any() and on_patch.any():
-        # Weights by voxel, as in the comparison, or a dense patch would dominate.
+        # Weights are per voxel, as in the comparison; otherwise a dense patch would dominate.
         ratio = _count_filled_voxels(cloud[around[on_patch]]) / max(
             1, _count_filled_voxels(cloud[around[beside]])
         )
@@ -183,7 +184,7 @@ def find_shifts_into_line(
     seed: Array,
     settings: FinderSettings,
 ) -> list[CloudShift]:
-    """The best translations that lay the reference's surroundings onto another line's, in order.
+    """Translations of the reference's surroundings onto another line, the best first.
 
     Parameters
     ----------
@@ -193,7 +194,7 @@ def find_shifts_into_line(
     Raises
     ------
     TargetNotFound
-        There are none.
+        If there are none.
     """
     reach = settings.radius + settings.max_shift
     around = cloud[indices_near(cloud, grid, seed, reach)]
@@ -217,26 +218,28 @@ def best_match(
     closer: Callable[[list[CloudShift]], list[float]] | None = None,
     same: Callable[[Patch, Patch], bool] = lambda best, other: False,
 ) -> Patch:
-    """The patch that matches the reference best, of those at the most likely translations.
+    """Patch that matches the reference best, among those at the most likely translations.
 
     Parameters
     ----------
     shifts : list of CloudShift, the best first
     match : callable of a CloudShift
-        The patch there and its score, no higher than the translation's; raises TargetNotFound.
+        Gives the patch at a translation and its score, which is at most the score of the
+        translation; raises TargetNotFound.
     contradiction : callable of the best patch and another
-        The message where these cannot both be meant, else None.
+        Gives a message if only one of the two can be the target, otherwise None.
     further : callable
-        More translations, the best first, for where these lead to nothing like the reference.
+        Gives more translations, the best first; used if these lead to no patch that resembles the
+        reference.
     closer : callable of translations, optional
-        Scores by a finer comparison, where several matches are about equally good.
+        Gives scores by a finer comparison; used if several matches are about equally good.
     same : callable of the best patch and another
-        Whether these are one and the same, so that nothing is to be decided.
+        Whether both are the same patch, so that no decision is needed.
 
     Raises
     ------
     TargetNotFound
-        There is none at any, or two contradict each other.
+        If there is no patch at any translation, or two patches contradict each other.
     """
     refused: list[TargetNotFound] = []
     matches = _match_shifts(shifts, match, refused)
@@ -262,7 +265,7 @@ def best_match(
 def _rivals_of_best(
     matches: list[tuple[Patch, float, CloudShift]],
 ) -> list[tuple[Patch, float, CloudShift]]:
-    """Those that could be meant as well as the best, this first."""
+    """Matches that are about as good as the best one, which comes first."""
     ranked = sorted(matches, key=lambda scored: -scored[1])
     return [scored for scored in ranked if scored[1] > MIN_SCORE_RATIO * ranked[0][1]]
 
@@ -275,7 +278,7 @@ def _match_shifts(
     found: list[tuple[Patch, float, CloudShift]] = []
     for shift in shifts:
         if found and shift.score < MIN_SCORE_RATIO * max(score for _, score, _ in found):
-            break  # a match never scores above its translation: no better one can follow
+            break  # a match never has a higher score than its translation: no better one can follow
         try:
             found.append((*match(shift), shift))
         except TargetNotFound as reason:
@@ -288,7 +291,7 @@ def _search_each_line(
     search: Callable[[str], Patch],
     done: Callable[[int, str], None] = lambda count, name: None,
 ) -> tuple[dict[str, Patch], dict[str, TargetNotFound]]:
-    """What ``search`` finds in each line, and why it does not in others, on all cores."""
+    """Search each line on all cores: the patches found, and the reasons for the other lines."""
     found: dict[str, Patch] = {}
     missing: dict[str, TargetNotFound] = {}
 
@@ -307,7 +310,7 @@ def _search_each_line(
             else:
                 found[name] = result
             done(count, name)
-    finally:  # cancelled from inside progress: what has not begun need not begin
+    finally:  # cancelled inside the progress call: remaining searches are not started
         pool.shutdown(cancel_futures=True)
     return found, missing
 
@@ -334,7 +337,7 @@ def _search_from_reference(
 def _clicked_line(
     clouds: Mapping[str, Array], grids: Mapping[str, PointGrid], seed: Array
 ) -> str | None:
-    """The line with the point nearest to the seed, where that is as near as a click."""
+    """Line with the point nearest to the seed, if it is within `CLICK_GAP`; otherwise None."""
     nearest: tuple[float, str] | None = None
     for name, cloud in clouds.items():
         at_seed = indices_near(cloud, grids.get(name), seed, CLICK_GAP)

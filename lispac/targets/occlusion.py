@@ -1,7 +1,7 @@
-"""Share of its target that a sighting shows, compared with the other lines.
+"""Visible share of a target in a sighting, compared with the other lines.
 
-A post that hides half of a board leaves a patch with an outline of its own, whole and well covered.
-Only the other lines show that there is more.
+If a post hides half of a board, the other half still forms a patch with a complete outline. Only
+the comparison with other lines shows that a part is occluded.
 """
 
 from collections.abc import Sequence
@@ -16,12 +16,12 @@ from lispac.messages import Message, note
 Array = NDArray[np.float64]
 
 MAX_EXTENT_RATIO = 1.5
-"""Times the search radius: a plane with a larger extent is cut by the radius, here and there."""
+"""Extent of a plane, in search radii, from which the plane is cut by the search radius."""
 EXTENT_LIMITS = (0.7, 0.5)
-"""Share of the extent on other lines: doubtful below the first, poor below the second, as where
-points are missing inside the outline."""
+"""Visible shares below which a sighting is doubtful and poor; the same limits apply where points
+are missing inside the outline."""
 MIN_LINES = 3
-"""Other lines from which one alone that shows far more than all of them is not believed."""
+"""Number of other lines from which a single line with a far larger extent is considered wrong."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,11 +31,11 @@ class ObservedExtent:
     Attributes
     ----------
     size, elsewhere : ndarray of shape (2,), metres
-        Width (level) and height (up the slope), here and on the other lines.
+        Width (horizontal) and height (up the slope) in this line and in the other lines.
     share : float, in [0, 1]
-        Of what the other lines show.
+        Share of the extent in the other lines that this line shows.
     alone : bool
-        Whether it shows far more than any of several other lines.
+        Whether this line shows far more than each of several other lines.
     """
 
     size: Array
@@ -45,7 +45,7 @@ class ObservedExtent:
 
     @property
     def message(self) -> Message:
-        """The reason where it shows too little, or more than is believed."""
+        """Reason if the line shows too little, or implausibly more than others; otherwise None."""
         width, height = (
             (float(here), float(there))
             for here, there in zip(self.size, self.elsewhere, strict=True)
@@ -72,26 +72,26 @@ def does_plane_end_within(radius: float, extents: Sequence[Array]) -> bool:
 def compare_observed_extents(
     sightings: Sequence[Array], believed: Sequence[bool], separation: float
 ) -> tuple[ObservedExtent | None, ...]:
-    """Compare what each line shows of a plane with what the others do.
+    """Compare the extent of a plane in each line with that in the other lines.
 
     Parameters
     ----------
     sightings : sequence of ndarray of shape (n, 3), metres
-        Points of the plane on each line, in lines that nearly meet.
+        Points of the plane in each line; the lines nearly coincide.
     believed : sequence of bool
-        Which of them the others are compared with.
+        Whether each sighting is reliable, so that others may be compared with it.
     separation : float, metres
-        How far one line may still lie beside another.
+        Remaining displacement between two lines.
 
     Returns
     -------
     tuple of ObservedExtent or None
-        None where there is no other line to compare with.
+        None if there is no other line to compare with.
 
     Raises
     ------
     PlaneNotFound
-        Where the points of one line form no plane.
+        If the points of a line form no plane.
     """
     normals = np.stack([fit_plane(points).normal for points in sightings])
     normals *= np.where(normals @ normals[0] < 0.0, -1.0, 1.0)[:, None]

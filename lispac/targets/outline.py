@@ -10,15 +10,15 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
-# A raster never has more cells a side than this; the cells grow instead.
+# Largest number of cells on each side of a raster; larger areas get larger cells.
 MAX_CELLS = 1500
 
 
 def outline_cell_size(placed: Array, votes: Array) -> float:
-    """Side of a raster cell that a patch fills without holes.
+    """Side of a raster cell with which a patch has no holes.
 
-    Three times the mean point spacing where the votes are: lines of a profiler may lie several
-    times farther apart than the points along them, and must still touch.
+    The side is three times the mean point spacing where the votes are. Profiles may be several
+    times farther apart than the points along them, and their cells still have to touch.
 
     Parameters
     ----------
@@ -38,9 +38,10 @@ def outline_cell_size(placed: Array, votes: Array) -> float:
 
 
 def is_connected(placed: Array, votes: Array, cell: float) -> Flags:
-    """Which points belong to the connected patch that holds most of the votes.
+    """Whether each point belongs to the connected patch with most of the votes.
 
-    Points are laid on a raster; filled cells that touch, corners included, belong together.
+    The points are assigned to raster cells; filled cells that touch, also at a corner, are
+    connected.
 
     Parameters
     ----------
@@ -63,7 +64,7 @@ def is_connected(placed: Array, votes: Array, cell: float) -> Flags:
 
 
 def share_in_cell(placed: Array, chosen: Flags, cell: float) -> Array:
-    """For each point the share of chosen ones among the points of its raster cell.
+    """Share of chosen points in the raster cell of each point.
 
     Parameters
     ----------
@@ -82,7 +83,7 @@ def share_in_cell(placed: Array, chosen: Flags, cell: float) -> Array:
 
 
 def is_covered(placed: Array, other: Array, cell: float) -> Flags:
-    """Which points of ``placed`` have one of ``other`` in their cell or a cell beside it.
+    """Whether each point of ``placed`` has one of ``other`` in its cell or in a neighbouring cell.
 
     Parameters
     ----------
@@ -127,7 +128,7 @@ def _is_near_filled_cell(
 
 @njit(nogil=True, cache=True)
 def _label_components(filled: Flags, width: int) -> Indices:  # pragma: no cover - compiled
-    # Flood fill over a raster whose rim is empty, so neighbours need no bounds checks.
+    # Flood fill over a raster with an empty rim, so that neighbours need no bounds checks.
     label = np.full(filled.size, -1, np.int64)
     stack = np.empty(filled.size, np.int64)
     count = 0

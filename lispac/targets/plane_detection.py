@@ -1,8 +1,8 @@
-"""Automatic detection of planes, followed through every line.
+"""Automatic detection of planes and search for them in every line.
 
-Flat patches are detected in every line, what several lines show at about the same place is one
-surface, and each surface goes the way of a clicked seed: `planes_across_lines.find_in_lines` from a
-point in its middle.
+Flat patches are detected in every line. Patches of several lines at about the same place are
+considered one surface. For each surface, a point near its centre is used like a clicked seed:
+`planes_across_lines.find_in_lines` searches for the plane in all lines.
 """
 
 import os
@@ -29,22 +29,22 @@ Find = Callable[[Array, str, Progress], Found]
 
 
 class IndexedPoints(Protocol):
-    """Points by their index: an array, or a line on disk."""
+    """Points that can be accessed by index: an array, or a line on disk."""
 
     def __getitem__(self, indices: NDArray[np.int64], /) -> Array: ...
 
 
-# Side of the voxels of the coarse search, metres: a board of half a metre still has 25 of them.
+# Side of the voxels of the coarse search, metres; a board of half a metre still covers 25 voxels.
 VOXEL = 0.1
 # Smallest area (square metres) and mean width (metres) of a candidate: posts and rails
 # are narrow strips.
 MIN_AREA, MIN_WIDTH = 0.4, 0.3
-# Surfaces followed through the lines. A smeared or rough one comes in pieces, other ones in each
-# line: pieces of what has been followed already do not count.
+# Largest number of surfaces searched for in the lines. A smeared or rough surface is detected in
+# pieces that differ between lines; pieces of a surface that was already found do not count.
 MAX_SURFACES = 12
-# Larger planes are cut at the search radius all alike: their area beyond counts no more.
+# Area, square metres, from which a larger area gives no advantage: the search radius cuts it.
 LARGE_AREA = 12.0
-# Share of points in common from which two found planes are one.
+# Share of common points from which two planes found are the same.
 MIN_SHARED = 0.2
 
 
@@ -56,12 +56,12 @@ class DetectedPlane:
     ----------
     seed : ndarray of shape (3,), metres, local
     line : str
-        In which the seed is a point.
+        Line of which the seed is a point.
     area : float, square metres
-        Of the whole surface there, beyond the search radius too.
+        Area of the whole surface in this line, including parts beyond the search radius.
     found : mapping of line name to PlanePatch
     missing : mapping of line name to Message
-        Why it was not found in a line.
+        Reason why the plane was not found in a line.
     """
 
     seed: Array
@@ -72,7 +72,7 @@ class DetectedPlane:
 
     @property
     def centre(self) -> Array:
-        """Mean of the sightings' centres, shape (3,), metres, local frame."""
+        """Mean of the centres of the sightings, shape (3,), metres, local frame."""
         return np.asarray(np.mean([patch.centre for patch in self.found.values()], axis=0))
 
 
@@ -85,20 +85,20 @@ def detect_planes(
     max_surfaces: int = MAX_SURFACES,
     progress: Progress = no_progress,
 ) -> tuple[DetectedPlane, ...]:
-    """Planes that two lines or more show, those on the most lines first.
+    """Detect planes that at least two lines show, those on most lines first.
 
     Parameters
     ----------
     clouds : mapping of line name to ndarray of shape (n, 3), metres, one local frame
-        Placed with the prior boresight; of lines on disk, a sample.
+        Placed with the prior boresight; for lines on disk, a sample.
     settings : FinderSettings
     lines : mapping of line name to points by their index, optional
-        What the indices of the planes mean; ``clouds`` where not given.
+        Points that the indices of the planes refer to; by default ``clouds``.
     find : callable, optional
-        Searches for the plane at a seed, shape (3,), in all lines, in the named one first;
-        `planes_across_lines.find_in_lines` in ``clouds`` where not given.
+        Searches for the plane at a seed, shape (3,), in all lines, starting with the named one; by
+        default `planes_across_lines.find_in_lines` in ``clouds``.
     max_surfaces : int
-        Surfaces to follow through the lines.
+        Largest number of surfaces to search for in the lines.
     """
     lines = clouds if lines is None else lines
     find = find or (
@@ -123,7 +123,7 @@ def detect_planes(
     for line, patch in surfaces:
         if followed == max_surfaces:
             break
-        # The middle of a surface may be a hole; a point of it is not.
+        # The centre of a surface may be a hole, so the point nearest to it is used.
         seed = patch.points[np.argmin(np.linalg.norm(patch.points - patch.centre, axis=1))]
         if any(
             _plane_contains_seed(plane, lines[line], line, seed, settings) for plane in detected
@@ -150,7 +150,7 @@ def _is_large_enough(patch: FlatPatch) -> bool:
 def _distinct_surfaces(
     patches: Mapping[str, list[FlatPatch]], settings: FinderSettings
 ) -> list[tuple[str, FlatPatch]]:
-    """One patch of each surface: those that most lines show first, then the larger ones."""
+    """One patch of each surface, ordered by the number of lines that show it, then by area."""
     every = [(line, patch) for line, own in patches.items() for patch in own]
     shown = []
     for _, patch in every:
@@ -172,11 +172,11 @@ def _distinct_surfaces(
 
 
 def _are_likely_one_surface(patch: FlatPatch, other: FlatPatch, same_line: bool) -> bool:
-    """Whether two patches are likely to be one surface, the lines a metre apart."""
+    """Whether two patches are likely the same surface, if lines may be displaced by a metre."""
     if same_line:
         return patch is other
     distance = float(np.linalg.norm(patch.centre - other.centre))
-    # Three degrees of tilt and a metre of shift between lines are usual.
+    # A tilt of three degrees and a shift of one metre between lines are common.
     return (
         distance <= max(1.2, 0.25 * float(other.extent.max()))
         and 0.4 <= patch.area / other.area <= 2.5

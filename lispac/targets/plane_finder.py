@@ -1,4 +1,4 @@
-"""Find the plane at a seed: RANSAC with local sampling, growth, trimming, fit."""
+"""Find the plane at a seed: RANSAC with local sampling, region growing, trimming, fit."""
 
 from dataclasses import dataclass
 
@@ -26,29 +26,29 @@ Indices = NDArray[np.int64]
 
 __all__ = ["FinderSettings", "PlanePatch", "find_plane"]
 
-# The distance from the seed within which a point counts fully when planes compete for it, metres.
+# Distance from the seed within which points have full weight in the choice of the plane, metres.
 FULL_VOTE_DISTANCE = 0.25
-# Points whose middle is the place that was clicked.
+# Number of points whose median is taken as the clicked place.
 CLICKED_POINTS = 15
 
 
 @dataclass(frozen=True, eq=False)
 class PlanePatch:
-    """The points of one line that lie on one plane.
+    """Points of one line that lie on one plane.
 
     Attributes
     ----------
     indices : ndarray of shape (n,), int64
-        Into the line's cloud, ascending.
+        Indices into the cloud of the line, ascending.
     plane : Plane, local frame of that cloud
     rms : float, metres
-        Of the points to the plane.
+        RMS distance of the points from the plane.
     centre : ndarray of shape (3,), metres, local frame
         Mean of the points.
     extent : ndarray of shape (2,), metres
         Width (level) and height (up the slope).
     one_in : int
-        Of how many points about the seed one was examined.
+        Sampling of the points around the seed: one in this number was used.
     """
 
     indices: Indices
@@ -68,27 +68,27 @@ def find_plane(
     expected_normal: Array | None = None,
     beside: Array | None = None,
 ) -> PlanePatch:
-    """Find the plane that the seed lies on.
+    """Find the plane on which the seed lies.
 
-    Every plane is drawn from three neighbouring points and judged by the points near the seed
-    more than by those far off, so a small board is not lost to the wall behind it. The best one
-    grows over the points within the threshold that are connected with the seed, is fitted to
-    them, and grows again until the points no longer change; then what lies beyond three sigma
-    (mixed pixels at the edges) is trimmed.
+    Candidate planes are drawn through three neighbouring points. Points near the seed have more
+    weight in their evaluation than distant ones, so that a small board is preferred to the wall
+    behind it. The best plane is extended to the points within the threshold that are connected with
+    the seed and fitted to them; this is repeated until the points no longer change. Finally, points
+    beyond three sigma (mixed pixels at the edges) are removed.
 
     Parameters
     ----------
     points_local : ndarray of shape (n, 3), metres
-        Points with a missing coordinate are passed over.
+        Points with a coordinate that is not finite are ignored.
     seed : ndarray of shape (3,), metres, same frame
     settings : FinderSettings
     index : PointGrid, optional
         Prepared cells of the same points.
     expected_normal : ndarray of shape (3,), local frame, optional
-        Only planes within ``settings.max_tilt`` of this normal are taken.
+        Only planes within ``settings.max_tilt`` of this normal are accepted.
     beside : ndarray of shape (m, 3), metres, local frame, optional
-        Where ``points_local`` are a sample: all of the line's points close to the seed, the nearest
-        first. They mark the clicked place and have no vote: it would have too much weight.
+        If ``points_local`` is a sample: all points of the line close to the seed, the nearest
+        first. They only determine the clicked place; as votes they would have too much weight.
 
     Raises
     ------
@@ -99,11 +99,11 @@ def find_plane(
     near = neighbourhood_of(points_local, seed, settings, index=index)
     points = points_local[near]
     about = points if beside is None or not len(beside) else beside
-    # The seed itself may float before the surface; the nearest point is on something real.
+    # The seed itself may lie in front of the surface; the nearest point is on a surface.
     reach = np.linalg.norm(points - about[0], axis=1)
-    # The far field still votes, but its many points cannot outvote the few around the seed.
+    # Distant points also vote, but with a weight that gives the few points near the seed priority.
     votes = 1.0 / (1.0 + (reach / FULL_VOTE_DISTANCE) ** 2) ** 2
-    # A seed on a point is a click on a surface, and only a plane through it is meant.
+    # A seed on a point was clicked on a surface: only a plane through this point is accepted.
     clicked = float(np.linalg.norm(about[0] - seed)) <= settings.threshold
     return extract_patch(
         points,
@@ -117,9 +117,10 @@ def find_plane(
 
 
 def _surface_point_at_seed(points: Array) -> Array:
-    """Where the surface is that was clicked: a single point of a noisy line may be off it.
+    """Position of the clicked surface: the median of several points, since a single one is noisy.
 
-    Of a board that stands three sigma before a wall the outermost points would also suit the wall.
+    With a board three sigma in front of a wall, a single point of the board could also belong to
+    the wall.
     """
     nearest = points[:CLICKED_POINTS]
     nearest = nearest[np.linalg.norm(nearest - points[0], axis=1) <= FULL_VOTE_DISTANCE]
@@ -127,12 +128,12 @@ def _surface_point_at_seed(points: Array) -> Array:
 
 
 def require_seed(seed: Array) -> Array:
-    """The seed as an array of three numbers, metres, local frame: shape (3,).
+    """Seed as an array of shape (3,), metres, local frame.
 
     Raises
     ------
     PlaneNotFound
-        When it is not one.
+        If the seed does not consist of three finite numbers.
     """
     seed = np.asarray(seed, dtype=np.float64)
     if seed.shape != (3,) or not np.all(np.isfinite(seed)):
@@ -141,7 +142,7 @@ def require_seed(seed: Array) -> Array:
 
 
 def seed_text(seed: Array) -> Message:
-    """The seed, shape (3,), metres, local frame, as part of a message."""
+    """Seed, shape (3,), metres, local frame, as part of a message."""
     north, west, up = map(float, seed)
     return note("finder.place", north=north, west=west, up=up)
 
@@ -155,7 +156,7 @@ def neighbourhood_of(
 ) -> Indices:
     """Indices (k,) of the points within the radius of ``centre``, the nearest first.
 
-    In this order every later step is the same for the same points, whatever order they came in.
+    With this order, all later steps are independent of the order of the points in the file.
 
     Parameters
     ----------
@@ -165,7 +166,7 @@ def neighbourhood_of(
     Raises
     ------
     PlaneNotFound
-        There are fewer than ``settings.min_points``.
+        If there are fewer than ``settings.min_points``.
     """
     if index is None:
         near = points_within(points_local, centre, settings.radius)
@@ -192,7 +193,7 @@ def neighbourhood_of(
     points = points_local[near]
     squared = ((points - centre) ** 2).sum(axis=1)
     order = np.argsort(squared)
-    if (np.diff(squared[order]) == 0.0).any():  # ties are rare, and to order them takes long
+    if (np.diff(squared[order]) == 0.0).any():  # ties are rare, and sorting them takes time
         order = np.lexsort((points[:, 2], points[:, 1], points[:, 0], squared))
     ordered: Indices = near[order]
     return ordered
@@ -208,27 +209,27 @@ def extract_patch(
     expected_normal: Array | None = None,
     through: Array | None = None,
 ) -> PlanePatch:
-    """The patch that gathers most votes.
+    """Extract the patch with most votes.
 
     Parameters
     ----------
     points : ndarray of shape (n, 3), metres, local frame
-        The neighbourhood, in an order that does not depend on the file's.
+        Points of the neighbourhood, in an order that does not depend on the file.
     indices : ndarray of shape (n,)
-        Their places in the line's cloud.
+        Indices of these points in the cloud of the line.
     votes : ndarray of shape (n,)
         Weight of each point in the choice of the plane.
     settings : FinderSettings
     seed : ndarray of shape (3,), metres, local frame
-        For the messages.
+        Used in messages.
     expected_normal : ndarray of shape (3,), local frame, optional
     through : ndarray of shape (3,), metres, local frame, optional
-        A point that the plane must hold.
+        A point that the plane has to contain.
 
     Raises
     ------
     PlaneNotFound
-        If no plane has enough points, or it is not as expected.
+        If no plane has enough points, or its normal differs from the expected one.
     """
     origin = points[0]
     local = points - origin
@@ -260,7 +261,7 @@ def extract_patch(
 
 
 def patch_of(points_local: Array, indices: Indices, direction: Array) -> PlanePatch:
-    """The patch that chosen points of a cloud form, its normal on the side of ``direction``.
+    """Patch of chosen points of a cloud, with its normal on the side of ``direction``.
 
     Parameters
     ----------
@@ -273,21 +274,21 @@ def patch_of(points_local: Array, indices: Indices, direction: Array) -> PlanePa
 
 
 def extend_sample_patch(points_local: Array, some: Array, plane: Plane) -> PlanePatch:
-    """The patch that all points of a cloud form where some of them do.
+    """Extend a patch found in a sample to all points of the cloud.
 
     Parameters
     ----------
     points_local : ndarray of shape (n, 3), metres
     some : ndarray of shape (m, 3), metres, local frame
-        A sample of the patch, trimmed.
+        Points of the patch in the sample, without outliers.
     plane : Plane
-        Through that sample.
+        Plane through these points.
     """
     near = np.abs(plane.distances(points_local)) <= np.abs(plane.distances(some)).max()
     indices = np.flatnonzero(near)
     axes = plane_axes(plane.normal)
     placed, shown = points_local[indices] @ axes.T, some @ axes.T
-    # Cells as wide as the sample is spaced: what is beyond its outline stays out.
+    # Cells as wide as the spacing of the sample: points beyond its outline are not included.
     spacing = outline.outline_cell_size(shown, np.ones(len(shown))) / 3.0
     return patch_of(points_local, indices[outline.is_covered(placed, shown, spacing)], plane.normal)
 

@@ -1,4 +1,4 @@
-"""Planes drawn through neighbouring points and judged by votes (RANSAC with local sampling)."""
+"""RANSAC with local sampling: planes through neighbouring points, evaluated by weighted votes."""
 
 from math import radians
 
@@ -12,19 +12,19 @@ from lispac.targets.finder_settings import FinderSettings
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# Hypotheses are judged on at most this many points.
+# Largest number of points on which hypotheses are evaluated.
 SAMPLE = 4000
-# A batch of hypotheses, after which the stop criterion is examined, and the most batches.
+# Hypotheses per batch, after which the stop criterion is checked, and largest number of batches.
 BATCH, MAX_BATCHES = 128, 12
-# The widest triangle, as a share of the search radius, from which a hypothesis is drawn.
+# Largest triangle that gives a hypothesis, as a share of the search radius.
 LOCAL = 0.5
-# Points beside the plane, up to so many thresholds off, speak against it: a plane that cuts across
-# other surfaces has them on both sides, a surface of its own does not.
+# Distance from the plane, in thresholds, up to which points beside it count against it, and the
+# weight of these votes: unlike a real surface, a plane across other surfaces has points beside it.
 BESIDE, AGAINST = 3.0, 0.3
-# How much a hypothesis may lean from the expected normal before it counts half, radians.
+# Angle from the expected normal at which a hypothesis has half of its score, radians.
 LEAN = radians(10.0)
-# Hypotheses to grow: how many, how good relative to the best by votes, and how much they must
-# differ in tilt (radians).
+# Hypotheses for region growing: largest number, smallest ratio to the best score, and smallest
+# difference in tilt (radians).
 MAX_CONTENDERS, MIN_SCORE_RATIO, MIN_TILT = 6, 0.7, radians(2.0)
 
 
@@ -35,7 +35,7 @@ def draw_planes(
     expected_normal: Array | None,
     through: Array | None,
 ) -> list[Plane]:
-    """The best planes through three neighbouring points (Fischler and Bolles 1981), by votes.
+    """Planes through three neighbouring points with the best votes (Fischler and Bolles 1981).
 
     Parameters
     ----------
@@ -43,9 +43,9 @@ def draw_planes(
     votes : ndarray of shape (n,)
         Weight of each point.
     expected_normal : ndarray of shape (3,), local frame, or None
-        Only planes within ``settings.max_tilt`` of this normal are taken.
+        Only planes within ``settings.max_tilt`` of this normal are accepted.
     through : ndarray of shape (3,), metres, local frame, or None
-        A point that the plane must hold.
+        A point that the plane has to contain.
     """
     rng = np.random.default_rng(settings.seed)
     step = max(1, len(points) // SAMPLE)
@@ -57,8 +57,8 @@ def draw_planes(
     hypotheses = np.empty((0, 6))
     for batch in range(1, MAX_BATCHES + 1):
         first = np.minimum(np.searchsorted(chance, rng.random(BATCH)), len(sample) - 1)
-        # From the spacing of points up to the size of a board: small faces need small triangles,
-        # noisy ones wide triangles, and which it is nobody knows beforehand.
+        # From the point spacing up to the size of a board: small surfaces need small triangles,
+        # noisy ones large triangles, and the kind of surface is not known in advance.
         reach = settings.radius * LOCAL * 2.0 ** -rng.uniform(0.0, 4.0, BATCH)
         picks = rng.random((BATCH, 2))
         drawn = _score_triangles(
@@ -75,7 +75,7 @@ def draw_planes(
 
 
 def _distinct_best_planes(hypotheses: Array, threshold: float) -> list[Plane]:
-    """The best hypotheses that differ and are nearly as good as the very best."""
+    """Hypotheses that differ from each other and are nearly as good as the best one."""
     kept: list[Plane] = []
     if len(hypotheses) == 0:
         return kept
@@ -105,7 +105,7 @@ def _score_triangles(
     max_tilt: float,
     through: Array,
 ) -> Array:  # pragma: no cover - compiled
-    """Score, share of the votes, normal and d of each triangle; zeros for a useless one."""
+    """Score, share of the votes, normal and d of each triangle; zeros if it is unusable."""
     n = points.shape[0]
     judged = np.zeros((first.size, 6))
     near = np.empty(n, np.int64)
@@ -132,7 +132,7 @@ def _score_triangles(
         normal = np.cross(u, v)
         twice_area = np.sqrt((normal * normal).sum())
         longest = max((u * u).sum(), (v * v).sum(), (w * w).sum())
-        # A sliver does not determine the plane across its length.
+        # A narrow triangle does not determine the tilt of the plane across its length.
         if longest == 0.0 or twice_area < 0.2 * longest:
             continue
         normal /= twice_area
@@ -143,7 +143,7 @@ def _score_triangles(
                 continue
             trust = 1.0 / (1.0 + (tilt / LEAN) ** 2)
         d = -(normal * a).sum()
-        if abs((normal * through).sum() + d) > threshold:  # never for a missing one, a NaN
+        if abs((normal * through).sum() + d) > threshold:  # false where it is NaN: not given
             continue
         score = 0.0
         share = 0.0

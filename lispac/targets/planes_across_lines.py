@@ -1,8 +1,8 @@
-"""Search for one plane in every line from one seed.
+"""Search for one plane in every line, starting from one seed.
 
-In the other lines the target stands up to a metre and more from the seed, and a few degrees askew.
-Where the surroundings predict it, a plane with the reference's normal is searched for, and
-compared with it by outline and tilt.
+In the other lines the target may be displaced by a metre or more and tilted by a few degrees. Its
+surroundings predict its position. There, a plane with a normal similar to the reference is searched
+for and compared with the reference by outline and tilt.
 """
 
 from collections.abc import Callable, Mapping
@@ -41,25 +41,26 @@ from lispac.targets.plane_finder import (
 
 Array = NDArray[np.float64]
 
-# Farthest a found plane may pass from where the translation puts it, metres.
+# Largest distance of a plane from its predicted position, metres.
 OFFSET = 0.3
-# A patch that reaches farther than this share of the radius goes on beyond it. Beside a seed that
-# was not clicked it counts as so much farther off, metres: the wrong boresight lays the wall behind
-# a target on the seed in one line and the target beside it in the next, and the target is meant.
+# A patch that extends beyond this share of the search radius is cut by it. If the seed was not
+# clicked in a line, the distance of such a patch is increased by the second number, metres: with a
+# wrong boresight, the wall behind a target may lie at the seed in one line and the target beside
+# the seed in another one; the target is preferred.
 UNCUT_SHARE, BACKDROP = 0.97, 1.0
-# Flat patches larger than this, square metres, speak with less than their area.
+# Flat patches larger than this, square metres, have a weight smaller than their area.
 LARGE = 0.25
-# A patch cut out of a surface that crosses the plane goes on beyond the threshold: twice as many
-# points lie between one and three thresholds from the plane as on it. The limit is for how much
-# this ratio exceeds that of the reference, which the wrong boresight may smear as well.
+# A patch of a surface that crosses the plane continues beyond the threshold: twice as many points
+# lie between one and three thresholds from the plane as on it. The second number is the largest
+# excess of this ratio over that of the reference, which may be smeared by the boresight as well.
 BEYOND, CROSSING = 3.0, 0.8
-# Least part of the reference's outline that the patch must cover, and the most it may be larger.
+# Smallest share of the reference's outline that a patch has to cover, and largest ratio of areas.
 MIN_COVERED, MAX_AREA_RATIO = 0.3, 3.0
 
 
 @dataclass(frozen=True, eq=False)
 class _ReferenceSurface:
-    """Reference surface that is searched for in the other lines."""
+    """Surface found in the reference line, which is searched for in the other lines."""
 
     seed: Array
     patch: PlanePatch
@@ -79,7 +80,7 @@ def find_in_lines(
     beside: Mapping[str, Array] | None = None,
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
-    """Find the target under the seed in every line.
+    """Find the plane at the seed in every line.
 
     Parameters
     ----------
@@ -87,27 +88,27 @@ def find_in_lines(
     seed : ndarray of shape (3,), metres, local frame
     settings : FinderSettings
     first_line : str, optional
-        The line that was clicked. Without it, the line with a point at the seed; or else the
-        line whose plane passes nearest to the seed, one that ends within the radius first; or,
-        when that plane is missing in some lines, the one of the nearest three whose plane most
-        lines share.
+        The clicked line, used as the reference. If omitted, the line with a point at the seed;
+        otherwise the line whose plane passes nearest to the seed, where planes that end within the
+        radius come first. If this plane is missing in some lines, the reference is the one of the
+        nearest three whose plane is found in most lines.
     indices : mapping of line name to PointGrid, optional
-        Prepared cells; lines without are read through.
+        Prepared cells; lines without them are read completely.
     beside : mapping of line name to ndarray of shape (m, 3), metres, optional
-        Of lines that are sampled, all points close to the seed, as `find_plane` takes them.
+        For lines that are sampled, all points close to the seed; see `find_plane`.
     progress : Progress
 
     Returns
     -------
     found : dict of line name to PlanePatch
-        Normals all face the same side.
+        All normals are on the same side.
     missing : dict of line name to Message
         Reason why the target was not found in a line.
 
     Raises
     ------
     PlaneNotFound
-        The line clicked has no plane at the seed, or no line has.
+        The clicked line has no plane at the seed, or no line has.
     """
     seed = require_seed(seed)
     grids, close = indices or {}, beside or {}
@@ -164,7 +165,7 @@ def _find_in_line(
         return bool(np.isin(other.indices, best.indices, assume_unique=True).mean() >= 0.2)
 
     def contradiction(best: PlanePatch, other: PlanePatch) -> Message | None:
-        # Two parts of one wide surface are no contradiction: either gives the same plane.
+        # Two parts of one large surface are no contradiction: both give the same plane.
         off = abs(float(best.plane.distances(other.centre)))
         if same(best, other) or off <= settings.threshold:
             return None
@@ -189,10 +190,11 @@ def _scores_without_wide_surfaces(
     rivals: list[CloudShift],
     settings: FinderSettings,
 ) -> list[float]:
-    """Scores of translations without wide surfaces, which hide all other points.
+    """Scores of translations with reduced weight of large surfaces.
 
-    Along a wall the wall itself shows nothing: its many points would outvote the window or the
-    second board that do. A flat patch weighs by its side here instead of its area.
+    A shift along a wall cannot be detected on the wall itself, only on details such as a window or
+    a second board. The many points of the wall would dominate the score. The weight of a flat patch
+    is therefore proportional to its side instead of its area.
     """
     around_reference = reference.around
     flat = find_flat_patches(around_reference.points, settings.threshold)
@@ -206,9 +208,9 @@ def _scores_without_wide_surfaces(
 def _shifts_onto_patches(
     cloud: Array, grid: PointGrid | None, reference: _ReferenceSurface, settings: FinderSettings
 ) -> list[CloudShift]:
-    """Translations that lay the target onto flat patches of its size and tilt.
+    """Translations of the target onto flat patches of similar size and tilt.
 
-    Along a bare wall the surroundings leave open where on it the target is.
+    They are needed along a bare wall, where the surroundings do not determine the shift along it.
     """
     reach = settings.radius + settings.max_shift
     around = cloud[indices_near(cloud, grid, reference.seed, reach)]
@@ -236,12 +238,12 @@ def _match_at_shift(
     shift: CloudShift,
     settings: FinderSettings,
 ) -> tuple[PlanePatch, float]:
-    """The plane where the translation predicts it, and how well it matches the reference.
+    """Plane at the predicted position, and a score of its agreement with the reference.
 
     Raises
     ------
     PlaneNotFound
-        Where too little of the target is there, or far more than it.
+        If the patch covers too little of the reference, or is far larger.
     """
     moved = reference.patch_points + shift.vector
     seed = reference.seed + shift.vector
@@ -275,16 +277,16 @@ def _match_at_shift(
 def _ratio_beyond_threshold(
     points: Array, plane: Plane, placed: Array, cell: float, settings: FinderSettings
 ) -> float:
-    """Points beyond the threshold over those on a plane, within its outline.
+    """Ratio of the points beyond the threshold to those on the plane, within its outline.
 
     Parameters
     ----------
     points : ndarray of shape (n, 3), metres, local frame
-        Of the neighbourhood.
+        Points of the neighbourhood.
     placed : ndarray of shape (m, 2), metres
-        The patch in its plane.
+        Points of the patch in its plane.
     cell : float, metres
-        Of the outline.
+        Cell size of the outline.
     """
     off = np.abs(plane.distances(points))
     there = points[(off > settings.threshold) & (off <= BEYOND * settings.threshold)]

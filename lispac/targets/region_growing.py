@@ -11,21 +11,21 @@ from lispac.targets.plane_ransac import BESIDE, SAMPLE
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# A cell of the patch is kept when its share of points on the plane is at least this part of the
-# share around the seed; where another surface runs through the plane it is far smaller.
+# A cell belongs to the patch if its share of points on the plane is at least this fraction of the
+# share around the seed; it is far smaller where another surface intersects the plane.
 MIN_PURITY = 0.6
 # Rounds of growing and fitting; they converge in two to five.
 MAX_ROUNDS = 12
 # Steps of the weighted fit in one round of growing.
 ROBUST_ROUNDS = 5
-# Noise is normal: beyond three sigma a point is more likely to be a mixed pixel.
+# For normal noise, a point beyond three sigma is more likely a mixed pixel.
 TRIM = 3.0
 
 
 def grow_plane(
     points: Array, votes: Array, plane: Plane, settings: FinderSettings, through: Array | None
 ) -> Indices:
-    """Points connected with the votes on the plane, fitted and grown in turns.
+    """Extend a plane to connected points; growing and fitting alternate.
 
     Parameters
     ----------
@@ -33,11 +33,12 @@ def grow_plane(
     votes : ndarray of shape (n,)
         Weight of each point.
     through : ndarray of shape (3,), metres, local frame, or None
-        A point that the plane must hold.
+        A point that the plane has to contain.
 
     Returns
     -------
     ndarray of shape (k,), int
+        Indices of the points on the plane.
     """
     on: Indices = np.empty(0, dtype=np.int64)
     for _ in range(MAX_ROUNDS):
@@ -45,7 +46,7 @@ def grow_plane(
         if len(grown) < 3 or np.array_equal(grown, on):
             break
         fitted = _fit_plane_robustly(points[grown], plane, settings.threshold)
-        # A larger surface nearby must not draw the plane off the point that was clicked.
+        # A larger surface nearby must not pull the plane away from the clicked point.
         if through is not None and abs(float(fitted.distances(through))) > settings.threshold:
             on = grown if len(on) == 0 else on
             break
@@ -60,10 +61,10 @@ def grow_best_contender(
     settings: FinderSettings,
     through: Array | None,
 ) -> Plane:
-    """The contender that has grown to the most points near its plane.
+    """Grow several candidate planes and return the one with most points near its plane.
 
-    Near the seed alone several planes of different tilt may fit alike; how far each one extends
-    distinguishes them.
+    Planes of different tilt may fit the points near the seed equally well; their extents
+    distinguish them.
 
     Parameters
     ----------
@@ -71,7 +72,7 @@ def grow_best_contender(
     votes : ndarray of shape (n,)
         Weight of each point.
     through : ndarray of shape (3,), metres, local frame, or None
-        A point that the plane must hold.
+        A point that the plane has to contain.
     """
     if len(contenders) == 1:
         return contenders[0]
@@ -93,9 +94,9 @@ def grow_best_contender(
 def _fit_plane_robustly(points: Array, plane: Plane, threshold: float) -> Plane:
     """Weighted fit with the biweight (Beaton and Tukey 1974).
 
-    It converges to the densest layer of the points. A plain fit of everything within the threshold
-    is content with a tilted plane that fills the threshold evenly, where surfaces are uneven or run
-    into each other.
+    The fit converges to the densest layer of the points. Where surfaces are rough or intersect, an
+    unweighted fit of all points within the threshold could give a tilted plane with residuals
+    spread evenly over the threshold.
     """
     for _ in range(ROBUST_ROUNDS):
         off = plane.distances(points) / threshold
@@ -125,7 +126,7 @@ def _connected_points_on_plane(
 
 
 def trim_outliers(points: Array, on: Indices, settings: FinderSettings) -> Indices:
-    """Remove points beyond three sigma, the sigma taken from the middle of the residuals.
+    """Remove points beyond three sigma, with sigma from the median of the residuals.
 
     Parameters
     ----------
@@ -144,5 +145,5 @@ def trim_outliers(points: Array, on: Indices, settings: FinderSettings) -> Indic
     sigma = 1.4826 * float(np.median(np.abs(residuals)))
     limit = min(settings.threshold, TRIM * sigma)
     kept = on[np.abs(residuals) <= limit]
-    # Noise-free points have no sigma; then all of them are kept.
+    # Sigma of noise-free points is zero; all of them are kept.
     return kept if len(kept) >= max(3, len(on) // 2) else on

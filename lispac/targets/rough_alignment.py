@@ -1,12 +1,13 @@
-"""Rough boresight from the whole scene, so that targets are found in all lines.
+"""Rough boresight from the whole scene, used to find targets in all lines.
 
-With the prior boresight a target stands up to a metre and more elsewhere in each line, and where
-the platform turns or the range changes along it, it is bent as well. Both are the work of three
-angles, which the whole scene determines to a tenth of a degree before anything is picked:
-nearest points that face alike are drawn together along their normals (iterative closest point,
-point to plane: Chen and Medioni 1992), with a reach that shrinks.
+With the prior boresight, the positions of a target in different lines differ by a metre or more. If
+the platform turns or the range changes along the target, it also appears bent. Both effects depend
+on the three boresight angles, which can be determined from the whole scene to a tenth of a degree
+before targets are picked. The method is the iterative closest point algorithm with point-to-plane
+distances (Chen and Medioni 1992): distances between nearest points with similar normals are
+minimised along the normals, with a decreasing search distance.
 
-What comes out is no calibration: it has no sigma, and nothing but the search for targets uses it.
+The result is no calibration: it has no standard deviations and is used only to search for targets.
 """
 
 from collections.abc import Iterator, Mapping
@@ -29,43 +30,47 @@ Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 EXAMINED_POINTS, MAX_POINTS = 200_000, 3_000
-"""Points of a line that are examined, and largest number of these that are used: spread evenly over
-the scene, a few hold as much information as all."""
+"""Largest number of points of a line that are read, and largest number that are used. The points
+used are spread evenly over the scene and contain nearly the same information as all."""
 FINEST = 0.1
-"""Least spacing of these points, metres."""
+"""Smallest spacing of the points used, metres."""
 NEIGHBOURS = 10
-"""Points whose plane is a point's own."""
+"""Number of nearest points from which the normal of a point is computed."""
 UNEVEN, ROUGH = 0.25, 0.08
-"""Largest departure of a neighbourhood from its plane: a share of the spacing, or metres where that
-is more. A wall smeared by the boresight is used, a shrub is not."""
+"""Largest RMS distance of a neighbourhood from its plane: a fraction of the point spacing, or a
+length in metres, whichever is larger. A wall smeared by the boresight is accepted, a shrub not."""
 MIN_COSINE = 0.94
-"""Least cosine between the normals of two points that belong together."""
+"""Smallest cosine of the angle between the normals of corresponding points."""
 REACHES = (2.5, 1.5, 1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.15)
-"""Farthest that two such points may be apart, metres, from stage to stage."""
+"""Largest distance between corresponding points in each stage, metres."""
 ROUNDS, STEP_TOLERANCE = 2, radians(0.02)
-"""Steps of a stage, and how small a step ends it."""
+"""Largest number of steps of a stage, and the step size in radians at which a stage ends."""
 STEP = radians(0.01)
-"""Turn of the boresight by which points are moved; over so little they move straight."""
+"""Step of the boresight angles, radians, for numerical derivatives of the points; small enough for
+a linear change."""
 LIKELY, SPREAD = radians(1.0), 0.01
-"""Usual error of a boresight, and of surfaces (metres) with the right one: an angle that
-the scene leaves open stays near its prior value."""
+"""Prior standard deviation of each boresight angle (radians), and standard deviation of the
+distance between surfaces with the correct boresight (metres). With this prior, an angle that the
+scene does not determine stays near its prior value."""
 MIN_LEVERAGE = 2.0
-"""Metres that surfaces move along their normals for a radian of a direction of the angles, in the
-root mean square, below which that direction counts as open: 5 cm between the lines for another
-reason, a jump of the GNSS, would turn it by a degree and a half. A quay wall or a floor alone have
-less than one in their open directions, harbours and vehicles four and more."""
+"""Smallest sensitivity, metres per radian, for which a combination of the boresight angles counts
+as determined. The sensitivity is the RMS of the shifts of surfaces along their normals per radian.
+At this limit, an offset of 5 cm between lines for another reason, such as a GNSS jump, changes the
+angles by 1.5 degrees. For a quay wall or a floor alone, the sensitivity is below one for the
+undetermined combinations; in harbours and for vehicles it is four or more."""
 STARTS, REFINED, COARSE_POINTS = radians(1.2), 3, 800
-"""Where the lines do not meet from the prior boresight on, each angle is also tried so much larger
-and smaller, by so many points of a line; so many of these starts, the likeliest, are followed."""
+"""Alternative starts, used if the lines do not coincide after the search from the prior boresight:
+change of each angle in both directions (radians), number of the best starts that are refined, and
+number of points of a line with which all starts are compared."""
 MAX_GAP, MAX_DISTANCE = 0.15, 1.0
-"""Two lines match at a point where their surfaces are this near to each other, metres, and it is
-not farther than that from a point of the other line."""
+"""Criteria for a match of two lines at a point, metres: largest distance between their surfaces,
+and largest distance from the nearest point of the other line."""
 MIN_SEPARATION = 0.02
-"""Standard deviation of the distance between the surfaces of two lines, metres, at least."""
+"""Smallest standard deviation assumed for the distance between surfaces of two lines, metres."""
 NORMAL_MAD = 1.4826
-"""Standard deviation of a normal distribution over its median absolute deviation."""
+"""Ratio of the standard deviation of a normal distribution to its median absolute deviation."""
 MIN_MATCHED = 0.75
-"""Share of the points that must match another line."""
+"""Smallest share of points that match another line for lines to count as aligned."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,16 +80,16 @@ class Alignment:
     Attributes
     ----------
     clouds : mapping of line name to Cloud
-        With the rough boresight; with the prior one where no other does better.
+        With the rough boresight, or with the prior one if no other is better.
     before : mapping of line name to Cloud
         With the prior boresight.
     matched_share, matched_share_before : float, in [0, 1]
-        Share of the points that match the surface of another line, of those that have one nearby.
+        Share of points that match the surface of another line, among those near another line.
     determined : bool
-        All three angles are determined. One wall alone does not: its lines also meet where they
-        are shifted along it.
+        Whether all three angles are determined. A single wall is not enough, since lines shifted
+        along it also coincide.
     apart : float, metres
-        Standard deviation of the distance between the surfaces of two lines, a robust one.
+        Robust standard deviation of the distance between the surfaces of two lines.
     """
 
     clouds: Mapping[str, Cloud]
@@ -101,27 +106,27 @@ class Alignment:
 
     @property
     def is_aligned(self) -> bool:
-        """Whether a target is expected at about the same place on every line."""
+        """Whether targets are expected at about the same position in every line."""
         return self.determined and self.matched_share >= MIN_MATCHED
 
     @property
     def accuracy(self) -> PlacementAccuracy:
-        """Relative accuracy of the positions of these lines."""
+        """Relative accuracy of the positions of the lines."""
         if not self.is_aligned:
             return PlacementAccuracy()
         return PlacementAccuracy(ROUGHLY_OFF, max(self.separation, MIN_SEPARATION))
 
 
 def align_lines(clouds: Mapping[str, Cloud]) -> Alignment:
-    """Find the boresight with which lines nearly meet.
+    """Find a rough boresight with which the lines nearly coincide.
 
-    The search starts from the prior boresight; where the lines do not meet then, from the likeliest
-    of others about it.
+    The search starts from the prior boresight. If the lines do not coincide afterwards, it is
+    repeated from the most promising alternative starts.
 
     Parameters
     ----------
     clouds : mapping of line name to Cloud
-        All with the same mounting, the prior one.
+        All placed with the same prior mounting.
     """
     if len(clouds) < 2:
         return Alignment(clouds, clouds, 0.0, 0.0)
@@ -146,7 +151,7 @@ def align_lines(clouds: Mapping[str, Cloud]) -> Alignment:
 
 @dataclass(frozen=True, eq=False)
 class _LineSample:
-    """Some points of a line in the scanner frame, with data for their normals."""
+    """Sample of the points of a line in the scanner frame, with the neighbours for normals."""
 
     points_lidar: Array
     time: Array
@@ -158,7 +163,7 @@ class _LineSample:
         numbers = np.arange(0, len(cloud.sample), -(-len(cloud.sample) // EXAMINED_POINTS) or 1)
         numbers = numbers[_thin_to_count(cloud.sample[numbers], count)]
         points = cloud.sample[numbers]
-        # Points keep their neighbours, whatever the boresight.
+        # The neighbours are determined once and used for every boresight.
         distance, neighbours = build_tree(points).query(points, min(NEIGHBOURS, len(points)))
         rough = max(UNEVEN * float(np.median(distance[:, 1])), ROUGH)
         return cls(
@@ -166,7 +171,7 @@ class _LineSample:
         )
 
     def faces(self, placed: Array) -> tuple[Array, Flags]:
-        """The normal at each point, and whether its surroundings are flat enough to have one."""
+        """Normal at each point, and whether its neighbourhood is flat enough for a normal."""
         centroids, normals = local_planes(placed, self.neighbours)
         off = np.einsum("nmk,nk->nm", placed[self.neighbours] - centroids[:, None], normals)
         return normals, np.sqrt((off * off).mean(axis=1)) < self.rough
@@ -174,7 +179,7 @@ class _LineSample:
 
 @dataclass(frozen=True, eq=False)
 class _PointPairs:
-    """Points of two lines, shape (n,), that may belong together; normals (n, 3) of the second."""
+    """Corresponding points of two lines, shape (n,), with the normals (n, 3) of the second line."""
 
     first: int
     second: int
@@ -185,7 +190,7 @@ class _PointPairs:
 
 @dataclass(frozen=True, eq=False)
 class _SceneLines:
-    """All lines, to be placed with one boresight after another."""
+    """Samples of all lines, which can be placed with any boresight."""
 
     lines: tuple[_LineSample, ...]
     place: Georeferencer
@@ -201,27 +206,27 @@ class _SceneLines:
 
     @property
     def boresight(self) -> Array:
-        """The prior one, shape (3,), radians."""
+        """Prior boresight, shape (3,), radians."""
         return self.place.mounting.boresight
 
     def placed(self, boresight: Array) -> list[Array]:
-        """The points of each line."""
+        """Points of each line placed with a boresight, shape (n, 3), metres, local frame."""
         mounting = self.place.mounting.with_boresight(boresight)
         place = Georeferencer.of(self.place.trajectory, mounting)
         return [place(line.points_lidar, line.time) for line in self.lines]
 
     def starting_boresights(self, clouds: Mapping[str, Cloud]) -> Iterator[Array]:
-        """The prior boresight; then those about it that bring the lines nearest to each other.
+        """Yield the prior boresight, then the alternative starts with most matching points.
 
         Parameters
         ----------
         clouds : mapping of line name to Cloud
-            Of the scene; the others are found by fewer of their points.
+            Lines of the scene; fewer of their points are used to compare the alternative starts.
         """
         yield self.boresight
         coarse = _SceneLines.of(
             clouds, COARSE_POINTS
-        )  # spread only where the prior boresight was not enough
+        )  # computed only if the search from the prior boresight failed
         turns = [STARTS * np.array(turn) for turn in product((-1, 0, 1), repeat=3) if any(turn)]
         stepped = [coarse.gauss_newton_step(self.boresight + turn, REACHES[0]) for turn in turns]
         shares = np.array([coarse.matched_share(boresight) for boresight in stepped])
@@ -229,7 +234,7 @@ class _SceneLines:
             yield stepped[k]
 
     def refine_boresight(self, boresight: Array) -> Array:
-        """Where the search ends that starts from a boresight."""
+        """Refine a boresight in stages with decreasing distances between corresponding points."""
         for reach in REACHES:
             for _ in range(ROUNDS):
                 before, boresight = boresight, self.gauss_newton_step(boresight, reach)
@@ -238,20 +243,21 @@ class _SceneLines:
         return boresight
 
     def gauss_newton_step(self, boresight: Array, reach: float) -> Array:
-        """One step of Gauss and Newton, with weights that fall off within the reach."""
+        """Boresight after one Gauss-Newton step, with weights that decrease with the residuals."""
         information, gradient = self._normal_equations(boresight, reach)
-        # Thousands of points have a common error: they count as one, the prior keeps its weight.
+        # Errors of the points are correlated: together they have the weight of one observation, so
+        # that the prior keeps its influence.
         prior = (SPREAD / LIKELY) ** 2
         gradient = gradient + prior * (boresight - self.boresight)
         return np.asarray(boresight - np.linalg.solve(information + prior * np.eye(3), gradient))
 
     def determines(self, boresight: Array) -> bool:
-        """Whether the scene determines all three angles where lines overlap."""
+        """Whether the overlapping parts of the lines determine all three angles."""
         information, _ = self._normal_equations(boresight, REACHES[-1])
         return bool(np.linalg.eigvalsh(information)[0] >= MIN_LEVERAGE**2)
 
     def _normal_equations(self, boresight: Array, reach: float) -> tuple[Array, Array]:
-        """Information of point pairs on the angles, weighted mean.
+        """Normal equations of the angles: weighted mean over the pairs of points.
 
         Returns
         -------
@@ -309,13 +315,13 @@ class _SceneLines:
 
 
 def _distances_to_plane(placed: list[Array], pair: _PointPairs) -> Array:
-    """Distance of the first points from the surface at the second, shape (n,), metres."""
+    """Distances of the first points from the planes at the second points, shape (n,), metres."""
     difference = placed[pair.first][pair.here] - placed[pair.second][pair.there]
     return np.asarray((difference * pair.normals).sum(axis=1))
 
 
 def _thin_to_count(points: Array, count: int) -> Indices:
-    """Indices of few points (n, 3), evenly spread: one of each voxel."""
+    """Indices of at most ``count`` points, spread evenly: the first one in each voxel."""
     kept = np.flatnonzero(np.isfinite(points).all(axis=1))
     low, voxel = finite_bounds(points[kept])[0], FINEST
     while True:

@@ -1,8 +1,8 @@
 """Test whether the surfaces found in several lines are the same target.
 
-The lines are placed with a boresight of known uncertainty. It allows a target a certain change of
-inclination and position from one line to another; a surface that differs by more is another one
-(congruence test of two epochs: Pelzer 1971).
+The lines are placed with a boresight of known uncertainty. Therefore the inclination and position
+of a target may differ between lines by a certain amount. Surfaces that differ by more are different
+targets (congruence test of two epochs: Pelzer 1971).
 """
 
 from collections.abc import Callable, Mapping
@@ -27,37 +27,37 @@ from lispac.targets.sphere_finder import SpherePatch
 Array = NDArray[np.float64]
 
 SIGNIFICANCE = 1e-3
-"""Level of the tests: the chance that one rejects a sighting of the same surface."""
+"""Significance level of the tests: probability of rejecting a sighting of the same surface."""
 EFFECTIVE_POINTS = 4
-"""Independent points of a sighting: the scatter of its points about the plane is form error and
-POS error, which neighbouring points share. Lines show different parts of a tarpaulin."""
+"""Number of independent points assumed for a sighting. The scatter of its points about the plane is
+mainly form error and POS error, which neighbouring points share; lines may also show different
+parts of an uneven surface such as a tarpaulin."""
 MAX_POINTS = 500
-"""Points of a sighting that take part in the tests."""
+"""Largest number of points of a sighting used in the tests."""
 TURN = radians(0.01)
 """Step of the numerical derivatives with respect to the boresight angles."""
 MIN_OVERLAP = 0.5
-"""Share of a sighting's points that must lie within the outline of the other, or the other way
-round."""
+"""Smallest share of the points of one of two sightings inside the outline of the other one."""
 SAME_SIZE = 0.8
-"""Ratio of the sides from which two outlines count as complete views of one surface."""
+"""Smallest ratio of the sides for which two outlines count as complete views of one surface."""
 BOARD = 2.0
-"""Search radius for boards, metres."""
+"""Largest search radius used for boards, metres."""
 SPHERE_CENTRE = 0.5
-"""Standard deviation of a sphere's centre from one line, in radii: a line sees part of it only."""
+"""Standard deviation of the centre of a sphere from one line, which shows only a part, in radii."""
 
 Patch = TypeVar("Patch", bound=PlanePatch | SpherePatch)
 
 
 @dataclass(frozen=True)
 class PlacementAccuracy:
-    """Standard deviations of how lines are placed relative to each other.
+    """Accuracy of the positions of lines relative to each other.
 
     Attributes
     ----------
     boresight : float, radians
-        Of each boresight angle.
+        Standard deviation of each boresight angle.
     offset : float, metres
-        Distance between the surfaces of two lines for other reasons (POS).
+        Standard deviation of the distance between surfaces of two lines due to other causes (POS).
     """
 
     boresight: float = PRIOR_OFF
@@ -75,30 +75,31 @@ def split_by_agreement(
     radius: float,
     first_line: str | None,
 ) -> tuple[dict[str, Patch], dict[str, Message]]:
-    """Sightings that agree on one surface, and why the others are rejected.
+    """Separate the sightings that show the same surface from those to be rejected.
 
-    Every two sightings are compared. Where some disagree, the one that disagrees with most others
-    is rejected, and so on. Planes are compared by inclination and offset; then by their outlines,
-    which must overlap and, where two lines show all of the target, lie at the same place.
+    All pairs of sightings are compared. The sighting that disagrees with most others is rejected,
+    until all remaining ones agree. Planes are compared by inclination and offset, then by their
+    outlines, which have to overlap. If two lines show the whole target, the outlines also have to
+    be at the same position.
 
     Parameters
     ----------
     found : mapping of line name to PlanePatch or SpherePatch
-        Their indices are those of the lines.
+        Their indices refer to the lines.
     clouds : mapping of line name to Cloud
     accuracy : PlacementAccuracy
-        Of these lines.
+        Accuracy of the positions of these lines.
     radius : float, metres
-        Search radius. Planes that it cuts, and large ones, are not compared by their outlines:
-        lines may show different parts of a deck or a wall.
+        Search radius. Outlines of large planes, and of those cut by the radius, are not compared,
+        since lines may show different parts of a deck or a wall.
     first_line : str or None
-        The line that was clicked, if it is known. Its sighting is never rejected.
+        The clicked line, if known. Its sighting is never rejected.
 
     Returns
     -------
     kept : dict of line name to PlanePatch or SpherePatch
     rejected : dict of line name to Message
-        The reasons.
+        Reasons for the rejections.
     """
     samples = {name: _SightingSample.of(found[name], clouds[name]) for name in found}
     rejected: dict[str, Message] = {}
@@ -124,7 +125,7 @@ def split_by_agreement(
 def _reject_outvoted(
     samples: Mapping[str, "_SightingSample"], disagreement: "Disagreement", first_line: str | None
 ) -> dict[str, Message]:
-    """Reject sightings until all others agree; reasons of the rejected ones."""
+    """Reject sightings until all others agree; return the reasons for the rejected ones."""
     reasons: dict[str, dict[str, Message]] = {name: {} for name in samples}
     for first, second in combinations(samples, 2):
         reason = disagreement(samples[first], samples[second])
@@ -133,7 +134,7 @@ def _reject_outvoted(
     rejected: dict[str, Message] = {}
     while any(reasons.values()):
         suspects = [name for name in reasons if name != first_line and reasons[name]]
-        # The later one of two that disagree with equally many.
+        # Of two sightings with equally many disagreements, the later one is rejected.
         worst = max(reversed(suspects), key=lambda name: len(reasons[name]))
         others = reasons.pop(worst)
         rejected[worst] = others.get(first_line or "", next(iter(others.values())))
@@ -145,9 +146,10 @@ def _reject_outvoted(
 def _reject_separate_planes(
     planes: Mapping[str, "_SightingSample"], accuracy: PlacementAccuracy, first_line: str | None
 ) -> dict[str, Message]:
-    """Planes whose outlines do not overlap those of the target, directly or by another line.
+    """Reject planes whose outlines overlap those of the target neither directly nor indirectly.
 
-    A post may hide one half of a board from one line and the other half from the next.
+    Two outlines also belong together if both overlap that of a third line: a post may occlude one
+    half of a board in one line and the other half in another one.
     """
     overlaps = {
         frozenset((a, b)): _outline_overlap(planes[a], planes[b], accuracy)
@@ -176,10 +178,10 @@ def _reject_separate_planes(
 
 @dataclass(frozen=True, eq=False)
 class _SightingSample:
-    """A patch and some of its points.
+    """A patch and a sample of its points.
 
-    ``points`` has shape (n, 3), ``moves`` shape (3, n, 3): how the points move as each boresight
-    angle turns, metres per radian.
+    ``points`` has shape (n, 3). ``moves`` has shape (3, n, 3) and contains the derivatives of the
+    points with respect to the boresight angles, metres per radian.
     """
 
     patch: PlanePatch | SpherePatch
@@ -209,7 +211,7 @@ class _SightingSample:
 def _surface_disagreement(
     reference: _SightingSample, other: _SightingSample, accuracy: PlacementAccuracy
 ) -> Message | None:
-    """Reason why two sightings are of different surfaces, whatever their outlines."""
+    """Reason why two sightings show different surfaces, without regard to their outlines."""
     first, second = reference.patch, other.patch
     if isinstance(first, PlanePatch) and isinstance(second, PlanePatch):
         return _plane_disagreement(reference, other, first, second, accuracy)
@@ -235,7 +237,7 @@ def _plane_disagreement(
     normal = plane.plane.normal
     axes = np.vstack([plane_axes(normal), normal])
     middle = other.points.mean(axis=0)
-    # Height over the reference plane as a plane of its own: h = slope_u u + slope_v v + offset.
+    # Height above the reference plane as a linear function: h = slope_u u + slope_v v + offset.
     own = axes @ patch.plane.facing(normal).normal
     offset = float(plane.plane.distances(middle))
     turned = _plane_derivatives(other, axes, middle) - _plane_derivatives(reference, axes, middle)
@@ -256,11 +258,11 @@ def _plane_disagreement(
 def _position_disagreement(
     reference: _SightingSample, other: _SightingSample, accuracy: PlacementAccuracy, largest: Array
 ) -> Message | None:
-    """Test the position along the surface, where both lines show all of it."""
+    """Test the position along the surface, if both lines show all of it."""
     if any((each.extent < SAME_SIZE * largest).any() for each in (reference, other)):
         return None
     first, second = _in_plane_coordinates(reference, other)
-    # Each may lack another edge of the target, as far as both count as complete.
+    # Different edges of the target may be missing, as far as both outlines count as complete.
     lacking = (1.0 - SAME_SIZE) * float(np.linalg.norm(largest))
     allowed = _allowed_shift(reference, other, accuracy, 0.0) + lacking
     middles = [(each.min(axis=0) + each.max(axis=0)) / 2.0 for each in (first, second)]
@@ -273,7 +275,7 @@ def _position_disagreement(
 def _outline_overlap(
     reference: _SightingSample, other: _SightingSample, accuracy: PlacementAccuracy
 ) -> float:
-    """Share of one outline that the other covers, within the accuracy; of either, the larger."""
+    """Larger of the two shares of one outline that the other covers, within the accuracy."""
     first, second = _in_plane_coordinates(reference, other)
     cell = max(
         _allowed_shift(reference, other, accuracy, 0.0) / 2.0,
@@ -288,7 +290,7 @@ def _outline_overlap(
 def _in_plane_coordinates(
     reference: _SightingSample, other: _SightingSample
 ) -> tuple[Array, Array]:
-    """Both sightings in the plane of the first, shapes (n, 2) and (m, 2), metres."""
+    """Coordinates of both sightings in the plane of the first, (n, 2) and (m, 2), metres."""
     assert isinstance(reference.patch, PlanePatch)
     axes = plane_axes(reference.patch.plane.normal)
     return reference.points @ axes.T, other.points @ axes.T
@@ -299,7 +301,7 @@ def _allowed_shift(
 ) -> float:
     """Largest distance between two sightings of one target, metres.
 
-    ``further`` is the standard deviation of each sighting's own place, metres.
+    ``further`` is an additional standard deviation of the position of each sighting, metres.
     """
     middles = [each.moves.mean(axis=1) for each in (reference, other)]
     by_boresight = accuracy.boresight * float(np.linalg.norm(middles[1] - middles[0]))
@@ -308,7 +310,7 @@ def _allowed_shift(
 
 
 def _plane_derivatives(sighting: _SightingSample, axes: Array, middle: Array) -> Array:
-    """Change of slopes and offset at ``middle`` for each boresight angle, shape (3, 3)."""
+    """Derivatives of slopes and offset at ``middle`` by the boresight angles, shape (3, 3)."""
     design = _design_matrix(sighting.points, axes, middle)
     moves = (sighting.moves @ axes[2]).T
     solved, *_ = np.linalg.lstsq(design, moves, rcond=1e-6)
@@ -328,4 +330,4 @@ def _design_matrix(points: Array, axes: Array, middle: Array) -> Array:
 
 
 Disagreement = Callable[[_SightingSample, _SightingSample], Message | None]
-"""Why two sightings cannot be of one target, or None where they can."""
+"""Function that returns why two sightings cannot show the same target, or None if they can."""

@@ -18,23 +18,24 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Rating = Literal["good", "doubtful", "poor"]
 
-# Each pair: doubtful beyond the first, poor beyond the second.
-# Below, outliers and chance in the outline dominate the plane.
+# Pairs of limits: a sighting is doubtful beyond the first and poor beyond the second.
+# Number of points; with fewer, outliers and random gaps in the outline dominate the plane.
 POINT_LIMITS = (200, 50)
-# Times the noise: with noise alone the RMS is one, and mixed pixels add a tenth.
+# RMS divided by the noise: 1 with noise alone; mixed pixels add a tenth.
 NOISE_LIMITS = (2.0, 3.0)
-# Of the threshold that points were found with. Spread evenly up to it they have an RMS of 0.58 of
-# it, and more of the surface lies beyond: what is rough already is poor then.
+# RMS divided by the threshold of the search. The ratio is 0.58 if the points are spread evenly up
+# to the threshold; more of the surface then lies beyond it, and a rough surface is rated poor.
 FILLED = 0.5
-# Degrees: the footprint of the beam grows with the tangent, four times at 75.
+# Angle of incidence, degrees; the beam footprint grows with the tangent, to four times at 75.
 OBLIQUE_DEG = (65.0, 75.0)
-# Share of the outline: with half of it missing, tilts hang on the parts that are left.
+# Share of the outline with points; if half is missing, the tilt depends on the remaining parts.
 FILL_LIMITS = (0.7, 0.5)
-# Times the noise by which the surface departs from flat: what one point can no longer hide, and
-# what moves the plane by more than its own points' noise. A bend is counted by its sagitta,
-# ripples by their RMS: a sagitta of three noises has an RMS of one, but ripples average out.
+# Deviation of the surface from a plane, divided by the noise of a point: the sagitta for a bend,
+# and the RMS for roughness. The first limit is the noise of a single point; at the second one, the
+# deviation shifts the plane by more than its noise. A sagitta of three times the noise has an RMS
+# of once the noise; roughness averages out more than a bend.
 CURVED, UNEVEN = (1.0, 3.0), (1.0, 1.5)
-# Chance at which a departure counts as there, and as beyond a limit.
+# Significance level of the tests whether a deviation exists, and whether it exceeds a limit.
 TEST_LEVEL = 1e-3
 SIGMAS = -NormalDist().inv_cdf(TEST_LEVEL)
 # Share of a sphere's surface; a full view shows half of it.
@@ -49,32 +50,33 @@ class SightingQuality:
     ----------
     points : int
     rms : float, metres
-        Of the points to the plane or sphere.
+        RMS distance of the points from the plane or sphere.
     range : float, metres
-        Median, from the scanner.
+        Median distance from the scanner.
     density : float or None, points per square metre
     incidence : float or None, radians
-        Median angle between beam and normal; None where the scanner's place is not known.
+        Median angle between beam and normal; None if the position of the scanner is unknown.
     extent : ndarray of shape (2,) or None, metres
-        Width (level) and height (up the slope).
+        Width (horizontal) and height (up the slope).
     coverage : float
-        Share of the outline's cells that hold points; of a sphere, share of its surface seen.
+        Share of the cells of the outline that contain points; for a sphere, visible share of its
+        surface.
     curvature : float or None, metres
-        Sagitta of the surface over its extent, along the direction in which it bends most.
+        Sagitta of the surface over its extent, in the direction of the largest curvature.
     curved : bool
-        Whether the bend is more than chance.
+        Whether the curvature is significant.
     roughness : float or None, metres
-        RMS by which the surface departs from its smooth shape, noise taken off.
+        RMS deviation of the surface from its smooth shape, without the noise of the points.
     smear : float or None, metres
-        RMS of what an error of the boresight can explain; it is taken off before RMS, curvature and
-        roughness are judged. None where the boresight is an estimated one.
+        RMS of the deviations that an error of the boresight can explain. They are removed before
+        RMS, curvature and roughness are rated. None if the boresight is an estimated one.
     visible_share : float or None, in [0, 1]
-        Of what the other lines show of it; None where that cannot be compared.
+        Visible share of the extent in the other lines; None if it cannot be compared.
     flatness : "good", "doubtful" or "poor"
-        What RMS, curvature and roughness alone give.
+        Rating by RMS, curvature and roughness alone.
     rating : "good", "doubtful" or "poor"
     reasons : tuple of Message
-        Why it is not good, the worst first.
+        Reasons for a rating other than good, the most severe first.
     """
 
     points: int
@@ -95,7 +97,7 @@ class SightingQuality:
 
 
 def add_messages(quality: SightingQuality, messages: tuple[Message, ...]) -> SightingQuality:
-    """Quality with further messages; at least doubtful if there are any."""
+    """Quality with additional messages; the rating is at best doubtful if there are any."""
     if not messages:
         return quality
     rating: Rating = "doubtful" if quality.rating == "good" else quality.rating
@@ -103,7 +105,7 @@ def add_messages(quality: SightingQuality, messages: tuple[Message, ...]) -> Sig
 
 
 def undetermined_quality(points: int, rms: float, reason: Message) -> SightingQuality:
-    """The quality of points that form no plane or sphere; ``rms`` in metres."""
+    """Quality of points that do not determine a plane or sphere; ``rms`` in metres."""
     return SightingQuality(
         points,
         rms,
@@ -134,28 +136,29 @@ def plane_quality(
     threshold: float | None = None,
     shown: ObservedExtent | None = None,
 ) -> SightingQuality:
-    """Judge a plane as one line saw it.
+    """Assess a plane in one line.
 
     Parameters
     ----------
     points_lidar, points_local : ndarray of shape (n, 3), metres
-        Of the line, LiDAR frame and local frame.
+        Points of the line, in the LiDAR frame and in the local frame.
     indices : ndarray of shape (m,)
-        The sighting's points.
+        Indices of the points of the sighting.
     plane : Plane, local frame
     noise : float, metres
-        Of a point across the plane.
+        Standard deviation of a point perpendicular to the plane.
     scanner_local : ndarray of shape (3,) or (m, 3), metres, optional
-        Where the scanner was when it measured the sighting's points.
+        Position of the scanner when it measured the points of the sighting.
     turns_local : ndarray of shape (3, m, 3), metres per radian, optional
-        How the sighting's points move as roll, pitch and yaw of the boresight change. Given where
-        the boresight is not estimated yet: what its error can explain does not count then.
+        Derivatives of the points of the sighting with respect to roll, pitch and yaw of the
+        boresight. If given, deviations that a boresight error can explain are not rated; used as
+        long as the boresight is not estimated.
     boresight_off : float, radians
-        Sigma of that error in each angle.
+        Sigma of the boresight error in each angle.
     threshold : float, metres, optional
-        Farthest from the plane that points were searched for.
+        Distance threshold of the search for the points.
     shown : ObservedExtent, optional
-        What the other lines show of the same plane, where it ends within the search radius.
+        Comparison with the extent in other lines, if the plane ends within the search radius.
     """
     points = points_local[indices]
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
@@ -208,7 +211,7 @@ def plane_quality(
 def sphere_quality(
     points_lidar: Array, points_local: Array, indices: Indices, sphere: Sphere, noise: float
 ) -> SightingQuality:
-    """Judge a sphere as one line saw it; the parameters are those of `plane_quality`."""
+    """Assess a sphere in one line; see `plane_quality` for the parameters."""
     points = points_local[indices]
     share = visible_share(sphere, points)
     rms = rms_from_sphere(sphere, points)
@@ -238,7 +241,7 @@ def _grade_point_count(points: int) -> list[Graded]:
 def _grade_roughness(
     rms: float, own_noise: float, noise: float, threshold: float | None
 ) -> list[Graded]:
-    """By the RMS without what the boresight can explain; the RMS named is that of the points."""
+    """Grade the RMS without the effect of the boresight; messages give the RMS of the points."""
     ratio, without = rms / noise, own_noise / noise
     is_filled = threshold is not None and own_noise > FILLED * threshold
     if round(ratio, 1) == round(without, 1):
@@ -263,7 +266,7 @@ def _grade_occlusion(shown: ObservedExtent | None) -> list[Graded]:
 
 
 def _grade_by_limits(value: float, limits: tuple[float, float], reason: Message) -> list[Graded]:
-    """The reason with its grade where a value is beyond the first limit, else nothing."""
+    """Reason with its grade if a value is beyond the first limit; otherwise empty."""
     grade = int(value > limits[0]) + int(value > limits[1])
     return [(grade, reason)] if grade else []
 
@@ -275,7 +278,7 @@ def _rating_of(graded: list[Graded]) -> tuple[Rating, tuple[Message, ...]]:
 
 
 def _coverage_cell_size(placed: Array) -> float:
-    """Side of a cell that a patch without holes fills, metres: 2.5 mean spacings of its points."""
+    """Side of a cell, metres, for which a patch has no empty cells: 2.5 mean point spacings."""
     from scipy.spatial import ConvexHull, QhullError
 
     try:
@@ -286,7 +289,7 @@ def _coverage_cell_size(placed: Array) -> float:
 
 
 def _outline_coverage(placed: Array, cell: float) -> float:
-    """Share of the cells inside the convex outline that hold points."""
+    """Share of the cells inside the convex outline that contain points."""
     from scipy.spatial import ConvexHull, QhullError
 
     low = placed.min(axis=0)
@@ -304,9 +307,10 @@ def _outline_coverage(placed: Array, cell: float) -> float:
 
 
 def _form_error(placed: Array, off: Array, cell: float) -> tuple[float, float, bool, float]:
-    """Sagitta of the best quadric, its sigma, whether it is more than chance, what departs from it.
+    """Sagitta of a fitted quadric, its sigma, its significance, and the roughness.
 
-    From the means of the cells: neighbours see the same roughness, and cells do not.
+    The quadric is fitted to the means of cells, since the roughness at neighbouring points is
+    correlated, while that of different cells is not.
     """
     from scipy.special import fdtrc
 
@@ -336,7 +340,7 @@ def _form_error(placed: Array, off: Array, cell: float) -> tuple[float, float, b
     spread = float(across @ inverse[3:, 3:] @ across) * smooth / freedom
     uncertainty = np.sqrt(max(spread, 0.0)) * lengths[largest] ** 2 / 8
     curved = bool(fdtrc(3, freedom, ratio) < TEST_LEVEL)
-    # Within a cell there is only noise; what the means have beyond it is the surface's own.
+    # The scatter within cells is noise; the additional scatter of the means is due to the surface.
     within = float(np.sum((off - w[key]) ** 2)) / max(len(off) - len(count), 1)
     beyond = smooth / freedom - within
     uneven = float(np.sqrt(max(beyond, 0.0) / np.mean(count)))
@@ -344,15 +348,15 @@ def _form_error(placed: Array, off: Array, cell: float) -> tuple[float, float, b
 
 
 def _solve_least_squares(design: Array, values: Array, weights: Array) -> tuple[Array, Array]:
-    """Weighted least squares with a few unknowns, shape (k,), and the inverse of its matrix (k, k).
+    """Weighted least squares with few unknowns: solution (k,) and inverse normal matrix (k, k).
 
-    Not by the matrix library's threads, which on a busy machine wait for each other far longer than
-    so little takes.
+    The threads of the matrix library are not used: on a busy machine they wait for each other much
+    longer than this small computation takes.
     """
     scale = np.maximum(np.abs(design).max(axis=0), 1e-12)
     scaled = design / scale
     normal = np.einsum("n,ni,nj->ij", weights, scaled, scaled)
     right = np.einsum("n,ni,n->i", weights, scaled, values)
-    # Cells in one row leave a direction open; the shortest solution serves.
+    # Cells in one row do not determine all unknowns; the minimum-norm solution is used.
     inverse = np.linalg.pinv(normal, rcond=1e-12, hermitian=True)
     return inverse @ right / scale, inverse / np.outer(scale, scale)

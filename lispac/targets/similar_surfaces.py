@@ -1,7 +1,7 @@
-"""Surfaces similar to a target near it, which may be confused with it.
+"""Similar surfaces near a target, which may be confused with it.
 
-Lines that lie along one wall meet wherever they are shifted along it. Which of two equal boards a
-line shows where another one does cannot be determined, and a wrong one fits as well.
+Lines along a wall coincide at any shift along it. If there are two equal boards, it cannot be
+determined which of them a line shows, and the wrong one fits equally well.
 """
 
 import numpy as np
@@ -14,9 +14,9 @@ from lispac.targets.flat_patches import find_flat_patches, voxel_side
 Array = NDArray[np.float64]
 
 MAX_SIZE_RATIO = 1.6
-"""Times as large or as small as the target a surface may be."""
+"""Largest ratio of the sizes of a similar surface and the target, or the inverse ratio."""
 MAX_TURN = np.radians(10.0)
-"""Most its normal may differ."""
+"""Largest angle between the normals, radians."""
 
 
 def nearest_similar_surface(
@@ -27,19 +27,19 @@ def nearest_similar_surface(
     Parameters
     ----------
     around : ndarray of shape (n, 3), metres, local frame
-        Points of the line about the sighting.
+        Points of the line around the sighting.
     points : ndarray of shape (m, 3), metres, local frame
-        Of the sighting.
+        Points of the sighting.
     plane : Plane, local frame
-        Through them.
+        Plane through the points of the sighting.
     threshold : float, metres
-        Farthest a point may lie from its surface.
+        Largest distance of a point from its surface.
     reach : float, metres
-        Farthest that such a surface is of interest.
+        Largest distance at which surfaces are considered.
 
     Returns
     -------
-    float, metres, between the centres; None where there is none
+    float, metres, between the centres; None if there is no such surface
     """
     axes = plane_axes(plane.normal)
     cell = voxel_side(threshold)
@@ -51,7 +51,7 @@ def nearest_similar_surface(
         alike = np.array([patch.area / area, *(patch.extent / extent)])
         if (alike > MAX_SIZE_RATIO).any() or (alike < 1.0 / MAX_SIZE_RATIO).any():
             continue
-        # The sighting itself is among them: another one does not lie over its middle.
+        # The sighting itself is among the patches; another surface does not cover its centre.
         beside = np.abs(axes @ (patch.centre - points.mean(axis=0)))
         if patch.plane.tilt_to(plane) <= MAX_TURN and (beside > 0.5 * extent).any():
             distances.append(float(np.linalg.norm(patch.centre - points.mean(axis=0))))

@@ -1,4 +1,4 @@
-"""From a seed to the sphere it lies on: RANSAC with local sampling, fit, trimming, checks."""
+"""Find the sphere at a seed: RANSAC with local sampling, fit, trimming, checks."""
 
 from dataclasses import dataclass
 from math import cos, radians
@@ -28,31 +28,31 @@ Indices = NDArray[np.int64]
 
 __all__ = ["RadiusRange", "SpherePatch", "find_sphere"]
 
-# The farthest from the seed, in largest radii, at which a point can belong to its ball.
+# Largest distance of a point of the sphere from the seed, in units of the largest radius.
 REACH = 3.0
-# While points and sphere are chosen in turns, so many points are enough for the fit, and a radius
-# that leaves the searched range by this factor will not return.
+# Largest number of points used for the fit while the choice of points and the fit alternate, and
+# factor by which the radius may be outside the allowed range meanwhile.
 FIT_POINTS, MARGIN = 1000, 1.5
-# Half angle of the cap that is kept. Beyond it the beam only grazes the ball, and the mixed pixels
-# behind its rim come near the surface again.
+# Half angle of the cap that is used. Beyond it, the beams graze the sphere, and mixed pixels behind
+# the rim lie near its surface.
 CAP = radians(80.0)
-# Least share of the whole surface; a full view shows half of it.
+# Smallest visible share of the whole surface; an unobstructed view shows half of it.
 MIN_SHARE = 0.08
-# Points inside the ball, or outside it by up to three thresholds, as a share of those on it. A mast
-# or a bracket adds a few, a post or a wall that the sphere only touches goes on all around.
+# Largest ratio of the points inside the sphere, or up to three thresholds outside it, to the points
+# on it. A mast or a bracket adds few such points, a post or a wall that touches the sphere many.
 MAX_BESIDE = 0.3
-# A sphere must be this much nearer to its points than a plane is.
+# Smallest ratio of the residuals of a plane to those of the sphere.
 BETTER_THAN_FLAT = 2.0
 
 
 @dataclass(frozen=True)
 class RadiusRange:
-    """Allowed radius of a ball.
+    """Allowed radius of a sphere.
 
     Attributes
     ----------
     min, max : float, metres
-        The span of radii to accept; equal where the radius is known.
+        Smallest and largest radius; equal if the radius is known.
     """
 
     min: float = 0.05
@@ -64,17 +64,17 @@ class RadiusRange:
 
     @classmethod
     def of_known_radius(cls, radius: float) -> "RadiusRange":
-        """A ball of known radius, metres."""
+        """Range for a known radius, metres."""
         return cls(radius, radius)
 
     @property
     def known(self) -> float | None:
-        """The known radius, metres, or None."""
+        """Known radius, metres, or None."""
         return self.min if self.min == self.max else None
 
     @property
     def radius_message(self) -> Message:
-        """A sphere of such a radius as part of a message."""
+        """Description of a sphere with this radius, as part of a message."""
         if self.known is not None:
             return note("finder.sphere_of_radius", radius=self.known)
         return note("finder.sphere_of_radii", least=self.min, most=self.max)
@@ -82,19 +82,19 @@ class RadiusRange:
 
 @dataclass(frozen=True, eq=False)
 class SpherePatch:
-    """The points of one line that lie on one sphere.
+    """Points of one line that lie on one sphere.
 
     Attributes
     ----------
     indices : ndarray of shape (n,), int64
-        Into the line's cloud, ascending.
+        Indices into the cloud of the line, ascending.
     sphere : Sphere, local frame of that cloud
     rms : float, metres
-        Of the points to the sphere.
+        RMS distance of the points from the sphere.
     share : float
-        Share of the whole surface that the points span.
+        Share of the whole surface that the points cover.
     one_in : int
-        Of how many points about the seed one was examined.
+        Sampling of the points around the seed: one in this number was used.
     """
 
     indices: Indices
@@ -117,19 +117,19 @@ def find_sphere(
     *,
     index: PointGrid | None = None,
 ) -> SpherePatch:
-    """Find the sphere that the seed lies on, or near.
+    """Find the sphere on or near which the seed lies.
 
-    Spheres are drawn through neighbouring points and judged by the points near the seed; points
-    inside a sphere speak against it. The best ones are fitted to the points within the threshold
-    until these no longer change. Then what lies beyond the visible cap (mixed pixels behind the
-    rim) and beyond three sigma is trimmed.
+    Candidate spheres are drawn through neighbouring points and evaluated with the points near the
+    seed; points inside a sphere reduce its score. The best spheres are fitted to the points within
+    the threshold until these points no longer change. Finally, points beyond the visible cap (mixed
+    pixels behind the rim) and beyond three sigma are removed.
 
     Parameters
     ----------
     points_local : ndarray of shape (n, 3), metres
-        Points with a missing coordinate are passed over.
+        Points with a coordinate that is not finite are ignored.
     seed : ndarray of shape (3,), metres, same frame
-        On the ball, near it, or its centre.
+        A point on the sphere, near it, or its centre.
     radius_range : RadiusRange
     settings : FinderSettings
     index : PointGrid, optional
@@ -143,7 +143,7 @@ def find_sphere(
     try:
         seed = require_seed(seed)
         near = neighbourhood_of(points_local, seed, settings, index=index)
-    except PlaneNotFound as failure:  # its messages are about points, not about planes
+    except PlaneNotFound as failure:  # its messages are about points only, not about planes
         raise SphereNotFound(failure.reason) from None
     distance = np.linalg.norm(points_local[near] - seed, axis=1)
     reach = REACH * radius_range.max
@@ -191,7 +191,7 @@ def find_sphere(
 def patch_on_sphere(
     points_local: Array, indices: Indices, radius_range: RadiusRange
 ) -> SpherePatch:
-    """The patch that chosen points of a cloud form.
+    """Patch of chosen points of a cloud.
 
     Parameters
     ----------
@@ -201,7 +201,7 @@ def patch_on_sphere(
     Raises
     ------
     SphereNotFound
-        They do not determine a sphere.
+        If the points do not determine a sphere.
     """
     points = points_local[indices]
     sphere = fit_sphere(points, radius_range.known)
@@ -213,7 +213,7 @@ def patch_on_sphere(
 def _refine_sphere(
     points: Array, sphere: Sphere, radius_range: RadiusRange, settings: FinderSettings
 ) -> tuple[Sphere, Indices] | None:
-    """The sphere fitted and its points chosen in turns; None where that leads nowhere."""
+    """Fit the sphere and choose its points alternately; None if this does not succeed."""
     on: Indices = np.empty(0, dtype=np.int64)
     try:
         for _ in range(MAX_ROUNDS):
@@ -234,11 +234,11 @@ def _refine_sphere(
 
 
 def _points_on_cap(points: Array, sphere: Sphere, threshold: float) -> Indices:
-    """Points within the threshold and on the visible side."""
+    """Points within the threshold and on the visible cap."""
     on: Indices = np.flatnonzero(np.abs(sphere.distances(points)) <= threshold).astype(np.int64)
     directions = sphere.directions(points[on])
     visible = np.ones(len(on), dtype=bool)
-    for _ in range(2):  # what lies behind the rim has drawn the first middle towards itself
+    for _ in range(2):  # points behind the rim have shifted the first centre of the cap
         visible = directions @ cap_axis(directions[visible]) >= cos(CAP)
     return on[visible]
 
@@ -248,7 +248,7 @@ def _fit_sphere_robustly(
 ) -> Sphere:
     """Weighted fit with the biweight (Beaton and Tukey 1974).
 
-    It converges to the densest layer of the points.
+    The fit converges to the densest layer of the points.
     """
     for _ in range(ROBUST_ROUNDS):
         off = sphere.distances(points) / threshold
@@ -259,16 +259,16 @@ def _fit_sphere_robustly(
 def _trim_outliers(
     points: Array, on: Indices, radius: float | None, settings: FinderSettings
 ) -> Indices:
-    """Remove points beyond three sigma, the sigma taken from the middle of the residuals."""
+    """Remove points beyond three sigma, with sigma from the median of the residuals."""
     residuals = np.abs(fit_sphere(points[on], radius).distances(points[on]))
     sigma = 1.4826 * float(np.median(residuals))
     kept = on[residuals <= min(settings.threshold, TRIM * sigma)]
-    # Noise-free points have no sigma; then all of them are kept.
+    # Sigma of noise-free points is zero; all of them are kept.
     return kept if len(kept) >= max(4, len(on) // 2) else on
 
 
 def _sphere_votes(points: Array, votes: Array, sphere: Sphere, threshold: float) -> float:
-    """Votes of the points on the sphere, less those inside it."""
+    """Votes of the points on the sphere minus those of the points inside it."""
     off = sphere.distances(points) / threshold
     on = np.maximum(1.0 - off * off, 0.0) ** 2
     return float(votes @ (on - (off < -1.0)))
@@ -282,7 +282,7 @@ def _require_ball(
     settings: FinderSettings,
     seed: Array,
 ) -> None:
-    """Refuse points that are not those of a ball, with the reason.
+    """Refuse points that do not show a sphere, with the reason.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Spheres drawn through neighbouring points and judged by votes (RANSAC with local sampling)."""
+"""RANSAC with local sampling: spheres through neighbouring points, evaluated by weighted votes."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,28 +11,28 @@ from lispac.targets.plane_ransac import AGAINST, BATCH, BESIDE, MAX_BATCHES
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# Hypotheses are judged on the nearest points in full and on every so-manieth of those farther off:
-# a ball of some hundred points must not be thinned away with a wall of a hundred thousand.
+# Hypotheses are evaluated on all nearest points and on a sample of those farther away, so that a
+# sphere with some hundred points is not thinned like a wall with a hundred thousand.
 NEAREST, FARTHER = 2500, 2500
-# The radius of a hypothesis, from four noisy points, may miss the searched range by this share.
+# The radius of a hypothesis from four noisy points may be outside the range by this fraction.
 ROUGH = 0.25
-# Hypotheses to refine: how many, how good relative to the best, and how much their centres must
-# differ, as a share of the radius.
+# Hypotheses to refine: largest number, smallest ratio to the best score, and smallest distance
+# between their centres as a fraction of the radius.
 MAX_CONTENDERS, MIN_SCORE_RATIO, MIN_GAP = 8, 0.6, 0.25
 
 
 def draw_spheres(
     points: Array, votes: Array, lower: float, upper: float, settings: FinderSettings
 ) -> list[Sphere]:
-    """The best spheres through neighbouring points (Fischler and Bolles 1981), by votes.
+    """Spheres through neighbouring points with the best votes (Fischler and Bolles 1981).
 
     Parameters
     ----------
     points : ndarray of shape (n, 3), metres, local frame, the nearest to the seed first
     votes : ndarray of shape (n,)
     lower, upper : float, metres
-        Range of radii. If they are equal the radius is known and three points make a hypothesis,
-        else four.
+        Range of radii. If both are equal, the radius is known and a hypothesis is computed from
+        three points, otherwise from four.
     settings : FinderSettings
     """
     rng = np.random.default_rng(settings.seed)
@@ -46,7 +46,7 @@ def draw_spheres(
     hypotheses = np.empty((0, 6))
     for batch in range(1, MAX_BATCHES + 1):
         first = np.minimum(np.searchsorted(chance, rng.random(BATCH)), len(sample) - 1)
-        # From a piece of the smallest ball up to the breadth of the largest.
+        # From a part of the smallest sphere up to the diameter of the largest one.
         reach = np.exp(rng.uniform(np.log(0.5 * lower), np.log(2.0 * upper), BATCH))
         picks = rng.random((BATCH, 3))
         drawn = _score_spheres(
@@ -62,7 +62,7 @@ def draw_spheres(
 
 
 def _distinct_best_spheres(hypotheses: Array) -> list[Sphere]:
-    """The best hypotheses that differ and are nearly as good as the very best."""
+    """Hypotheses that differ from each other and are nearly as good as the best one."""
     kept: list[Sphere] = []
     if len(hypotheses) == 0:
         return kept
@@ -89,7 +89,7 @@ def _score_spheres(
     span: Array,
     known: bool,
 ) -> Array:  # pragma: no cover - compiled
-    """Score, share of the votes, centre and radius of each hypothesis; zeros for a useless one."""
+    """Score, share of the votes, centre and radius of each hypothesis; zeros if unusable."""
     n = points.shape[0]
     judged = np.zeros((first.size, 6))
     near = np.empty(n, np.int64)
@@ -115,7 +115,7 @@ def _score_spheres(
         ww = (w * w).sum()
         normal = np.cross(u, v)
         square = (normal * normal).sum()
-        # A sliver does not determine the curve across its length.
+        # A narrow triangle does not determine the curvature across its length.
         if square < 0.01 * max(uu, vv) ** 2 or square == 0.0:
             continue
         if known:
@@ -156,7 +156,7 @@ def _score_spheres(
                 elif off > 0.0:
                     score -= weights[i] * AGAINST
                 else:
-                    score -= weights[i]  # a ball is solid: nothing is seen inside it
+                    score -= weights[i]  # a sphere is solid: there are no points inside it
             if score > judged[trial, 0]:
                 judged[trial, 0] = score
                 judged[trial, 1] = share / total

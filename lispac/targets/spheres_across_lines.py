@@ -1,7 +1,8 @@
-"""Search for one sphere in every line from one seed.
+"""Search for one sphere in every line, starting from one seed.
 
-Where the surroundings predict it in the other lines, the sphere is searched for again, and
-compared with the reference by its place and, where the radius is not known, by its radius.
+The surroundings of the sphere predict its position in the other lines. There the search is
+repeated, and the sphere is compared with the reference by its position and, if the radius is
+unknown, by its radius.
 """
 
 from collections.abc import Callable, Mapping
@@ -28,10 +29,10 @@ from lispac.targets.sphere_finder import RadiusRange, SpherePatch, find_sphere
 
 Array = NDArray[np.float64]
 
-# A sphere this far, in metres, from where the translation puts it counts half.
+# Distance from the predicted position at which a sphere has half of its score, metres.
 OFFSET = 0.2
-# Most that two sightings of one ball may differ in radius. Crossed in a tenth of a second by
-# a pitching vessel, a ball of 0.10 m was seen as one of 0.08 m and as one of 0.14 m.
+# Largest ratio of the radii of two sightings of one sphere. A sphere of 0.10 m, scanned in a tenth
+# of a second from a pitching vessel, had radii of 0.08 m and 0.14 m.
 MAX_RADIUS_RATIO = 2.0
 
 
@@ -45,21 +46,21 @@ def find_spheres_in_lines(
     indices: Mapping[str, PointGrid] | None = None,
     progress: Progress = no_progress,
 ) -> tuple[dict[str, SpherePatch], dict[str, Message]]:
-    """Find the sphere under the seed in every line.
+    """Find the sphere at the seed in every line.
 
     Parameters
     ----------
     clouds : mapping of line name to ndarray of shape (n, 3), metres, one local frame
     seed : ndarray of shape (3,), metres, local frame
-        On the ball, near it, or its centre.
+        A point on the sphere, near it, or its centre.
     radius_range : RadiusRange
     settings : FinderSettings
     first_line : str, optional
-        The line that was clicked. Without it, the line with a point at the seed; or else the line
-        whose sphere passes nearest to the seed; or, when that sphere is missing in some lines, the
-        one of the nearest three whose sphere most lines share.
+        The clicked line, used as the reference. If omitted, the line with a point at the seed;
+        otherwise the line whose sphere is nearest to the seed. If this sphere is missing in some
+        lines, the reference is the one of the nearest three whose sphere is found in most lines.
     indices : mapping of line name to PointGrid, optional
-        Prepared cells; lines without are read through.
+        Prepared cells; lines without them are read completely.
     progress : Progress
 
     Returns
@@ -71,7 +72,7 @@ def find_spheres_in_lines(
     Raises
     ------
     SphereNotFound
-        The line clicked has no such sphere at the seed, or no line has.
+        The clicked line has no such sphere at the seed, or no line has.
     """
     try:
         seed = require_seed(seed)
@@ -109,12 +110,12 @@ def _find_in_line(
     settings: FinderSettings,
 ) -> SpherePatch:
     def match(shift: CloudShift) -> tuple[SpherePatch, float]:
-        """The sphere where the translation predicts it, and how well it matches the reference.
+        """Sphere at the predicted position, and a score of its agreement with the reference.
 
         Raises
         ------
         SphereNotFound
-            Where its radius is another one.
+            If its radius differs too much.
         """
         predicted = first.centre + shift.vector
         patch = find_sphere(cloud, predicted, radius_range, settings, index=grid)
@@ -137,7 +138,7 @@ def _find_in_line(
 
 
 def _two_spheres_error(best: SpherePatch, other: SpherePatch) -> Message | None:
-    """Two balls cannot both be the target; one found twice is no contradiction."""
+    """Message if two different spheres were found; None if both are the same sphere."""
     distance = float(np.linalg.norm(best.centre - other.centre))
     if distance <= 0.5 * best.sphere.radius:
         return None

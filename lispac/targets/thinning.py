@@ -11,12 +11,12 @@ Indices = NDArray[np.int64]
 
 
 def thin_points(points: Array, distance: float) -> Indices:
-    """Choose points so that each cube of side ``distance`` keeps one: the nearest to its centre.
+    """Choose one point in each cube of side ``distance``: the one nearest to the cube's centre.
 
-    Every finite point has a kept one in its own cube, so within ``sqrt(3) * distance``. The cubes
-    are laid from whole multiples of the distance, not from the first point: two sightings of
-    a target are thinned alike, and the order of the points does not matter. Points with a missing
-    coordinate are dropped.
+    Every finite point has a chosen point within ``sqrt(3) * distance``, in the same cube. The
+    corners of the cubes are multiples of the distance, independent of the points, so that all
+    sightings of a target are thinned alike and the order of the points does not matter. Points with
+    a coordinate that is not finite are dropped.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def thin_points(points: Array, distance: float) -> Indices:
     scaled = points[usable] / distance
     cells = np.floor(scaled)
     off_centre = ((scaled - cells - 0.5) ** 2).sum(axis=1)
-    # Sorted by cell, then distance, then coordinates: ties do not depend on the order given.
+    # Sorted by cell, distance and coordinates, so that ties do not depend on the point order.
     x, y, z = points[usable].T
     order = np.lexsort((z, y, x, off_centre, cells[:, 2], cells[:, 1], cells[:, 0]))
     sorted_cells = cells[order]

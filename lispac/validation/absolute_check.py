@@ -1,14 +1,14 @@
 """Distances of the lines from an independent reference, and possible causes.
 
-Between lines only their differences show; against a static scan or surveyed points what all lines
-have in common shows too, and with it the errors of the reference itself. So every mean stands with
-what it may be off by: the reference's own uncertainty, the POS errors of its line (which hardly
-change while it passes, so that no number of points averages them away), and the boresight's
-covariance.
+A comparison between lines reveals only their differences. A comparison with a static scan or with
+surveyed points also reveals errors that all lines have in common, but it includes the errors of
+the reference. Every mean is therefore given with its standard deviation, which combines the
+uncertainty of the reference, the POS errors of the line and the covariance of the boresight. POS
+errors hardly change during one line, so a larger number of points does not average them out.
 
-All lines together are the mean of their means: the POS error that the places of a line share is
-larger than what they scatter by, so that lines and not places are what is independent, and a dense
-line has no more weight than a sparse one.
+The value for all lines together is the mean of the means of the lines, so that a dense line has the
+same weight as a sparse one. The POS error shared by all places of a line is larger than the scatter
+of these places; the lines, not the places, are independent of each other.
 """
 
 from collections.abc import Sequence
@@ -31,10 +31,10 @@ NORMAL_95 = 1.96
 """Half width of the 95 % interval of a normal variable, in standard deviations."""
 BINS = 60
 WITHIN = 0.5
-"""Percentiles left on either side of a histogram, which its first and last bin hold."""
+"""Percentage of the distances beyond either end of a histogram; the end bins contain them."""
 NARROWEST = 1e-6
 MIN_SHARE = 0.1
-"""Share of a line's places with another surface within reach, from which it is reported."""
+"""Share of a line's places with a second surface within reach from which this is reported."""
 ALL_LINES = "all lines"
 
 
@@ -46,11 +46,12 @@ class SigmaSources:
     ----------
     reference : float, metres
     position, attitude : float, metres
-        Of the POS, as its accuracies state them.
+        From the accuracies of the POS.
     boresight : float or None, metres
-        By the covariance of what was estimated; None for the prior, of which none is known.
-    scatter : float
-        Of the line about its own mean: what is left of it in a mean; 0 where it is no mean.
+        From the covariance of the estimated values; None for the prior boresight, whose covariance
+        is unknown.
+    scatter : float, metres
+        Contribution of the scatter of a line's places to the mean; 0 for values that are no mean.
     """
 
     reference: float
@@ -70,18 +71,19 @@ class SigmaSources:
 class AbsoluteState:
     """Distances of the lines from the reference with one boresight.
 
-    Means and RMS count each line alike; medians and percentiles are of all places.
+    Each line has the same weight in the means and the RMS; medians and percentiles are taken over
+    all places.
 
     Attributes
     ----------
     distances : DistanceStatistics
         Unsigned.
     signed : SignedStatistics
-        Of the line from the reference, positive where the line is nearer to the vessel.
+        From the reference to the line, positive where the line is nearer to the vessel.
     mean_sigma : SigmaSources
-        What the signed mean may be off by.
+        Standard deviation of the signed mean, by source.
     rms_expected : SigmaSources
-        What the RMS comes to by these errors alone.
+        RMS that these errors alone would cause, by source.
     """
 
     distances: DistanceStatistics
@@ -118,18 +120,18 @@ class LineCheck:
 
 @dataclass(frozen=True)
 class PointCheck:
-    """A surveyed point, or a plane through several: the mean over the lines that saw it.
+    """Mean distance of the lines from a surveyed point, or from a plane through several points.
 
     Attributes
     ----------
     name : str
     lines : int
     sigma : float, metres
-        Of the point; of a plane in its middle.
+        Standard deviation of the point, or of the plane at its centre.
     before, after : float, metres
-        Signed.
+        Signed mean distance before and after the calibration.
     interval_95 : float or None, metres
-        Half the 95 % interval of the mean after; None where nobody knows.
+        Half the 95 % interval of the mean after the calibration; None if unknown.
     """
 
     name: str
@@ -148,9 +150,9 @@ class OtherSurface:
     ----------
     line : str
     places : int
-        Where it does.
+        Number of places with a second surface.
     distance : float, metres
-        The usual one from the surface measured.
+        Median distance between the measured surface and the second one.
     """
 
     line: str
@@ -161,34 +163,34 @@ class OtherSurface:
 @accept_script_names
 @dataclass(frozen=True)
 class AbsoluteCheck:
-    """Lines against a reference, before and after.
+    """Comparison of the lines with a reference, before and after the calibration.
 
     Attributes
     ----------
     reference : str
         Name of its file.
     size_bytes : int, sha256 : str
-        Of that file as it was read.
+        Size and hash of that file when it was read.
     kind : {"scan", "points"}
     system : str
         Assumed coordinate system, as text.
     sigma : float, metres
-        Of the reference: shared by all of a scan; the usual one of points, which err each for
-        themselves.
+        Standard deviation of the reference: for a scan, of an error common to all its points; for
+        surveyed points, whose errors are independent, the typical value.
     search_distance : float, metres
-        How far from the reference a line was searched for.
+        Largest distance from the reference at which points of a line were searched for.
     lines : tuple of LineCheck
     all_lines : LineCheck
     not_compared : tuple of Message
         Lines, and surveyed points or planes, that were not compared, with the reason.
     bin_edges : tuple of k + 1 float, metres
-        Of the signed distances of all lines.
+        Edges of the histogram of the signed distances of all lines.
     counts_before, counts_after : tuples of k int
-        The first and the last bin also hold what lies beyond.
+        Counts of the bins; the first and last bins include the distances beyond them.
     points : tuple of PointCheck
         Empty for a scan.
     other_surfaces : tuple of OtherSurface or None
-        Lines that often have another surface within reach; None where nobody knows.
+        Lines that often have a second surface within reach; None if unknown.
     """
 
     reference: str
@@ -210,21 +212,22 @@ class AbsoluteCheck:
 
 @dataclass(frozen=True, eq=False)
 class LinePlaces:
-    """Measured places of a line, and their shifts by errors of the boresight and the POS.
+    """Measured places of a line, and how errors of the boresight and the POS shift them.
 
     Attributes
     ----------
     line : str
     time : float, seconds
-        In the middle of its places.
+        Median time of the places.
     measured : CorePointDistances
-        At n places.
+        Distances at n places.
     group : ndarray of shape (n,), int
-        Which part of the reference a place belongs to: each has an error of its own.
+        Part of the reference that each place belongs to; errors of different parts are independent.
     by_position, by_attitude : ndarrays of shape (n, 3), metres
-        Moves by one sigma of north, west, up and of roll, pitch, heading.
+        Shift of each distance by an error of one sigma in north, west, up and in roll, pitch,
+        heading.
     by_boresight : ndarray of shape (n, e), metres
-        Moves by one sigma of each of e independent mixtures of the values estimated.
+        Shift by one sigma of each of e independent combinations of the estimated values.
     """
 
     line: str
@@ -251,14 +254,15 @@ class LinePlaces:
 def check_lines(
     lines: Sequence[LinePlaces], group_sigma: Array, correlation_times: tuple[float, float]
 ) -> tuple[tuple[LineCheck, ...], LineCheck]:
-    """Each line against the reference, and all of them together.
+    """Compare each line, and all lines together, with the reference.
 
     Parameters
     ----------
     group_sigma : ndarray of shape (g,), metres
-        Of the reference's parts, which all places on one share.
+        Standard deviation of each part of the reference; all places on one part share its error.
     correlation_times : pair of float, seconds
-        Of the position and the attitude errors: what lines sailed one soon after the other share.
+        Correlation times of the position and attitude errors of the POS. Lines run within such a
+        time of each other share most of these errors.
     """
     each = tuple(_line_check(line.line, [line], group_sigma, correlation_times) for line in lines)
     return each, _line_check(ALL_LINES, lines, group_sigma, correlation_times)
@@ -267,7 +271,7 @@ def check_lines(
 def shared_histogram(
     lines: Sequence[LinePlaces],
 ) -> tuple[tuple[float, ...], tuple[int, ...], tuple[int, ...]]:
-    """Edges, metres, and the counts before and after, of all signed distances."""
+    """Histogram of all signed distances: edges in metres, counts before, and counts after."""
     before, after = (np.concatenate(values) for values in _distances_before_after(lines))
     ends = np.percentile(np.concatenate([before, after]), (WITHIN, 100.0 - WITHIN))
     low, high = float(min(ends[0], 0.0)), float(max(ends[1], 0.0))
@@ -286,7 +290,7 @@ def check_points(
     group_sigma: Array,
     correlation_times: tuple[float, float],
 ) -> tuple[PointCheck, ...]:
-    """The mean over the lines at each part of the reference that any line saw; as `check_lines`."""
+    """Mean over the lines for each measured part of the reference; see `check_lines`."""
     found = []
     for group, (name, sigma) in enumerate(zip(names, group_sigma, strict=True)):
         own = [
@@ -327,7 +331,7 @@ def _line_check(
     group_sigma: Array,
     correlation_times: tuple[float, float],
 ) -> LineCheck:
-    # Of each place in the mean of the lines' means.
+    # Weight of each place in the mean of the means of the lines
     weights = np.concatenate([_equal_weights(line) / len(lines) for line in lines])
     parts = [np.bincount(line.group, minlength=len(group_sigma)) for line in lines]
     share = np.mean([part / part.sum() for part in parts], axis=0)
@@ -393,7 +397,7 @@ def _derivatives_by_source(lines: Sequence[LinePlaces]) -> tuple[list[Array], ..
 def _pos_sigma_of_mean(
     moves: list[Array], lines: Sequence[LinePlaces], correlation_time: float
 ) -> float:
-    """Sigma of the mean by POS errors that are constant on a line and drift from line to line."""
+    """Sigma of the mean due to POS errors that are constant in a line but drift between lines."""
     means = np.array([move.mean(axis=0) for move in moves]) / len(moves)
     time = np.array([line.time for line in lines])
     alike = np.exp(-np.abs(time[:, None] - time) / correlation_time)

@@ -1,4 +1,4 @@
-"""Messages on a comparison with a reference: the mean, the lines that are off, and the RMS."""
+"""Messages on a comparison with a reference: mean, deviating lines, RMS."""
 
 from collections.abc import Iterator, Sequence
 
@@ -10,7 +10,7 @@ Off = tuple[str, float, float]
 
 
 def absolute_check_messages(check: AbsoluteCheck) -> tuple[Message, ...]:
-    """The means of all lines, what is off by more than its errors, the RMS, and what counted."""
+    """Messages on the means, significant deviations, the RMS, and other surfaces."""
     return (
         _mean_message(check.all_lines.after, "after"),
         _mean_message(check.all_lines.before, "before"),
@@ -36,14 +36,14 @@ MEANS = {
     ("before", True): "absolute.before_nearer",
     ("before", False): "absolute.before_farther",
 }
-"""Code by state, and whether the lines are nearer to the vessel than the reference."""
+"""Message code by state and by whether the lines are nearer to the vessel than the reference."""
 FINDINGS = {
     ("after", True): "absolute.not_explained",
     ("after", False): "absolute.explained",
     ("before", True): "absolute.not_explained_before",
     ("before", False): "absolute.explained_before",
 }
-"""Code by state, and whether the mean is larger than its errors explain."""
+"""Message code by state and by whether the mean is larger than its errors explain."""
 
 
 def _mean_message(absolute_state: AbsoluteState, state: str) -> Message:

@@ -1,10 +1,11 @@
 """Cloud-to-cloud distance with a local plane, after CloudCompare.
 
-The distance to the nearest point of the other cloud says as much about the spacing of that cloud
-as about the surface. CloudCompare's "local modelling" (Girardeau-Montaut, the tool of thesis
-section 4.5.4) puts a least-squares plane, or a quadric, through the nearest reference point and its
-neighbours and measures to that instead. The smaller of the two distances counts: a badly shaped
-neighbourhood, or a point beyond the edge of the reference, can then never make it worse.
+The distance to the nearest point of the other cloud depends on the point spacing of that cloud as
+much as on the surface. CloudCompare's "local modelling" (Girardeau-Montaut, the tool of thesis
+section 4.5.4) fits a plane or a quadric by least squares to the nearest reference point and its
+neighbours, and measures the distance to this surface instead. The smaller of the two distances is
+used, so that a poorly shaped neighbourhood, or a point beyond the edge of the reference, never
+increases the result.
 """
 
 import os
@@ -45,12 +46,13 @@ def cloud_to_cloud(
     ----------
     compared : array of shape (n, 3), metres
     reference : array of shape (m, 3), metres
-        In the same frame. With fewer points than the model's neighbours all of them make it; where
-        they are too few for it the distance is that to the nearest point.
+        In the same frame. If it has fewer points than the model has neighbours, the model is fitted
+        to all of them; if these are too few for the model, the distance to the nearest point is
+        used.
     model : LocalModel
-        What stands for the surface between the reference points.
+        Model of the surface between the reference points.
     max_distance : float, metres, optional
-        A compared point with no reference point this near gets NaN: it was not measured.
+        Compared points without a reference point within this distance get NaN.
 
     Returns
     -------
@@ -64,8 +66,8 @@ def cloud_to_cloud(
 
     Notes
     -----
-    Where the neighbours lie on one straight line no plane is defined and the distance is that to
-    the nearest point (CloudCompare takes whichever plane its solver happens to return). A quadric
+    Where the neighbours lie on one straight line, no plane is defined and the distance to the
+    nearest point is used (CloudCompare uses the plane that its solver happens to return). A quadric
     is a height over the plane through its points, where CloudCompare takes the height along the
     coordinate axis nearest to that plane's normal, which is larger on oblique surfaces.
     """
@@ -100,7 +102,7 @@ def cloud_to_cloud(
             task.result()
             progress(0.2 + 0.8 * done / len(tasks), gettext_lazy("Computing distances"))
     finally:
-        # A cancelled run must not wait for the chunks that have not begun.
+        # A cancelled run must not wait for chunks that have not started.
         pool.shutdown(cancel_futures=True)
     return distances
 
@@ -128,7 +130,7 @@ def _checked_cloud(points: ArrayLike, codes: tuple[str, str]) -> NDArray[np.floa
     Raises
     ------
     InputError
-        Where they are not.
+        If they are not.
     """
     shape, not_finite = codes
     cloud = np.ascontiguousarray(points, dtype=np.float64)

@@ -32,8 +32,8 @@ class DistanceStatistics:
     robust_sigma : float, metres, optional
         1.4826 times the median absolute deviation from the median.
     outliers : int, optional
-        Distances more than three robust sigmas above the median. They are counted, and stay in
-        all other figures. None, as above, in comparisons of earlier versions.
+        Number of distances more than three robust sigmas above the median. They are included in
+        all other statistics. Like ``robust_sigma``, None in comparisons of earlier versions.
     """
 
     n: int
@@ -77,18 +77,18 @@ class DistanceStatistics:
 
 @dataclass(frozen=True)
 class SignedStatistics:
-    """Summary of signed distances along the normal, each with its confidence (M3C2).
+    """Summary of signed distances along the normal (M3C2) with their confidence intervals.
 
     Attributes
     ----------
     n : int
-        Places measured at.
+        Number of places.
     mean, median, robust_sigma : float, metres
-        Of the first line from the second, positive where the first is nearer to the vessel.
+        From the second line to the first, positive where the first is nearer to the vessel.
     half_width : float, metres
-        Half the 95 % interval of the usual place.
+        Median over the places of half the 95 % interval.
     significant : float, in [0, 1]
-        Share of the places whose distance differs from zero.
+        Share of the places whose distance differs significantly from zero.
     rms : float, metres, optional
         None in comparisons of earlier versions.
     """
@@ -103,7 +103,7 @@ class SignedStatistics:
 
     @classmethod
     def of(cls, distances: Sequence[NormalDistances]) -> "SignedStatistics":
-        """Summarise them, all together."""
+        """Summarise all distances together."""
         distance = np.concatenate([each.distance for each in distances])
         half_width = np.concatenate([each.half_width for each in distances])
         median = float(np.median(distance))
@@ -120,16 +120,16 @@ class SignedStatistics:
 
 @dataclass(frozen=True)
 class PairState:
-    """Two lines on one plane with one boresight.
+    """Comparison of two lines on one plane with one boresight.
 
     Attributes
     ----------
     distances : DistanceStatistics
         Cloud to cloud, both directions together.
     signed : SignedStatistics, optional
-        Along the normal; None where no place has enough points of both lines.
+        Along the normal; None if no place has enough points of both lines.
     planes : PlaneOffset, optional
-        The first line's plane from the second's; None where one of them makes none.
+        From the second line's plane to the first's; None if no plane fits one of the lines.
     """
 
     distances: DistanceStatistics
@@ -139,15 +139,15 @@ class PairState:
 
 @dataclass(frozen=True, eq=False)
 class PairComparison:
-    """Two lines on one plane, with the prior and with the estimated boresight.
+    """Comparison of two lines on one plane, with the prior and with the estimated boresight.
 
     Attributes
     ----------
     line_a, line_b : str
     reciprocal : bool
-        The lines were run in opposite directions, within 20 degrees.
+        Whether the lines were run in opposite directions, within 20 degrees.
     before, after : PairState
-        Of the same points.
+        Computed from the same points.
     """
 
     line_a: str
@@ -159,7 +159,7 @@ class PairComparison:
 
 @dataclass(frozen=True, eq=False)
 class PlaneComparison:
-    """Validation plane before and after the calibration.
+    """Comparison of the lines on a validation plane before and after the calibration.
 
     Attributes
     ----------
@@ -167,19 +167,19 @@ class PlaneComparison:
     pairs : tuple of PairComparison
         Every pair of lines that overlaps, reciprocal pairs first.
     not_compared : tuple of (str, str)
-        Pairs of lines that both saw the plane but hardly the same part of it.
+        Pairs of lines that both show the plane but have too few points in common.
     pooled_from : str
-        "reciprocal pairs" or "all pairs": whose distances make the histograms and the statistics.
+        "reciprocal pairs" or "all pairs": the pairs used in the histograms and the statistics.
     bin_edges : ndarray of shape (k + 1,), metres
     counts_before, counts_after : ndarray of shape (k,), int64
-        The last bin also holds the distances beyond it.
+        The last bin includes the distances beyond it.
     before, after : DistanceStatistics
     model : LocalModel
-        What the distances were measured to.
+        Model of the surface to which the distances were measured.
     by_height, by_range : DistanceProfile, optional
         Distances against height and against range from the scanner.
     maps : tuple of DistanceMap
-        Where on the plane the first lines of some pooled pairs lie off the second.
+        Signed distances over the plane for some of the pooled pairs.
     """
 
     name: str

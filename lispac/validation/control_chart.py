@@ -1,8 +1,9 @@
 """Control chart of calibrations of one system in order of time.
 
-Each calibration is compared with the mean of those before it, as a control chart does (Shewhart
-1931), with limits of three sigmas of that very difference: calibrations are not equally good. One
-that lies beyond them begins a new series, whose mean no longer knows the mounting as it was.
+Each calibration is compared with the mean of the calibrations before it, as in a control chart
+(Shewhart 1931). The limits are three standard deviations of this difference, since calibrations
+differ in precision. A calibration beyond the limits starts a new series, whose mean does not
+include the calibrations before it.
 """
 
 from collections.abc import Sequence
@@ -22,7 +23,7 @@ from lispac.validation.repeatability import (
 Array = NDArray[np.float64]
 
 LIMIT = 3.0
-"""Sigmas of the difference from the mean, beyond which the mounting has moved."""
+"""Number of sigmas of the difference from the mean beyond which the mounting has moved."""
 CHANCE = 2.0 * NormalDist().cdf(-LIMIT)
 """Probability of a false alarm, for one angle and for the three together:
 less than one calibration in a hundred for either."""
@@ -38,9 +39,9 @@ class ChartedCalibration:
     series : int
         Number of the series it belongs to, from 0.
     before : Calibration, optional
-        Mean of those before it in the series that was running; None for the first of all.
+        Mean of the calibrations before it in the current series; None for the first calibration.
     change : CalibrationDifference, optional
-        From that mean.
+        Difference from that mean.
     """
 
     calibration: Calibration
@@ -52,7 +53,8 @@ class ChartedCalibration:
     def has_moved(self) -> bool:
         """Whether the mounting has moved since the calibrations before.
 
-        An angle lies beyond its limits, or all three together differ as rarely.
+        True if one angle lies beyond its limits, or if the probability of the joint difference of
+        all three angles is below `CHANCE`.
         """
         if self.change is None:
             return False

@@ -1,7 +1,8 @@
 """Diameters of the M3C2 search cylinders at the core points of a reference, from point density.
 
-A beam that meets a wall at 60 m leaves points farther apart than one at 15 m, and one width for all
-of a site is that of where most points are: sparse places then hold too few points for a distance.
+Points are farther apart on a wall at 60 m than on one at 15 m. A single diameter for the whole site
+would suit the densest parts, and cylinders in sparse parts would contain too few points for a
+distance. The diameter therefore follows the local point spacing.
 """
 
 from typing import TYPE_CHECKING
@@ -18,18 +19,19 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 WIDE, NARROWEST, WIDEST = 2.0, 0.10, 0.60
-"""Diameter of a cylinder in distances to the twelfth neighbour, and its limits in metres."""
+"""Diameter of a cylinder as a multiple of the distance to the twelfth neighbour, and its smallest
+and largest value in metres."""
 NEIGHBOURS = 12
 STEP = 1.15
 """Ratio of a diameter to the next smaller one."""
 REGION = 2 * WIDEST
-"""Metres: side of the cubes within which all diameters are one, the median there."""
+"""Side in metres of the cubes within which all places get the same diameter, the median."""
 MAX_PLACES, MAX_CANDIDATES, MAX_POINTS = 3_000, 60_000, 400_000
 SPARSER = 1.2
 
 
 def candidate_places(surface: Array) -> Array:
-    """Places spread evenly over a scan in its frame, (k, 3), as close as cylinders may be.
+    """Places spread evenly over a scan in its frame, (k, 3), as close together as cylinders may be.
 
     Parameters
     ----------
@@ -58,7 +60,7 @@ def twelfth_neighbour_distance(tree: "cKDTree", places: Array) -> Array:
 
 
 def cylinder_diameters(line: "cKDTree", places: Array, reach: float) -> Array:
-    """Width of a cylinder that holds a dozen points of a line at each place, metres.
+    """Diameter of a cylinder that contains about twelve points of a line, at each place, metres.
 
     Parameters
     ----------
@@ -70,7 +72,7 @@ def cylinder_diameters(line: "cKDTree", places: Array, reach: float) -> Array:
     Returns
     -------
     ndarray of shape (k,)
-        Not a number where the line has no point within reach.
+        NaN where the line has no point within reach.
     """
     found = np.full(len(places), np.nan)
     if not line.n or not len(places):
@@ -85,19 +87,19 @@ def cylinder_diameters(line: "cKDTree", places: Array, reach: float) -> Array:
 
 
 def select_separate_places(places: Array, diameters: Array) -> tuple[Indices, Array]:
-    """Places that are a diameter apart, and the diameter at each.
+    """Select places that are one diameter apart, and the diameter at each.
 
     Parameters
     ----------
     places : ndarray of shape (k, 3), metres, local frame
     diameters : ndarray of shape (k,), metres
-        Those suitable at each; those of a region become one, for the distance to a neighbour
-        scatters by a seventh though the density is even.
+        Suitable diameter at each place. Within a region the median is used, since the distance to a
+        neighbour scatters by one seventh even at uniform density.
 
     Returns
     -------
     chosen : ndarray of shape (m,), int
-        At most `MAX_PLACES`, ascending; of more, places farther apart.
+        Indices, ascending; at most `MAX_PLACES`, for which places farther apart are selected.
     diameters : ndarray of shape (m,), metres
     """
     steps = np.round(np.log(median_by_region(places, diameters, REGION) / NARROWEST) / np.log(STEP))

@@ -1,8 +1,8 @@
-"""Bins of distances: fine ones are kept, and so many of them drawn as one as suits the picture.
+"""Fine bins of distances, which are merged for display as the scale of the picture requires.
 
-Before a calibration the distances are ten and twenty times as large as after it. Bins of one width
-that show both at once leave two bars of what came after; kept finely, they show it when enlarged
-closely.
+Distances before a calibration are ten to twenty times as large as after it. With bins wide enough
+for both, the distances after the calibration would fill only two bins. Fine bins are therefore
+stored, and show these distances when the histogram is enlarged.
 """
 
 import numpy as np
@@ -11,18 +11,18 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 
 SHOWN_PERCENTILE = 99.5
-"""Histograms end at this percentile of both states; what lies beyond is counted in the last bin."""
+"""Percentile of both states where histograms end; the last bin includes larger distances."""
 NARROWEST = 1e-6
-"""Metres; the range of a histogram at the least."""
+"""Smallest range of a histogram, metres."""
 MIN_BINS, MAX_BINS = 60, 4000
-"""Bins across the state with the smaller distances, at the least, and in all, at the most."""
+"""Smallest number of bins across the state with smaller distances, and largest total number."""
 BEYOND = "and beyond"
 """Upper end of the last bin in lists of bins."""
 ROUND = (1.0, 2.0, 5.0, 10.0)
 
 
 def shared_bin_edges(before: Array, after: Array) -> Array:
-    """Edges for both histograms, from 0 on, of a round width.
+    """Common edges of both histograms, starting at 0, with a round bin width.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def shared_bin_edges(before: Array, after: Array) -> Array:
 
 
 def histogram_counts(distances: Array, edges: Array) -> NDArray[np.int64]:
-    """Histogram (bins,) whose last bin also takes what lies beyond.
+    """Histogram, shape (bins,), whose last bin includes larger distances.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def histogram_counts(distances: Array, edges: Array) -> NDArray[np.int64]:
 def merge_bins(
     edges: ArrayLike, counts: ArrayLike, shown: float, max_bins: int
 ) -> tuple[Array, NDArray[np.int64]]:
-    """Merge neighbouring bins, so that ``shown`` metres hold no more than ``max_bins``.
+    """Merge neighbouring bins so that a range of ``shown`` metres has at most ``max_bins`` bins.
 
     Parameters
     ----------
@@ -76,12 +76,12 @@ def merge_bins(
 
 
 def _round_up_1_2_5(value: float) -> float:
-    """The next of 1, 2, 5, 10, 20 ... that is not below."""
+    """Smallest of the numbers 1, 2, 5, 10, 20 ... that is not below the value."""
     unit = 10.0 ** np.floor(np.log10(value))
     return float(next(unit * step for step in ROUND if unit * step >= value * (1.0 - 1e-9)))
 
 
 def _round_down_1_2_5(value: float) -> float:
-    """The next of 1, 2, 5, 10, 20 ... that is not above."""
+    """Largest of the numbers 1, 2, 5, 10, 20 ... that is not above the value."""
     unit = 10.0 ** np.floor(np.log10(value))
     return float(next(unit * step for step in ROUND[::-1] if unit * step <= value * (1.0 + 1e-9)))

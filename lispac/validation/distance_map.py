@@ -1,8 +1,9 @@
 """Map of the signed distances between two lines, over the two axes of their plane.
 
-A histogram does not separate a tilt from noise, or a bent board from a POS error; the map does.
-Each cell has the distance along the normal (M3C2: Lague et al. 2013) at the point in its middle, in
-a cylinder as wide as the cell; before and after are of the same points, drawn where they are after.
+Unlike a histogram, the map distinguishes a tilt from noise, and a bent board from a POS error. Each
+cell has the distance along the normal (M3C2: Lague et al. 2013) at the point nearest to its centre,
+in a cylinder as wide as the cell. The distances before and after the calibration are measured at
+the same points and drawn at their positions after the calibration.
 """
 
 from dataclasses import dataclass
@@ -20,12 +21,12 @@ from lispac.validation.normal_distance import NormalDistances, distances_along_n
 Array = NDArray[np.float64]
 
 WIDE = 4.0
-"""Side of a cell in spacings of the sparser line."""
+"""Side of a cell as a multiple of the point spacing of the sparser line."""
 SMOOTH = 2.0
-"""Diameter of the sphere that a normal comes from, in sides of a cell."""
+"""Diameter of the sphere of points used for a normal, as a multiple of the side of a cell."""
 MAX_CELLS = 1_500
 DIGITS = 6
-"""Decimals of metres that are kept: a micrometre."""
+"""Number of stored decimals of values in metres: micrometres."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,8 +39,8 @@ class DistanceMap:
     cell : float, metres
         Side of the square cells.
     across, up : ndarrays of shape (n,), metres
-        Middles of the cells that have a distance, from the lower left corner as seen from the
-        vessel: along the level direction in the plane, and up its slope.
+        Centres of the cells that have a distance, relative to the lower left corner as seen from
+        the vessel: along the horizontal direction in the plane, and up its slope.
     before, after : ndarrays of shape (n,), metres
         Positive where the first line lies nearer to the vessel.
     """
@@ -68,17 +69,17 @@ def distance_map(
     ----------
     lines : pair of str
     ours, theirs : pairs of ndarray of shape (n, 3), metres, local frame
-        The first line's points of the part that both saw, before and after, and the second's.
+        Points of the first and of the second line in their common part, before and after.
     facing : ndarray of shape (3,)
-        Towards the vessel.
+        Direction towards the vessel.
     spacing : float, metres
-        Of the sparser line's points, where they are sparse.
+        Distance between the points of the sparser line in its sparse direction.
     reach : pair of float, metres
-        The farthest that the two lines are apart, before and after.
+        Largest distance between the two lines, before and after.
 
     Returns
     -------
-    DistanceMap, or None where no cell has enough points of both lines
+    DistanceMap, or None if no cell has enough points of both lines
     """
     after = theirs[1]
     axes = plane_axes(fit_plane(after).facing(facing).normal)

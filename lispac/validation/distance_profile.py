@@ -1,7 +1,7 @@
 """Distances between lines as a function of height and of range.
 
-A boresight error grows with the distance from the scanner, and on a tower with height; what is
-left after a calibration does not (thesis figures 4.24 to 4.26).
+The effect of a boresight error grows with the distance from the scanner, and on a tower with
+height; the residual distances after a calibration do not (thesis figures 4.24 to 4.26).
 """
 
 from dataclasses import dataclass

@@ -1,9 +1,10 @@
 """Distances between two lines where the scene is flat, without calibration.
 
-As the relative accuracy of airborne surveys is judged where swaths overlap (Heidemann 2018, USGS
-Lidar Base Specification: "interswath accuracy, smooth surface"), but along the normal instead of
-upwards, so that walls count as well as ground: cylinders along the first line's own normal (M3C2:
-Lague et al. 2013), at the second line's surface that is nearest.
+The method corresponds to the relative accuracy of airborne surveys in the overlap of swaths
+(Heidemann 2018, USGS Lidar Base Specification: "interswath accuracy, smooth surface"). Here
+distances are measured along the normal instead of vertically, so that walls can be used as well as
+ground: in cylinders along the normal of the first line (M3C2: Lague et al. 2013), to the nearest
+surface of the second line.
 """
 
 from dataclasses import dataclass
@@ -30,15 +31,15 @@ Array = NDArray[np.float64]
 Facing = Literal["all", "level", "upright", "sloped"]
 FACINGS: tuple[Facing, ...] = ("all", "level", "upright", "sloped")
 LEVEL, UPRIGHT = np.cos(np.radians(10.0)), np.sin(np.radians(10.0))
-"""Upward part of the normal: within 10 deg of it the USGS examines ground, within 10 deg of the
-horizon a wall stands."""
+"""Limits of the vertical component of the normal: slopes up to 10 deg are ground, as in the USGS
+specification; surfaces within 10 deg of the vertical are walls."""
 MAX_POINTS = 300_000
-"""Points of a line that are examined: spread evenly over it."""
+"""Largest number of points of a line that are used; they are spread evenly over the line."""
 
 
 @dataclass(frozen=True, eq=False)
 class LineDifference:
-    """Places that two lines share, and how far the second lies from the first there.
+    """Signed distances from the first of two lines to the second, at common places.
 
     Attributes
     ----------
@@ -47,7 +48,7 @@ class LineDifference:
     distance : ndarray of shape (n,), metres
         Along the normal, positive where the second line lies nearer to the vessel.
     half_width : ndarray of shape (n,), metres
-        Half the 95 % interval by the noise of the points.
+        Half the 95 % interval, from the noise of the points.
     normal : ndarray of shape (n, 3), unit vectors, local frame
     """
 
@@ -81,23 +82,23 @@ def compare_lines(
     noise: float,
     reach: float,
 ) -> LineDifference:
-    """Compare two lines wherever the first is flat and the second is near.
+    """Compare two lines wherever the first is flat and the second has points nearby.
 
     Parameters
     ----------
     first, second : name, and ndarray of shape (n, 3), metres, local frame
         Finite points.
     vessel : ndarray of shape (3,), metres, local frame
-        On the side from which surfaces are observed.
+        Position on the side from which surfaces are observed.
     noise : float, metres
         Sigma of the LiDAR.
     reach : float, metres
-        The farthest that the lines may be apart.
+        Largest possible distance between the lines.
 
     Raises
     ------
     NotComparable
-        Where they share no flat place.
+        If the lines have no flat place in common.
     """
     (one, surface), (other, points) = first, second
     surface, points = (each[:: -(-len(each) // MAX_POINTS) or 1] for each in (surface, points))

@@ -1,8 +1,8 @@
-"""Points of a line that are comparable with another line, and sparsity of the lines.
+"""Points of a line that can be compared with another line, and the point spacing of the lines.
 
-A point of one line can be compared with another line only where that line has points too. Beyond
-its edge, or in a hole (a door, a ladder in front), a distance would measure the edge and not the
-surface.
+A point of one line can be compared with another line only where that line also has points. Beyond
+the edge of these points, or in a hole (a door, a ladder in front), the distance would be that to
+the edge, not to the surface.
 """
 
 from collections.abc import Mapping
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-# Enough points to know their spacing, and quick to triangulate.
+# Enough points to determine their spacing, and quick to triangulate.
 _TRIANGULATED_POINTS = 20_000
 _MAX_CELLS = 4e6
 _RIM = 3
@@ -21,10 +21,10 @@ _RIM = 3
 class _Footprint:
     """The region of a plane that a set of points covers, as cells of a grid.
 
-    Profiles of a vessel LiDAR are dense along and sparse across, so the side of a cell must be
-    the sparse spacing: a triangulation of the points reaches from one profile to the next, and
-    the longest side of its usual triangle measures that. Holes up to two cells wide are chance
-    and get closed; the outline is true to one cell, which is to one spacing of the points.
+    Points of a vessel LiDAR are dense along a profile and sparse across, so the side of a cell has
+    to be the spacing of the profiles. This is the longest side of the typical triangle in a
+    triangulation of the points, which connects neighbouring profiles. Holes up to two cells wide
+    occur by chance and are closed. The outline is accurate to one cell, that is to one spacing.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ class _Footprint:
 
         low, high = points.min(axis=0), points.max(axis=0)
         self.cell = max(spacing, float(np.sqrt(np.prod(high - low) / _MAX_CELLS)))
-        # A rim of empty cells gives the closing room, and a home to every point outside.
+        # The morphological closing needs a rim of empty cells, which also take all points outside.
         self._low = low - _RIM * self.cell
         shape = np.floor((high - self._low) / self.cell).astype(np.int64) + 1 + _RIM
         occupied = np.zeros(shape, dtype=bool)
@@ -63,7 +63,7 @@ class _Footprint:
 
 
 class LineOverlap:
-    """Which points of one line lie inside another line's footprint in both states.
+    """Selection of the points of one line inside another line's footprint in both states.
 
     Parameters
     ----------
@@ -78,21 +78,21 @@ class LineOverlap:
             flat = {line: (cloud - origin) @ axes.T for line, cloud in clouds.items()}
             self._states.append((flat, {line: _Footprint(uv) for line, uv in flat.items()}))
         self.normal: Array = np.cross(axes[0], axes[1])
-        """Of the plane after, shape (3,), of either sign."""
+        """Normal of the plane after the calibration, shape (3,), of either sign."""
 
     def of(self, line: str, other: str) -> Bools:
-        """Mask (n,) over the points of ``line``."""
+        """Which points of ``line`` overlap ``other`` in both states, shape (n,), bool."""
         masks = [footprints[other].contains(flat[line]) for flat, footprints in self._states]
         both: Bools = masks[0] & masks[1]
         return both
 
     def spacing(self, *lines: str) -> float:
-        """Distance between neighbouring points where they are sparse, of the sparsest, metres."""
+        """Point spacing of the sparsest line in its sparse direction, metres."""
         return max(self._states[-1][1][line].cell for line in lines)
 
 
 def _common_plane_frame(patches: list[Array]) -> tuple[Array, Array]:
-    """Origin (3,), metres, and axes (2, 3) of the plane along which several patches lie.
+    """Origin (3,), metres, and axes (2, 3) of a plane parallel to several patches.
 
     Parameters
     ----------
@@ -100,8 +100,8 @@ def _common_plane_frame(patches: list[Array]) -> tuple[Array, Array]:
 
     Notes
     -----
-    Each patch is centred on itself first: patches far apart (before the calibration) would tilt
-    a plane fitted through all of them at once.
+    Each patch is first reduced to its own centre: patches that are far apart before the
+    calibration would tilt a plane fitted to all points at once.
     """
     origin = np.mean([patch.mean(axis=0) for patch in patches], axis=0)
     scatter = np.zeros((3, 3))
@@ -113,7 +113,7 @@ def _common_plane_frame(patches: list[Array]) -> tuple[Array, Array]:
 
 
 def _sparse_spacing(points: Array) -> float | None:
-    """Longest side of the usual triangle between the points, metres; None where there is none."""
+    """Longest side of the typical triangle between the points, metres; None without triangles."""
     from scipy.spatial import Delaunay, QhullError
 
     step = -(-len(points) // _TRIANGULATED_POINTS)

@@ -22,23 +22,23 @@ Indices = NDArray[np.intp]
 Kind = Literal["point", "plane", "quadric"]
 
 FEWEST = {"point": 1, "plane": 3, "quadric": 6}
-"""Points that determine each model."""
+"""Smallest number of points that determine each model."""
 USUAL_NEIGHBOURS: dict[Kind, int] = {"point": 1, "plane": 6, "quadric": 12}
-"""Points each model is fitted to where nothing else is chosen; CloudCompare's six for a plane."""
+"""Default number of points for each model; six for a plane, as in CloudCompare."""
 
 
 @dataclass(frozen=True)
 class LocalModel:
-    """The surface a distance is measured to, and the points it is fitted to.
+    """Model of the surface to which distances are measured, and the points it is fitted to.
 
     Attributes
     ----------
     kind : "point", "plane" or "quadric"
-        The nearest point itself, or what is fitted to it and its neighbours by least squares.
+        The nearest point itself, or a surface fitted by least squares to it and its neighbours.
     neighbours : int
-        How many points, the nearest one counted.
+        Number of points, including the nearest one.
     radius : float, metres, optional
-        All points this near to the nearest one instead.
+        If given, all points within this distance of the nearest one are used instead.
 
     Raises
     ------
@@ -109,7 +109,7 @@ class LocalModel:
     def _groups(
         self, reference: Array, centres: Indices, tree: "cKDTree"
     ) -> tuple[Indices, Indices]:
-        """Neighbours (c, k) of the points of these numbers, and how many of each row count."""
+        """Neighbours (c, k) of the given points, and the number of valid entries in each row."""
         if self.radius is None:
             k = min(self.neighbours, len(reference))
             _, found = tree.query(reference[centres], k=range(1, k + 1))
@@ -122,6 +122,6 @@ class LocalModel:
 
 
 NEAREST_POINT = LocalModel("point", 1)
-"""Nearest neighbour alone: it also measures the spacing of the points."""
+"""Nearest point only; distances then depend on the point spacing as well."""
 SIX_POINT_PLANE = LocalModel("plane", 6)
-"""CloudCompare's usual choice, and the program's."""
+"""Default model of CloudCompare and of this program."""

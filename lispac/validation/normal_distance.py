@@ -1,15 +1,15 @@
-"""Signed distance between two clouds along the local normal, each with its confidence (M3C2).
+"""Signed distances between two clouds along the local normal, with confidence intervals (M3C2).
 
-After Lague, Brodu and Leroux (2013, ISPRS Journal 82): at each core point the normal comes from the
-points of the reference within a scale; a cylinder along it takes points of either cloud, and the
-distance is that between the two means along the axis. Its interval follows from the scatter of the
-points in the cylinder. Unlike the distance to the nearest point it has a sign, and noise averages
-out.
+The method is that of Lague, Brodu and Leroux (2013, ISPRS Journal 82). At each core point, the
+normal is computed from the reference points within a given scale. A cylinder along the normal
+selects points of both clouds, and the distance is the difference between their means along the
+axis. The confidence interval follows from the scatter of the points in the cylinder. Unlike the
+distance to the nearest point, this distance has a sign, and noise averages out.
 
-The interval is that of Welch (1947) for the means of two samples of unequal scatter, with
-Student's t: with few points in a cylinder the usual 1.96 sigma would be too short. It covers the
-noise of the points alone; what the points of a line have in common, the POS error, is what the
-distance measures.
+The interval is that of Welch (1947) for the means of two samples with unequal variances, with
+Student's t, since 1.96 sigma would be too short for the few points in a cylinder. It accounts only
+for the noise of the points. Errors common to all points of a line, such as POS errors, are part of
+the distance itself.
 """
 
 from dataclasses import dataclass
@@ -26,9 +26,9 @@ from lispac.messages import error
 Array = NDArray[np.float64]
 
 NMAD = 1.4826
-"""Standard deviation of normal noise over its median absolute deviation."""
+"""Ratio of the standard deviation of normal noise to its median absolute deviation."""
 FEWEST = 4
-"""Points of either cloud in a cylinder below which there is no distance (Lague et al. 2013)."""
+"""Smallest number of points of each cloud in a cylinder for a distance (Lague et al. 2013)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,15 +39,15 @@ class NormalDistances:
     ----------
     cores : ndarray of shape (n, 3), metres, local frame
     distance : ndarray of shape (n,), metres
-        Of the compared cloud from the reference, positive on the side the normals point to.
+        From the reference to the compared cloud, positive in the direction of the normals.
     half_width : ndarray of shape (n,), metres
         Half the 95 % interval of each distance.
     no_distance : int
-        Core points that had none: too few points, or none that make a normal.
+        Number of core points without a distance: too few points, or no normal.
     normals : ndarray of shape (n, 3), unit vectors, local frame
-        Along which each was measured.
+        Directions along which the distances were measured.
     at : ndarray of shape (n,), int
-        Which of the core points that were given have one.
+        Index of each of these core points among the given ones.
     """
 
     cores: Array
@@ -62,7 +62,7 @@ class NormalDistances:
         return self.select_subset(np.searchsorted(self.at, cores))
 
     def select_subset(self, kept: NDArray[np.intp]) -> "NormalDistances":
-        """Some of the distances, by their own numbers, ``kept`` (k,)."""
+        """Select distances by their indices ``kept``, shape (k,)."""
         return NormalDistances(
             self.cores[kept], self.distance[kept], self.half_width[kept],
             self.no_distance + len(self.at) - len(kept), self.normals[kept], self.at[kept],
@@ -70,7 +70,7 @@ class NormalDistances:
 
     @property
     def significant(self) -> float:
-        """Share of the distances that differ from zero with 95 % confidence."""
+        """Share of the distances that differ significantly from zero at the 95 % level."""
         return float(np.mean(np.abs(self.distance) > self.half_width))
 
 
@@ -92,20 +92,20 @@ def distances_along_normal(
     ----------
     compared, reference : ndarrays of shape (n, 3) and (m, 3), metres, same frame
     cores : ndarray of shape (k, 3), metres, local frame
-        Where distances are measured: some of the reference points.
+        Points at which distances are measured: some of the reference points.
     facing : ndarray of shape (3,) or (k, 3)
-        Direction on whose side all normals are taken, or that of each core.
+        Direction towards which the normals are oriented, for all core points or for each.
     normal_scale : float or ndarray of shape (k,), metres
-        Diameter of the sphere whose reference points make the normal, or that of each core.
+        Diameter of the sphere of reference points used for the normal.
     diameter : float or ndarray of shape (k,), metres
-        Of the cylinder, or of that of each core.
+        Diameter of the cylinder.
     depth : float or ndarray of shape (k,), metres
-        How far the cylinder reaches on either side of its middle, or that of each.
+        Length of the cylinder on either side of its centre.
     middle : float or ndarray of shape (k,), metres
-        How far along the normal from each core that of the compared cloud lies; the reference's
-        lies at the core.
+        Position along the normal, from the core point, of the centre of the cylinder for the
+        compared cloud. The cylinder for the reference is centred at the core point.
     reference_depth : float or ndarray of shape (k,), metres
-        Depth for the reference, where it is another.
+        Depth of the cylinder for the reference, if it differs.
 
     Raises
     ------
@@ -132,7 +132,7 @@ def distances_along_normal(
     )  # fmt: skip
     if not len(cores):
         raise NotComparable(error("validation.no_places"))
-    # A cell as wide as a query is read whole with few others.
+    # With cells as wide as a query, each query reads few cells.
     clouds = [
         PointGrid(points, max(float(diameters.max()), float(depths.max())) / 2).cells
         for points in (compared, reference)
@@ -160,7 +160,7 @@ def distances_along_normal(
 def reference_normals(
     reference: Array, cores: Array, facing: Array, normal_scale: float | Array
 ) -> Array:
-    """Normals of the reference at core points, shape (k, 3), local frame; not a number for none.
+    """Normals of the reference at core points, shape (k, 3), local frame; NaN where undefined.
 
     Parameters
     ----------
@@ -181,7 +181,7 @@ def _facing_per_core(facing: Array, count: int) -> Array:
 def _oriented_normals(
     cores: Array, reference: Cells, facing: Array, scales: Array
 ) -> Array:  # pragma: no cover - compiled
-    """Normals (n, 3) of the reference on the side of ``facing``; not a number where none."""
+    """Normals (n, 3) of the reference, oriented towards ``facing``; NaN where undefined."""
     chosen = np.full((len(cores), 3), np.nan)
     for k in range(len(cores)):
         near = gather_within_radius(reference, cores[k], scales[k])
@@ -201,7 +201,7 @@ def _cylinder_statistics(
     cores: Array, normals: Array, compared: Cells, reference: Cells, radii: Array, middles: Array,
     depths: Array,
 ) -> Array:  # pragma: no cover - compiled  # fmt: skip
-    """Mean, variance and number (n, 2, 3) of either cloud's points in each core's cylinder."""
+    """Mean, variance and number of points of each cloud in each cylinder, shape (n, 2, 3)."""
     samples = np.zeros((len(cores), 2, 3))
     for k in range(len(cores)):
         core, normal, radius = cores[k], normals[k], radii[k]
@@ -233,19 +233,19 @@ def _cylinder_statistics(
 
 
 def _mean_differences(samples: Array) -> tuple[Array, Array]:
-    """Differences of the means and half their 95 % intervals.
+    """Differences between the means, and half their 95 % intervals.
 
     Parameters
     ----------
     samples : ndarray of shape (n, 2, 3)
-        Mean, variance and number of points of either cloud.
+        Mean, variance and number of points of each cloud.
     """
     from scipy.special import stdtrit
 
     mean, variance, count = np.moveaxis(samples, 2, 0)
     of_mean = variance / count
     total = of_mean.sum(axis=1)
-    # Without any scatter (points that are exactly on a plane) there is nothing to be unsure of.
+    # Points exactly on a plane have no scatter; the interval is then zero.
     scattered = total > 0.0
     freedom = np.ones(len(total))
     own = (of_mean[scattered] ** 2 / (count[scattered] - 1)).sum(axis=1)

@@ -3,11 +3,11 @@
 The relative accuracy assessment of thesis sections 4.4.6 and 4.5.4: cloud-to-cloud distances with
 a local plane between every two lines that saw the same plane, as histograms before and after.
 
-Which points are compared. A point of line A counts against line B when it lies inside B's
-footprint in the plane **both** before and after. After the calibration that means: both lines saw
-this spot. Before, it keeps out points that the wrong boresight has moved past B's edge, whose
-distance would measure the edge and make the calibration look better than it is. The same points
-stand in both statistics, so n is the same and nothing but the boresight differs.
+A point of line A is compared with line B if it lies inside the footprint of B in the plane **both**
+before and after the calibration. The condition after the calibration ensures that both lines show
+this place. The condition before it excludes points that the wrong boresight has moved past the edge
+of B: their distance to the edge would exaggerate the effect of the calibration. Both statistics
+are therefore computed from the same points, and only the boresight differs.
 """
 
 from collections.abc import Mapping, Sequence
@@ -49,16 +49,17 @@ Array = NDArray[np.float64]
 RECIPROCAL_TOLERANCE = np.radians(20.0)
 MAX_POINTS_PER_LINE = 100_000
 MAX_MAPS = 4
-"""Pairs of lines whose distances are mapped on a plane."""
+"""Largest number of pairs of lines with a map of distances on one plane."""
 MIN_POINTS = 30
-"""Points of a line in common with another one: fewer are no sample of a surface, and percentiles
-of fewer distances say nothing."""
+"""Smallest number of points of a line in the overlap with another one; fewer do not represent a
+surface, and their percentiles have no meaning."""
 MAX_CORES = 200
-"""Places of each line that distances along the normal are measured at."""
+"""Largest number of places of each line at which distances along the normal are measured."""
 CYLINDER_SPACINGS = 4.0
-"""Diameter of a cylinder in spacings of the sparser line: a dozen points of it."""
+"""Diameter of a cylinder as a multiple of the point spacing of the sparser line, so that it holds
+about twelve points of this line."""
 NORMAL_DIAMETERS = 2.0
-"""Diameter of the sphere that a normal comes from, in diameters of the cylinder."""
+"""Diameter of the sphere of points used for a normal, as a multiple of the cylinder diameter."""
 
 
 def reciprocal(heading_a: float, heading_b: float) -> bool:
@@ -109,33 +110,33 @@ def compare_plane(
     name : str
         Of the plane, for messages and the result.
     before, after : mapping of line name to ndarray of shape (n, 3), metres, local frame
-        The points of the plane as each line saw them, placed with the prior and with the
-        estimated boresight: the same points in the same order. More than 100 000 of a line are
-        thinned to every second, third, ... point, the same ones in both states.
+        Points of the plane in each line, placed with the prior and with the estimated boresight:
+        the same points in the same order. If a line has more than 100 000, only every second,
+        third, ... point is used, the same ones in both states.
     headings : mapping of line name to float, radians
-        Identifies lines in opposite directions: these are the most sensitive to the boresight.
+        Used to find lines in opposite directions, which are the most sensitive to the boresight.
     model : LocalModel
-        What stands for the surface between the points of the other line.
+        Model of the surface between the points of the other line.
     facing : ndarray of shape (3,), optional
-        Towards the vessel: signed distances are positive on that side. Without it the side is that
-        of the plane's normal whose largest component is positive.
+        Direction towards the vessel, in which signed distances are positive. If omitted, the
+        direction of the plane's normal whose largest component is positive.
     ranges : mapping of line name to ndarray of shape (n,), metres, optional
-        From the scanner, of the same points; without it there is no profile against range.
+        Ranges of the same points; without them there is no profile against range.
 
     Returns
     -------
     PlaneComparison
-        With every pair of lines that overlaps, reciprocal pairs first. The pooled statistics and
-        the histograms are of the reciprocal pairs, or of all pairs where there is none; these
-        reach from zero to the 99.5th percentile of both states, and the last bin also holds what
-        lies beyond, so that the counts add up to n.
+        Contains every pair of lines that overlaps, reciprocal pairs first. The pooled statistics
+        and the histograms use the reciprocal pairs, or all pairs if there are no reciprocal ones.
+        The histograms extend from zero to the 99.5th percentile of both states; the last bin
+        includes larger distances, so that the counts add up to n.
 
     Raises
     ------
     NotComparable
-        The plane is seen on fewer than two lines, or no two of them overlap.
+        Fewer than two lines show the plane, or no two of them overlap.
     InputError
-        The two states do not hold the same points, a heading is missing, or points are not finite.
+        The two states have different points, a heading is missing, or points are not finite.
     """
     _require_same_points(name, before, after, headings)
     observed = _lines_with_enough_points(before)
@@ -191,7 +192,7 @@ def compare_plane(
                 )
             )
         both_ways = reciprocal(headings[a], headings[b])
-        # Reciprocal pairs come first, and where there are any the others are not pooled.
+        # Reciprocal pairs come first; if there are any, the other pairs are not pooled.
         if len(maps) < MAX_MAPS and (both_ways or not any(pair.reciprocal for pair in pairs)):
             mapped = distance_map(
                 (a, b),
@@ -245,7 +246,7 @@ def compare_plane(
 
 @dataclass(frozen=True, eq=False)
 class _MeasuredDistances:
-    """Distances of points before and after, and where these points are; shape (n,), metres."""
+    """Distances of points before and after, and their heights and ranges; shape (n,), metres."""
 
     before: Array
     after: Array
@@ -254,7 +255,7 @@ class _MeasuredDistances:
 
     @classmethod
     def of(cls, several: "list[_MeasuredDistances]") -> "_MeasuredDistances":
-        """All of them together."""
+        """Join several sets of distances."""
         ranges = [one.range for one in several if one.range is not None]
         return cls(
             np.concatenate([one.before for one in several]),
@@ -265,7 +266,7 @@ class _MeasuredDistances:
 
 
 def _thin_evenly(points: Array) -> Array:
-    """Every n-th point, so that at most 100 000 are left."""
+    """Every n-th point, so that at most 100 000 remain."""
     step = -(-len(points) // MAX_POINTS_PER_LINE)
     return np.ascontiguousarray(points[::step], dtype=np.float64)
 
@@ -277,7 +278,7 @@ def _lines_with_enough_points(points: Mapping[str, Array]) -> list[str]:
 def _thinned_states(
     before: Mapping[str, Array], after: Mapping[str, Array], lines: Sequence[str]
 ) -> tuple[dict[str, Array], dict[str, Array]]:
-    """Points of some lines in both states, as many as are compared."""
+    """Points of some lines in both states, thinned to the number that is compared."""
     return (
         {line: _thin_evenly(before[line]) for line in lines},
         {line: _thin_evenly(after[line]) for line in lines},
@@ -285,7 +286,7 @@ def _thinned_states(
 
 
 def _common_points(overlap: LineOverlap, a: str, b: str) -> tuple[Bools, Bools] | None:
-    """Masks of the points of two lines in the area of the other; None where they are too few."""
+    """Masks of the points of each line inside the other's footprint; None if too few."""
     masks = overlap.of(a, b), overlap.of(b, a)
     return masks if min(map(np.count_nonzero, masks)) >= MIN_POINTS else None
 
@@ -296,7 +297,7 @@ def _require_same_points(
     after: Mapping[str, Array],
     headings: Mapping[str, float],
 ) -> None:
-    """Refuse two states that are not of the same points.
+    """Refuse two states that do not have the same points.
 
     Raises
     ------
@@ -331,22 +332,22 @@ def _require_same_points(
 def signed_distance_statistics(
     a: Array, b: Array, *, facing: Array, spacing: float, reach: float
 ) -> SignedStatistics | None:
-    """Distances of the first line from the second along the normal, from places of both.
+    """Distances from the second line to the first along the normal, measured at places of both.
 
     Parameters
     ----------
     a, b : ndarrays of shape (n, 3) and (m, 3), metres, local frame
-        Of the part that both lines saw.
+        Points of the two lines in their common part.
     facing : ndarray of shape (3,)
-        Towards the vessel.
+        Direction towards the vessel.
     spacing : float, metres
-        Of the sparser line's points, where they are sparse.
+        Distance between the points of the sparser line in its sparse direction.
     reach : float, metres
-        The farthest that the two lines are apart.
+        Largest distance between the two lines.
 
     Returns
     -------
-    SignedStatistics, or None where no place has enough points of both lines
+    SignedStatistics, or None if no place has enough points of both lines
     """
     diameter = CYLINDER_SPACINGS * spacing
     parts = []
@@ -364,14 +365,14 @@ def signed_distance_statistics(
 
 
 def _plane_offset_between_lines(a: Array, b: Array, facing: Array) -> PlaneOffset | None:
-    """Offset of the first line's plane from the second's; None where one has no plane.
+    """Offset from the second line's plane to the first's; None if one has no plane.
 
     Parameters
     ----------
     a, b : ndarray of shape (n, 3) and (m, 3), metres, same frame
         Points of the two lines.
     facing : ndarray of shape (3,)
-        Towards the vessel.
+        Direction towards the vessel.
     """
     try:
         return plane_offset(a, b, facing)

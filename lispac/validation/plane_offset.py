@@ -1,8 +1,8 @@
-"""Offset and angle between two clouds that saw the same plane, with their confidence.
+"""Offset and rotations between two clouds of the same plane, with confidence intervals.
 
-Either cloud gives a plane z = z0 + a u + b v over the frame of both; the difference of the two
-has the sum of their covariances. Unlike an angle between normals, which is never negative, its
-two turns have a sign, and an interval that holds.
+A plane z = z0 + a u + b v is fitted to each cloud in a common frame. The covariance of the
+difference of the two is the sum of their covariances. Unlike the angle between the normals, which
+is never negative, the two rotations have a sign and a valid confidence interval.
 """
 
 from dataclasses import dataclass
@@ -18,27 +18,27 @@ Array = NDArray[np.float64]
 
 UNKNOWNS, ROUNDS = 3, 4
 NMAD = 1.4826
-"""Standard deviation of normal noise over its median absolute value."""
+"""Ratio of the standard deviation of normal noise to its median absolute value."""
 OUTLIER_LIMIT = 3.5
-"""Robust sigmas beyond which a point is an outlier: excluded, and counted."""
+"""Number of robust sigmas beyond which a point is excluded and counted as an outlier."""
 FINEST = 1e-9
-"""Metres; the smallest noise distinguishable from rounding."""
+"""Smallest noise that can be distinguished from rounding, metres."""
 NEAREST = 1e-4
-"""Metres; nearer to the plane all points weigh the same in its first fit."""
+"""Distance from the plane within which all points have the same weight in the first fit, metres."""
 
 
 @dataclass(frozen=True)
 class PlaneOffset:
-    """Offset of one cloud's plane from another's, at the middle of the common part.
+    """Offset and rotations from one cloud's plane to another's, at the middle of the common part.
 
     Attributes
     ----------
     offset, offset_95 : float, metres
-        Positive towards ``facing``, and half the 95 % interval.
+        Offset, positive towards ``facing``, and half its 95 % interval.
     rotation_horizontal_axis, rotation_slope_axis : float, radians
-        About the level axis in the plane (one leans to the other) and about the axis up its
-        slope.
+        Rotations about the horizontal axis in the plane and about the axis up its slope.
     rotation_horizontal_axis_95, rotation_slope_axis_95 : float, radians
+        Half their 95 % intervals.
     outliers : int
         Number of excluded outliers of both clouds.
     """
@@ -53,31 +53,31 @@ class PlaneOffset:
 
     @property
     def angle(self) -> float:
-        """Between the two normals, radians, in [0, pi/2]."""
+        """Angle between the two normals, radians, in [0, pi/2]."""
         return float(np.hypot(self.rotation_horizontal_axis, self.rotation_slope_axis))
 
 
 def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffset:
-    """Offset and turns of the compared cloud's plane from the reference's.
+    """Offset and rotations from the reference's plane to the compared cloud's.
 
     Parameters
     ----------
     compared, reference : ndarrays of shape (n, 3) and (m, 3), metres, same frame
-        Of the part that both saw.
+        Points of the common part.
     facing : ndarray of shape (3,)
-        Direction on whose side the normal is taken.
+        Direction towards which the normal is oriented.
 
     Raises
     ------
     NotComparable
-        A cloud of fewer than four points, or on one straight line.
+        A cloud has fewer than four points, or its points lie on one straight line.
     """
     from scipy.special import stdtrit
 
     both = (compared, reference)
     if min(map(len, both)) <= UNKNOWNS:
         raise NotComparable(error("validation.plane_few_points"))
-    # Apart before the calibration, the two would tilt a plane through all of them at once.
+    # Each cloud is centred: before the calibration their offset would tilt a common plane.
     middles = [np.median(points, axis=0) for points in both]
     centred = np.concatenate(
         [points - middle for points, middle in zip(both, middles, strict=True)]
@@ -93,7 +93,7 @@ def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffse
     scattered = np.maximum((shares**2 / freedom).sum(axis=0), np.finfo(float).tiny)
     # Welch 1947, as in `normal_distance`.
     half = stdtrit(np.maximum(total**2 / scattered, 1.0), 0.975) * np.sqrt(total)
-    # z grows along the level axis u where the plane turns about the upright one, and the other way.
+    # The slope along the horizontal axis u is a rotation about the slope axis, and vice versa.
     return PlaneOffset(
         offset=float(difference[0]),
         offset_95=float(half[0]),
@@ -114,12 +114,12 @@ class _PlaneFit:
 
 
 def _fit_plane_robustly(placed: Array) -> _PlaneFit:
-    """Least squares through points (n, 3): u, v, z; outliers excluded.
+    """Fit z as a linear function of u and v to points (n, 3) by least squares without outliers.
 
     Raises
     ------
     NotComparable
-        Where the points lie in one row.
+        If the points lie on one straight line.
     """
     terms = np.column_stack((np.ones(len(placed)), placed[:, :2]))
     z = placed[:, 2]
@@ -128,7 +128,7 @@ def _fit_plane_robustly(placed: Array) -> _PlaneFit:
         values = np.linalg.lstsq(terms[kept], z[kept], rcond=None)[0]
         off = z - terms @ values
         sigma = NMAD * float(np.median(np.abs(off[kept])))
-        # Points that are exactly on a plane are off it by rounding alone, and all are kept.
+        # Residuals of points exactly on a plane are rounding errors; all points are kept.
         near = np.abs(off) <= OUTLIER_LIMIT * max(sigma, FINEST)
         if np.array_equal(near, kept) or np.count_nonzero(near) <= UNKNOWNS:
             break

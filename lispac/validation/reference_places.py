@@ -1,9 +1,9 @@
 """Distances of a line from a reference at the same places before and after.
 
-On a surface (a static scan, a surveyed plane) as between two lines: cylinders along the reference's
-own normal (M3C2: Lague et al. 2013), at the surface of the line that is nearest. At a surveyed
-point there is no surface but the line's: a plane through its points about the one nearest to the
-surveyed point, if the point's foot lies within them.
+For a surface (a static scan, a surveyed plane) the distances are measured as between two lines: in
+cylinders along the normal of the reference (M3C2: Lague et al. 2013), to the nearest surface of the
+line. A surveyed point has no surface of its own. Its distance is measured to a plane through the
+points of the line around the one nearest to it, if its projection lies inside this area.
 """
 
 from dataclasses import dataclass, replace
@@ -34,21 +34,21 @@ Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 WIDER = 1.3
-"""Ratio of the diameters that a surveyed point is examined with, one after the other."""
+"""Ratio of one tested diameter around a surveyed point to the one before it."""
 SMOOTH = 2.0
-"""Diameter of the sphere that a normal comes from, in diameters of the cylinder."""
+"""Diameter of the sphere of points used for a normal, as a multiple of the cylinder diameter."""
 FLAT = 0.05
-"""RMS of a flat place about its plane, over the diameter of what is examined."""
+"""Largest ratio of the RMS of a flat place about its plane to the diameter of the place."""
 ROUND = 0.1
-"""Second over first variance in the plane, below which points are an edge and no surface."""
+"""Ratio of the smaller to the larger variance in the plane below which points are an edge."""
 INSIDE = 0.15
-"""How far, in radii, the middle of what is examined may lie from a place; it lies 0.17 from one
-whose cylinder, of half that radius, just reaches a straight edge."""
+"""Largest distance of the centroid of the points around a place from the place, as a multiple of
+the search radius. It is 0.17 where the cylinder, with half this radius, touches a straight edge."""
 FEWEST_ON_PLANE = 6
-"""Points of a line about a surveyed point that make a plane with a confidence."""
+"""Smallest number of points of a line around a surveyed point for a plane with an interval."""
 CLOSER, ALIKE = 5.0, 4.0
-"""Robust sigmas about the median that are searched, and the side in metres of the cubes that
-have a median each."""
+"""Range searched about the median, in robust sigmas, and side in metres of the cubes for which
+separate medians are computed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,10 +60,10 @@ class CorePointDistances:
     Attributes
     ----------
     before, after : NormalDistances
-        At n places.
+        Distances at the same n places.
     to_other_surface : ndarray of shape (n,), metres
-        Distance, after the calibration, from the line's surface to another of its surfaces within
-        reach; NaN where there is none, and at surveyed points.
+        Distance, after the calibration, from the measured surface of the line to a second surface
+        within reach; NaN where there is none, and at surveyed points.
     """
 
     before: NormalDistances
@@ -72,9 +72,9 @@ class CorePointDistances:
 
 
 def is_reference_flat(reference: Array, cores: Array, diameters: Array, roughest: float) -> Bools:
-    """At which cores the reference is flat within its diameter, shape (k,).
+    """Whether the reference is flat within the diameter around each core point, shape (k,).
 
-    At its edge it is none: beams that meet an edge by half give points that lie on nothing.
+    Places at an edge do not count as flat: beams that hit an edge partly give false points.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def is_reference_flat(reference: Array, cores: Array, diameters: Array, roughest
     cores : ndarray of shape (k, 3), metres, local frame
     diameters : ndarray of shape (k,), metres
     roughest : float, metres
-        RMS about a plane that is noise, however small the place.
+        RMS about a plane that is accepted as noise, however small the place.
     """
     flat = np.zeros(len(cores), dtype=bool)
     cells = PointGrid(reference, float(np.median(diameters)) / 2).cells
@@ -104,7 +104,7 @@ def is_reference_flat(reference: Array, cores: Array, diameters: Array, roughest
 def _neighbourhood_moments(
     cores: Array, reference: Cells, radii: Array
 ) -> tuple[NDArray[np.int64], Array, Array]:  # pragma: no cover - compiled
-    """Number, sum (n, 3) and sum of products (n, 3, 3) of the points about each core, from it."""
+    """Number, sum (n, 3) and sum of products (n, 3, 3) of the points around and from each core."""
     counts = np.zeros(len(cores), np.int64)
     sums, products = np.zeros((len(cores), 3)), np.zeros((len(cores), 3, 3))
     for k in range(len(cores)):
@@ -140,18 +140,18 @@ def measure_to_surface(
     cores : ndarray of shape (k, 3), metres, local frame
         Flat places of the reference.
     facing : ndarray of shape (k, 3)
-        Towards the vessel.
+        Direction towards the vessel.
     diameters : ndarray of shape (k,), metres
-        Of the cylinders.
+        Diameters of the cylinders.
     reach : float, metres
-        How far the line may be from the reference.
+        Largest possible distance of the line from the reference.
     roughest : float, metres
-        RMS about a plane that is noise.
+        RMS about a plane that is accepted as noise.
 
     Raises
     ------
     NotComparable
-        No place has points of both.
+        No place has enough points of the line and the reference.
     """
     normals = reference_normals(reference, cores, facing, SMOOTH * diameters)
     noise = np.maximum(FLAT * diameters, roughest)
@@ -173,8 +173,8 @@ def measure_to_surface(
     layers = layers_of(after)
     middle, half = _search_windows(cores, layers, noise, reach)
     of_after = measured(after, middle, half)
-    # With the prior boresight something else may be nearer to the reference than this surface; its
-    # points are known by now.
+    # With the prior boresight another surface may be nearer to the reference; the points of this
+    # surface are therefore selected after the calibration.
     valid = np.isfinite(middle)
     same = is_in_any_cylinder(
         after, cores[valid], normals[valid], diameters[valid], middle[valid], half[valid]
@@ -186,11 +186,11 @@ def measure_to_surface(
 def _search_windows(
     cores: Array, layers: NearestLayers, noise: Array, reach: float
 ) -> tuple[Array, Array]:
-    """Where the surface lies along the normal at each core, and half of the depth searched.
+    """Position of the surface along the normal at each core, and half of the depth to search.
 
-    As far as the line scatters there: what a wrong boresight moves by millimetres near by it moves
-    by decimetres afar, so that each neighbourhood has its own place. It is not a number where the
-    line has nothing in all of the neighbourhood.
+    The position is the median of a neighbourhood, since a wrong boresight displaces points by
+    millimetres at short range and by decimetres at long range. The depth follows from the scatter
+    of the line. The position is NaN where the line has no points in the whole neighbourhood.
     """
     middle, half = np.full(len(cores), np.nan), np.full(len(cores), np.nan)
     number, valid = region_numbers(cores, ALIKE), np.isfinite(layers.middle)
@@ -221,21 +221,21 @@ def measure_to_points(
     reach: float,
     roughest: float,
 ) -> CorePointDistances:
-    """Distances of a line from surveyed points, in both states at those that have one in both.
+    """Distances of a line from the surveyed points that have a distance in both states.
 
     Parameters
     ----------
     before, after : ndarrays of shape (n, 3), metres, local frame
         The line's points with the prior and with the estimated boresight.
     places, facing : ndarrays of shape (k, 3), metres, local frame
-        The surveyed points, and where the vessel is from each.
+        The surveyed points, and the direction from each towards the vessel.
     diameters : ndarray of shape (k,), metres
-        Of the place that is examined first about each.
+        Diameter of the area around each point that is tried first.
 
     Raises
     ------
     NotComparable
-        No point has a flat place of the line in front of it.
+        The line has no flat place at any point.
     """
     states = []
     for points in (before, after):
@@ -257,8 +257,8 @@ def _plane_distance_at_point(
 ) -> tuple[float, float, Array] | None:
     """Distance, half its 95 % interval (metres) and normal of the line's plane at a point.
 
-    Where the line's profiles are far apart its points about the place are but a row of them; then
-    it is examined a wider place.
+    Where the profiles of the line are far apart, its points around the place lie in a single row;
+    the area is then enlarged.
     """
     if not len(points):
         return None
@@ -324,12 +324,12 @@ def _plane_distances(
 def _restrict_to_common_places(
     before: NormalDistances, after: NormalDistances, to_other_surface: Array | None = None
 ) -> CorePointDistances:
-    """Both at the places that both have.
+    """Restrict both states to the places that have a distance in both.
 
     Raises
     ------
     NotComparable
-        Where there is none.
+        If there is no such place.
     """
     at = np.intersect1d(before.at, after.at)
     if not len(at):

@@ -1,8 +1,8 @@
 """Test whether calibrations of the same mounting agree (thesis section 4.5.5, table 4.5).
 
-Each calibration comes with its covariance; those of two surveys are taken as independent. What the
-two differ by is tested angle by angle and jointly, and given as what it does to a point: the angle
-of the rotation from one mounting to the other, times the distance.
+Each calibration has a covariance; calibrations of two surveys are assumed to be independent. Their
+differences are tested for each angle and jointly. The effect on a point is given as well: the angle
+of the rotation from one mounting to the other, times the distance of the point.
 """
 
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ from lispac.messages import error
 Array = NDArray[np.float64]
 
 LEVEL = 0.05
-"""Chance of a difference where there is none, for all tests here."""
+"""Significance level of all tests here: probability of a false alarm."""
 NORMAL_95 = 1.96
 
 
@@ -35,7 +35,7 @@ class Calibration:
     Raises
     ------
     InputError
-        A covariance that is not one: of another shape, not finite, or without a positive variance.
+        The covariance has another shape, is not finite, or has a variance that is not positive.
     """
 
     name: str
@@ -57,16 +57,16 @@ class Calibration:
 
 @dataclass(frozen=True, eq=False)
 class CalibrationDifference:
-    """A calibration against an earlier one.
+    """Difference between a calibration and an earlier one.
 
     Attributes
     ----------
     first, second : str
     angles, sigma : ndarrays of shape (3,), radians
-        The second less the first, and the standard deviation of that.
+        Second minus first, and the standard deviation of this difference.
     statistic, probability : float
-        Of all three angles together: chi-square with three degrees of freedom, and the chance of
-        one as large where the mounting is the same.
+        Joint test of the three angles: chi-square with three degrees of freedom, and the
+        probability of a value at least as large for an unchanged mounting.
     turn : float, radians
         Angle of the rotation from one mounting to the other.
     """
@@ -81,21 +81,21 @@ class CalibrationDifference:
 
     @property
     def significance(self) -> Array:
-        """Differences over their sigmas, shape (3,)."""
+        """Differences divided by their sigmas, shape (3,)."""
         return np.asarray(self.angles / self.sigma)
 
     @property
     def significant(self) -> tuple[bool, ...]:
-        """Which angles differ with 95 % confidence."""
+        """Whether each angle differs at the 95 % level, shape (3,)."""
         return tuple(bool(abs(value) > NORMAL_95) for value in self.significance)
 
     @property
     def differ(self) -> bool:
-        """Whether the two mountings differ with 95 % confidence, all angles together."""
+        """Whether the two mountings differ at the 95 % level in the joint test of all angles."""
         return self.probability < LEVEL
 
     def largest_displacement(self, distance: float) -> float:
-        """Largest displacement of a point at a distance between the two; both in metres."""
+        """Largest displacement, metres, of a point at a distance, metres, between the mountings."""
         return float(2.0 * np.sin(self.turn / 2.0) * distance)
 
 
@@ -124,17 +124,18 @@ def compare_calibrations(first: Calibration, second: Calibration) -> Calibration
 
 @dataclass(frozen=True, eq=False)
 class RepeatedCalibrations:
-    """Several calibrations of one mounting together.
+    """Combination of several calibrations of one mounting.
 
     Attributes
     ----------
     boresight, sigma : ndarrays of shape (3,), radians
         Weighted mean by the covariances, and its standard deviation.
     spread : ndarray of shape (3,), radians, or None
-        Standard deviation of the calibrations about their plain mean: what a repetition differs by;
-        None of a single one.
+        Empirical standard deviation of a single calibration about the unweighted mean; None for a
+        single calibration.
     statistic, probability : float
-        Whether the scatter agrees with the sigmas: chi-square with 3 (n - 1) degrees of freedom.
+        Test whether the scatter agrees with the sigmas: chi-square with 3 (n - 1) degrees of
+        freedom, and the probability of a value at least as large.
     """
 
     boresight: Array
@@ -145,7 +146,7 @@ class RepeatedCalibrations:
 
     @property
     def differ(self) -> bool:
-        """Whether they scatter more than their sigmas explain, at 95 %."""
+        """Whether the calibrations scatter more than their sigmas explain, at the 95 % level."""
         return self.probability < LEVEL
 
 
@@ -155,7 +156,7 @@ def combine_calibrations(calibrations: Sequence[Calibration]) -> RepeatedCalibra
     Raises
     ------
     InputError
-        Fewer than two.
+        Fewer than two calibrations.
     """
     from scipy.special import chdtrc
 
@@ -175,7 +176,7 @@ def combine_calibrations(calibrations: Sequence[Calibration]) -> RepeatedCalibra
 
 
 def single_calibration(calibration: Calibration) -> RepeatedCalibrations:
-    """Result of a single calibration, where all others are based on its lines."""
+    """Combination of a single calibration, used if all others are based on the same lines."""
     return RepeatedCalibrations(calibration.boresight, calibration.sigma, None, 0.0, 1.0)
 
 
@@ -188,7 +189,7 @@ def mean_calibration(calibrations: Sequence[Calibration], name: str = "mean") ->
 
 
 def _unwrapped_angles(calibrations: Sequence[Calibration]) -> Array:
-    """Their angles (n, 3), radians, each the short way round from the first."""
+    """Angles (n, 3), radians, without jumps by 2 pi relative to the first calibration."""
     start = calibrations[0].boresight
     return np.array([
         start + (each.boresight - start + np.pi) % (2.0 * np.pi) - np.pi for each in calibrations

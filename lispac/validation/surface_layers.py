@@ -1,12 +1,13 @@
-"""Identify the surface of a reference among several surfaces behind each other.
+"""Identify the surface of a reference among several surfaces, one behind the other.
 
-A line that passes a board sees the wall behind it too, and a cylinder as deep as a line may be off
-holds points of both. Their mean lies on neither. So the points along the normal are parted into
-layers, where they are dense, and the layer nearest to the reference is the surface.
+A line that passes a board also has points on the wall behind it. A cylinder deep enough for the
+possible displacement of the line contains points of both, and their mean lies on neither. The
+points along the normal are therefore divided into layers, where they are dense, and the layer
+nearest to the reference is taken as its surface.
 
-The nearest layer at a single place may be outliers, or the wall where the line has
-nothing of the board. So the places of a neighbourhood are parted into layers again by where theirs
-are.
+At a single place, the nearest layer may consist of outliers, or of points of the wall if the line
+has no points on the board. The places of a neighbourhood are therefore divided into layers once
+more, by the positions of their nearest layers.
 """
 
 from dataclasses import dataclass
@@ -21,21 +22,22 @@ Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 DENSE = 0.2
-"""Share of the points where they are densest, below which they are outliers, not a layer."""
+"""Ratio of the number of points to that at the densest position below which they are outliers."""
 FEWEST_POINTS, FEWEST_PLACES = 4, 2
-"""Fewest points of a line in a layer, and places of a neighbourhood (or a single place)."""
+"""Smallest number of points of a line in a layer, and of places of a neighbourhood in a layer; one
+place is enough if there are no others."""
 
 
 @dataclass(frozen=True, eq=False)
 class NearestLayers:
-    """The layer of a line nearest to the reference at each of n places.
+    """Layer of a line nearest to the reference at each of n places.
 
     Attributes
     ----------
     middle, half : ndarrays of shape (n,), metres
-        Where it lies along the normal, and half its thickness; not a number where there is none.
+        Position of the layer along the normal, and half its thickness; NaN where there is none.
     to_next_layer : ndarray of shape (n,), metres
-        Distance from it to the next one that is within reach; not a number where there is none.
+        Distance from this layer to the next one within reach; NaN where there is none.
     """
 
     middle: Array
@@ -46,7 +48,7 @@ class NearestLayers:
 def find_nearest_layers(
     points: Array, cores: Array, normals: Array, diameters: Array, reach: float, thickness: Array
 ) -> NearestLayers:
-    """The nearest layer of a line's points in a cylinder at each place.
+    """Find the layer of a line nearest to the reference, in a cylinder at each place.
 
     Parameters
     ----------
@@ -57,7 +59,7 @@ def find_nearest_layers(
     reach : float, metres
         Half the length of the cylinder.
     thickness : ndarray of shape (n,), metres
-        What is that thin, or parted by no more, is one surface and its noise.
+        Thickness of a surface with its noise: points that are no farther apart form one layer.
     """
     cells = PointGrid(points, max(float(diameters.max()), reach) / 2).cells
     found = _nearest_layers_kernel(
@@ -68,7 +70,7 @@ def find_nearest_layers(
 
 
 def nearest_layer_bounds(values: Array, thickness: float) -> tuple[float, float]:
-    """Lowest and highest of the values, metres, in the layer of them that is nearest to zero.
+    """Lowest and highest value, metres, of the layer of values nearest to zero.
 
     Parameters
     ----------
@@ -84,7 +86,7 @@ def nearest_layer_bounds(values: Array, thickness: float) -> tuple[float, float]
 def is_in_any_cylinder(
     points: Array, cores: Array, normals: Array, diameters: Array, middle: Array, half: Array
 ) -> Bools:
-    """Which points, shape (m, 3), local frame, lie in the cylinder of any place.
+    """Whether each of ``points``, shape (m, 3), local frame, lies in the cylinder of any place.
 
     Parameters
     ----------
@@ -92,7 +94,7 @@ def is_in_any_cylinder(
     normals : ndarray of shape (n, 3), unit vectors, local frame
     diameters : ndarray of shape (n,), metres
     middle, half : ndarrays of shape (n,), metres
-        Where the middle of each cylinder lies along the normal, and half its length.
+        Position of the centre of each cylinder along the normal, and half its length.
     """
     cells = PointGrid(points, max(float(diameters.max()), float(half.max())) / 2).cells
     return _in_cylinders_kernel(
@@ -105,9 +107,9 @@ def is_in_any_cylinder(
 def _nearest_layer_indices(
     values: Array, thickness: float, fewest: int
 ) -> tuple[int, int, float]:  # pragma: no cover - compiled
-    """First and last, of ascending values, in the layer nearest to zero; -1, -1 if there is none.
+    """First and last index of the layer nearest to zero, and the distance to the next layer.
 
-    And the distance from it to the next layer.
+    The values are in ascending order. The indices are -1 if there is no layer.
     """
     n = len(values)
     counts, end = np.zeros(n, np.int64), 0
@@ -124,7 +126,7 @@ def _nearest_layer_indices(
             k += 1
             continue
         low, high = k, k + counts[k] - 1
-        # Layers that overlap are one.
+        # Overlapping layers are joined.
         while k <= high:
             if counts[k] >= least:
                 high = max(high, k + counts[k] - 1)

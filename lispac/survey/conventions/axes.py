@@ -42,7 +42,7 @@ def axes_matrix(axes: Axes) -> Array:
     Raises
     ------
     InputError
-        Where a word is not a direction, or two axes lie on one line.
+        If a word is not a direction, or two axes lie on one line.
     """
     for word in axes:
         if word not in _DIRECTIONS:
@@ -87,7 +87,7 @@ def complete_axes(x: str, y: str) -> Axes:
     Raises
     ------
     InputError
-        Where the two lie on one line.
+        If the two lie on one line.
     """
     across = np.cross(_DIRECTIONS[x], _DIRECTIONS[y])
     for z in DIRECTIONS:

@@ -23,10 +23,10 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 LOCKED = 1e-8
-"""Cosine of the middle angle below which the outer two are not distinguished."""
+"""Cosine of the middle angle below which the two outer angles are not separable."""
 NEARLY_LOCKED = np.cos(np.radians(80.0))
 ORTHOGONAL = 5e-6
-"""How far a typed matrix may be from a rotation: what rounding to six decimals does."""
+"""Largest deviation of a typed matrix from a rotation: rounding to six decimals."""
 
 
 @dataclass(frozen=True)
@@ -36,9 +36,9 @@ class ConventionSetup:
     Attributes
     ----------
     body_axes : directions of the system's body axes, if they differ from its convention
-    scanner : how its scanner axes lie to those of the raw points, if other than usual
-    mounting : where the raw scanner axes nominally point, for a system with a mounting; None
-        for the axes nearest to the boresight, or forward, port, up where that is searched for
+    scanner : rule for its scanner axes relative to the raw points, if it differs from the default
+    mounting : nominal directions of the raw scanner axes, for a system with a mounting; None for
+        the axes nearest to the boresight, or forward, port, up if the boresight is unknown
     """
 
     convention: Convention
@@ -48,12 +48,12 @@ class ConventionSetup:
 
     @property
     def axes(self) -> Axes:
-        """The body axes in force."""
+        """Body axes used for the conversion."""
         return self.body_axes or self.convention.axes
 
     @property
     def scanner_frame(self) -> Scanner:
-        """The rule for the scanner axes in force."""
+        """Rule for the scanner axes used for the conversion."""
         return self.scanner or self.convention.scanner
 
     @property
@@ -69,7 +69,7 @@ class ConventionSetup:
 
     @property
     def signs(self) -> LazyText:
-        """The signs of the angles, where the body axes are those they are known for."""
+        """Description of the signs of the angles, if the body axes are those of the convention."""
         if self.axes == self.convention.axes:
             return self.convention.signs
         return gettext_lazy("the signs follow from the given axes, by the right-hand rule")
@@ -89,7 +89,7 @@ class ConventionSetup:
         Raises
         ------
         InputError
-            Where scanner axes that are kept meet left-handed body axes.
+            If the raw scanner axes are kept but the body axes are left-handed.
         """
         if self.scanner_frame == "turned":
             return self.permutation
@@ -205,7 +205,7 @@ def angles_of_rotation(convention: Convention, rotation: Array) -> tuple[Array, 
     }  # fmt: skip
     message: Message | None = None
     if cosine < LOCKED:
-        # Both outer turns are about one axis: only their sum is determined.
+        # Both outer rotations are about the same axis: only their sum is determined.
         a = np.arctan2(even * rotation[k, j], rotation[j, j])
         pole = 90 if even * middle.sign * rotation[i, k] > 0 else -90
         message = note("convention.gimbal_lock", angle=np.radians(pole), **names)
@@ -220,7 +220,7 @@ def angles_of_rotation(convention: Convention, rotation: Array) -> tuple[Array, 
     c = np.arctan2(even * rest[j, i], rest[j, j]) if cosine >= LOCKED else 0.0
     angles = np.empty(3)
     for place, turn, value in zip(convention.order, (first, middle, last), (a, b, c), strict=True):
-        # A zero without its minus sign reads better in another program's window.
+        # Negative zeros are written as 0.
         angles[place] = turn.sign * value + 0.0
     return angles, message
 
@@ -287,7 +287,7 @@ def mounting_of_angles(setup: ConventionSetup, angles: Array, lever_arm: Array) 
     Raises
     ------
     InputError
-        Where the system is not offered as angles.
+        If the system is not offered as angles.
     """
     require_angles(setup.convention)
     return convert_from_system(setup, rotation_of_angles(setup.convention, angles), lever_arm)
@@ -305,9 +305,9 @@ def require_angles(convention: Convention) -> None:
 
 
 def require_rotation(matrix: Array) -> Array:
-    """The rotation, shape (3, 3), nearest to a typed matrix that is one but for its rounding.
+    """Rotation, shape (3, 3), nearest to a typed matrix, which is rounded to some decimals.
 
-    By its singular values (Schönemann 1966).
+    It follows from the singular value decomposition (Schönemann 1966).
 
     Parameters
     ----------
@@ -316,7 +316,7 @@ def require_rotation(matrix: Array) -> Array:
     Raises
     ------
     InputError
-        Where it mirrors, or is not orthogonal to its sixth decimal.
+        If the matrix is a reflection, or is not orthogonal to six decimals.
     """
     if matrix.shape != (3, 3) or not np.isfinite(matrix).all():
         raise InputError(error("survey.matrix_shape"))

@@ -20,7 +20,7 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 SUM_MATTERS = float(np.radians(0.0005))
-"""A millimetre at 100 m: below it a sum of angles is as good as the product."""
+"""Difference in radians (1 mm at 100 m) below which a sum of angles may replace the product."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +64,7 @@ def correct_boresight(
     Raises
     ------
     InputError
-        Where the system is not offered as angles and these are given.
+        If the system is not offered as angles and these are given.
     """
     current_rotation = _angle_product(convention, current)
     rotation = target_boresight @ current_rotation.T
@@ -91,8 +91,8 @@ def add_to_applied_boresight(
 ) -> tuple[Mounting, Array | None]:
     """Whole boresight of lines already turned by the current settings.
 
-    Such lines lie along the body's axes but for what the settings left, so the boresight found
-    on them is that remainder and stands on the left of the old one.
+    The axes of such lines are parallel to the body axes except for the error of these settings. The
+    boresight estimated from them is this error; its rotation is multiplied from the left.
 
     Parameters
     ----------

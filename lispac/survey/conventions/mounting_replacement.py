@@ -35,7 +35,7 @@ _LEVER_ARM_CODES: dict[LeverArm, str] = {
 
 @dataclass(frozen=True, eq=False)
 class CurrentMountingInSystem:
-    """Boresight, and the lever arm if known, that are now set in another program.
+    """Boresight, and lever arm if known, that are currently set in another program.
 
     Attributes
     ----------

@@ -1,8 +1,8 @@
-"""Conventions of known programs, and how well each is known.
+"""Conventions of other programs, and how reliably each is known.
 
-An angle is the turn about one axis of the system's own frame; the angles of a system are a
-product of three such turns. Whatever was not found in its documentation or code is written down
-as an assumption and shown with every number.
+An angle is the rotation about one axis of the system's own frame; the angles of a system define a
+product of three such rotations. Properties that were not found in the documentation or code of the
+system are assumptions, which are shown with every number.
 """
 
 from dataclasses import dataclass
@@ -386,7 +386,7 @@ def convention_of_key(key: str) -> Convention:
     Raises
     ------
     InputError
-        Where there is none.
+        If there is none.
     """
     for each in SYSTEMS:
         if each.key == key.lower():

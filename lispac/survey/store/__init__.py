@@ -1,1 +1,1 @@
-"""A line on disk: columns in the order of space, of which a region is read without the rest."""
+"""Storage of a line on disk in columns in spatial order, from which single regions can be read."""

@@ -1,4 +1,4 @@
-"""Columns as files in NumPy's own format, written piece by piece and read by mapping."""
+"""Columns as files in NumPy's format, written in pieces and read by memory mapping."""
 
 import os
 import tokenize
@@ -17,15 +17,15 @@ from lispac.survey.store.fingerprint import combine_crc32
 from lispac.survey.store.layout import StoredColumn, flush_to_disk, import_again_message
 
 HEADER = 128
-"""Bytes before the numbers, the same whatever their count: it is written last."""
+"""Size of the header in bytes, independent of the number of values, since it is written last."""
 PIECE = 1 << 24  # bytes read or filled at once
 WINDOW = 1 << 24  # values mapped at once for writing
 
 
 class ColumnFile:
-    """A column being written; how many points it gets is known at the end.
+    """Column being written whose number of points is known only at the end.
 
-    Used in a ``with`` statement: what is not finished stays without a header and is no column.
+    It is used in a ``with`` statement. A file that is not finished has no header and is invalid.
     """
 
     def __init__(self, folder: Path, file: str, name: str, dtype: str, shape: Any = ()) -> None:
@@ -44,7 +44,7 @@ class ColumnFile:
         self._count += len(values)
 
     def finish(self) -> StoredColumn:
-        """Write the header and bring all of it on the disk."""
+        """Write the header and flush the file to disk."""
         header = npy_header(self._dtype, (self._count, *self._shape))
         self._file.seek(0)
         self._file.write(header)
@@ -69,10 +69,10 @@ class ColumnFile:
 
 
 class ScatteredColumn:
-    """A column whose values come in any order; the space for all is reserved at the start.
+    """Column whose values are written in any order; the disk space is reserved at the start.
 
-    Space that is reserved only while a mapped file is filled would end the program, not raise an
-    error, where the disk is full.
+    If the space were reserved while a mapped file is filled, a full disk would terminate the
+    program instead of raising an error.
     """
 
     def __init__(self, folder: Path, file: str, name: str, dtype: str, count: int) -> None:
@@ -86,7 +86,7 @@ class ScatteredColumn:
 
     def put(self, places: NDArray[Any], values: NDArray[Any]) -> None:
         """Write ``values`` at ``places``, both of shape (n,)."""
-        # Mapped anew each time and in windows: what is mapped counts as memory once touched.
+        # Mapped again each time and in windows, since mapped pages count as used memory.
         windows = places // WINDOW
         for window in np.unique(windows).tolist():
             start = window * WINDOW
@@ -97,7 +97,7 @@ class ScatteredColumn:
             mapped[places[inside] - start] = values[inside]
 
     def finish(self) -> StoredColumn:
-        """Bring all of it on the disk."""
+        """Flush the file to disk."""
         with self._path.open("r+b") as column:
             os.fsync(column.fileno())
         size = self._path.stat().st_size
@@ -108,7 +108,7 @@ class ScatteredColumn:
 
 
 def npy_header(dtype: np.dtype[Any], shape: tuple[int, ...]) -> bytes:
-    """The beginning of a file in NumPy's format."""
+    """Header of a file in NumPy's format."""
     header = BytesIO()
     description = {
         "descr": np.lib.format.dtype_to_descr(dtype), "fortran_order": False, "shape": shape,
@@ -129,12 +129,12 @@ def file_checksum(path: Path) -> int:
 
 
 def map_column(folder: Path, column: StoredColumn, count: int) -> NDArray[Any]:
-    """A column's values, shape (count, ...), mapped: read where they are examined.
+    """Memory-mapped values of a column, shape (count, ...), read from disk when accessed.
 
     Raises
     ------
     ProjectError
-        Where the file differs from the manifest.
+        If the file differs from the manifest.
     """
     shape = (count, *column.shape)
     if not column.file:
@@ -157,5 +157,5 @@ def map_column(folder: Path, column: StoredColumn, count: int) -> NDArray[Any]:
             "store.part_type", file=str(path), type=str(values.dtype), shape=str(values.shape)
         )
         raise ProjectError(import_again_message(found))
-    # A plain array over the same memory: the subclass costs in every slice.
+    # A plain array on the same memory: the subclass makes every slice slower.
     return np.asarray(values)

@@ -1,6 +1,6 @@
-"""The final columns of a line, written from its sorted blocks.
+"""Writing of the final columns of a line from its sorted blocks.
 
-The blocks are merged a bucket at a time.
+The blocks are merged one bucket at a time.
 """
 
 from collections.abc import Iterator
@@ -21,12 +21,12 @@ from lispac.survey.store.spatial_cells import Keys, is_drawn, stable_order
 from lispac.survey.store.spool import Spool
 
 COARSE = 1_000_000
-"""Points of the coarse level at most."""
+"""Largest number of points of the coarse level."""
 Columns = tuple[StoredColumn, ...]
 BUCKET = 1 << 20
-"""Points that are in memory at once, about."""
+"""Approximate number of points in memory at once."""
 STEP = 1024
-"""Points of a block between two of its keys that the plan uses."""
+"""Interval of the keys of a block that are sampled to divide the blocks into buckets."""
 
 
 def write_columns(
@@ -46,7 +46,7 @@ def write_columns(
     Raises
     ------
     ProjectError
-        Where the disk does not give back what was written.
+        If the data read from the disk differ from the data written.
     """
     points, done = spool.points, 0
     attributes = _constant_attributes(spool)
@@ -158,7 +158,7 @@ def merge_blocks(spool: Spool) -> Iterator[tuple[Keys, Values]]:
     )
     for k in range(len(edges)):
         parts: list[tuple[Keys, Values]] = []
-        # A key that fills buckets alone is passed on as it comes: it is in order already.
+        # A key that fills several buckets is passed on directly: its points are in order already.
         alone = k + 1 < len(edges) and edges[k + 1] == edges[k] + np.uint64(1)
         for number, (start, stop) in enumerate(bounds[:, k : k + 2].tolist()):
             if start == stop:

@@ -1,8 +1,8 @@
 """Modification times of the files of a store, to detect changes without reading.
 
-A file that was written to has another time than the manifest says, whatever its size; so has a
-copy. Only such a store is read and compared by its checksums on opening, and only once: where they
-hold, the times are remembered.
+The time of a file that was changed or copied differs from that in the manifest. Only in this case
+the store is read completely when it is opened, and compared with its checksums. If they agree, the
+new times are stored, so that the check is made only once.
 """
 
 from dataclasses import replace

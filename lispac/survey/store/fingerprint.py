@@ -1,7 +1,7 @@
 """`Scan.fingerprint` of a stored line, computed without reading it into memory as a whole.
 
-The fingerprint runs through all coordinates and then through all times. CRC-32 is linear, so both
-can be taken along with the points and put together at the end.
+The fingerprint is a checksum of all coordinates followed by all times. Since CRC-32 is linear, the
+checksums of both can be computed separately while points are read, and combined at the end.
 """
 
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class RunningFingerprint:
     def after(
         self, points_lidar: NDArray[np.float64], time: NDArray[np.float64]
     ) -> "RunningFingerprint":
-        """Take the next points along.
+        """Fingerprint including the next points.
 
         Parameters
         ----------

@@ -18,9 +18,9 @@ def lock_folder(folder: Path) -> Iterator[None]:
     Raises
     ------
     ProjectError
-        Where the line is being imported already.
+        If the line is being imported already.
     InputError
-        Where the lock file is a link or a folder.
+        If the lock file is a link or a folder.
     """
     try:
         with file_lock(folder / LOCK):

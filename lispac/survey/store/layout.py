@@ -1,9 +1,9 @@
 """Files in the folder of a stored line, and its manifest.
 
-A line is a folder: ``store.json``, the manifest, and ``columns-N``, a folder with one file in
-NumPy's own format for each column. The manifest is written last, by a rename: what it does not
-name is not part of the store, whatever an interrupted import has left. While a line is imported its
-blocks of points lie in ``spool``.
+The folder contains the manifest ``store.json``, and a folder ``columns-N`` with one file in NumPy's
+format for each column. The manifest is written last and renamed. Files that it does not name, such
+as those of an interrupted import, are not part of the store. During the import of a line, its
+blocks of points are in the folder ``spool``.
 """
 
 import errno
@@ -48,7 +48,7 @@ COLUMN_FILE = re.compile(
 """Names of the files that an import writes into the folder of its columns."""
 MANIFEST_PART = re.compile(re.escape(MANIFEST) + UNFINISHED)
 LARGEST_REACH, LARGEST_TIME = 1e7, 1e12
-"""Metres from the origin and seconds that no survey has."""
+"""Largest possible distance from the origin in metres, and largest possible time in seconds."""
 
 
 class DamagedStore(ProjectError):
@@ -174,10 +174,10 @@ class Manifest:
         `Scan.fingerprint` of the points in the order of the file.
     original : SourceFile
     made_with : mapping
-        All that the content follows from besides the file: how it was read, the trajectory, and
-        the mounting where it went into the vectors.
+        Inputs other than the file that determine the content: the reading options, the trajectory,
+        and the mounting if the points were recovered with it.
     placed_with : mapping
-        What the order in space follows from: the mounting.
+        Input that determines the spatial order: the mounting.
     assumptions : tuple of mapping
         Messages about what the reader takes for granted, as plain values; texts in a store of an
         earlier version.
@@ -231,9 +231,9 @@ def read_manifest(folder: Path) -> Manifest | None:
     Raises
     ------
     DamagedStore
-        Where it is damaged.
+        If it is damaged.
     ProjectError
-        Where it is of a newer version of the program.
+        If it is of a newer version of the program.
     """
     path = folder / MANIFEST
     try:
@@ -271,7 +271,7 @@ def read_manifest(folder: Path) -> Manifest | None:
 
 
 def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
-    """Refuse what no import writes: other types, names that lead elsewhere, columns amiss.
+    """Refuse manifests with wrong types, paths outside the folder, or inconsistent columns.
 
     Raises
     ------
@@ -369,7 +369,7 @@ def read_checked_json(text: str) -> Any:
     KeyError
         If there is no checksum.
     TypeError
-        Where it is damaged.
+        If it is damaged.
     """
     whole = json_values(text)
     if whole["checksum"] != _checksum(whole["content"]):
@@ -378,7 +378,7 @@ def read_checked_json(text: str) -> Any:
 
 
 def write_text_atomically(path: Path, text: str) -> None:
-    """Write a small file by a rename, on the disk before the rename counts."""
+    """Write a small file, flush it to disk, and then rename it to its final name."""
     with replace_file_when_complete(path) as file:
         file.write(text.encode("utf-8"))
         flush_to_disk(file)
@@ -388,8 +388,8 @@ def write_text_atomically(path: Path, text: str) -> None:
 def replace_file_when_complete(path: Path) -> Iterator[BinaryIO]:
     """Yield a new file beside ``path`` that is renamed to it when complete.
 
-    Its name is random, and it is made only where nothing has this name: a link that somebody put
-    there is never followed. A link with the name of ``path`` is replaced.
+    The file has a random name and is created only if nothing with this name exists, so that links
+    are never followed. A link with the name of ``path`` is replaced.
     """
     part = path.with_name(f"{path.name}.{secrets.token_hex(8)}{PART}")
     with part.open("xb") as file:
@@ -407,7 +407,7 @@ def replace_file_when_complete(path: Path) -> Iterator[BinaryIO]:
 
 
 def flush_to_disk(file: Any) -> None:
-    """Have what was written on the disk, not in a buffer."""
+    """Flush a file to disk, so that no data remain in a buffer."""
     file.flush()
     os.fsync(file.fileno())
 

@@ -1,8 +1,8 @@
-"""Importing a line: read and spooled block by block, then written in order, then declared.
+"""Import of a line: blocks are read and spooled, then written in spatial order, then the manifest.
 
-At no time is more in memory than a few blocks. Whatever interrupts the work, the folder holds
-either the store that was there before, or the new one, or none; blocks that are complete are used
-again by the next import of the same file.
+Only a few blocks are in memory at any time. If the import is interrupted, the folder contains
+either the previous store, the new one, or none. The next import of the same file reuses blocks that
+are complete.
 """
 
 from collections.abc import Callable, Iterator
@@ -101,9 +101,9 @@ def write_store(
     Raises
     ------
     ProjectError
-        Where the folder cannot be written, the disk is full, or another import of the line runs.
+        If the folder cannot be written, the disk is full, or another import of the line runs.
     InputError
-        Where the file cannot be read.
+        If the file cannot be read.
     LispacError
         What ``pieces``, ``place`` and ``beside`` raise.
     """
@@ -223,7 +223,7 @@ def _fill_spool(
     Raises
     ------
     ProjectError
-        Where there is no point in it.
+        If there is no point in it.
     """
     known = spool.read_end
     if known is not None:

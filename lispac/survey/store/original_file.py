@@ -1,4 +1,4 @@
-"""Whether the file a line was imported from is still the same."""
+"""Check whether the file from which a line was imported is unchanged."""
 
 import os
 from hashlib import file_digest
@@ -14,10 +14,10 @@ def source_file_of(path: Path) -> SourceFile:
 
 
 def is_original_unchanged(original: SourceFile, path: Path) -> bool:
-    """Whether the file at ``path`` is what was imported; it may have been moved or copied.
+    """Whether the file at ``path`` is the imported one; it may have been moved or copied.
 
-    Size and time as they were are believed. With another time, as after a copy, all of the content
-    is compared: a file edited in place has the same size and most of the same bytes.
+    A file with the same size and time is assumed to be unchanged. If the time differs, as after a
+    copy, the whole content is compared, since an edited file may have the same size.
     """
     status = os.stat(path)
     if status.st_size != original.size:

@@ -17,9 +17,9 @@ Place = Callable[[Array, Array], Array]
 """Points in the LiDAR frame, shape (n, 3), metres, and their times to points in the local frame."""
 
 BLOCK = 1_000_000
-"""Points: so many are placed, sorted and spooled at once, however the file's reader parts them."""
+"""Number of points that are georeferenced, sorted and spooled at once."""
 MAX_POINTS = 2**32 - 1
-"""Points of a line: their numbers take 32 bits."""
+"""Largest number of points of a line, since their numbers have 32 bits."""
 OWN = (
     StoredColumn("xyz", "<f4", (3,)),
     StoredColumn("time", "<f8"),
@@ -42,7 +42,7 @@ class PointPiece:
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
     time : ndarray of shape (n,), seconds, in the trajectory's time base
     index : ndarray of shape (n,), int64
-        Of each point in its file, counted from 0; what is excluded has a place too.
+        Index of each point in its file, from 0, where excluded points are counted as well.
     extra : mapping of str to ndarray of shape (n, ...)
     read : int
         Points of the file up to here, including excluded ones.
@@ -72,13 +72,13 @@ class PointPiece:
 
 @dataclass(eq=False)
 class PointBlock:
-    """Points being gathered until there are `BLOCK` of them, or no more.
+    """Block into which points are gathered, up to `BLOCK` of them.
 
     Attributes
     ----------
     points_lidar : ndarray of shape (BLOCK, 3), metres, LiDAR frame
     time : ndarray of shape (BLOCK,), seconds
-        Of both the first ``count`` are there.
+        Only the first ``count`` elements of both arrays are in use.
     """
 
     first: int
@@ -88,7 +88,7 @@ class PointBlock:
     time: Array = field(default_factory=lambda: np.empty(BLOCK))
     count: int = 0
     next_index: int = 0
-    """Index in the file behind the last point."""
+    """Index in the file after the last point."""
 
     def __post_init__(self) -> None:
         own = {column.name: column for column in OWN}
@@ -133,7 +133,7 @@ def attribute_columns(piece: PointPiece, source: str) -> tuple[StoredColumn, ...
     Raises
     ------
     InputError
-        Where one is neither a number nor some numbers.
+        If an attribute is neither a number nor an array of numbers.
     """
     columns = []
     for name, values in piece.extra.items():
@@ -168,7 +168,7 @@ def require_same_attributes(
 def gather_blocks(
     pieces: Iterator[PointPiece], first: int, running: RunningFingerprint, source: str
 ) -> Iterator[tuple[PointBlock | None, PointPiece]]:
-    """Gather pieces into blocks; a piece that fills none comes with None.
+    """Gather pieces into blocks; a piece that does not complete a block is yielded with None.
 
     Parameters
     ----------
@@ -178,9 +178,9 @@ def gather_blocks(
     Raises
     ------
     InputError
-        Where attributes change within the line.
+        If attributes change within the line.
     ProjectError
-        Where a line has more points than can be numbered.
+        If a line has more points than can be numbered.
     """
     block: PointBlock | None = None
     columns: tuple[StoredColumn, ...] | None = None

@@ -11,10 +11,10 @@ POLL_INTERVAL = 0.1  # seconds between two checks whether the next piece is stil
 
 
 def read_ahead(source: Iterator[T], depth: int = 1) -> Generator[T, None, None]:
-    """Yield from ``source``, which runs in a thread of its own and ``depth`` pieces ahead.
+    """Yield from ``source``, which runs in a separate thread up to ``depth`` pieces ahead.
 
-    An error of the source comes out here. When the generator is closed the thread ends after the
-    piece it is at; until then it is waited for, because it may have a file open.
+    An exception in the source is raised here. When the generator is closed, it waits until the
+    thread has finished its current piece, because the thread may have a file open.
     """
     pieces: queue.Queue[tuple[T] | None] = queue.Queue(depth)
     unwanted = threading.Event()

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from lispac.compiled_code import njit
 
 Runs = NDArray[np.int64]
-"""Shape (k, 2): first row and the one behind the last, increasing and apart."""
+"""Runs of rows, shape (k, 2): first row and the row after the last, increasing, not adjacent."""
 
 
 def row_runs(starts: NDArray[np.uint64], octave_runs: Runs) -> Runs:

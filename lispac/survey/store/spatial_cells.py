@@ -1,10 +1,10 @@
-"""The order of a line's points in space: cubes of the local frame along Morton's curve (1966).
+"""Spatial order of the points of a line: cubic cells along Morton's curve (1966).
 
-Cells that are near each other are mostly near each other in the file, so a region is a few runs
-of points. Inside a cell the points stand in octaves: drawn by a hash of their number, an octave
-holds half of what the octaves after it leave, so that the beginning of a cell is a fair sample of
-it; inside an octave they stand in the order of the file, which is that of time, so that the
-trajectory is read along.
+Neighbouring cells are mostly close together in the file, so that a region consists of a few runs of
+points. The points of a cell are divided into octaves by a hash of their number: the last octave
+contains half of the points, the one before it a quarter, and so on. The beginning of a cell is
+therefore a uniform random sample of it. Within an octave, the points are in the order of the file,
+usually that of time, so that the trajectory is read in sequence.
 """
 
 from typing import Any
@@ -24,10 +24,10 @@ OCTAVE_BITS = 4
 MAX_HALVINGS = (1 << OCTAVE_BITS) - 1
 """Largest number of halvings of a sample."""
 SIDES = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
-"""Metres; with the smallest one the cells reach 16 km around the origin, and what lies farther
-counts to the outermost."""
+"""Possible sides of a cell, metres. With the smallest one, the cells extend 16 km from the origin;
+points beyond belong to the outermost cells."""
 FULL = 64
-"""Points that a cell holds on average at least, where the cells may grow."""
+"""Smallest mean number of points per cell, as long as larger cells are possible."""
 
 
 def choose_cell_side(points_local: Array) -> float:
@@ -150,7 +150,7 @@ def _splitmix_hashes(numbers):  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True, inline="always")
 def _octave_of_number(number):  # type: ignore[no-untyped-def]
-    """Where in its cell a point stands: half of the points are in the last octave."""
+    """Octave of a point in its cell; half of the points are in the last octave."""
     octave, hashed = np.uint64((1 << OCTAVE_BITS) - 1), _splitmix_hash(number)
     while octave > 0 and not hashed >> np.uint64(63):
         hashed <<= np.uint64(1)

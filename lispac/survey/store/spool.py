@@ -1,9 +1,8 @@
-"""Temporary blocks of points during the import of a line, each of them sorted.
+"""Temporary sorted blocks of points during the import of a line.
 
-A block is two files, the keys it is sorted by and the columns one after the other, without those
-that all its points share, and a third file with what it amounts to, which is written last: blocks
-without it do not count. After an interruption reading goes on behind the last block that counts, if
-the file and all else are the same.
+A block has three files: the sort keys, the columns (without those that are constant in the block),
+and a summary, which is written last. Blocks without a summary are ignored. After an interruption,
+reading continues after the last complete block if the file and all other inputs are unchanged.
 """
 
 import json
@@ -226,7 +225,7 @@ class Spool:
         Raises
         ------
         ProjectError
-            Where the block is cut short.
+            If the block is cut short.
         """
         block, count = self.blocks[number], stop - start
         keys = np.fromfile(self._path(number, "keys"), np.uint64, count, offset=8 * start)

@@ -1,4 +1,4 @@
-"""A stored line: its columns as arrays that are read where they are examined."""
+"""A stored line: its columns as memory-mapped arrays, which are read when accessed."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -44,27 +44,28 @@ from lispac.survey.store.spatial_cells import (
 Array = NDArray[np.float64]
 
 CROWDED = 4
-"""Points in the cells about a sphere, over the limit, from which the sphere has too many too."""
+"""Ratio of the points in the cells around a sphere to the limit from which the sphere is assumed to
+exceed the limit as well."""
 AT_ONCE = 1 << 20
-"""Points placed at once; of those outside the sphere no more than this are ever in memory."""
+"""Largest number of points georeferenced at once; limits the points outside a sphere in memory."""
 FARTHEST = 1e8
-"""Metres: no place in a local frame is farther from its origin."""
+"""Largest possible distance from the origin of a local frame, metres."""
 FINEST = 1e-6
-"""Metres: rounding of a reach near zero."""
+"""Tolerance for the rounding of ranges near zero, metres."""
 ROUNDING = 2.0**-23
-"""Share of the distance from the scanner: a point has moved by less since it was sorted."""
+"""Largest displacement by rounding since a point was sorted, as a share of its range."""
 
 
 @dataclass(frozen=True, eq=False)
 class LineSample:
-    """A fair sample of a line for the first picture.
+    """Uniform random sample of a line for the first picture.
 
     Attributes
     ----------
     rows : ndarray of shape (n,)
-        In the line, increasing.
+        Rows of the points in the line, increasing.
     points_local : ndarray of shape (n, 3), metres, local frame
-        Placed with the mounting that the line is ordered by.
+        Georeferenced with the mounting by which the line was ordered.
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
     time : ndarray of shape (n,), seconds
     intensity : ndarray of shape (n,) or None
@@ -83,10 +84,10 @@ CHECKED_AT_ONCE = 1_000_000
 
 @dataclass(frozen=True, eq=False)
 class StoredLine:
-    """One line on disk, with what `lispac.survey.scan.Scan` has.
+    """One line on disk, with the interface of `lispac.survey.scan.Scan`.
 
-    Rows are in the order of space. `numbers` turns them into the order of the file, which is what
-    picks are kept in, and `rows` turns them back.
+    Rows are in spatial order. `numbers` converts them to numbers in the order of the file, by which
+    picked points are stored, and `rows` converts numbers to rows.
 
     Attributes
     ----------
@@ -142,7 +143,7 @@ class StoredLine:
         self._require_points(xyz, time)
         self._require_numbers_below(rows, len(self))
         local = self._own("coarse_local")
-        # Where the trajectory is, only the placing of the points knows.
+        # The extent of the trajectory is not known here: only impossible coordinates are refused.
         if not np.isfinite(local).all() or (np.abs(local) > FARTHEST).any():
             raise self._damage_error()
         return LineSample(rows, local, xyz, time, intensity)
@@ -161,7 +162,7 @@ class StoredLine:
         Raises
         ------
         ProjectError
-            Where one is not of this line.
+            If one is not of this line.
         """
         column = self._own(name)
         self._require_numbers_below(at, len(column))
@@ -285,14 +286,14 @@ class StoredLine:
         margin: float = 0.0,
         limit: int | None = None,
     ) -> tuple[NDArray[np.int64], Array, int]:
-        """As `within`, but a fair sample where there are more points than ``limit`` in the sphere.
+        """Points as `within`, but a uniform random sample if there are more than ``limit``.
 
         Returns
         -------
         rows : ndarray of shape (n,), increasing
         points_local : ndarray of shape (n, 3), metres, local frame
         halvings : int
-            Of the points: the fewest that leave no more than ``limit``; 0 where all of them come.
+            Smallest number of halvings with at most ``limit`` points; 0 if all points are included.
         """
         halvings = 0
         while limit and halvings < MAX_HALVINGS:
@@ -316,7 +317,7 @@ class StoredLine:
     def _placed_within(
         self, centre: Array, radius: float, place: Place, margin: float, halvings: int
     ) -> tuple[NDArray[np.int64], Array]:
-        """Of such a part of the points, those in the sphere."""
+        """Points within a sphere, from a sample after some halvings."""
         middle = np.asarray(centre, dtype=np.float64)
         found = [(np.zeros(0, np.int64), np.zeros((0, 3)))]
         for some in split_runs(
@@ -332,12 +333,12 @@ class StoredLine:
         return rows, np.concatenate([points for _, points in found])
 
     def require_sound(self, progress: Callable[[float], None] = lambda done: None) -> None:
-        """Read all of it, compare the checksums, and check the values of all points.
+        """Read the whole store, compare the checksums, and check the values of all points.
 
         Raises
         ------
         ProjectError
-            If a file is missing, damaged or of invalid points.
+            If a file is missing or damaged, or contains invalid points.
         """
         done = 0
         for column in self.manifest.files:
@@ -371,7 +372,7 @@ class StoredLine:
             raise self.imported_again_or(failure) from failure
 
     def imported_again_or(self, failure: ProjectError) -> ProjectError:
-        """Another error where the line was imported again since it was opened, else the same."""
+        """Error that the line was imported again since it was opened, or ``failure`` if not."""
         if _is_manifest_current(self.folder, self.manifest):
             return failure
         return ProjectError(error("store.imported_again", line=self.name))
@@ -393,17 +394,17 @@ class StoredLine:
 
 
 def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> StoredLine:
-    """Open an imported line: its manifest, its order, and sizes and times of its files are checked.
+    """Open an imported line and check its manifest, its order, and its file sizes and times.
 
-    Where a file was written since the import, or the store was copied, all of it is read and
-    compared by its checksums.
+    If a file was written after the import, or the store was copied, the whole store is read and
+    compared with its checksums.
 
     Raises
     ------
     ProjectError
-        Where it is not imported, its import was interrupted, or it is damaged.
+        If the line is not imported, its import was interrupted, or it is damaged.
     FileNotFoundError
-        Where a file of it vanishes meanwhile.
+        If a file is removed meanwhile.
     """
     manifest = read_manifest(folder)
     if manifest is None:
