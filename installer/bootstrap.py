@@ -91,16 +91,16 @@ def lint_commands() -> list[tuple[str, list[str]]]:
 def check_commands(command: str, arguments: Sequence[str]) -> list[tuple[str, list[str]]]:
     """Name and command line of every step of `test`, `lint` or `benchmark`, in order."""
     cache = environment.ENVIRONMENT / "cache" / "pytest"
-    # A test that hangs fails with every thread's traceback instead of stopping the run for ever;
-    # one that hangs outside Python, in a dialogue that nobody closes, ends its process with them.
+    # A test that hangs fails with the traceback of every thread instead of blocking the run. If it
+    # hangs outside Python, for example in an open dialog, its process ends with these tracebacks.
     pytest = [script("python"), "-m", "pytest", "-o", f"cache_dir={cache}", "--timeout=300"]
     if command == "lint":
         return lint_commands()
     if command == "benchmark":
         options = ["tests/benchmarks", "--benchmark-enable", "--capture=no", "-m", ""]
         return [("benchmarks", [*pytest, *options, *arguments])]
-    # Whole files go to each process: their tests share data that take long to make; in the order
-    # of tests/conftest.py. Chosen tests run one by one, so that they can be looked into.
+    # Each process runs whole test files, because their tests share data that are slow to make, in
+    # the order of tests/conftest.py. Selected tests run in one process, for debugging.
     chosen = arguments or [*IN_TWO, *HANGING]
     return [*lint_commands(), ("pytest", [*pytest, *chosen])]
 

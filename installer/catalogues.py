@@ -4,9 +4,9 @@
     python installer/catalogues.py check
 
 `update` writes ``resources/i18n/CODE/LC_MESSAGES/lispac.po`` and ``lispac.mo``: new texts get an
-empty translation, which FILE.po may supply, and removed texts go. `check` ends with 1 where a text
-has no translation, its placeholders differ, or a file is out of date. The compiled files are
-committed: a checkout runs without a build.
+empty translation, which FILE.po may supply, and removed texts are deleted. `check` returns exit
+code 1 if a text has no translation, its placeholders differ, or a file is out of date. The compiled
+files are committed, so that a checkout runs without a build.
 """
 
 import argparse
@@ -34,32 +34,32 @@ TYPOGRAPHY = (
     ("« ", "«\u00a0"),
     (r"([\d}]) (mm|cm|m|km|s|ms|h|Hz)\b(?!['\u2019])", "\\1\u00a0\\2"),
 )
-"""French typography: what replaces what in a translation."""
+"""French typography: regular expressions and their replacements in a translation."""
 
 EPOCH = datetime(2026, 1, 1, tzinfo=UTC)
-"""One date for all catalogues, so that a file changes with its texts alone."""
+"""Fixed date in all catalogues, so that a file changes only if its texts change."""
 
 HEADER = "# Translations of LISPAC; installer/catalogues.py brings this file up to date."
 
 
 def path_of(code: str) -> Path:
-    """The catalogue of a language, to be edited."""
+    """Path of the editable catalogue (.po) of a language."""
     return ROOT / "resources" / "i18n" / code / "LC_MESSAGES" / "lispac.po"
 
 
 def extracted() -> Catalog:
-    """The English texts of the program, sorted by where they are."""
+    """Catalogue of the English texts of the program, with the file of each text."""
     found = Catalog(project="LISPAC", charset="utf-8")
     for file, _, text, comments, _ in extract_from_dir(ROOT / "lispac", keywords=KEYWORDS):
         if text:
             place = f"lispac/{Path(file).as_posix()}"
-            # Numbers of lines would change with every edit.
+            # Line numbers are omitted: they would change with every edit.
             found.add(text, locations=[(place, 0)], auto_comments=comments)
     return found
 
 
 def not_extracted(catalogue: Catalog) -> list[str]:
-    """Texts marked in the source that Babel does not find, as those within an f-string."""
+    """Texts marked in the source that Babel does not find, for example in an f-string."""
     found = []
     for path in sorted((ROOT / "lispac").rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
@@ -94,7 +94,7 @@ def updated(code: str, take: list[Path]) -> Catalog:
 
 
 def read(path: Path) -> Catalog:
-    """A catalogue from a file; an empty French one where there is none."""
+    """Read a catalogue from a file; an empty French one if the file is missing."""
     if not path.exists():
         return Catalog(locale="fr")
     with path.open("rb") as file:
@@ -102,7 +102,7 @@ def read(path: Path) -> Catalog:
 
 
 def typeset(text: str) -> str:
-    """A translation with the signs and blanks of French typography."""
+    """Apply the signs and spaces of French typography to a translation."""
     for pattern, by in TYPOGRAPHY:
         text = re.sub(pattern, by, text)
     return text

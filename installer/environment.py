@@ -1,7 +1,7 @@
 """The private environment .venv of a checkout: its state, its required state, and the update.
 
-What was installed is kept in a stamp file that is written last. Where it matches the lock file and
-the project, nothing is done; where it is unfinished, the environment is made from nothing.
+A stamp file, written last, records what was installed. If it matches the lock file and the project,
+nothing is done. If an installation is unfinished, the environment is created anew.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ ENVIRONMENT = CHECKOUT / ".venv"
 STAMP = ENVIRONMENT / "lispac-installed.json"
 INSTALL_LOG = ENVIRONMENT / "install.log"
 LOCKS = {"run": "lock-run.txt", "test": "lock-test.txt", "bundle": "lock-bundle.txt"}
-# Changes to these change what installing the project itself does.
+# The project has to be installed again if one of these files changes.
 PROJECT_FILES = ("pyproject.toml", "lispac/__init__.py")
 
 
@@ -37,7 +37,7 @@ def say(line: str) -> None:
 
 
 def use_folder(folder: Path) -> None:
-    """Has this process work with the environment of another folder than .venv."""
+    """Use the environment in another folder than .venv in this process."""
     global ENVIRONMENT, STAMP, INSTALL_LOG
     ENVIRONMENT = folder
     STAMP, INSTALL_LOG = folder / STAMP.name, folder / INSTALL_LOG.name
@@ -81,8 +81,8 @@ def child_variables(
     testing : bool, software OpenGL and settings of its own, so that every machine tests the same
     """
     own = ENVIRONMENT / "cache"
-    # Modules of another environment would be found before the locked ones. Bytecode lies in a
-    # folder of its own, so it may be kept: without it every process compiles its libraries anew.
+    # PYTHONPATH is removed: modules of another environment would take precedence over the locked
+    # ones. Bytecode is kept in a separate folder; without it every process compiles the libraries.
     excluded = ("PYTHONPATH", "PYTHONHOME", "PYTHONDONTWRITEBYTECODE")
     kept = {k: v for k, v in variables.items() if k not in excluded}
     kept.update(
@@ -141,7 +141,7 @@ def steps_needed(installed: dict[str, Any] | None, wanted: dict[str, Any], kind:
     ----------
     installed : dict or None, as from `read_stamp`
     wanted : dict, as from `wanted_state`
-    kind : str, of `LOCKS`; the lock for tests holds everything of the one to run
+    kind : str, key of `LOCKS`; the lock for tests includes everything in the lock for running
     """
     if installed is None or any(installed.get(k) != wanted[k] for k in ("checkout", "python")):
         return ["environment", "dependencies", "project"]
@@ -168,7 +168,7 @@ def pip_variables(variables: Mapping[str, str]) -> dict[str, str]:
         "PIP_NO_INPUT": "1",
         "PIP_USER": "0",
         "PYTHONUNBUFFERED": "1",
-        # pip asks rustc for its version, and rustup's stand-in makes a folder at home when asked.
+        # pip runs rustc for its version; rustup's proxy would then create a folder in the home.
         "RUSTUP_HOME": str(ENVIRONMENT / "cache" / "rustup"),
     }
 
@@ -277,7 +277,7 @@ def ensure_installed(kind: str, cache: Path) -> None:
         total = requirement_count(lock)
         say(f"Installing {total} locked packages (the first time this takes some minutes)")
         run_pip(["--only-binary", ":all:", "--require-hashes", "-r", str(lock)], variables, total)
-        # The lock for tests holds everything of the one to run.
+        # The lock for tests includes everything in the lock for running.
         kinds = ("run", "test") if kind == "test" else (kind,)
         locks = {name: wanted["locks"][name] for name in kinds}
     say("Installing LISPAC")

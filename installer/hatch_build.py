@@ -1,7 +1,7 @@
-"""Build hook of the wheel: takes resources/ along as lispac/resources.
+"""Build hook of the wheel: includes resources/ as lispac/resources.
 
-A plain force-include would copy the folder into the environment for an editable install too, beside
-the checkout's own, and fails where the folder is empty and therefore not checked out.
+The setting force-include is not used: it would also copy the folder into the environment of an
+editable install, and it fails if the folder is empty and therefore not checked out.
 """
 
 from pathlib import Path

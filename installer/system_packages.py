@@ -1,8 +1,8 @@
-"""The system libraries that Qt, VTK and Open3D expect of a Linux system, and how to get them.
+"""System libraries that Qt, VTK and Open3D require on Linux, and how to install them.
 
-A wheel brings its own libraries except those that belong to the system: OpenGL, X11, fonts. Whether
-one is there is asked of the dynamic loader itself, so the answer holds on every distribution; only
-the names to install are those of Debian and Ubuntu.
+A wheel contains its own libraries except those that belong to the system: OpenGL, X11, fonts. The
+dynamic loader is used to check whether a library is present, so that the check works on every
+distribution; only the package names to install are those of Debian and Ubuntu.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ FONT_FOLDERS = ("/usr/share/fonts", "/usr/local/share/fonts")
 
 
 class Missing(NamedTuple):
-    """Something the system lacks: what it is, and the package that brings it, under any name."""
+    """A missing system component: its description and the possible names of its package."""
 
     what: str
     package: tuple[str, ...]
@@ -112,7 +112,7 @@ def missing_packages(
     which: Callable[[str], str | None] = shutil.which,
     has_venv: Callable[[], bool] = venv_works,
 ) -> list[Missing]:
-    """What this Linux system lacks; the callables ask the system and are replaced in tests."""
+    """Missing components of this Linux system; tests replace the callables that query it."""
     missing = [Missing(so, package) for so, package in LIBRARIES.items() if not loads(so)]
     if not has_fonts():
         missing.append(Missing("a scalable font", FONTS))
@@ -133,10 +133,10 @@ def apt_knows(package: str) -> bool:
 
 
 def choose_names(missing: Sequence[Missing], knows: Callable[[str], bool] = apt_knows) -> list[str]:
-    """The package names to give to apt-get, each once.
+    """Package names for apt-get, each once.
 
-    Of two names the first one that apt knows; the last, which older systems use and newer ones
-    still provide, where apt knows none because its lists were never fetched.
+    Of several names, the first that apt knows is used. If apt knows none because its lists were
+    never fetched, the last is used: it is the older name, which newer systems still provide.
     """
     chosen = []
     for need in missing:
@@ -148,7 +148,7 @@ def choose_names(missing: Sequence[Missing], knows: Callable[[str], bool] = apt_
 
 
 def install_command(packages: Sequence[str]) -> list[str]:
-    """The command that installs the packages and asks nothing."""
+    """Command that installs the packages without questions."""
     return ["apt-get", "install", "-y", "--no-install-recommends", *packages]
 
 
@@ -164,7 +164,7 @@ def ensure(
     apt_get: str | None,
     say: Callable[[str], None],
 ) -> None:
-    """Installs what is missing as root; otherwise raises an error that says what to run.
+    """Installs missing packages as root; otherwise raises an error with the command to run.
 
     Parameters
     ----------
@@ -205,7 +205,7 @@ def ensure(
 def run_apt(command: Sequence[str]) -> None:
     """Runs one apt-get command; on failure raises with the last lines it printed."""
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C"}
-    # The child's own time zone or keyboard questions must not wait for an answer nobody gives.
+    # apt-get must not wait for an answer to questions about the time zone or the keyboard.
     done = subprocess.run(
         command,
         env=environment,

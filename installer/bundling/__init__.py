@@ -1,1 +1,1 @@
-"""What makes the folder of a release that runs without Python; `build.py` builds it."""
+"""Build of the bundle: a release folder that runs without an installed Python; see `build.py`."""

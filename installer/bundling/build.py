@@ -1,4 +1,4 @@
-"""Builds the bundle of this system into dist/; `installer/bootstrap.py bundle` runs it."""
+"""Build the bundle for this system in dist/; run by `installer/bootstrap.py bundle`."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def say(line: str) -> None:
 
 
 def system_name() -> str:
-    """System and processor as the folder's name ends: linux-x86_64, windows-x86_64, macos-arm64."""
+    """System and processor, the end of the folder's name: linux-x86_64, macos-arm64, ..."""
     system = {"win32": "windows", "darwin": "macos"}.get(sys.platform, "linux")
     machine = platform.machine().lower()
     return f"{system}-{'x86_64' if machine == 'amd64' else machine}"
@@ -45,7 +45,7 @@ def bundle_name() -> str:
 
 
 def run_pyinstaller() -> None:
-    """Has PyInstaller make build/bundle/dist.
+    """Run PyInstaller, which writes build/bundle/dist.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def run_pyinstaller() -> None:
 
 
 def build_manual() -> None:
-    """Build the pages of the manual into build/bundle/manual, where the spec takes them from.
+    """Build the pages of the manual in build/bundle/manual, from where PyInstaller's spec reads.
 
     Raises
     ------
@@ -77,20 +77,20 @@ def build_manual() -> None:
 
 
 def contents() -> list[Path]:
-    """The files that PyInstaller took, where it took them from."""
+    """Source paths of the files that PyInstaller put into the bundle."""
     return sources_of(json.loads((BUILD / "work" / "lispac" / "contents.json").read_text("utf-8")))
 
 
 def sources_of(listed: Iterable[trimming.Entry]) -> list[Path]:
-    """The files among what PyInstaller lists; links and packages without a file have none."""
+    """Source files among PyInstaller's entries, without links and packages that have no file."""
     found = [Path(source) for _place, source, kind in listed if source and kind != "SYMLINK"]
     return [path for path in found if path.is_absolute()]
 
 
 def compile_sources(package: Path) -> None:
-    """Compile the modules that lie as files once, since a bundle never writes bytecode."""
+    """Compile the modules stored as files, because a bundle never writes bytecode itself."""
     unchecked = py_compile.PycInvalidationMode.UNCHECKED_HASH
-    elsewhere, sys.pycache_prefix = sys.pycache_prefix, None  # a checkout is kept clean by it
+    elsewhere, sys.pycache_prefix = sys.pycache_prefix, None  # else bytecode goes to that folder
     try:
         compileall.compile_dir(package, quiet=1, invalidation_mode=unchecked)
     finally:
@@ -98,9 +98,10 @@ def compile_sources(package: Path) -> None:
 
 
 def strip_symbols(folder: Path) -> None:
-    """Remove from large libraries the symbols that only a debugger reads.
+    """Remove the debugging symbols from large libraries.
 
-    Those that auditwheel has put into a folder *.libs have moved sections, which strip would break.
+    Libraries in a folder *.libs are skipped: auditwheel has moved their sections, and strip would
+    damage them.
     """
     for path in sorted(folder.rglob("*.so*")):
         movable = not path.parent.name.endswith(".libs") and not path.is_symlink()
@@ -109,11 +110,12 @@ def strip_symbols(folder: Path) -> None:
 
 
 def share_one_file(programs: Sequence[Path]) -> None:
-    """Make programs that are the same one file, as they have to be for Numba's cache.
+    """Replace identical programs by hard links to one file, so that they share Numba's cache.
 
     Raises
     ------
     BundleError
+        If the programs differ.
     """
     first, *others = programs
     for other in others:
@@ -126,7 +128,7 @@ def share_one_file(programs: Sequence[Path]) -> None:
 
 
 def require_fit(folder: Path) -> None:
-    """Refuse a bundle that holds what it must not, or that tells another version.
+    """Check that a bundle contains no forbidden files and reports the right version.
 
     Raises
     ------
@@ -139,7 +141,7 @@ def require_fit(folder: Path) -> None:
             "The bundle contains files that are not allowed: " + ", ".join(sorted(found)[:10])
         )
     program = folder / f"{names.COMMAND_LINE}{sysconfig.get_config_var('EXE') or ''}"
-    # Nothing of this environment but what no program of Windows can do without
+    # The program is run without this environment, except for the variable that Windows requires.
     kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
     done = subprocess.run(
         [str(program), "--version"], capture_output=True, text=True, check=False, env=kept
@@ -149,7 +151,7 @@ def require_fit(folder: Path) -> None:
 
 
 def archive(folder: Path) -> Path:
-    """Pack the folder; the same files give the same bytes."""
+    """Pack the folder as .tar.xz with files in a fixed order and without owners."""
     packed = folder.with_name(folder.name + ".tar.xz")
     draft = packed.with_name(packed.name + ".part")
     command = ["tar", "--create", "--file", str(draft), "--use-compress-program", "xz -T0 -6"]
@@ -160,19 +162,21 @@ def archive(folder: Path) -> Path:
 
 
 def finish_linux(folder: Path) -> None:
-    """What Linux wants beside the programs."""
+    """Strip the libraries, link the two programs and add the desktop files for Linux."""
     strip_symbols(folder)
     share_one_file([folder / name for name in names.PROGRAMS])
     desktop.write_into(folder)
 
 
 def finish_macos(app: Path, made: Path) -> None:
-    """Bring into the .app, which PyInstaller made of the folder, what the folder got after it.
+    """Copy the licences into the .app and compile its modules, as was done for the folder.
+
+    PyInstaller makes the .app from the folder before these steps.
 
     Parameters
     ----------
-    app : Path; its data, and modules that lie as files, are in Contents/Resources
-    made : Path, the folder
+    app : Path; its data and the modules stored as files are in Contents/Resources
+    made : Path, the folder that PyInstaller wrote
     """
     inside = app / "Contents" / "Resources"
     shutil.copy(made / licences.FILE_NAME, inside)
@@ -180,7 +184,7 @@ def finish_macos(app: Path, made: Path) -> None:
 
 
 def installer_command() -> list[str] | None:
-    """What makes the installer of Windows or macOS from the folder; None where it is absent."""
+    """Command that makes the installer for Windows or macOS; None if its tool is missing."""
     here = names.CHECKOUT / "installer"
     if sys.platform == "darwin":
         return ["sh", str(here / "macos" / "make-dmg.sh")]
@@ -189,7 +193,7 @@ def installer_command() -> list[str] | None:
 
 
 def write_names(folder: Path) -> None:
-    """Write down for the scripts of Windows and macOS what they share with Linux."""
+    """Write the shared names into files that the scripts for Windows and macOS include."""
     values = {**names.shared(), "BundleFolder": str(folder), "BundleName": bundle_name()}
     BUILD.mkdir(parents=True, exist_ok=True)
     (BUILD / "names.iss").write_text(names.for_inno_setup(values), encoding="utf-8-sig")
@@ -230,18 +234,19 @@ def build(*, packed: bool) -> Path:
 
 
 def tell_sizes(folder: Path, licensed: int) -> None:
-    """Print the table of sizes."""
+    """Print the table of sizes and the number of components with licences."""
     for line in sizes.table(sizes.by_part(folder)):
         say(line)
     say(f"{licensed} components with their licences in {licences.FILE_NAME}")
 
 
 def pack(folder: Path) -> None:
-    """Pack the folder as its system wants it.
+    """Make the archive (Linux) or the installer (Windows, macOS) from the folder.
 
     Raises
     ------
     BundleError
+        If Inno Setup is not installed on Windows.
     """
     if sys.platform == "linux":
         say("Packing (some minutes)")

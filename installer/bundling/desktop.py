@@ -111,7 +111,7 @@ echo "{names.NAME} is removed from $prefix. To remove its cache too, delete ~/.c
 
 
 def write_into(folder: Path) -> None:
-    """Add what a Linux desktop needs to a finished bundle."""
+    """Add the files for the Linux desktop to a finished bundle."""
     share = folder / "share"
     share.mkdir()
     (share / f"{names.COMMAND_LINE}.desktop").write_text(

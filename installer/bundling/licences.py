@@ -1,4 +1,4 @@
-"""The licences of everything in a bundle, in one file; what has none stops the build."""
+"""Licences of all components of a bundle in one file; a missing licence stops the build."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ PYTHON = "Python"
 PROJECT = "LISPAC"
 FILE_NAME = "LICENSES.txt"
 IN_PAGES = ("furo", "pygments", "snowballstemmer", "sphinx", "sphinx-basic-ng")
-"""Packages whose scripts, styles and pictures the pages of the manual hold."""
+"""Packages whose scripts, style sheets and images are part of the manual's pages."""
 
 
 class LicenceMissingError(Exception):
@@ -29,7 +29,7 @@ class LicenceMissingError(Exception):
 
 
 def normalised(name: str) -> str:
-    """A distribution's name as everybody agrees to write it."""
+    """Normalised name of a distribution: lower case, with hyphens."""
     return re.sub(r"[-_.]+", "-", name).lower()
 
 
@@ -48,7 +48,7 @@ def owners(site: Path) -> dict[str, Distribution]:
 
 
 def texts_of(distribution: Distribution, notices: Mapping[str, Any]) -> list[str]:
-    """Every licence text of a distribution: its own, and what the notices add.
+    """All licence texts of a distribution: its own, and those added by the notices.
 
     Raises
     ------
@@ -57,7 +57,7 @@ def texts_of(distribution: Distribution, notices: Mapping[str, Any]) -> list[str
     name = distribution.metadata["Name"]
     found = []
     for file in distribution.files or ():
-        # In its metadata, or beside its code; not a module of that name
+        # A licence file in the metadata or beside the code, but not a module of that name
         if LICENCE_FILE.search(file.name) and file.suffix.lower() in ("", ".txt", ".md", ".rst"):
             path = Path(str(distribution.locate_file(file)))
             if path.is_file():
@@ -75,9 +75,9 @@ def texts_of(distribution: Distribution, notices: Mapping[str, Any]) -> list[str
 
 
 def library_notice(file_name: str, notices: Mapping[str, Any]) -> Mapping[str, str] | None:
-    """What the notices say of a library inside a wheel, by the beginning of its name.
+    """Entry of the notices for a library inside a wheel, found by the beginning of its name.
 
-    On Windows names go without the ``lib`` before them.
+    Names on Windows lack the prefix ``lib``.
     """
     for row in notices["library"]:
         if re.match(row["file"], file_name) or re.match(row["file"], f"lib{file_name}"):
@@ -86,7 +86,7 @@ def library_notice(file_name: str, notices: Mapping[str, Any]) -> Mapping[str, s
 
 
 def is_foreign(path: Path) -> bool:
-    """Whether a library in a wheel was made by others than the wheel's authors."""
+    """Whether a library in a wheel comes from other authors than the wheel."""
     name = path.name
     if ".so" not in name and path.suffix not in (".dll", ".dylib"):
         return False
@@ -96,7 +96,7 @@ def is_foreign(path: Path) -> bool:
 
 
 def debian_copyright(library: Path) -> tuple[str, str]:
-    """Package and licence of a library of this Debian or Ubuntu system.
+    """Package name and licence text of a library of this Debian or Ubuntu system.
 
     Raises
     ------
@@ -120,21 +120,21 @@ def debian_copyright(library: Path) -> tuple[str, str]:
 
 
 def read_notices() -> dict[str, Any]:
-    """The notices that this folder holds."""
+    """Read the notices file in this folder."""
     return tomllib.loads(NOTICES.read_text(encoding="utf-8"))
 
 
 def collected(
     sources: Iterable[Path], site: Path, checkout: Path, notices: Mapping[str, Any]
 ) -> dict[str, list[str]]:
-    """Licence texts of everything that a bundle is made of, by its name and version.
+    """Licence texts of all components of a bundle, by component name and version.
 
     Parameters
     ----------
-    sources : iterable of Path, the files that went into the bundle
-    site : Path, site-packages of the environment they came from
-    checkout : Path, of LISPAC
-    notices : as from `read_notices`
+    sources : iterable of Path, source files of the bundle
+    site : Path, site-packages of the environment that contains them
+    checkout : Path, checkout of LISPAC
+    notices : result of `read_notices`
 
     Raises
     ------
@@ -162,8 +162,8 @@ def collected(
             found[f"{package} (system library)"] = [text]
     for distribution in owned.values():
         name = normalised(distribution.metadata["Name"])
-        # The two programs begin with the loader of the one, the manual's pages hold scripts and
-        # styles of the others
+        # Both programs contain PyInstaller's loader, and the manual's pages contain scripts and
+        # style sheets of the packages in IN_PAGES
         if name in ("pyinstaller", *IN_PAGES):
             parts[name] = distribution
     for distribution in parts.values():
@@ -179,7 +179,7 @@ def collected(
 
 
 def written(found: Mapping[str, list[str]]) -> str:
-    """The one file: a list of names, then every text below its name."""
+    """Content of the licence file: a list of names, then each text below its name."""
     names = sorted(found, key=lambda name: (not name.startswith(PROJECT), name.lower()))
     lines = ["What this program is made of, and the licences it comes under.", ""]
     lines += [f"  {name}" for name in names]
@@ -212,7 +212,7 @@ def _is_python(source: Path) -> bool:
 
 
 def _python_licence() -> str:
-    """The licence that comes with Python's library.
+    """Licence text of the Python standard library.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Every name that the bundles of Linux, Windows and macOS share; the version is the package's."""
+"""Names shared by the bundles for Linux, Windows and macOS; the version is the package's."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ IDENTIFIER = "org.lispac.lispac"
 COMMAND_LINE = "lispac"
 WINDOW = "lispac-gui"
 PROGRAMS = (COMMAND_LINE, WINDOW)
-"""In one folder; the first is for a terminal, the second has the window."""
+"""The two programs of a bundle, in one folder: command line and window."""
 ENDING = "lispac"
-"""Of the file that opens its folder's project (lispac/io/project/project_file.py)."""
+"""Suffix of the file that opens the project in its folder (lispac/io/project/project_file.py)."""
 MIME_TYPE = "application/x-lispac-project"
 DOCUMENT = "LISPAC project"
 DOCUMENT_FR = "Projet LISPAC"
@@ -35,7 +35,7 @@ def version() -> str:
 
 
 def shared() -> dict[str, str]:
-    """What the scripts for Windows and macOS take from here, by the name they know it by."""
+    """Values for the scripts for Windows and macOS, by the variable names of the scripts."""
     return {
         "AppName": NAME,
         "AppVersion": version(),
@@ -62,11 +62,11 @@ def for_shell(values: dict[str, str]) -> str:
 
 
 def for_macos() -> dict[str, Any]:
-    """What Info.plist says beyond name, version and icon: which files the window opens."""
+    """Entries of Info.plist besides name, version and icon: file types that the window opens."""
     kind = f"{IDENTIFIER}.project"
     return {
         "CFBundleExecutable": WINDOW,
-        # The system's own dialogues follow the language of the user, as ours do
+        # The system's dialogs then use the user's language, as those of LISPAC do
         "CFBundleDevelopmentRegion": "en",
         "CFBundleLocalizations": ["en", "fr"],
         "CFBundleDocumentTypes": [

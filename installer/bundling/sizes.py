@@ -1,4 +1,4 @@
-"""What takes the room in a bundle."""
+"""Table of the disk space used by each part of a bundle."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from pathlib import Path
 
 SMALL = 2e6
-"""Bytes; parts below are told together."""
+"""Bytes; smaller parts are summed in one row of the table."""
 
 
 def by_part(folder: Path) -> dict[str, int]:
-    """Bytes of each part of a bundle: a program, a package with its libraries, all else.
+    """Size in bytes of each part of a bundle: programs, packages with libraries, other files.
 
-    A file that has two names counts once, and a link not at all.
+    A file with several hard links is counted once; symbolic links are not counted.
     """
     sizes: dict[str, int] = {}
     seen: set[tuple[int, int]] = set()

@@ -1,7 +1,7 @@
-"""Where both programs of the bundle begin; which one it is, its own name says.
+"""Start script of both programs of the bundle; the file name selects the program to run.
 
-One script for both makes their files the same on Linux: Numba keeps compiled code for
-the program file it was compiled by, and so each finds what the other has compiled.
+With one script, both program files are identical on Linux. Numba caches compiled code for each
+program file, so each program can use the code that the other has compiled.
 """
 
 import os
@@ -12,7 +12,7 @@ from pathlib import Path
 
 MAIN = {"lispac": "lispac.cli.main", "lispac-gui": "lispac.gui.window.program"}
 
-# A worker process starts here as well, and does not come back from this
+# Worker processes also start here, and this call does not return in them
 freeze_support()
 
 from lispac import caches  # noqa: E402
@@ -20,6 +20,6 @@ from lispac import caches  # noqa: E402
 caches.set_cache_variables(os.environ)
 program = Path(sys.executable).stem
 if sys.platform in ("win32", "darwin"):
-    # There they differ (a console, files that the Finder hands over), so each keeps its own
+    # The program files differ here (console, files opened from the Finder): one cache for each
     os.environ["NUMBA_CACHE_DIR"] = str(Path(os.environ["NUMBA_CACHE_DIR"]) / program)
 sys.exit(import_module(MAIN[program]).main())

@@ -1,4 +1,4 @@
-"""What stays out of the bundle, and what must never be in it."""
+"""Files that are omitted from the bundle, and files that it must not contain."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import PurePosixPath
 
-# Open3D, PyVista and Numba name these for notebooks, web pages and developers; Sphinx and what it
-# needs are in the environment, since the manual is built there.
+# Open3D, PyVista and Numba import these for notebooks, web pages and developers; Sphinx and its
+# dependencies are installed because the manual is built in this environment.
 UNUSED_MODULES = [
     "IPython",
     "PyInstaller",
@@ -62,8 +62,8 @@ UNUSED_FILES = [
     r"pillow\.libs/libavif|PIL/(_avif|\.dylibs/libavif)",
     r"(.*/)?tests?/",
 ]
-# Found by what the window has loaded with every module imported and the built-in survey on show.
-# Their libraries need others, which come along; what is left of VTK stays out.
+# The modules that are loaded when all modules of the window are imported and the built-in survey
+# is displayed. Libraries that they depend on are added; the rest of VTK is omitted.
 VTK_MODULES = [
     "ChartsCore",
     "CommonColor",
@@ -131,10 +131,10 @@ NEVER = [
     r"(^|/)(sphinx|docutils|myst_parser|furo)(/|$)",
     r"(^|/)lib(gtk|gdk)-3",
 ]
-"""What a check of the finished folder refuses, by path."""
+"""Regular expressions of paths that the finished bundle must not contain."""
 
 Entry = tuple[str, str, str]
-"""Place in the bundle, source, and PyInstaller's word for its kind."""
+"""Path in the bundle, source path, and PyInstaller's type code."""
 
 
 def _matches(patterns: Iterable[str], text: str) -> bool:
@@ -142,7 +142,7 @@ def _matches(patterns: Iterable[str], text: str) -> bool:
 
 
 def is_optional(place: str) -> bool:
-    """Whether a library comes along only where another needs it.
+    """Whether a library is included only if another library needs it.
 
     Parameters
     ----------
@@ -160,17 +160,17 @@ def is_optional(place: str) -> bool:
 
 
 def without_unused(entries: Iterable[Entry]) -> list[Entry]:
-    """Files of the bundle but for those that LISPAC never asks for, on any system."""
+    """Files of the bundle without those that LISPAC does not use on any system."""
     return [entry for entry in entries if not _matches(UNUSED_FILES, entry[0].replace("\\", "/"))]
 
 
 def trimmed(entries: Sequence[Entry], needs: Callable[[str], Iterable[str]]) -> list[Entry]:
-    """Files of a Linux bundle without the libraries that nothing in it uses or every system has.
+    """Files of a Linux bundle without unused libraries and without those of every Linux system.
 
     Parameters
     ----------
     entries : sequence of Entry
-    needs : gives the names of the libraries that a library (its source) is linked against
+    needs : function that returns the names of the libraries that a source file is linked against
     """
     links = [entry for entry in entries if entry[2] == "SYMLINK"]
     wanted = [
@@ -197,5 +197,5 @@ def trimmed(entries: Sequence[Entry], needs: Callable[[str], Iterable[str]]) -> 
 
 
 def unwanted(places: Iterable[str]) -> list[str]:
-    """Those paths of a finished bundle that must not be in it."""
+    """Paths of a finished bundle that must not be in it."""
     return [place for place in places if any(re.search(pattern, place) for pattern in NEVER)]

@@ -1,4 +1,7 @@
-"""Open3D imports its plotly figures at once; they need 40 MB that LISPAC has no use for."""
+"""Replacement for Open3D's plotly module, which Open3D imports at start but LISPAC does not use.
+
+Without plotly, the bundle is 40 MB smaller.
+"""
 
 import sys
 from types import ModuleType

@@ -1,4 +1,4 @@
-"""Opening files with plain errors, and writing them so that a crash leaves no partial file."""
+"""Opening of files with clear errors, and atomic writing: a crash leaves no partial file."""
 
 import errno
 import math
@@ -49,7 +49,7 @@ KINDS: Mapping[str, Message] = {
     "logo": note("file.kind_logo"),
     "certificate": note("file.kind_certificate"),
 }
-"""Kinds of files with a name to be translated; the others are names of formats."""
+"""Kinds of files whose names are translated; other kinds are names of formats."""
 
 
 def file_kind_message(what: str) -> Message | str:
@@ -58,14 +58,14 @@ def file_kind_message(what: str) -> Message | str:
 
 
 def require_file(path: Path, what: str) -> Path:
-    """Give the path back where it is a file that can be read; ``what`` names its role.
+    """Return the path if it is a readable file; ``what`` names its role in messages.
 
-    Text may be compressed by gzip; other compressed files and archives are refused.
+    Text may be compressed with gzip; other compressed files and archives are refused.
 
     Raises
     ------
     InputError
-        If it is missing, no file, unreadable or compressed in another way.
+        If it is missing, not a regular file, unreadable or compressed in another way.
     """
     path, kind = Path(path), file_kind_message(what)
     try:
@@ -108,7 +108,7 @@ def library_path(path: Path, ending: str = "") -> Iterator[Path]:
     Parameters
     ----------
     ending : str
-        Lower case, with the dot; any where empty.
+        Required file name ending, lower case with the dot; empty for any ending.
     """
     try:
         str(path).encode("utf-8")
@@ -122,7 +122,7 @@ def library_path(path: Path, ending: str = "") -> Iterator[Path]:
         link = Path(folder) / f"file{ending or '.bin'}"
         try:
             link.symlink_to(path.resolve())
-        except OSError:  # Windows asks for a right to make links
+        except OSError:  # Windows requires a privilege to create links
             shutil.copyfile(path, link)
         yield link
 
@@ -139,7 +139,7 @@ def read_records(
     Raises
     ------
     InputError
-        Where the file is missing, empty, cut short or holds values that are not numbers.
+        If the file is missing, empty, cut short or holds values that are not numbers.
     """
     require_file(path, what)
     size, record, kind = path.stat().st_size, 8 * columns, file_kind_message(what)
@@ -168,7 +168,7 @@ def require_numbers(records: NDArray[np.float64], path: Path, what: str) -> None
     Parameters
     ----------
     records : ndarray of shape (n, k)
-        In the order of the file, whose kind is ``what``.
+        In the order of the file; ``what`` names its kind in messages.
 
     Raises
     ------
@@ -191,15 +191,15 @@ def require_numbers(records: NDArray[np.float64], path: Path, what: str) -> None
 def require_increasing(
     time: NDArray[np.float64], path: Path, what: str, numbers: NDArray[np.int64] | None = None
 ) -> None:
-    """Refuse times that stand still or run backwards.
+    """Refuse times that do not strictly increase.
 
     Parameters
     ----------
     time : ndarray of shape (n,), seconds
     what : str
-        What a time belongs to: ``SBET record`` is shown with its number.
+        What a time belongs to, for messages: ``SBET record`` is followed by its number.
     numbers : ndarray of shape (n,), optional
-        Row in the file of each time, where that is not its place among the times.
+        Row in the file of each time, if it differs from the index of the time.
 
     Raises
     ------
@@ -247,19 +247,19 @@ def message_with_file_name(failure: LispacError, path: Path) -> Message:
 
 
 TEMPORARY = ".part"
-"""Before the suffix of the temporary name of a file that is being written."""
+"""Part of the temporary name of a file that is being written, before its suffix."""
 
 
 @contextmanager
 def atomic_write(path: Path) -> Iterator[Path]:
-    """Yield a temporary name beside ``path`` and rename it to ``path`` when all went well.
+    """Yield a temporary name beside ``path``; rename it to ``path`` if no error occurs.
 
-    Where it did not, neither the file nor a folder made for it is left.
+    After an error, the temporary file and the folders created for it are removed.
 
     Raises
     ------
     InputError
-        Where the folder cannot be written, the disk is full, or ``path`` is a folder or a device.
+        If the folder cannot be written, the disk is full, or ``path`` is a folder or a device.
     """  # noqa: DOC501 - `write_error` makes an InputError
     path = Path(path)
     made: list[Path] = []
@@ -279,7 +279,7 @@ def atomic_write(path: Path) -> Iterator[Path]:
         remove_empty_folders(made)
         raise write_error(path, failure) from failure
     temporary = Path(name)
-    # The lock shows others that somebody writes it. Windows renames no file that is open.
+    # The lock tells other programs that the file is in use. Windows cannot rename open files.
     if sys.platform == "win32" or not try_lock(handle):
         os.close(handle)
         handle = -1
@@ -300,8 +300,8 @@ def atomic_write(path: Path) -> Iterator[Path]:
 
 
 ABANDONED_AFTER, LOCKED_AFTER = 60.0, 0.1
-"""Seconds without a change after which nobody is still writing a file, and after which one who
-writes it has locked it, on systems where this is done."""
+"""Seconds without a change after which a temporary file is considered abandoned: if locks cannot be
+checked, and if the file is not locked (a program that writes a file locks it within this time)."""
 
 
 def remove_abandoned_files(path: Path) -> None:
@@ -317,17 +317,17 @@ def remove_abandoned_files(path: Path) -> None:
             if entry.is_file(follow_symlinks=False) and age > _abandonment_delay(Path(entry.path)):
                 os.unlink(entry.path)
     except OSError:
-        return  # a folder that may be read only, or somebody else was faster
+        return  # the folder is read-only, or another program removed the file first
 
 
 def _abandonment_delay(path: Path) -> float:
-    """Seconds that a temporary file may stand unchanged before it counts as abandoned."""
+    """Seconds without a change after which a temporary file is considered abandoned."""
     locked = None if sys.platform == "win32" else is_locked(path)
     return {True: math.inf, False: LOCKED_AFTER, None: ABANDONED_AFTER}[locked]
 
 
 def bad_name_error(path: Path) -> InputError:
-    """Make the error of a name with a null character or half of a pair of characters."""
+    """Make the error of a file name with a null character or an unpaired surrogate."""
     return InputError(error("file.bad_name", file=repr(str(path))))
 
 
@@ -340,9 +340,9 @@ def write_error(path: Path, failure: OSError) -> InputError:
 
 
 def remove_empty_folders(folders: list[Path]) -> None:
-    """Remove folders, the innermost first, up to one that holds something."""
+    """Remove empty folders, the innermost first, up to the first that is not empty."""
     for folder in folders:
         try:
             folder.rmdir()
-        except (OSError, ValueError):  # it holds something, or has a name that no folder can have
+        except (OSError, ValueError):  # it is not empty, or its name is not valid
             return

@@ -1,8 +1,8 @@
 """Types for the formats of files: options, previews, chunks of points.
 
-A format has a name, file extensions, a test of how likely a file is of this format,
-options that may be needed, and how to read it. The import dialogue, the command line and the
-tests all work on this list; nothing else knows which formats there are.
+A format has a name, file extensions, a function that estimates the likelihood that a file is of
+this format, reading options, and functions that read it. The import dialog, the command line and
+the tests obtain the formats from the list in `lispac.io.formats` only.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -21,12 +21,12 @@ Kind = Literal["trajectory", "accuracy", "points"]
 Choice = Mapping[str, Any]
 """Options by name, given by the user or detected."""
 Fact = str | int | Message
-"""Fact found in a file: a text of the file itself, a count, or a message."""
+"""Fact found in a file: a text from the file, a count, or a message."""
 SAME_TIME_BASE = note("assumed.same_time_base")
 
 SURE, LIKELY, POSSIBLE, NOT = 1.0, 0.7, 0.3, 0.0
-"""How sure a format is of a file: its magic or structure fits it alone; structure and values fit;
-nothing speaks against it; it is not one."""
+"""Likelihoods that a file is of a format: its signature or structure is unique to the format; its
+structure and values fit; nothing contradicts the format; it is not of the format."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class FormatOption:
     Attributes
     ----------
     name : str
-        As in the project file and at the command line.
+        Name in the project file and on the command line.
     meaning : str
         One sentence for the dialogue, marked for translation.
     choices : tuple of str
@@ -58,15 +58,15 @@ class FilePreview:
     Attributes
     ----------
     facts : mapping of str to Fact
-        For the preview: header entries, counts, spans, frame, unit, time base.
+        Header entries, counts, time span, frame, unit, time base.
     rows : tuple of tuple of str
-        First rows, the names of the columns at the head.
+        Column names, then the first rows.
     choice : mapping
         Options as detected.
     file_warnings : tuple of Message
         Warnings about how the file is read, to be checked before importing.
     assumptions : tuple of Message
-        What the reader assumes with these options: frame, unit, signs, time base.
+        Assumptions of the reader with these options: frame, unit, signs, time base.
     messages : tuple of Message
         Warnings and notes about the content of the file.
     """
@@ -85,15 +85,15 @@ class FilePreview:
 
 @dataclass(frozen=True, eq=False)
 class PointChunk:
-    """A chunk of points of a line, as the file has them.
+    """A chunk of points of a line, as stored in the file.
 
     Attributes
     ----------
     xyz : ndarray of shape (n, 3), frame and unit of the file
-        As in the assumptions of the reader.
+        Frame and unit are stated in the assumptions of the reader.
     time : ndarray of shape (n,), seconds, in the file's time base
     extra : mapping of str to ndarray of shape (n, ...)
-        Whatever else the file has, under its own names and types; ``intensity`` where there is one.
+        Other attributes with the names and types of the file; ``intensity`` if there is one.
     total : int or None
         Number of points in the file, if given in it.
     """
@@ -111,24 +111,24 @@ class FileFormat:
     Attributes
     ----------
     name : Message
-        As in the dialogue: Applanix SBET.
+        Name in the dialog, for example Applanix SBET.
     key : str
-        As in the project file and at the command line: ``sbet``.
+        Name in the project file and on the command line: ``sbet``.
     kind : {"trajectory", "accuracy", "points"}
     endings : tuple of str
         Lower case, with the dot.
     options : tuple of FormatOption
     sniff : callable
-        Path to how sure the format is that the file is one of its own; reads the beginning alone
-        and never fails on whatever bytes it finds.
+        Function of the path that returns the likelihood that the file is of this format. Reads only
+        the beginning of the file and raises no error, whatever the file contains.
     preview : callable
-        Path and options to a `FilePreview`; reads as little as that takes.
+        Function of path and options that returns a `FilePreview`; reads as little as possible.
     read : callable
-        Path and options to a `Trajectory` or `TrajectoryAccuracy`; for points, to an iterator of
-        `PointChunk` of about a million points each.
+        Function of path and options that returns a `Trajectory` or `TrajectoryAccuracy`; for
+        points, an iterator of `PointChunk` of about a million points each.
     read_from : callable or None
-        Path, options and the index of a point to the chunks from that point on, where the format
-        knows a way that does not read all before it.
+        Function of path, options and point index that returns the chunks from that point on without
+        reading the points before it; None if the format does not allow this.
     """
 
     name: Message
@@ -142,12 +142,12 @@ class FileFormat:
     read_from: Callable[[Path, Choice, int], Iterator[PointChunk]] | None = None
 
     def resolved(self, choice: Choice) -> dict[str, str]:
-        """All options: those of ``choice``, and defaults for the others.
+        """Complete options: those of ``choice``, and defaults for the others.
 
         Raises
         ------
         InputError
-            Where there is no such option or choice.
+            If an option or its value does not exist.
         """
         known = {option.name: option for option in self.options}
         for name, value in choice.items():

@@ -1,4 +1,4 @@
-"""The list of all formats of files."""
+"""List of all supported file formats."""
 
 from pathlib import Path
 
@@ -34,12 +34,12 @@ __all__ = [
 
 
 def formats_of(kind: Kind) -> tuple[FileFormat, ...]:
-    """All formats of a kind, the more usual first."""
+    """All formats of a kind, the most common first."""
     return {"trajectory": TRAJECTORIES, "accuracy": ACCURACIES, "points": POINTS}[kind]
 
 
 def format_of(key: str) -> FileFormat:
-    """The format of that key.
+    """Format with a given key.
 
     Raises
     ------
@@ -53,9 +53,9 @@ def format_of(key: str) -> FileFormat:
 
 
 def has_suggested_time_base(format: FileFormat) -> bool:
-    """True if files of a format do not specify their time base, so that the values suggest it.
+    """True if files of a format do not specify their time base, which is then inferred.
 
-    Exail's exports have dates, or are UTC; LAS and other files of points say it where they can.
+    Exail's exports contain dates or are in UTC; LAS and other point files may specify the base.
     """
     return format.kind == "trajectory" and format is not EXAIL
 
@@ -63,7 +63,8 @@ def has_suggested_time_base(format: FileFormat) -> bool:
 def is_las(path: Path) -> bool:
     """True if a line without a given format is LAS or LAZ and not text.
 
-    By its content; by its ending where the file is missing or no format knows it.
+    Determined from the content, or from the file name extension if the file is missing or of an
+    unknown format.
     """
     path, las = Path(path), format_of("las")
     if las.sniff(path) > NOT:
@@ -72,9 +73,9 @@ def is_las(path: Path) -> bool:
 
 
 def recognise_formats(path: Path, kind: Kind) -> list[tuple[FileFormat, float]]:
-    """Formats that a file may be in and how sure that is, the surest first.
+    """Formats that a file may have, with their likelihoods, the most likely first.
 
-    Among equally sure ones those come first whose files end so, then the more usual ones.
+    At equal likelihood, formats with the extension of the file come first, then the common ones.
     """
     path = Path(path)
     if not path.is_file():

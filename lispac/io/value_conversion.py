@@ -1,4 +1,4 @@
-"""Results and settings as plain values for JSON, and back, by their type annotations."""
+"""Conversion of results and settings to plain values for JSON and back, by type annotations."""
 
 from dataclasses import is_dataclass
 from functools import cache, partial
@@ -104,7 +104,7 @@ def _is_array(kind: Any) -> bool:
 
 
 def _write_array(array: NDArray[Any]) -> Any:
-    """Nested lists; None for NaN, which JSON lacks."""
+    """Convert an array to nested lists, with None for NaN, which JSON does not support."""
     if array.dtype.kind == "f" and np.isnan(array).any():
         content = array.astype(object)
         content[np.isnan(array)] = None
@@ -129,7 +129,7 @@ def _read_array(value: Any, kind: Any) -> NDArray[Any]:
 
 
 def _array_shapes(kind: Any) -> dict[str, ArrayShape]:
-    """Shapes of the arrays of a dataclass, by the fields."""
+    """Annotated shapes of the arrays of a dataclass, by field."""
     if not is_dataclass(kind):
         return {}
     found = {}
@@ -147,7 +147,7 @@ def _has_array_shapes(kind: Any) -> bool:
 
 
 def _checked_reader(converter: Any, kind: Any) -> Any:
-    """Reader of a dataclass that refuses arrays of other shapes than annotated."""
+    """Make a reader of a dataclass that refuses arrays with other shapes than annotated."""
     from cattrs.gen import make_dict_structure_fn
 
     read = make_dict_structure_fn(kind, converter, _cattrs_forbid_extra_keys=True)
@@ -166,17 +166,17 @@ def _checked_reader(converter: Any, kind: Any) -> Any:
 
 
 def encode_value(value: Any) -> Any:
-    """A dataclass as dictionaries, lists, numbers and text; None remains None."""
+    """Convert a dataclass to dictionaries, lists, numbers and text; None remains None."""
     return None if value is None else _make_converter().unstructure(value)
 
 
 def decode_value(content: Any, kind: type[Value]) -> Value:
-    """Value of the type ``kind`` from its encoded content.
+    """Convert encoded content to a value of the type ``kind``.
 
     Raises
     ------
     InvalidContentError
-        Where the content does not fit the type.
+        If the content does not fit the type.
     """
     from cattrs.errors import BaseValidationError, ForbiddenExtraKeysError
 

@@ -15,7 +15,7 @@ class LoadedProject:
     Parameters
     ----------
     progress : callable
-        Receives the progress of each step.
+        Function that receives the progress of each step.
     """
 
     def __init__(
@@ -40,17 +40,17 @@ class LoadedProject:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Texts of the notes on assumptions and exclusions while reading."""
+        """Notes on assumptions and excluded data of the reading, as texts."""
         return tuple(map(message_text, self.survey.notes))
 
     @property
     def result(self) -> AdjustmentResult:
-        """The adjustment; angles in radians.
+        """Result of the adjustment; angles in radians.
 
         Raises
         ------
         ProjectError
-            Where nothing has been estimated, or an edit since has dropped it.
+            If nothing has been estimated, or an edit has cleared the result since.
         """
         self.project.mounting("estimated")
         assert self.project.result is not None

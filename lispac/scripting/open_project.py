@@ -1,4 +1,4 @@
-"""A project that is open, and the steps that can be taken with it."""
+"""An open project, with the steps of the calibration as methods."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
@@ -48,12 +48,12 @@ AnyPath = str | Path
 class OpenProject(LoadedProject):
     """A project and its survey. Each step changes the project in memory; `save` writes it.
 
-    A step that is refused raises `lispac.LispacError` with one plain sentence and changes nothing.
+    A step that is not possible raises `lispac.LispacError` with the reason and changes nothing.
 
     Attributes
     ----------
     project : Project
-        As it stands: an immutable value; each step puts another one in its place.
+        Present state of the project, an immutable value that each step replaces.
     """
 
     # -- data --------------------------------------------------------------------------------
@@ -68,13 +68,13 @@ class OpenProject(LoadedProject):
         self.project, self._survey, self._key = project, survey, data_key(project)
 
     def import_lines(self, names: Sequence[str] = ()) -> None:
-        """Keep lines in the project's folder, ordered in space; all of them where none is named."""
+        """Store lines in the project's folder, ordered in space; all lines if none is named."""
         import_lines(self.project, names, progress=self._progress)
         self._survey = None
 
     @accept_script_names
     def change(self, **settings: object) -> None:
-        """Change fields of `lispac.Settings`; what follows from them has to be computed again."""
+        """Change fields of `lispac.Settings`; dependent results have to be computed again."""
         changed = replace(self.project.settings, **settings)  # type: ignore[arg-type]
         changed.require_sound()
         if changed != self.project.settings:
@@ -111,24 +111,24 @@ class OpenProject(LoadedProject):
         Parameters
         ----------
         name : str
-            Of the target; one of that name is replaced.
+            Name of the target; a target with that name is replaced.
         at : three floats
-            North, west, up in metres, or coordinates in ``crs``.
+            Seed: north, west, up in metres, or coordinates in ``crs``.
         point : (str, int)
-            Instead: a line, and the number of its point that is clicked.
+            Alternative to ``at``: a line and the index of one of its points.
         role : {"target", "validation"}
         shape : {"plane", "sphere"}
         sphere_radius : float, metres, optional
-            Of a sphere, where it is known.
+            Radius of a sphere, if it is known.
         line : str, optional
-            Search on this line only.
+            Only line to search.
         clicked_on : str, optional
-            The line that ``at`` was taken from, where it is known.
+            Line from which ``at`` was taken, if it is known.
         threshold, radius : metres, optional
             RANSAC distance threshold and search radius about the seed.
         expected : ExpectedTarget, optional
         choices : FinderChoices
-            Fewest points, largest tilt and the like.
+            Finder options, for example the smallest number of points and the largest tilt.
         crs, height, trajectory_datum, epoch
             As the options of ``lispac pick``.
 
@@ -139,7 +139,7 @@ class OpenProject(LoadedProject):
         LispacError
             If the place or an option is not valid.
         ProjectError
-            Where neither a place nor a point is given, or both.
+            Unless exactly one of ``at`` and ``point`` is given.
         """
         survey = self.survey
         if (at is None) == (point is None):
@@ -178,7 +178,7 @@ class OpenProject(LoadedProject):
         Returns
         -------
         tuple of Outcome
-            For each row its ``target``, or the ``reason`` why there is none.
+            For each row its ``target``, or the ``reason`` if none was found.
         """
         survey = self.survey
         system = output_system_of(
@@ -193,19 +193,19 @@ class OpenProject(LoadedProject):
         return outcomes
 
     def propose(self) -> Proposal:
-        """Planes that could be used, with reasons; `accept` adds them."""
+        """Detect planes that could be used as targets, with reasons; `accept` adds them."""
         found = propose_targets(self.project, self.survey, progress=self._progress)
         return without_picked(self.project, found)
 
     def accept(self, proposal: Proposal, names: Collection[str] | None = None) -> tuple[str, ...]:
-        """Add proposed targets, all of them or those of these names; the names they get."""
+        """Add all or the named proposed targets; returns their names in the project."""
         accepted_names = [target.name for target in proposal.targets] if names is None else names
         self.project, new_names = with_accepted(self.project, proposal, accepted_names)
         return new_names
 
     def put(self, target: Target) -> None:
-        """Add a target with its points as they are given, or put it in the place of another."""
-        # Scripts of former versions give the reasons as sentences.
+        """Add a target with given points, or replace the target of that name."""
+        # Scripts of earlier versions give the reasons as texts.
         reasons = {line: as_message(reason) for line, reason in target.missing.items()}
         target = replace(target, missing=reasons)
         picking.require_survey_points(self.survey, target)
@@ -216,7 +216,7 @@ class OpenProject(LoadedProject):
         self._set_use(name, line, False)
 
     def use(self, name: str, line: str | None = None) -> None:
-        """The inverse of `reject`."""
+        """Use a target, or one sighting of it, again; the inverse of `reject`."""
         self._set_use(name, line, True)
 
     def rename(self, old: str, new: str) -> None:
@@ -235,7 +235,7 @@ class OpenProject(LoadedProject):
     # -- numbers -----------------------------------------------------------------------------
 
     def estimate(self, *, cross_check: bool = True) -> AdjustmentResult:
-        """Adjust the boresight, and parts of the data by themselves where ``cross_check``."""
+        """Adjust the boresight; with ``cross_check``, also from parts of the data."""
         self.project = calibration.estimate(
             self.project, self.survey, cross_check=cross_check, progress=self._progress
         )
@@ -253,11 +253,11 @@ class OpenProject(LoadedProject):
         Parameters
         ----------
         distance_to : {"point", "plane", "quadric"}
-            What distances are measured to.
+            Local model of the surface to which distances are measured.
         neighbours : int, optional
-            Points of the plane (6) or quadric (12).
+            Number of points to which the plane (default 6) or quadric (12) is fitted.
         radius : metres, optional
-            All points within it instead.
+            Radius within which all points are used instead of ``neighbours``.
         """
         usual = USUAL_NEIGHBOURS.get(distance_to, 1)
         model = LocalModel(distance_to, usual if neighbours is None else neighbours, radius)
@@ -282,8 +282,8 @@ class OpenProject(LoadedProject):
 
         Parameters
         ----------
-        sigma : metres, of the reference
-        search_distance : metres from the reference within which lines are searched for
+        sigma : metres, standard deviation of the reference
+        search_distance : metres, largest distance of line points from the reference
         """
         self.project, _ = absolute_check.check_absolute(
             self.project, self.survey, Path(reference), crs=crs, height=height,
@@ -312,7 +312,7 @@ class OpenProject(LoadedProject):
         ----------
         template, page, convention, language
             As the options of ``lispac report``.
-        generated : the moment the report says it was made at; now, if not given
+        generated : date and time given in the report; now by default
         """
         options = report_options(
             None if template is None else Path(template), page, convention, language
@@ -341,15 +341,15 @@ class OpenProject(LoadedProject):
         what : {"lines", "targets", "planes", "trajectory"}
         boresight : {"estimated", "prior"}
         form : str
-            ``laz`` or ``las`` of lines; also ``csv`` of targets; ``sbet`` or ``text`` of the
-            trajectory. The first of them where none is given.
+            ``laz`` or ``las`` for lines; also ``csv`` for targets; ``sbet`` or ``text`` for the
+            trajectory. The first of these by default.
         crs, height, trajectory_datum, epoch
             As the options of ``lispac export`` and ``lispac georeference``.
 
         Raises
         ------
         ProjectError
-            Where there is no such export.
+            If ``what`` or ``form`` is not valid.
         """
         if what not in ENDINGS:
             raise ProjectError(error("script.unknown_export", what=what, known=list(ENDINGS)))
@@ -367,9 +367,9 @@ class OpenProject(LoadedProject):
         return paths
 
     def script(self) -> str:
-        """The steps that make this project from its raw files, as Python.
+        """Python script that makes this project from its raw files.
 
-        Takes as long as picking its targets and estimating, because the script is tested.
+        Takes as long as picking the targets and estimating, because the script is tested.
         """
         return script_of(self.project, self.survey, progress=self._progress).text
 
@@ -379,12 +379,12 @@ class OpenProject(LoadedProject):
         Raises
         ------
         ProjectError
-            Where another program has written the project since it was opened, or is changing it.
+            If another program has changed the project since it was opened, or is changing it.
         """
         self.project = projects.save_project(self.project, expected=self.project.file_digest)
 
     def save_as(self, folder: AnyPath) -> None:
-        """Write the project into another folder, with its imported lines, and go on there."""
+        """Write the project with its imported lines into another folder, and continue there."""
         project, survey = save_project_as(
             self.project, self.survey, Path(folder), progress=self._progress
         )

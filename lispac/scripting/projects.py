@@ -38,29 +38,29 @@ def new(
     Parameters
     ----------
     folder : path
-        A new one, for the project.
+        New folder for the project.
     lines : sequence of path or LineSource
-        Scan files; a line has the name of its file unless a `lispac.LineSource` gives another.
+        Scan files; each line is named after its file unless a `lispac.LineSource` names it.
     trajectory : path
     lever_arm : metres, body frame (forward, left, up)
     accuracy : path, optional
-        smrmsg, or a text that holds the accuracies of the trajectory.
+        smrmsg, or a text file with the accuracies of the trajectory.
     line_reading, trajectory_reading, accuracy_reading : Reading
         Options of the formats; ``lispac inspect FILE`` lists them.
     resolved : bool
-        Whether the readings are complete, as a script of a project has them: nothing is looked for
-        in the files then.
+        Whether the reading options are complete, as in a script of a project. Nothing is then
+        detected from the files.
     truth_deg : degrees, optional
-        Boresight put into a simulated survey.
+        True boresight of a simulated survey.
     progress : callable
-        Receives the progress of each step: a fraction and a text.
+        Function that receives the progress of each step: a fraction and a text.
     **settings
         Fields of `lispac.Settings`: ``boresight_deg=(0, 0, 180)``, ``lidar_sigma=0.005`` ...
 
     Raises
     ------
     LispacError
-        Where a file or a setting cannot be used; nothing is left of the folder then.
+        If a file or a setting cannot be used; the folder is then removed.
     """
     project, survey = projects.new_project(
         Path(folder),
@@ -85,14 +85,14 @@ def open(
     Parameters
     ----------
     files : path, optional
-        Folder that the files of a project that was moved are in now.
+        Present folder of the survey's files, if they or the project were moved.
 
     Raises
     ------
     ProjectError
-        Where there is none, or its file is damaged.
+        If there is no project, or its file is damaged.
     InputError
-        Where no missing file is in ``files``.
+        If no missing file is in ``files``.
     """
     project = projects.open_project(Path(folder))
     if files is not None:
@@ -106,17 +106,17 @@ def demo(
     points_per_second: float = POINTS_PER_SECOND,
     progress: Progress = no_progress,
 ) -> OpenProject:
-    """Make the built-in simulated survey, with nothing picked; an earlier one is replaced.
+    """Make the built-in simulated survey without targets; an earlier one is replaced.
 
     Parameters
     ----------
     points_per_second : float
-        Of the scanner; fewer make a smaller survey of the same quay.
+        Pulse rate of the scanner; a lower rate makes a smaller survey of the same quay.
 
     Raises
     ------
     ProjectError
-        Where the folder holds anything but a demo.
+        If the folder contains anything other than a demo.
     """
     made = make_demo(Path(folder), points_per_second=points_per_second, progress=progress)
     return OpenProject(made, progress=progress)

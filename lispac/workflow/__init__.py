@@ -1,1 +1,1 @@
-"""The use cases that the window and the command line share."""
+"""Use cases shared by the window and the command line."""

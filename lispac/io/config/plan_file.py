@@ -1,7 +1,7 @@
-"""Plans and sites from TOML, and plans to TOML.
+"""Reading and writing of survey plans, and reading of sites, as TOML.
 
-Places are those of somebody who stands on the water and looks at the wall: along it to the right,
-off it towards the water, and up from the vessel's POS; the middle of the site is 0, 0.
+Positions are given for an observer on the water who faces the wall: along the wall to the right,
+away from the wall towards the water, and up from the vessel's POS. The centre of the site is 0, 0.
 """
 
 from collections.abc import Sequence
@@ -22,7 +22,7 @@ from lispac.survey.georeferencing import Mounting
 
 SIDES = ("starboard", "port")
 USUAL_INTERVAL = 1.5
-"""Minutes from one line to the next."""
+"""Default time between two lines, minutes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class TitledPlan:
     Attributes
     ----------
     wall : Wall
-        Against which its places are given.
+        Wall relative to which the positions are given.
     """
 
     title: str
@@ -41,12 +41,12 @@ class TitledPlan:
 
 
 def read_plan(path: Path) -> TitledPlan:
-    """Targets, lines and system of a plan.
+    """Read the targets, lines and system of a plan.
 
     Raises
     ------
     InputError
-        With file and key, and what to do.
+        If the content is not valid; the message names the file, the key and the action.
     """
     with TomlTable.read(path, "plan") as table:
         title = table.text("title", path.stem)
@@ -69,12 +69,12 @@ def read_plan(path: Path) -> TitledPlan:
 
 
 def read_site(path: Path) -> tuple[str, Site]:
-    """Title of a site, and the limits on targets and lines there.
+    """Read the title of a site and its limits on targets and lines.
 
     Raises
     ------
     InputError
-        With file and key, and what to do.
+        If the content is not valid; the message names the file, the key and the action.
     """
     with TomlTable.read(path, "site") as table:
         title = table.text("title", path.stem)
@@ -119,7 +119,7 @@ def _read_whole_number(table: TomlTable, key: str, usual: int, *, low: int, high
 
 
 def _read_system(table: TomlTable) -> tuple[System, float]:
-    """The system, and how flat targets are, metres."""
+    """Read the system and the flatness of the targets, metres."""
     usual, scanner = HYDROGRAPHIC_INS, Scanner(150_000.0)
     with table.table("system") as own:
         lever = own.three_numbers("lever_arm_m", (0.0, 0.0, 2.0))
@@ -192,7 +192,7 @@ def _read_line(table: TomlTable) -> Line:
 
 
 def write_plan(path: Path, titled: TitledPlan) -> None:
-    """Write what `read_plan` reads."""
+    """Write a plan in the form that `read_plan` reads."""
     with atomic_write(Path(path)) as temporary:
         temporary.write_text(_plan_text(titled), encoding="utf-8")
 

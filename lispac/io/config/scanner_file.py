@@ -10,12 +10,12 @@ from lispac.simulation.scanner import Axis, Scanner
 
 
 def read_scanner(path: Path) -> tuple[str, Scanner]:
-    """Read a scanner: its title and what it does.
+    """Read a scanner: its title and its specifications.
 
     Raises
     ------
     InputError
-        With the file, the key and what to do.
+        If the content is not valid; the message names the file, the key and the action.
     """
     with TomlTable.read(path, "scanner") as table:
         title = table.text("title")

@@ -1,4 +1,4 @@
-"""A scene from TOML: surfaces, targets among them, and the lines past them."""
+"""Reading of a scene from TOML: surfaces, targets among them, and the survey lines."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -34,7 +34,7 @@ class SceneFile:
     ----------
     title : str
     vessel, scanner : str
-        Names or files of those it is meant for.
+        Names or files of the vessel and the scanner that the scene is designed for.
     origin : tuple of float or None
         Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame; None
         for the mean of a recorded trajectory.
@@ -42,13 +42,13 @@ class SceneFile:
     targets, validation : tuple of str
         Names of surfaces.
     lines : tuple of SailedLine
-        Courses to be sailed, or none where a recorded trajectory is replayed.
+        Courses to be sailed; empty if a recorded trajectory is replayed.
     stretches : tuple of TrajectoryStretch
-        What of a recorded trajectory becomes lines.
+        Parts of a recorded trajectory that are used as lines.
     trajectory : Path or None
         The recorded trajectory.
     pulses_per_second : float or None
-        Of the scanner, where the scene wants another rate than the scanner's own.
+        Pulse rate of the scanner; None for the scanner's default.
     """
 
     title: str
@@ -70,7 +70,7 @@ def read_scene(path: Path) -> SceneFile:
     Raises
     ------
     InputError
-        With the file, the key and what to do.
+        If the content is not valid; the message names the file, the key and the action.
     """
     with TomlTable.read(path, "scene") as table:
         surfaces: list[Surface] = []
@@ -163,7 +163,7 @@ def _read_board(table: TomlTable, name: str, reflectance: float) -> Rectangle:
 
 
 def _read_lines(table: TomlTable) -> tuple[tuple[SailedLine, ...], tuple[TrajectoryStretch, ...]]:
-    """Passes or stretches: a line with ``start_s`` is one of a recorded trajectory."""
+    """Read the lines; a line with ``start_s`` is a part of a recorded trajectory."""
     lines: list[SailedLine] = []
     stretches: list[TrajectoryStretch] = []
     with table.table("pattern") as pattern:

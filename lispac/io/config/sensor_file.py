@@ -21,7 +21,7 @@ class ScannerSpecification:
     Attributes
     ----------
     range_sigma : metres
-    angle_sigma_deg : degrees, of the direction of the beam, both ways across it
+    angle_sigma_deg : degrees, of the beam direction, in both directions across the beam
     divergence_mrad : milliradians, full angle
     source : where the figures come from
     unverified : whether they were not compared with the source
@@ -72,12 +72,12 @@ def read_scanner_specification(path: Path, *, whole: bool = True) -> ScannerSpec
     Parameters
     ----------
     whole : bool
-        Whether other keys are refused; a scanner of the simulator has many more.
+        Whether unknown keys are refused; a scanner file of the simulator has more keys.
 
     Raises
     ------
     InputError
-        With the file, the key and what to do.
+        If the content is not valid; the message names the file, the key and the action.
     """
     with TomlTable.read(path, "scanner") as table:
         found = ScannerSpecification(
@@ -99,7 +99,7 @@ def read_pos_specification(path: Path) -> PosSpecification:
     Raises
     ------
     InputError
-        With the file, the key and what to do.
+        If the content is not valid; the message names the file, the key and the action.
     """
     with TomlTable.read(path, "POS") as table:
         title = table.text("title")
@@ -133,7 +133,7 @@ def write_specification(path: Path, figures: Figures) -> None:
     Raises
     ------
     InputError
-        Where the file cannot be written.
+        If the file cannot be written.
     """
     rows = [f"title = {toml_string(figures.title)}"]
     if isinstance(figures, ScannerSpecification):

@@ -1,4 +1,4 @@
-"""Tables of a TOML file, read key by key; errors name the file, the key and what to do."""
+"""Reading of TOML tables key by key; errors name the file, the key and a suggested action."""
 
 import json
 import math
@@ -27,17 +27,17 @@ FORMER_KEYS = {
     "hang": "board_choices",
     "sail": "line_choices",
 }
-"""New keys by former ones, which are accepted for one version."""
+"""New keys by former keys; the former keys are accepted for one version."""
 NOTHING: Any = object()
-"""No default: the key has to be there."""
+"""Marks a key without a default: the key is required."""
 LONGEST_SHOWN = 60
-"""Characters of a value in a message."""
+"""Largest number of characters of a value in a message."""
 CONTROLS = ("Cc", "Zl", "Zp")
-"""Unicode categories of control characters and line breaks, which no name or title has."""
+"""Unicode categories of control characters and line breaks, not allowed in names and titles."""
 
 
 class TomlTable:
-    """A TOML table that refuses keys which were not read."""
+    """A TOML table that reports keys which were not read as errors."""
 
     def __init__(self, path: Path, values: Mapping[str, Any], place: str = "") -> None:
         self.path = path
@@ -71,12 +71,12 @@ class TomlTable:
         return key in self._values
 
     def refuse(self, key: str, code: str, /, **params: Value) -> InputError:
-        """An error about a key; its text has the placeholders ``file`` and ``key``."""
+        """Make an error about a key; its text has the placeholders ``file`` and ``key``."""
         about = {"file": str(self.path), "key": self._key_name(key), **params}
         return InputError(Message(code, Level.ERROR, about))
 
     def text(self, key: str, default: Any = NOTHING) -> str:
-        """Read a string of one line that is not empty."""
+        """Read a non-empty string without line breaks."""
         value = self._value(key, default)
         if value is default:
             return value
@@ -87,7 +87,7 @@ class TomlTable:
         return value
 
     def one_of(self, key: str, words: Sequence[str], default: Any = NOTHING) -> str:
-        """Read one of the given words."""
+        """Read a string that must be one of the given words."""
         value = self._value(key, default)
         if value is not default and value not in words:
             raise self.refuse(key, "toml.not_a_choice", value=_shortened_text(value), choices=words)
@@ -104,7 +104,7 @@ class TomlTable:
         self, key: str, default: Any = NOTHING, *, low: float = -math.inf,
         high: float = math.inf, over: float = -math.inf,
     ) -> float:  # fmt: skip
-        """A number from ``low`` to ``high``, and larger than ``over``."""
+        """Read a number from ``low`` to ``high`` that is greater than ``over``."""
         value = self._value(key, default)
         if value is default:
             return value
@@ -130,7 +130,7 @@ class TomlTable:
         self, key: str, default: Any = NOTHING, *, low: float = -math.inf,
         high: float = math.inf,
     ) -> tuple[float, float, float]:  # fmt: skip
-        """Three numbers."""
+        """Read a list of three numbers."""
         values = self.numbers(key, 3, default, low=low, high=high)
         return values[0], values[1], values[2]
 
@@ -212,7 +212,7 @@ class TomlTable:
 
 
 def _with_present_keys(path: Path, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Values with their former keys replaced; a warning names each."""
+    """Replace former keys by the present ones, with a warning for each."""
     former = [key for key in values if key in FORMER_KEYS and FORMER_KEYS[key] not in values]
     for key in former:
         warn_of_former_key(str(path), key, FORMER_KEYS[key])

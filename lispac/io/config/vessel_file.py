@@ -1,4 +1,4 @@
-"""A vessel from TOML: mounting, motion and POS errors."""
+"""Reading of a vessel from TOML: mounting, motion and POS errors."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,20 +21,20 @@ from lispac.simulation.vessel_motion import LAUNCH, VesselHandling
 from lispac.survey.georeferencing import Mounting
 
 LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST_TIME = 1e3, 10.0, 1e9
-"""Largest errors of a POS, metres and degrees, and longest time about them, seconds."""
+"""Limits of the given POS errors: position in metres, attitude in degrees, times in seconds."""
 KINDS = ("gauss-markov", "white", "outage", "jumps")
 
 
 @dataclass(frozen=True)
 class MountingErrors:
-    """Differences of the true mounting from the mounting that the surveyor states.
+    """Differences of the true mounting from the mounting given by the surveyor.
 
     Attributes
     ----------
     boresight_deg : three of float
         True roll, pitch, yaw; the surveyor starts from zero.
     lever_arm : three of float, metres, body
-        Added to the lever arm written down.
+        Added to the given lever arm.
     range_offset : float, metres
     scan_angle_offset_deg : float
     latency : float, seconds
@@ -52,12 +52,12 @@ class MountingErrors:
         Parameters
         ----------
         lever_arm : three of float, metres, body frame
-            The one that is written down.
+            The given lever arm.
 
         Raises
         ------
         InputError
-            Where an error is beyond what any mounting has.
+            If an error exceeds the limits of a mounting.
         """
         for code, values, limit in (
             ("vessel.boresight_too_large", np.radians(self.boresight_deg), np.pi),
@@ -90,9 +90,9 @@ class Vessel:
     ----------
     title : str
     lever_arm : three of float, metres, body
-        As the surveyor has it.
+        Lever arm given by the surveyor.
     pos_height : float, metres
-        Of the POS above the zero of the scene.
+        Height of the POS above the zero level of the scene.
     handling : VesselHandling
     errors : MountingErrors
     pos : PosErrors
@@ -112,7 +112,7 @@ def read_vessel(path: Path) -> Vessel:
     Raises
     ------
     InputError
-        With the file, the key and what to do.
+        If the content is not valid; the message names the file, the key and the action.
     """
     with TomlTable.read(path, "vessel") as table:
         parts = [_read_pos_errors(part) for part in table.tables("pos")]
@@ -127,7 +127,7 @@ def read_vessel(path: Path) -> Vessel:
 
 
 def read_mounting_errors(table: TomlTable) -> MountingErrors:
-    """The table of errors of the mounting."""
+    """Read the table of mounting errors."""
     return MountingErrors(
         table.three_numbers("boresight_deg", (0.0, 0.0, 0.0)),
         table.three_numbers("lever_arm_m", (0.0, 0.0, 0.0)),

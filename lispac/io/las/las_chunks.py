@@ -1,4 +1,4 @@
-"""LAS and LAZ of any kind with time, chunk by chunk with all their attributes."""
+"""Chunked reading of LAS and LAZ files with time and all attributes, in any frame."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -49,26 +49,26 @@ from lispac.survey.line_source import printable
 from lispac.survey.point_screening import LARGEST
 
 LARGEST_CHUNK = 1 << 28
-"""Bytes of point records read at once, whatever size a header claims for one."""
+"""Largest number of bytes of point records read at once, whatever record size a header states."""
 FEET_SCALES = (0.3048, 1 / 0.3048)
 WAVEFORMS = (4, 5, 9, 10)
 """Point formats whose points refer to waveforms."""
 MIXED_UP = (9, 10)
-"""Of these, the ones whose references lazrs 0.8 loses in LAZ between several scanner channels."""
+"""Those of `WAVEFORMS` whose references lazrs 0.8 mixes up in LAZ with several scanner channels."""
 PREVIEW_COLUMNS = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classification")
 
 
 class PackedColumns(Mapping[str, NDArray[Any]]):
     """Attributes of LAS points as a mapping of name to array, unpacked on access.
 
-    A record holds several attributes in one byte and extra bytes as scaled whole numbers: who
-    copies points to another LAS file takes ``record``, and nothing is unpacked or rounded.
+    A record packs several attributes into one byte and stores extra bytes as scaled integers. To
+    copy points to another LAS file, use ``record``, which needs no unpacking and no rounding.
 
     Attributes
     ----------
     record : laspy.PackedPointRecord
-        The points as the file has them, coordinates and time too. Who writes them elsewhere may
-        put other coordinates in their place: those of the chunk are kept apart.
+        The points as stored in the file, with coordinates and time. Its coordinates may be
+        overwritten when the points are written elsewhere; the chunk has its own coordinates.
     """
 
     def __init__(self, record: laspy.PackedPointRecord, names: list[str]) -> None:
@@ -82,7 +82,7 @@ class PackedColumns(Mapping[str, NDArray[Any]]):
         return values
 
     def rows(self, chosen: NDArray[np.bool_]) -> "PackedColumns":
-        """The attributes of some points, still packed; ``chosen`` has shape (n,)."""
+        """Attributes of selected points, still packed; ``chosen`` has shape (n,)."""
         return PackedColumns(self.record[chosen], list(self._known))
 
     def __iter__(self) -> Iterator[str]:
@@ -94,7 +94,7 @@ class PackedColumns(Mapping[str, NDArray[Any]]):
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
-    """LAS and LAZ start with LASF."""
+    """Likelihood by the signature: LAS and LAZ files start with ``LASF``."""
     return SURE if head[:4] == b"LASF" else NOT
 
 
@@ -104,7 +104,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     Raises
     ------
     InputError
-        Where the file cannot be read or has no time.
+        If the file cannot be read or has no time.
     """
     path = require_not_empty(path, "LAS")
     file = printable(path.name)
@@ -133,7 +133,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     if not bounded:
         low, high = xyz.min(axis=0), xyz.max(axis=0)
     seen = check_first_points(xyz, time, file=file, crs=header_crs.text, low=low, high=high)
-    if frame is not None:  # what is unusual for a map is usual there
+    if frame is not None:  # the warnings on map coordinates do not apply there
         seen = replace(seen, frame=GEOREFERENCED, file_warnings=())
     base = _time_base(header)
     found = {
@@ -170,7 +170,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         ),
         (SAME_TIME_BASE, *_waveform_notes(header)),
         (
-            # The system that applies is kept with a project, and the conflict with it.
+            # A project stores the system that is used; the conflict is reported only with that one.
             *(header_crs.messages if choice.get("crs") in (None, "", header_crs.text) else ()),
             *require_sound_header(path).messages(path),
         ),
@@ -178,20 +178,21 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
-    """Read in chunks; standard attributes and extra dimensions keep their names and types.
+    """Read a file in chunks; standard and extra dimensions keep their names and types.
 
     Raises
     ------
     InputError
-        Where the file is missing, damaged, cut short, empty, or without time.
+        If the file is missing, damaged, cut short, empty, or without time.
     """
     return read_from_point(path, choice, 0)
 
 
 def read_from_point(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
-    """Read in chunks from the point with the index ``first`` on.
+    """Read in chunks from the point with index ``first``.
 
-    LAZ is decoded from the beginning of the chunk of 50,000 points or so that the point is in.
+    LAZ is decoded from the beginning of the compressed chunk that contains the point, usually
+    50,000 points.
 
     Raises
     ------
@@ -227,12 +228,12 @@ def read_from_point(path: Path, choice: Choice, first: int) -> Iterator[PointChu
 
 
 def read_coordinates(path: Path) -> Iterator[NDArray[np.float64]]:
-    """Coordinates, shape (n, 3), as the file has them, of any point format.
+    """Read the coordinates, shape (n, 3), as stored in the file, of any point format.
 
     Raises
     ------
     InputError
-        Where the file is missing, damaged or empty.
+        If the file is missing, damaged or empty.
     """
     path = require_not_empty(path, "LAS")
     with report_damage(path, "LAS or LAZ"), opened_las(path, timed=False) as reader:
@@ -256,7 +257,7 @@ def read_file_crs(path: Path) -> HeaderCrs:
 
 
 def point_count(path: Path) -> int:
-    """Number of points that a LAS or LAZ file holds.
+    """Number of points in a LAS or LAZ file.
 
     Raises
     ------
@@ -268,7 +269,7 @@ def point_count(path: Path) -> int:
 
 
 def opened_las(path: Path, *, timed: bool = True) -> laspy.LasReader:
-    """Open a file to read all points that it holds, whatever its header counts.
+    """Open a file to read all points in it, even if its header states another number.
 
     Parameters
     ----------
@@ -299,7 +300,7 @@ def _record_chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleA
     while True:
         try:
             points = next(chunks, None)
-        except Exception:  # laspy and its decoders raise many kinds; nothing is swallowed
+        except Exception:  # laspy and its decoders raise errors of many types; all are re-raised
             if path.exists():
                 require_sound_header(path)
             raise
@@ -328,7 +329,7 @@ def _waveform_notes(header: laspy.LasHeader) -> Iterator[Message]:
 def _header_warnings(
     header: laspy.LasHeader, crs: str, xyz: np.ndarray, file: str
 ) -> Iterator[Message]:
-    """Warnings about scales that are too coarse or made from feet."""
+    """Warnings about coordinate scales that are too coarse or converted from feet."""
     geographic = bool(crs) and np.abs(xyz[:, :2]).max() <= 360
     for axis, scale in zip("xyz", header.scales, strict=True):
         metres = scale * 111_000 if geographic and axis != "z" else scale

@@ -1,8 +1,8 @@
-"""The coordinate system a LAS header states: WKT, or GeoTIFF keys.
+"""Reading of the coordinate system in a LAS header: WKT or GeoTIFF keys.
 
-A bit of the global encoding selects which of the two applies where a header has both (LAS 1.4 R15,
-2.4). laspy reads both, but of the keys only codes of horizontal systems: not heights, units, earth-
-centred coordinates, nor systems that writers (PDAL among them) name without a code.
+If a header has both, a bit of the global encoding selects the one that applies (LAS 1.4 R15, 2.4).
+laspy reads both, but from the keys only the codes of horizontal systems. It does not read heights,
+units, earth-centred coordinates or systems that are named without a code (for example by PDAL).
 """
 
 import warnings
@@ -27,7 +27,7 @@ PROJECTED, PROJECTED_CITATION, PROJECTION, LINEAR_UNIT = 3072, 3073, 3074, 3076
 VERTICAL, VERTICAL_UNIT = 4096, 4099
 GEOCENTRIC_MODEL = 3
 UTM = (16000, 16100)
-"""GeoTIFF's codes of UTM projections, north and south: these and the zone."""
+"""GeoTIFF codes of UTM projections, north and south, to which the zone number is added."""
 
 
 @dataclass(frozen=True)
@@ -37,13 +37,13 @@ class HeaderCrs:
     Attributes
     ----------
     text : str
-        For `lispac.survey.crs.coordinate_system`; empty if the header has nothing usable.
+        Argument of `lispac.survey.crs.coordinate_system`; empty if the header has no usable system.
     name, height_unit : str
-        Empty if it has nothing usable.
+        Name of the system and unit of its heights; empty if the header has no usable system.
     file_warnings : tuple of Message
-        About a system that cannot be used, or is used with an assumption.
+        Warnings about a system that cannot be used, or is used with an assumption.
     messages : tuple of Message
-        About WKT and keys that contradict each other.
+        Warnings about WKT and keys that contradict each other.
     """
 
     text: str = ""
@@ -83,9 +83,9 @@ def read_header_crs(header: LasHeader, file: str = "") -> HeaderCrs:
 
 
 def _reconcile_systems(used: HeaderCrs, other: HeaderCrs, file: str) -> HeaderCrs:
-    """The system that applies, with a warning where the other one contradicts it.
+    """System to use, with a warning if the other one in the header contradicts it.
 
-    The other one counts where the first is not usable, or is the same without heights.
+    The other one is used if the first is not usable, or is the same without heights.
     """
     if not other.text:
         return used
@@ -108,7 +108,7 @@ def _reconcile_systems(used: HeaderCrs, other: HeaderCrs, file: str) -> HeaderCr
 
 
 def _horizontal_and_vertical(text: str) -> tuple[CRS, CRS | None]:
-    """Horizontal system, or all of an earth-centred one, and that of heights."""
+    """Horizontal (or complete earth-centred) system, and the vertical system or None."""
     crs = CRS.from_user_input(text)
     crs = crs.source_crs if crs.is_bound and crs.source_crs is not None else crs
     parts = crs.sub_crs_list if crs.is_compound else [crs]
@@ -131,7 +131,7 @@ def _crs_from_wkt(wkt: str, file: str) -> HeaderCrs:
 def _geotiff_keys(
     directory: GeoKeyDirectoryVlr, records: list[Any]
 ) -> tuple[Mapping[int, int], Mapping[int, str]]:
-    """Keys with numbers and keys with texts."""
+    """Read the GeoTIFF keys with numbers and those with texts."""
     ascii_text = "".join(
         "\0".join(record.strings) for record in records if isinstance(record, GeoAsciiParamsVlr)
     )
@@ -185,7 +185,7 @@ def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: s
     name = crs.name
     vertical = numbers.get(VERTICAL, 0)
     if 5001 <= vertical <= 5033:
-        pass  # GeoTIFF's codes for heights above an ellipsoid
+        pass  # GeoTIFF codes for heights above an ellipsoid
     elif vertical and (heights := _crs_by_epsg(vertical)) is not None and heights.is_vertical:
         text, name = f"{text}+{vertical}", f"{name} + {heights.name}"
     elif 0 < vertical < 32767:
@@ -203,7 +203,7 @@ def _geocentric_crs(code: int) -> CRS | None:
     crs = _crs_by_epsg(code)
     if crs is None or crs.is_geocentric:
         return crs
-    # Writers give the code of the geographic system of the same datum.
+    # Programs write the code of the geographic system with the same datum.
     return CRS.from_epsg(4978) if code in (4326, 4979) else None
 
 
@@ -211,7 +211,7 @@ def _crs_by_citation(numbers: Mapping[int, int], texts: Mapping[int, str]) -> CR
     for key in (PROJECTED_CITATION, CITATION, GEOGRAPHIC_CITATION):
         name = texts.get(key, "").split("|")[0].strip()
         crs = _parse_crs(name) if name else None
-        # PROJ also finds what is spelled alike; only the very name will do.
+        # PROJ also finds similar names; only an exact match is accepted.
         if crs is None or crs.name != name or crs.to_epsg() is None:
             continue
         if crs.is_projected and crs.utm_zone is not None:

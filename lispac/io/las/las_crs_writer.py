@@ -1,8 +1,8 @@
 """Writing a coordinate system into a LAS header.
 
-WKT is written in its first version wherever that can say it: the LAS specification names that one,
-and much software reads no other. Point formats before 6 call for GeoTIFF keys; laspy's know no
-heights and no units, so they are made here.
+WKT version 1 is written if it can express the system: the LAS specification requires it, and much
+software reads no other version. Point formats before 6 require GeoTIFF keys. They are made here
+because laspy writes keys without heights and units.
 """
 
 import warnings
@@ -45,9 +45,9 @@ def is_in_local_frame(header: laspy.LasHeader) -> bool:
 
 
 def write_crs(header: laspy.LasHeader, crs: CRS | None) -> None:
-    """Write a coordinate system into a header, in the place of any other; None for the local frame.
+    """Write a coordinate system (None for the local frame) into a header, replacing any other.
 
-    Where neither WKT nor keys would do by the header's version, the version becomes 1.4.
+    If the version of the header allows neither WKT nor keys for the system, it is changed to 1.4.
     """
     for name in RECORDS:
         header.vlrs.extract(name)
@@ -78,18 +78,18 @@ def write_crs(header: laspy.LasHeader, crs: CRS | None) -> None:
 
 def _crs_wkt(crs: CRS) -> str:
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # PROJ's warnings on what version 1 omits
+        warnings.simplefilter("ignore")  # PROJ's warnings about omissions in version 1
         try:
             wkt = crs.to_wkt("WKT1_GDAL")
             same = CRS.from_wkt(wkt)
         except CRSError:
             return str(crs.to_wkt())
-    # Version 1 says nothing of a third axis: then the system is not the same any more.
+    # WKT version 1 omits a third axis, and the system then differs.
     return str(wkt) if len(same.axis_info) == len(crs.axis_info) else str(crs.to_wkt())
 
 
 def _geotiff_keys(crs: CRS) -> tuple[dict[int, int], str]:
-    """GeoTIFF's keys with numbers and the citation; no keys where a part has no code."""
+    """GeoTIFF keys with numbers, and the citation; no keys if a part of the system has no code."""
     parts = crs.sub_crs_list if crs.is_compound else [crs]
     horizontal = parts[0]
     if horizontal.is_geocentric:

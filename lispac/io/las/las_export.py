@@ -1,7 +1,7 @@
-"""Writing clouds as LAS or LAZ in chunks, with all attributes of their source.
+"""Chunked writing of clouds as LAS or LAZ with all attributes of their source.
 
-A `RecordLayout` describes the records: those of the source where it is LAS, otherwise point
-format 6 or 7 with the source's other columns as extra bytes.
+A `RecordLayout` describes the records: those of the source if it is LAS, otherwise point format 6
+or 7 with the other columns of the source as extra bytes.
 """
 
 from collections.abc import Iterator, Mapping
@@ -34,9 +34,9 @@ from lispac.survey.kernels import integers_from_coordinates
 from lispac.survey.line_source import printable
 
 STEP = 1e-4
-"""Metres in which coordinates are stored: a cloud gives the scanner's points back to 0.1 mm."""
+"""Resolution of stored coordinates, metres; the scanner's points can be recovered to 0.1 mm."""
 STEP_DEG = 1e-9
-"""Degrees, as `STEP`: 0.11 mm of latitude."""
+"""Resolution of stored coordinates in degrees: 0.11 mm of latitude."""
 PLACED = ("X", "Y", "Z", "gps_time")
 WAVEFORMS = ("wavepacket_index", "x_t")
 STANDARD = {
@@ -45,12 +45,12 @@ STANDARD = {
     "blue": "u2", "scan_direction_flag": "u1", "edge_of_flight_line": "u1", "scanner_channel": "u1",
     "synthetic": "u1", "key_point": "u1", "withheld": "u1", "overlap": "u1", "nir": "u2",
 }  # fmt: skip
-"""Dimensions of point formats 6 to 8 and the types that fit them."""
+"""Dimensions of point formats 6 to 8 and the NumPy types that hold them."""
 BITS = {
     "scan_direction_flag": 1, "edge_of_flight_line": 1, "scanner_channel": 2, "synthetic": 1,
     "key_point": 1, "withheld": 1, "overlap": 1, "return_number": 4, "number_of_returns": 4,
 }  # fmt: skip
-"""Dimensions narrower than any type."""
+"""Number of bits of dimensions that are smaller than a byte."""
 COLOURS = ("red", "green", "blue")
 LONGEST_NAME = 31
 
@@ -64,11 +64,12 @@ class RecordLayout:
     header : laspy.LasHeader
         Version, point format, time type and records besides the points; no coordinate system yet.
     columns : mapping of str to (str, int or None)
-        For each dimension the column of the source and which part of it, where it has several.
+        For each dimension, the column of the source and the index of its part; None if the column
+        has one value for each point.
     notes : tuple of Message
-        What is not kept.
+        Notes on attributes that are not kept.
     constants : mapping of str to int
-        Dimensions that are the same for all points.
+        Dimensions with one value for all points.
     """
 
     header: laspy.LasHeader
@@ -83,7 +84,7 @@ def write_header_copy(path: Path, to: Path) -> None:
     Raises
     ------
     InputError
-        Where the file cannot be read.
+        If the file cannot be read.
     """  # noqa: DOC501 - `damaged` makes an InputError
     try:
         with laspy.open(path) as reader:
@@ -96,14 +97,14 @@ def write_header_copy(path: Path, to: Path) -> None:
                 writer.write_evlrs(header.evlrs)
         with laspy.open(to) as reader:
             emptied = _extra_bytes_record(reader.header)
-        if emptied != described:  # without points laspy writes no sensible least and largest value
+        if emptied != described:  # without points, laspy's minima and maxima are meaningless
             to.write_bytes(to.read_bytes().replace(emptied, described, 1))
     except (LaspyException, LazrsError, ValueError) as failure:
         raise damaged_file_error(path, "LAS or LAZ", failure) from failure
 
 
 def _extra_bytes_record(header: laspy.LasHeader) -> bytes:
-    """The record that describes the extra bytes; empty where there are none."""
+    """Record that describes the extra bytes; empty if there are none."""
     return b"".join(record.record_data_bytes() for record in header.vlrs.get("ExtraBytesVlr"))
 
 
@@ -113,12 +114,12 @@ def layout_of_las(path: Path, shown: Path | None = None) -> RecordLayout:
     Parameters
     ----------
     shown : Path, optional
-        What it is called in notes, where it stands for another file.
+        File named in notes, if the read file is a copy of it.
 
     Raises
     ------
     InputError
-        Where the file cannot be read.
+        If the file cannot be read.
     """  # noqa: DOC501 - `damaged` makes an InputError
     path = Path(path)
     try:
@@ -148,15 +149,16 @@ def _is_file_specific(record: Any) -> bool:
 
 
 def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> RecordLayout:
-    """Record layout of a source that is not LAS, by the names and types of its columns.
+    """Record layout of a source that is not LAS, from the names and types of its columns.
 
-    A column goes into the LAS dimension of its name where every value of its type fits; otherwise
-    it becomes extra bytes. An intensity that is not whole numbers goes to both, rounded in one.
+    A column is written to the LAS dimension of its name if all values of its type fit; otherwise it
+    is written as extra bytes. An intensity that is not an integer is written to both, rounded in
+    the dimension.
 
     Parameters
     ----------
     chunk : PointChunk
-        Of which names and types count.
+        A chunk of the source; only names and types are used.
     standard_time : bool
         Whether times are adjusted standard GPS time; otherwise GPS time of the week.
     """
@@ -227,21 +229,21 @@ class CloudWriter:
         self, points: NDArray[np.float64], time: NDArray[np.float64],
         extra: Mapping[str, NDArray[Any]], chosen: NDArray[np.bool_] | None = None,
     ) -> laspy.ScaleAwarePointRecord:  # fmt: skip
-        """Make records; threads may do so side by side.
+        """Make records; may be called by several threads at once.
 
         Parameters
         ----------
         points : ndarray of shape (n, 3), in the file's coordinate system
-        time : ndarray of shape (n,), seconds, as the source had them
+        time : ndarray of shape (n,), seconds, as in the source
         extra : mapping of str to ndarray of shape (m, ...)
             The columns of the source.
         chosen : ndarray of bool, shape (m,), optional
-            Which n rows of ``extra`` these points are; all where not given.
+            Flags of the n rows of ``extra`` that belong to these points; all by default.
 
         Raises
         ------
         InputError
-            Where a point lies too far from the others to be stored.
+            If a point lies too far from the others to be stored.
         """
         header = self._header
         packed = isinstance(extra, PackedColumns) and (
@@ -289,9 +291,9 @@ class CloudWriter:
         self, bits: dict[str, NDArray[np.uint8]], record: laspy.ScaleAwarePointRecord,
         dimension: str, values: NDArray[Any],
     ) -> None:  # fmt: skip
-        """Put values into their place in the byte that several dimensions share.
+        """Write values into their bits of the byte that several dimensions share.
 
-        laspy's own way goes over the records four times for each dimension.
+        laspy's own method passes over the records four times for each dimension.
 
         Raises
         ------
@@ -330,7 +332,7 @@ class CloudWriter:
 
     @property
     def count(self) -> int:
-        """Points written so far."""
+        """Number of points written so far."""
         return int(self._writer.header.point_count)
 
 
@@ -346,24 +348,24 @@ def open_cloud_writer(
     compressed: bool,
     shown: Path | None = None,
 ) -> Iterator[CloudWriter]:
-    """Open a cloud for writing, and close it with header and bounds as written.
+    """Open a cloud for writing; on exit, its header and bounds are completed.
 
     Parameters
     ----------
     path : Path
-        Where it is written: a temporary name, say.
+        File to write, for example under a temporary name.
     system : CoordinateSystem or None
         None for the local frame.
     centre : ndarray of shape (3,), in the coordinate system
-        A place among the points, in ``system``: coordinates are counted from there.
+        A position among the points, used as the offset of the stored coordinates.
     mounting : Mounting
-        With which the points are georeferenced; kept in the file.
+        Mounting with which the points are georeferenced; stored in the file.
     frame : LocalFrame
-        Of the project.
+        Local frame of the project.
     compressed : bool
-        LAZ, or LAS.
+        Whether to write LAZ instead of LAS.
     shown : Path, optional
-        The name that errors give.
+        File name given in errors.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""LAS and LAZ: lines in the scanner frame, and georeferenced clouds out."""
+"""Reading of lines in the scanner frame from LAS and LAZ, and writing of clouds."""
 
 from pathlib import Path
 
@@ -21,7 +21,7 @@ def read_scan(path: Path) -> Scan:
     Raises
     ------
     InputError
-        Where the file is missing, damaged, without gps_time, or empty.
+        If the file is missing, damaged, without gps_time, or empty.
     """
     count = done = 0
     for chunk in read(Path(path), {}):
@@ -36,7 +36,7 @@ def read_scan(path: Path) -> Scan:
 
 
 def require_finite(points: NDArray[np.float64], time: NDArray[np.float64], path: Path) -> None:
-    """Refuse coordinates or times that are not numbers.
+    """Refuse coordinates or times that are NaN or infinite.
 
     Parameters
     ----------

@@ -1,7 +1,8 @@
-"""Checks of LAS and LAZ headers against their file, before a library reads it.
+"""Checks of LAS and LAZ headers against the file, before a library reads it.
 
-laspy loops over records that are not there for minutes and reads as many points as the header
-counts; lazrs allocates what a chunk table claims and ends the program where that fails.
+If the header is wrong, laspy loops over missing records for minutes and reads only as many points
+as the header states. lazrs allocates the memory that a chunk table states and terminates the
+program if the allocation fails.
 """
 
 import struct
@@ -22,9 +23,9 @@ COMPRESSED = 0x80
 WAVEFORMS_INSIDE = 0x02
 """Bit of the global encoding: waveforms follow the points."""
 SCALE_LIMITS = (1e-12, 1000.0)
-"""Steps of coordinates from and to which a file can be used, metres, feet or degrees."""
+"""Smallest and largest accepted scale of coordinates, metres, feet or degrees."""
 TIME_AT = {1: 20, 3: 20, 4: 20, 5: 20, 6: 22, 7: 22, 8: 22, 9: 22, 10: 22}
-"""Byte of gps_time in a record, by point format."""
+"""Byte offset of gps_time in a record, by point format."""
 LARGEST_TIME = 1e11
 WEEK = 604_800.0
 
@@ -32,9 +33,9 @@ WEEK = 604_800.0
 def require_sound_header(path: Path) -> PointCounts:
     """Refuse sizes that do not fit the file, and count its points.
 
-    Offsets from the LAS 1.4 specification, table 3: header size, start of the points, number of
-    variable length records, point format and record length, number of points, and from version 1.4
-    on the start and number of the extended records and the number of points with 64 bits.
+    Offsets are those of the LAS 1.4 specification, table 3: header size, start of the points,
+    number of variable length records, point format and record length, number of points, and from
+    version 1.4 on the start and number of the extended records and the 64-bit number of points.
 
     Raises
     ------
@@ -52,12 +53,12 @@ def require_sound_header(path: Path) -> PointCounts:
 
 
 def _count_points(path: Path, size: int, header: bytes) -> PointCounts | None:
-    """Points by header and file; None where sizes do not fit.
+    """Count the points by header and by file; None if the sizes do not fit.
 
     Raises
     ------
     InputError
-        Where points are missing, or the steps of the coordinates cannot be.
+        If points are missing or the scales of the coordinates are not valid.
     """
     scales = struct.unpack_from("<3d", header, 131)
     if not all(SCALE_LIMITS[0] <= scale <= SCALE_LIMITS[1] for scale in scales):
@@ -116,7 +117,7 @@ def _count_chunk_points(
 
 
 def _first_time(path: Path, points_start: int, point_format: int) -> float | None:
-    """Time of the first record, seconds; None where there is none."""
+    """Time of the first record, seconds; None if records have no time."""
     if point_format not in TIME_AT:
         return None
     with path.open("rb") as file:
@@ -126,7 +127,7 @@ def _first_time(path: Path, points_start: int, point_format: int) -> float | Non
 
 
 def _are_plausible_records(rows: Rows, point_format: int, first: float | None) -> Flags:
-    """Flags of records (n, size) that may be points: time within a week of the first."""
+    """Flags of records (n, size) that may be points: their time is within a week of the first."""
     if point_format not in TIME_AT:
         return np.asarray(rows.any(axis=1))
     at = TIME_AT[point_format]

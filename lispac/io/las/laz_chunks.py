@@ -1,9 +1,9 @@
 """Chunks of compressed points in LAZ, and the number of points in them.
 
-A chunk table gives the bytes of each chunk and, where chunks are of variable size, its points. In
-chunks of fixed size only the last one is open: point formats from 6 on state its points after its
-first record; for the others the decoder shows them, since it reads exactly the bytes that the
-encoder wrote.
+A chunk table gives the bytes of each chunk and, for chunks of variable size, its number of points.
+With chunks of fixed size, only the number of points in the last chunk is unknown. Point formats
+from 6 on store it after the first record of the chunk. For the others it is found by decoding: the
+right number of points uses exactly the bytes that the encoder wrote.
 """
 
 import io
@@ -17,14 +17,14 @@ import lazrs
 RECORD_HEADER = 54
 LASZIP = (b"laszip encoded", 22204)
 LARGEST_CHUNK = 1 << 28
-"""Bytes of one chunk unpacked; writers make chunks of 50,000 points, a few megabytes."""
+"""Largest accepted size of an unpacked chunk, bytes; chunks of 50,000 points have a few MB."""
 SMALL_CHUNK = 4096
-"""Bytes that any chunk may take besides its points."""
+"""Bytes that a chunk may use in addition to its points."""
 LAYERED = 3
-"""Compressor of point formats from 6 on."""
+"""Code of the compressor for point formats from 6 on."""
 LAYERS = {10: 9, 11: 1, 12: 2, 13: 1}
-"""Layers of each item of a record (point, RGB, RGB with NIR, waveform), by its type; of extra bytes
-each byte has one (LAZ specification 1.4)."""
+"""Number of layers of each item of a record (point, RGB, RGB with NIR, waveform), by item type.
+Each extra byte has a layer of its own (LAZ specification 1.4)."""
 EXTRA_BYTES = 14
 
 
@@ -40,7 +40,7 @@ class LazChunks:
     record : bytes
         Content of LAZ's variable length record.
     table : tuple of (int, int)
-        Points and bytes of each chunk; with a fixed size the last one has up to as many points.
+        Points and bytes of each chunk; with a fixed chunk size the last may have fewer points.
     """
 
     path: Path
@@ -54,12 +54,12 @@ class LazChunks:
         Parameters
         ----------
         header : int
-            As the header counts; it is tried first.
+            Number of points in the header, which is tried first.
 
         Raises
         ------
         lazrs.LazrsError
-            Where the last chunk is damaged.
+            If the last chunk is damaged.
         """
         laz = lazrs.LazVlr(self.record)
         whole = sum(count for count, _ in self.table)
@@ -84,12 +84,12 @@ class _CompressedLastChunk:
     record: bytes
 
     def points(self, likely: int, limit: int) -> int:
-        """Count the points: the number whose decoding uses all bytes; ``likely`` is tried first.
+        """Find the number of points whose decoding uses all bytes; ``likely`` is tried first.
 
         Raises
         ------
         lazrs.LazrsError
-            Where no number does.
+            If no number of points uses exactly all bytes.
         """
         if 0 < likely <= limit and self._can_decode(likely) and not self._can_decode(likely, 1):
             return likely
@@ -120,10 +120,10 @@ class _CompressedLastChunk:
 def read_chunk_table(
     path: Path, header_size: int, points_start: int, records: int, point_size: int
 ) -> LazChunks | None:
-    """Read the chunk table; None where it does not fit the file.
+    """Read the chunk table; None if it does not fit the file.
 
-    lazrs allocates what a chunk table claims and ends the program where that fails, so sizes are
-    checked before.
+    The sizes are checked because lazrs allocates the memory that a chunk table states and
+    terminates the program if the allocation fails.
     """
     size = path.stat().st_size
     with path.open("rb") as file:
@@ -139,7 +139,7 @@ def read_chunk_table(
             return None
         file.seek(table + 4)
         (chunks,) = struct.unpack("<I", file.read(4))
-        # Every chunk starts with one point as it is.
+        # Every chunk starts with one uncompressed point.
         if chunks * max(point_size, 1) > size:
             return None
         file.seek(points_start)
@@ -156,8 +156,8 @@ def read_chunk_table(
         laz.item_size() == point_size
         and total_size <= size - points_start
         and largest * point_size <= LARGEST_CHUNK
-        # Points of random bits take little more space than unpacked; lazrs ends in a panic where
-        # a chunk has far more bytes than its points can take.
+        # Random bits compress to little more than their own size; lazrs panics if a chunk has far
+        # more bytes than its points can use.
         and all(length <= 2 * count * point_size + SMALL_CHUNK for count, length in found)
     )
     return LazChunks(path, points_start + 8, record, found) if sound else None
@@ -166,9 +166,9 @@ def read_chunk_table(
 def _do_layers_fit(
     file: BinaryIO, at: int, record: bytes, table: tuple[tuple[int, int], ...]
 ) -> bool:
-    """True if the layers of each chunk lie within it; lazrs allocates the sizes they specify.
+    """True if the layers of each chunk lie within it; lazrs allocates the sizes they state.
 
-    A chunk of these holds its first point, the number of points, the sizes of its layers and these.
+    A layered chunk contains its first point, the number of points, the layer sizes and the layers.
     """
     (items,) = struct.unpack_from("<H", record, 32)
     layers = point = 0

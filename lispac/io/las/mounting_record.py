@@ -1,8 +1,8 @@
 """Record in a LAS or LAZ file with the parameters of the georeferencing.
 
-It holds the mounting with which the points were georeferenced and the origin of the local frame, so
-that the cloud can be read back as a line: the scanner's own coordinates are recovered with that
-mounting.
+The record contains the mounting with which the points were georeferenced and the origin of the
+local frame. With them the scanner coordinates can be recovered, so that the cloud can be read as a
+line again.
 """
 
 import json
@@ -21,29 +21,29 @@ from lispac.survey.georeferencing import Mounting
 from lispac.untrusted_values import json_values
 
 RECORD, VERSION = 2, 1
-"""Record ID, and version of what it holds."""
+"""Record ID, and version of the record's content."""
 MAX_VALUES = {"lever_arm_m": 200.0, "boresight_deg": 360.0, "range_offset_m": 10.0,
         "scan_angle_offset_deg": 360.0, "latency_s": 60.0}  # fmt: skip
-"""Largest sizes that are believed."""
+"""Largest accepted absolute values; a record with larger ones is ignored."""
 
 
 @dataclass(frozen=True, eq=False)
 class MountingRecord:
-    """Mounting and frame that a cloud was georeferenced with, as a LAS record.
+    """Mounting and frame with which a cloud was georeferenced, as a LAS record.
 
     Attributes
     ----------
     mounting : Mounting
-        With which its points were georeferenced.
+        Mounting with which the points were georeferenced.
     frame : LocalFrame or None
-        Of its coordinates; None where they are in a coordinate system.
+        Local frame of the coordinates; None if they are in a coordinate system.
     """
 
     mounting: Mounting
     frame: LocalFrame | None = None
 
     def vlrs(self) -> list[laspy.VLR]:
-        """Records for the header."""
+        """Variable length records for the header."""
         mounting, frame = self.mounting, self.frame
         content = {
             "version": VERSION,
@@ -67,7 +67,7 @@ class MountingRecord:
 
     @classmethod
     def of(cls, header: laspy.LasHeader) -> Self | None:
-        """The record in a header; None where there is none, or it cannot be understood."""
+        """Get the record in a header; None if there is none or its content is not valid."""
         for each in header.vlrs:
             if each.user_id == OWN_ID and each.record_id == RECORD:
                 try:
@@ -78,7 +78,7 @@ class MountingRecord:
 
     @classmethod
     def read(cls, path: Path) -> Self | None:
-        """The record in a LAS or LAZ file; None where it is another file or has none."""
+        """Read the record in a LAS or LAZ file; None for other files and files without it."""
         try:
             with path.open("rb") as file:
                 if file.read(4) != b"LASF":
@@ -90,12 +90,12 @@ class MountingRecord:
 
 
 def _parse_content(content: Any) -> tuple[Mounting, LocalFrame | None]:
-    """Mounting and frame out of the content of a record.
+    """Mounting and frame from the content of a record.
 
     Raises
     ------
     ValueError
-        Where it is damaged or of another version, as `TypeError` and `KeyError`.
+        If it is damaged or of another version; `TypeError` and `KeyError` have the same causes.
     """
     if content["version"] != VERSION:
         raise ValueError(content["version"])

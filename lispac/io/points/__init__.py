@@ -1,1 +1,1 @@
-"""Points in other formats, and what all readers of points share."""
+"""Readers of points in formats other than LAS, and code shared by all readers of points."""

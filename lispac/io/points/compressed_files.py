@@ -16,7 +16,7 @@ MAGIC = {
 ARCHIVES = ("ZIP", "7z", "RAR", "TAR")
 """Formats that hold several files."""
 BZIP2 = b"1AY&SY"
-"""After ``BZh`` and the size of its blocks."""
+"""Bytes that follow ``BZh`` and the block size in a bzip2 file."""
 TAR, TAR_AT = b"ustar", 257
 OFFICE = (b"[Content_Types].xml", b"mimetypeapplication/vnd.")
 """Names of the first file in spreadsheets of Excel and LibreOffice, which are ZIP archives."""
@@ -28,7 +28,7 @@ def require_uncompressed(path: Path, *, text: bool = False) -> None:
     Parameters
     ----------
     text : bool
-        Whether text compressed by gzip passes.
+        Whether text compressed with gzip is accepted.
 
     Raises
     ------
@@ -50,7 +50,7 @@ def require_uncompressed(path: Path, *, text: bool = False) -> None:
 
 
 def _compression_format(head: bytes) -> str:
-    """Format of an archive or a compressed file by its first bytes; empty for none."""
+    """Format of an archive or a compressed file by its first bytes; empty for other files."""
     for magic, name in MAGIC.items():
         if head.startswith(magic):
             return name
@@ -63,7 +63,7 @@ def _compression_format(head: bytes) -> str:
 
 
 def _decompress_head(head: bytes) -> bytes | None:
-    """First bytes of what gzip compressed; None where it is not gzip."""
+    """Decompress the first bytes of a gzip file; None if it is not gzip."""
     try:
         return zlib.decompressobj(zlib.MAX_WBITS | 16).decompress(head, HEAD)
     except zlib.error:

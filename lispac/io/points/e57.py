@@ -1,4 +1,4 @@
-"""E57 with time stamps: every scan of the file one after the other."""
+"""Reading of E57 files with time stamps, one scan after the other."""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -53,7 +53,7 @@ DAY = 86_400.0
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
-    """E57 starts with its name."""
+    """Likelihood by the signature: E57 files start with the name of the format."""
     return SURE if head[:8] == b"ASTM-E57" else NOT
 
 
@@ -63,14 +63,14 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     Raises
     ------
     InputError
-        Where the file cannot be read or has no time stamps.
+        If the file cannot be read or has no time stamps.
     """
     path = require_not_empty(path, "E57")
     with report_damage(path, "E57"), opened_e57(path) as image:
         scans = find_scans(image, path)
         system = _text_field(image.root(), "coordinateMetadata")
         writer = _text_field(image.root(), "e57LibraryVersion")
-        # A scan of which no point is valid is passed over, as where points are read.
+        # Scans without valid points are skipped, as when the points are read.
         candidates = (
             (scan, columns)
             for scan in scans
@@ -130,13 +130,13 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     """Read scan by scan in chunks, without the points that the file marks as invalid.
 
-    Spherical coordinates are used where a point has no valid Cartesian ones. In the scanner frame
-    poses are not applied; georeferenced points have them applied.
+    Spherical coordinates are used for points without valid Cartesian ones. The poses of the scans
+    are applied to georeferenced points but not to points in the scanner frame.
 
     Raises
     ------
     InputError
-        Where the file is missing, damaged, empty, or without time stamps.
+        If the file is missing, damaged, empty, or without time stamps.
     """
     path = require_not_empty(path, "E57")
     resolved = E57.resolved(choice)
@@ -158,7 +158,7 @@ def read_coordinates(path: Path) -> Iterator[Array]:
     Raises
     ------
     InputError
-        Where the file is missing, damaged or empty.
+        If the file is missing, damaged or empty.
     """
     path = require_not_empty(path, "E57")
     with report_damage(path, "E57"), opened_e57(path) as image:

@@ -1,7 +1,7 @@
-"""Number of records in the data packets of an E57 file (ASTM E2807, 9.3), apart from its XML.
+"""Number of records in the data packets of an E57 file (ASTM E2807, 9.3), without its XML.
 
-libE57 reads as many records as the XML counts. The packets hold the bytes of each field, so they
-show where there are more.
+libE57 reads the number of records stated in the XML. The packets contain the number of bytes of
+each field, which shows whether there are more records.
 """
 
 import re
@@ -11,20 +11,20 @@ from pathlib import Path
 from typing import IO, Any
 
 PAGE, PAYLOAD = 1024, 1020
-"""Bytes of a page and those before its checksum."""
+"""Bytes of a page, and bytes before its checksum."""
 DATA = 1
-"""Type of a packet with data, and of a section with packets."""
+"""Type code of a packet with data, and of a section with packets."""
 REGISTER = 64
-"""Bits that packed integers are padded to at most."""
+"""Largest number of bits to which packed integers are padded."""
 
 
 def excess_records(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
-    """Counted and actual number of records of each vector that holds more than it counts.
+    """Stated and actual number of records of each vector that contains more than it states.
 
     Parameters
     ----------
     points : list of libe57.CompressedVectorNode
-        Those of all scans, in the order of the file.
+        Vectors of points of all scans, in the order of the file.
     """
     with path.open("rb") as file:
         offsets = _vector_offsets(file)
@@ -44,7 +44,7 @@ def excess_records(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
 
 
 def _field_bits(node: Any) -> list[int]:
-    """Bits of one value of each field; 0 where they vary, as in text."""
+    """Number of bits of one value of each field; 0 if it varies, as for text."""
     from pye57 import libe57
 
     prototype = libe57.StructureNode(node.prototype())
@@ -67,7 +67,7 @@ def _field_bits(node: Any) -> list[int]:
 
 
 def _vector_offsets(file: IO[bytes]) -> list[int]:
-    """Physical position of each vector of points, by the XML."""
+    """Physical file offset of each vector of points, from the XML."""
     file.seek(24)
     start, length = struct.unpack("<QQ", file.read(16))
     xml = _read_logical(file, _logical_position(start), length)
@@ -77,7 +77,7 @@ def _vector_offsets(file: IO[bytes]) -> list[int]:
 
 
 def _stream_bytes(file: IO[bytes], offset: int) -> list[int]:
-    """Bytes of each field in all data packets of a vector that begins at a physical position."""
+    """Bytes of each field in all data packets of a vector that begins at a physical offset."""
     at = _logical_position(offset)
     head = _read_logical(file, at, 32)
     if len(head) < 32 or head[0] != DATA:
@@ -103,7 +103,7 @@ def _logical_position(physical: int) -> int:
 
 
 def _read_logical(file: IO[bytes], logical: int, count: int) -> bytes:
-    """Bytes from a logical position, without the checksums between them."""
+    """Read bytes from a logical offset, without the checksums between them."""
     page, within = divmod(logical, PAYLOAD)
     pages = -(-(within + count) // PAYLOAD)
     file.seek(page * PAGE)

@@ -1,8 +1,8 @@
-"""Scans of an E57 file by libE57: their fields, poses and valid points.
+"""Scans of an E57 file, read with libE57: their fields, poses and valid points.
 
-pye57's own reader knows no time stamps and reads scans as a whole, so its binding of libE57 is
-used directly. libE57 checks every page against its checksum, which keeps damaged bytes from its
-decoders.
+pye57's reader does not support time stamps and reads each scan as a whole, so its binding of libE57
+is used directly. libE57 checks the checksum of every page, so that its decoders receive no damaged
+bytes.
 """
 
 import struct
@@ -29,24 +29,24 @@ SPHERICAL = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
 CARTESIAN_STATE, SPHERICAL_STATE = "cartesianInvalidState", "sphericalInvalidState"
 TIME_STATE = "isTimeStampInvalid"
 STATES = (CARTESIAN_STATE, SPHERICAL_STATE, TIME_STATE)
-"""0 where a point's coordinates or time are valid."""
+"""Fields that are 0 if the Cartesian coordinates, spherical coordinates or time are valid."""
 PAGE = 1024
 
 
 @dataclass(frozen=True, eq=False)
 class Scan:
-    """One scan: its points are read through ``node``.
+    """One scan; its points are read through ``node``.
 
     Attributes
     ----------
     node : libe57.StructureNode
     count : int
-        Points, valid or not.
+        Number of points, valid or not.
     fields : mapping of str to numpy.dtype
     start : float, seconds since the GPS epoch
-        Start of the acquisition; 0 where it is not given.
+        Start of the acquisition; 0 if it is not given.
     rotation : ndarray of shape (3, 3)
-        From the frame of the scan to that of the file.
+        Rotation from the frame of the scan to that of the file.
     translation : ndarray of shape (3,), metres, frame of the file
         Origin of the scan.
     """
@@ -66,7 +66,7 @@ class Scan:
 
 @contextmanager
 def opened_e57(path: Path) -> Iterator[Any]:
-    """Open a file of a sound header.
+    """Open a file after a check of its header.
 
     Raises
     ------
@@ -104,7 +104,7 @@ def _require_sound_header(path: Path) -> None:
 
 
 def find_scans(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
-    """Scans that hold points.
+    """Scans that contain points.
 
     Parameters
     ----------
@@ -164,7 +164,7 @@ def _scan_pose(node: Any, path: Path) -> tuple[Array, Array]:
     Raises
     ------
     InputError
-        Where its quaternion is no rotation.
+        If its quaternion is not a unit quaternion.
     """
     rotation, translation = np.eye(3), np.zeros(3)
     if not node.isDefined("pose"):
@@ -191,7 +191,7 @@ def _scan_pose(node: Any, path: Path) -> tuple[Array, Array]:
 def stored_points(
     image: Any, scan: Scan, path: Path, rows: int, before: int, *, timed: bool = True
 ) -> Iterator[dict[str, NDArray[Any]]]:
-    """Columns of the valid points of a scan, coordinates as ``x``, ``y``, ``z``.
+    """Columns of the valid points of a scan; the coordinates are named ``x``, ``y``, ``z``.
 
     Parameters
     ----------
@@ -201,7 +201,7 @@ def stored_points(
     Raises
     ------
     InputError
-        Where the scan has fewer points than its header states.
+        If the scan has fewer points than its header states.
     """
     done = 0
     for some in _read_columns(image, scan, tuple(scan.fields), rows):
@@ -222,11 +222,11 @@ def stored_points(
 def _read_columns(
     image: Any, scan: Scan, names: tuple[str, ...], rows: int
 ) -> Iterator[dict[str, NDArray[Any]]]:
-    """Fields of all points of a scan, some points at a time."""
+    """Read the fields of all points of a scan, in blocks of points."""
     from pye57 import libe57
 
     rows = min(rows, scan.count)
-    # Whole numbers too are read as float64: pye57 takes NumPy's int64 for 32 bits on Linux.
+    # Integers are also read as float64: on Linux, pye57 treats NumPy's int64 as 32 bits.
     columns = {
         name: np.empty(rows, np.float32 if scan.fields[name] == np.float32 else np.float64)
         for name in names
@@ -245,7 +245,7 @@ def _read_columns(
 
 
 def invalid_count(image: Any, scan: Scan, *, timed: bool = True) -> int:
-    """Number of points that the states of a scan exclude."""
+    """Number of points that a scan marks as invalid."""
     needed = (CARTESIAN_STATE, SPHERICAL_STATE, SPHERICAL[0], *((TIME_STATE,) if timed else ()))
     names = tuple(name for name in needed if name in scan.fields)
     if not names:
@@ -263,8 +263,8 @@ def _valid_coordinates(
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Flags (n,) of points with valid Cartesian and with valid spherical coordinates.
 
-    Each system has its own state (ASTM E2807, table 12). Spherical columns may be present without
-    values, so a range of zero is not valid.
+    Each type of coordinates has its own state (ASTM E2807, table 12). Spherical columns may be
+    present without values, so a range of zero is not valid.
     """
     none = np.zeros(len(next(iter(columns.values()))), dtype=bool)
     cartesian = spherical = none
@@ -276,7 +276,7 @@ def _valid_coordinates(
 
 
 def _cartesian_coordinates(columns: dict[str, NDArray[Any]]) -> tuple[Array, NDArray[np.bool_]]:
-    """Coordinates (n, 3), taken out of ``columns``, and flags (n,) of those that are valid."""
+    """Remove the coordinates (n, 3) from ``columns``; return them and flags (n,) of valid ones."""
     cartesian, spherical = _valid_coordinates(columns, set(columns))
     xyz = np.zeros((len(cartesian), 3))
     if set(CARTESIAN) <= set(columns):

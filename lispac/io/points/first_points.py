@@ -1,4 +1,4 @@
-"""Frame and bounds of the first points of a file, and warnings that their numbers give."""
+"""Frame and bounds of the first points of a file, and warnings about their values."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -27,9 +27,9 @@ from lispac.survey.time_rollover import find_rollover, resolve_rollover
 Array = NDArray[np.float64]
 
 SCANNER_REACH = 1000.0
-"""Metres beyond which a vessel's scanner hardly sees."""
+"""Metres; points of a scanner on a vessel are rarely farther away."""
 QUANTILE_COUNT, QUANTILE = 100, 0.99
-"""Points from which on the farthest are not examined, and the share that is."""
+"""Number of points from which on the farthest are ignored, and the share that is examined."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ def check_first_points(
     crs : str
         Coordinate system named in the file; empty if none.
     low, high : ndarray of shape (3,), frame and unit of the file
-        Bounds the header states, where it does.
+        Bounds stated in the header, if any.
     """
     file_warnings: list[Message] = []
     usable = usable_mask(xyz, time)
@@ -78,7 +78,7 @@ def check_first_points(
             xyz, time = xyz[usable], time[usable]
         else:
             xyz = np.nan_to_num(xyz).clip(-LARGEST, LARGEST)
-    is_filled = (xyz[:, 0] == xyz[:, 1]) & (xyz[:, 1] == xyz[:, 2])  # no echo: 0 or -9999 say
+    is_filled = (xyz[:, 0] == xyz[:, 1]) & (xyz[:, 1] == xyz[:, 2])  # no echo: 0 or -9999
     if is_filled.any() and not is_filled.all():
         xyz, time, low, high = xyz[~is_filled], time[~is_filled], None, None
     low = xyz.min(axis=0) if low is None else low

@@ -1,4 +1,4 @@
-"""The times of a line before it is imported: all of a short one, a sample of a long one."""
+"""Times of a line before its import: all times of a short line, a sample of a long line."""
 
 import time as clock
 from collections.abc import Iterator
@@ -29,14 +29,15 @@ from lispac.survey.time_rollover import PERIODS, find_rollover, resolve_rollover
 Array = NDArray[np.float64]
 
 MAX_TIMES = 20_000
-"""Times kept of a line: one of every few hundred milliseconds of an hour."""
+"""Number of times kept of a line: one every 180 ms for a line of one hour."""
 READ_WHOLE = 3_000_000
-"""Points that LAS and LAZ are read whole up to; of more, blocks here and there."""
+"""Largest number of points of a LAS or LAZ file that is read completely; of larger files, blocks
+distributed over the file are read."""
 BLOCKS, BLOCK = 40, 500
 PLACE_STEP = 10
-"""Of so many examined points for their time, one is examined for its place."""
+"""Number of points examined for their time per point examined for its position."""
 TIME_LIMIT = 15.0
-"""Seconds after which reading stops; what was not read is checked at the import."""
+"""Seconds after which reading stops; the remaining points are checked at the import."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +49,7 @@ class LineTimes:
     sample : ndarray of shape (n,), seconds, in the file's time base, in the order of the file
         Continued across a time rollover.
     start, end : float, seconds
-        Of the examined points.
+        Earliest and latest time of the examined points.
     count : int or None
         Number of points of the file, if read completely or given in its header.
     whole : bool
@@ -56,9 +57,9 @@ class LineTimes:
     reached_end : bool
         Whether the end of the file was examined.
     place : ndarray of shape (3,), frame and unit of the file
-        Coordinates of one point, as the file has them.
+        Coordinates of one point, as stored in the file.
     rollover : str
-        Time rollover, as given or found (`lispac.survey.time_rollover`); empty where there is none.
+        Time rollover, given or detected (`lispac.survey.time_rollover`); empty if there is none.
     """
 
     sample: Array
@@ -74,13 +75,13 @@ class LineTimes:
 def read_line_times(
     path: Path, format: FileFormat, choice: Choice, *, progress: Progress = no_progress
 ) -> LineTimes:
-    """Read the times of a line: all of a short one, a sample of a long one.
+    """Read the times of a line: all times of a short line, a sample of a long line.
 
     Raises
     ------
     InputError
-        Where the file cannot be read with these options, or holds no points in the scanner frame
-        that it is read in.
+        If the file cannot be read with these options, or is read in the scanner frame but its
+        points are not in that frame.
     """
     given = str(choice.get(TIME_ROLLOVER, ""))
     resolved = format.resolved(choice)
@@ -101,7 +102,8 @@ def _resolve_rollover(line_times: LineTimes, given: str) -> LineTimes:
     )
     if rollover not in PERIODS:
         return line_times
-    # Earliest and latest lie on the two sides of the rollover; the sample may have missed one.
+    # The earliest and the latest stored time are on both sides of the rollover; the sample may lack
+    # one of them.
     ends = np.append(line_times.sample, [line_times.start, line_times.end])
     resolved = resolve_rollover(ends, rollover)
     return replace(
@@ -147,12 +149,12 @@ def _read_times(
 
 
 def _sample_times(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Array]:
-    """Times of points all over a long line, and coordinates (n, 3) of some, in the file's unit.
+    """Times of points spread over a long line, and coordinates (n, 3) of some, file units.
 
     Raises
     ------
     InputError
-        Where no time is usable.
+        If no time is usable.
     """
     parts, places = [], []
     with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:

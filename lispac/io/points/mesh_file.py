@@ -1,6 +1,6 @@
-"""Meshes of a scene from PLY, OBJ or STL, known by their content.
+"""Reading of meshes of a scene from PLY, OBJ or STL; the format is detected from the content.
 
-OBJ is read here: Open3D leaves faces of more than three corners out of it without a word.
+OBJ is read here because Open3D silently omits its faces with more than three corners.
 """
 
 import os
@@ -28,14 +28,14 @@ ENDINGS = (".ply", ".obj", ".stl")
 HEAD = 65_536
 MEMORY_LIMIT = 1 << 29
 MEMORY_PER_BYTE = 60
-"""Bytes that reading a mesh may take: these, and as many for each byte of its file. A triangle of
-ASCII STL with its corners takes about one for each byte, one of binary PLY ten."""
+"""Bytes of memory allowed to read a mesh: MEMORY_LIMIT, and MEMORY_PER_BYTE for each byte of the
+file. A triangle of ASCII STL needs about one byte for each byte, one of binary PLY about ten."""
 
 
 class MeshReader:
-    """Open3D's reader of meshes in a separate process, which a damaged file may end.
+    """Open3D's mesh reader in a separate process, because a damaged file may terminate it.
 
-    A context that keeps the process for several files; a new one is made where it was ended.
+    Context manager that uses one process for several files and restarts it if it was terminated.
     """
 
     def __init__(self) -> None:
@@ -50,12 +50,12 @@ class MeshReader:
         self._pool = None
 
     def read(self, path: Path, ending: str) -> tuple[Array, NDArray[np.int64]]:
-        """Vertices (n, 3) and triangles (m, 3) of a file.
+        """Read the vertices (n, 3) and triangles (m, 3) of a file.
 
         Raises
         ------
         InputError
-            Where the process ends, or runs out of memory.
+            If the process is terminated or runs out of memory.
         """
         if self._pool is None:
             self._pool = ProcessPoolExecutor(1, get_context("spawn"))
@@ -72,13 +72,13 @@ def read_mesh(
 ) -> Mesh:
     """Read a mesh in local coordinates: north, west, up in metres.
 
-    Faces of more corners are split into triangles, those of OBJ from their first corner; triangles
-    without area are excluded.
+    Faces with more corners are split into triangles, those of OBJ from their first corner.
+    Triangles without area are excluded.
 
     Raises
     ------
     InputError
-        Where the file is missing, of another kind, without triangles, cut short, or damaged.
+        If the file is missing, of another kind, without triangles, cut short, or damaged.
     """
     path = require_file(Path(path), "mesh")
     ending = _mesh_ending(path)
@@ -104,12 +104,12 @@ def read_mesh(
 
 
 def _mesh_ending(path: Path) -> str:
-    """Ending of the format that a mesh is in, by its first bytes, else by its name.
+    """File name extension of the format of a mesh, from its first bytes, else from its name.
 
     Raises
     ------
     InputError
-        If it is no known format of a mesh.
+        If the format is not known.
     """
     with path.open("rb") as file:
         head = file.read(HEAD)
@@ -127,12 +127,12 @@ def _mesh_ending(path: Path) -> str:
 
 
 def _require_complete(path: Path, ending: str, triangles: int) -> None:
-    """Refuse a file that is cut short: Open3D keeps the faces before the cut.
+    """Refuse a truncated file, of which Open3D would read the remaining faces without an error.
 
     Raises
     ------
     InputError
-        Where PLY gives fewer triangles than faces, or STL as text does not reach its end.
+        If a PLY file gives fewer triangles than faces, or an ASCII STL file lacks its end.
     """
     content = path.read_bytes()
     if ending == ".ply":
@@ -149,9 +149,9 @@ def _require_complete(path: Path, ending: str, triangles: int) -> None:
 
 
 def _read_in_process(name: str) -> tuple[Array, NDArray[np.int64]]:
-    """Vertices and triangles; runs in a process of its own."""
+    """Read vertices and triangles; runs in the separate process."""
     null = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(null, 2)  # an abort prints its own words
+    os.dup2(null, 2)  # an abort prints its own message
     os.close(null)
     import open3d
 
@@ -163,7 +163,7 @@ def _read_in_process(name: str) -> tuple[Array, NDArray[np.int64]]:
 
 
 def _limit_memory(extra: int) -> None:
-    """Limit the memory of this process to so many further bytes; Windows has no such limit."""
+    """Limit the memory of this process to ``extra`` further bytes; has an effect only on Linux."""
     if sys.platform == "linux":
         import resource
 
@@ -174,12 +174,14 @@ def _limit_memory(extra: int) -> None:
 
 
 def _read_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
-    """Vertices (``v``) and faces (``f``); of a corner the first number counts, from 1 or back.
+    """Read the vertices (``v``) and faces (``f``) of an OBJ file.
+
+    The first number of a corner is the index of its vertex: from 1, or negative from the last one.
 
     Raises
     ------
     InputError
-        Where a row is no sound vertex or face.
+        If a row is not a valid vertex or face.
     """  # noqa: DOC501 - its own ValueError is caught
     vertices: list[list[float]] = []
     triangles: list[tuple[int, int, int]] = []
@@ -205,12 +207,12 @@ def _read_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
 
 
 def _vertex_index(word: str, known: int) -> int:
-    """Index of a vertex among those known so far.
+    """Index of a vertex among those read so far.
 
     Raises
     ------
     ValueError
-        Where there is no such vertex.
+        If there is no such vertex.
     """
     given = int(word.split("/")[0])
     index = given - 1 if given > 0 else known + given

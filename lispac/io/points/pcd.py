@@ -1,7 +1,7 @@
-"""PCD of the Point Cloud Library, with a time: text, binary or compressed.
+"""Reading of PCD files of the Point Cloud Library with a time: text, binary or compressed (LZF).
 
-open3d's legacy reader drops the time, its tensor reader reads as a whole and without guard against
-damaged files; no kept package reads it. So the header is read here; the compression is LZF.
+Open3D's legacy reader ignores the time. Its tensor reader reads the whole file at once and is not
+protected against damaged files. No other dependency reads PCD, so it is read here.
 """
 
 from collections.abc import Iterator, Mapping
@@ -44,12 +44,12 @@ TYPES = {
 }  # fmt: skip
 REQUIRED_KEYS = ("FIELDS", "SIZE", "TYPE", "POINTS", "DATA")
 MAX_EXPANSION = 300
-"""LZF makes at most 264 bytes out of three; a header that claims more is damaged."""
+"""Largest accepted expansion. LZF expands three bytes to at most 264; beyond, a header is wrong."""
 
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
-    """PCD names its version and fields in the first lines."""
+    """Likelihood by the first lines: PCD files name their version and fields there."""
     start = head[:2048]
     return SURE if b"VERSION" in start and b"FIELDS" in start and b"\0" not in start[:20] else NOT
 
@@ -60,7 +60,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     Raises
     ------
     InputError
-        Where the file cannot be read or has no time.
+        If the file cannot be read or has no time.
     """
     records, kind = _read_header(path)
     with report_damage(records.path, "PCD"):
@@ -69,14 +69,14 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
-    """Read in chunks; other fields keep their names and types.
+    """Read a file in chunks; other fields keep their names and types.
 
-    A point whose three coordinates are NaN is no return, as PCL defines it, and is excluded.
+    A point with three NaN coordinates is excluded: PCL marks missing returns in this way.
 
     Raises
     ------
     InputError
-        Where the file is missing, damaged, cut short, empty, or without time.
+        If the file is missing, damaged, cut short, empty, or without time.
     """
     resolved = PCD.resolved(choice)
     records, kind = _read_header(path)
@@ -164,12 +164,12 @@ def _record_dtype(path: Path, entries: Mapping[str, list[str]]) -> np.dtype[Any]
 
 
 def _parse_whole_number(text: str) -> int:
-    """A whole number of a header.
+    """Parse an integer in a header.
 
     Raises
     ------
     ValueError
-        With the text, where it is none.
+        If the text is not an integer; the message is the text.
     """
     if not is_whole_number(text.removeprefix("-"), LARGEST_INTEGER):
         raise ValueError(text[:20])
@@ -177,7 +177,7 @@ def _parse_whole_number(text: str) -> int:
 
 
 def _with_unpacked_count(records: PointRecords) -> PointRecords:
-    """Records with the number of points after unpacking, where it is larger than the header's."""
+    """Records with the unpacked number of points, if it is larger than that of the header."""
     with records.path.open("rb") as file:
         file.seek(records.start + 4)
         data = file.read(4)
@@ -191,12 +191,12 @@ def _with_unpacked_count(records: PointRecords) -> PointRecords:
 
 
 def _read_compressed(records: PointRecords, rows: int) -> Iterator[Columns]:
-    """Compressed data: one field after the other for all points, so all of it is unpacked.
+    """Read compressed data, which is unpacked completely: it has one field after the other.
 
     Raises
     ------
     InputError
-        Where they are damaged, or there are none.
+        If the data are damaged or missing.
     """
     path, size = records.path, records.path.stat().st_size
     if not records.count:
@@ -229,19 +229,19 @@ def _read_compressed(records: PointRecords, rows: int) -> Iterator[Columns]:
 
 @njit(nogil=True, cache=True)
 def _unpack_lzf(packed: NDArray[np.uint8], data: NDArray[np.uint8]) -> int:
-    """Unpack LZF; bytes written, or -1 where the packed bytes make no sense."""
+    """Unpack LZF; returns the number of bytes written, or -1 if the packed bytes are not valid."""
     i = o = 0
     while i < len(packed):
         control = int(packed[i])
         i += 1
-        if control < 32:  # so many plain bytes and one more
+        if control < 32:  # a run of ``control + 1`` literal bytes
             length = control + 1
             if i + length > len(packed) or o + length > len(data):
                 return -1
             for k in range(length):
                 data[o + k] = packed[i + k]
             i += length
-        else:  # bytes already written, again
+        else:  # a copy of bytes already written
             length = control >> 5
             if length == 7:
                 if i >= len(packed):

@@ -1,6 +1,7 @@
-"""PLY, text or binary, with a time.
+"""Reading of PLY files with a time, text or binary.
 
-open3d reads PLY as a whole and without guard against damaged files; plyfile's licence does not fit.
+Open3D reads the whole file at once and is not protected against damaged files; the licence of
+plyfile is not compatible.
 """
 
 from collections.abc import Iterator
@@ -45,7 +46,7 @@ ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
-    """PLY starts with its name in a line of its own."""
+    """Likelihood by the first line, which is ``ply``."""
     return SURE if head[:4] in (b"ply\n", b"ply\r") else NOT
 
 
@@ -55,7 +56,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     Raises
     ------
     InputError
-        Where the file cannot be read or has no time.
+        If the file cannot be read or has no time.
     """
     records = _read_header(path)
     with report_damage(records.path, "PLY"):
@@ -64,12 +65,12 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
-    """Read in chunks; other properties of the vertices keep their names and types.
+    """Read a file in chunks; other properties of the vertices keep their names and types.
 
     Raises
     ------
     InputError
-        Where the file is missing, damaged, cut short, empty, or without time.
+        If the file is missing, damaged, cut short, empty, or without time.
     """
     resolved = PLY.resolved(choice)
     records = _read_header(path)
@@ -122,7 +123,7 @@ def _read_header(path: Path) -> PointRecords:
 
 
 def _elements_size(elements: list[Element], order: str) -> int | None:
-    """Rows or bytes of elements; None for lists of bytes, whose length varies."""
+    """Rows (text) or bytes (binary) of elements; None for binary lists, whose length varies."""
     if order == "ascii":
         return sum(count for _, count, _ in elements)
     kinds = [(count, kind) for _, count, properties in elements for _, kind in properties]

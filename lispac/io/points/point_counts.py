@@ -1,7 +1,7 @@
-"""Number of points that a file holds, compared with the number that its header counts.
+"""Number of points in a file, compared with the number stated in its header.
 
-Headers with wrong counts come from recorders that were stopped before they wrote the count, and
-from programs that append points without changing it.
+Wrong counts in headers come from recorders that were stopped before they wrote the count, and from
+programs that append points without updating it.
 """
 
 from collections.abc import Callable
@@ -20,21 +20,21 @@ BLOCK_SIZE = 1 << 22
 SAMPLE = 10_000
 """Records beyond the header count that are checked for plausible values."""
 MIN_PLAUSIBLE_SHARE = 0.5
-"""Share of plausible records from which data beyond the header count are taken for points."""
+"""Smallest share of plausible records for data beyond the header count to be read as points."""
 
 
 @dataclass(frozen=True)
 class PointCounts:
-    """Number of points by the header and by the file.
+    """Number of points according to the header and in the file.
 
     Attributes
     ----------
     header : int
-        As the header counts.
+        Number of points in the header.
     stored : int
-        Points that the file holds and that are read.
+        Number of points in the file, which are read.
     legacy : int
-        Second count of a LAS 1.4 header, of 32 bits; 0 where there is none.
+        Second, 32-bit number of points in a LAS 1.4 header; 0 if there is none.
     unread : int
         Bytes after the counted points that do not look like points.
     """
@@ -71,9 +71,9 @@ def count_records(
     size : int
         Bytes of a record.
     header : int
-        As the header counts.
+        Number of records in the header.
     is_point : callable
-        Records (n, size) to flags (n,) of those with plausible values.
+        Function of records (n, size) that returns flags (n,) of those with plausible values.
     """
     stored = max(0, end - start) // size
     if stored <= header:
@@ -89,18 +89,18 @@ def count_records(
 
 
 def count_rows(path: Path, start: int, columns: int, header: int, after: int) -> PointCounts:
-    """Count rows of text; those beyond the header count are points while their columns match.
+    """Count rows of text; rows beyond the header count are points if their columns match.
 
     Parameters
     ----------
     start : int
         Byte at which the first point begins.
     columns : int
-        Values of a point.
+        Number of values of a point.
     header : int
-        As the header counts.
+        Number of points in the header.
     after : int
-        Rows of something else after the points.
+        Number of rows with other elements after the points.
     """
     rows = matching = length = used = 0
     with path.open("rb") as file:

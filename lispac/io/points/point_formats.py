@@ -1,4 +1,4 @@
-"""All formats of points, the surer ones first."""
+"""All formats of points, those with the most reliable detection first."""
 
 from lispac.io.format_types import FileFormat
 from lispac.io.las.las_chunks import LAS

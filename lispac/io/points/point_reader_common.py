@@ -1,4 +1,4 @@
-"""Options and checks that all readers of points share."""
+"""Options and checks shared by all readers of points."""
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -27,11 +27,11 @@ Array = NDArray[np.float64]
 
 CHUNK = 1_000_000
 PREVIEW_POINTS = 10_000
-"""Number of points that an examination reads."""
+"""Number of points that are read for a preview."""
 PREVIEW_ROWS = 10
-"""Points that a preview shows."""
+"""Number of points shown in a preview."""
 HEAD = 65_536
-"""Bytes that a sniff reads."""
+"""Bytes at the beginning of a file that are read to detect its format."""
 
 SCANNER, GEOREFERENCED = "scanner", "georeferenced"
 FRAME = FormatOption(
@@ -89,7 +89,7 @@ PLACE = (
     FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE, ROLLOVER, WITHHELD,
     EXCLUDE_CLASSES, ONLY, MAX_RANGE,
 )  # fmt: skip
-"""Options of every reader: where the points are, when, and which of them are used."""
+"""Options of every reader: frame and coordinate system, time base, and selection of points."""
 
 SECONDS = {
     "second": 1.0, "millisecond": 1e-3, "microsecond": 1e-6, "nanosecond": 1e-9,
@@ -103,10 +103,10 @@ TIME_NAMES = (
     "time", "gps_time", "gpstime", "timestamp", "time_stamp", "t", "scalar_gpstime",
     "scalar_gps_time", "scalar_time", "scalar_timestamp",
 )  # fmt: skip
-"""Lower case, first one first."""
+"""Names of the field with the time, lower case, in order of precedence."""
 
 COARSEST_TIME = 1e-3
-"""Seconds: at 10 deg/s, a brisk turn, a vessel turns by 0.01 deg in it."""
+"""Coarsest accepted time resolution, seconds: a vessel that turns at 10 deg/s turns by 0.01 deg."""
 CHOOSE_SYSTEM = Action("choose_system", {"name": CRS.name})
 CHOOSE_FRAME = Action("choose_frame", {"name": FRAME.name})
 CHOOSE_TIME_BASE = Action("choose_time_base", {"name": TIME_BASE.name})
@@ -117,9 +117,9 @@ USE_FEET = (
 SCANNER_COLUMNS = (
     note("assumed.scanner_coordinates"), note("assumed.other_columns_kept"), SAME_TIME_BASE,
 )  # fmt: skip
-"""Assumptions about files with coordinates in several frames."""
+"""Assumptions about files with coordinates in several frames, of which the scanner's are read."""
 NO_SYSTEM = "points.no_system"
-"""Code of the warning that a file states no coordinate system."""
+"""Code of the warning that a file does not specify a coordinate system."""
 
 
 def crs_of_options(choice: Choice, path: Path | None = None) -> CoordinateSystem | None:
@@ -128,12 +128,12 @@ def crs_of_options(choice: Choice, path: Path | None = None) -> CoordinateSystem
     Parameters
     ----------
     path : Path, optional
-        Of the file that the options belong to, for messages.
+        File that the options belong to, for messages.
 
     Raises
     ------
     InputError
-        Where the system is not known or the options contradict each other.
+        If the system is not known or the options contradict each other.
     """
     if choice[FRAME.name] == SCANNER:
         return None
@@ -159,12 +159,12 @@ def crs_of_options(choice: Choice, path: Path | None = None) -> CoordinateSystem
 
 
 def coordinate_scale(choice: Choice) -> float:
-    """Factor from the coordinates of a file to metres in the scanner frame; else 1."""
+    """Factor from coordinates in the scanner frame to metres; 1 for other frames."""
     return SCANNER_UNITS[choice[UNIT.name]] if choice[FRAME.name] == SCANNER else 1.0
 
 
 def frame_facts(choice: Choice) -> dict[str, Fact]:
-    """Facts on the frame and unit of complete options."""
+    """Facts about frame and unit for the preview, from complete options."""
     if choice[FRAME.name] == SCANNER:
         metres = SCANNER_UNITS[choice[UNIT.name]]
         unit = LENGTH_NAMES[metres]
@@ -179,8 +179,8 @@ def frame_facts(choice: Choice) -> dict[str, Fact]:
 def report_damage(path: Path, what: str) -> Iterator[None]:
     """Convert errors of a library on a damaged file into one InputError.
 
-    Libraries fail on damaged bytes with errors of any kind, so all are caught; only calls of
-    libraries and of decoders belong inside.
+    All exceptions are caught, because libraries raise errors of any type on damaged bytes. Only
+    calls of libraries and decoders should be inside this context.
 
     Raises
     ------
@@ -192,7 +192,7 @@ def report_damage(path: Path, what: str) -> Iterator[None]:
     except (LispacError, Cancelled):
         raise
     except OSError as failure:
-        if failure.errno is None:  # gzip's word for damaged data
+        if failure.errno is None:  # raised by gzip for damaged data
             raise damaged_file_error(path, what, failure) from failure
         reason = system_reason(failure)
         raise InputError(error("file.not_readable", file=str(path), reason=reason)) from failure
@@ -218,14 +218,14 @@ def head_sniffer(judge: Callable[[bytes, Path], float]) -> Callable[[Path], floa
                 return NOT
             with Path(path).open("rb") as file:
                 return judge(file.read(HEAD), Path(path))
-        except Exception:  # whatever a stranger's file does to a parser, it is not one of ours
+        except Exception:  # a file of another format may cause any error in a parser
             return NOT
 
     return sniff
 
 
 def require_not_empty(path: Path, what: str) -> Path:
-    """Give the path back where it is a file that can be read and holds something.
+    """Return the path if it is a readable file that is not empty.
 
     Raises
     ------
@@ -244,7 +244,7 @@ def find_time_field(path: Path, names: Sequence[str], requested: str) -> str:
     Raises
     ------
     InputError
-        Where there is none.
+        If there is none.
     """
     if requested:
         if requested in names:
@@ -260,13 +260,13 @@ def find_time_field(path: Path, names: Sequence[str], requested: str) -> str:
 
 
 MAX_UNUSABLE_SHARE = 0.25
-"""Share of values that are no usable numbers from which a file is refused."""
+"""Share of values that are not usable numbers above which a file is refused."""
 MAX_UNDECIDED_POINTS = 10
-"""Number of points too small to determine the byte order."""
+"""Largest number of points that is too small to determine the byte order."""
 
 
 def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -> None:
-    """Refuse points of which many are not usable numbers, and times too coarse to be used.
+    """Refuse points with many values that are not usable numbers, and times that are too coarse.
 
     Single points with such values are excluded later, by `lispac.survey.point_screening`.
 
@@ -274,9 +274,9 @@ def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int
     ----------
     xyz : ndarray of shape (n, 3), frame and unit of the file
     time : ndarray of shape (n,), in the unit of the file
-        As stored: its type gives the resolution.
+        As stored; the resolution follows from the type.
     first : int
-        Points of the file before these.
+        Number of points of the file before these.
 
     Raises
     ------
@@ -298,14 +298,14 @@ def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int
 
 
 def require_distinct_times(start: float, end: float, count: int, path: Path) -> None:
-    """Refuse a line of which many points share one time.
+    """Refuse a line whose points all have the same time, if it has many points.
 
     Parameters
     ----------
     start, end : float, seconds
-        Of all points.
+        Earliest and latest time of the points.
     count : int
-        Points of the line.
+        Number of points of the line.
 
     Raises
     ------
@@ -316,7 +316,7 @@ def require_distinct_times(start: float, end: float, count: int, path: Path) -> 
 
 
 MIN_EQUAL_TIMES = 1000
-"""Points that share one time only where a file has no times."""
+"""Number of points with the same time from which a file is considered to be without times."""
 
 
 def usable_mask(xyz: Array, time: NDArray[Any]) -> NDArray[np.bool_]:
@@ -333,7 +333,7 @@ def usable_mask(xyz: Array, time: NDArray[Any]) -> NDArray[np.bool_]:
 
 
 def usable_points(chunk: PointChunk) -> PointChunk:
-    """The points of a chunk whose coordinates and times are usable numbers."""
+    """Select the points of a chunk whose coordinates and times are usable numbers."""
     good = usable_mask(chunk.xyz, chunk.time)
     if good.all():
         return chunk
@@ -355,7 +355,7 @@ def time_resolution(time: NDArray[Any], seconds: float = 1.0) -> float:
 
 
 def time_base_message(time: NDArray[np.float64], base_key: str) -> Message:
-    """Message on the base of ``time`` (n,), seconds: as given, or those that fit."""
+    """Message about the base of ``time`` (n,), seconds: the given base, or those that fit."""
     if base_key:
         return note("fact.time_base_specified", base=base_message(base_of_key(base_key)))
     fitting = tuple(map(base_message, plausible_bases(time)))
@@ -363,7 +363,7 @@ def time_base_message(time: NDArray[np.float64], base_key: str) -> Message:
 
 
 def time_base_warnings(time: NDArray[np.float64], base_key: str, file: str) -> tuple[Message, ...]:
-    """Warning that ``time`` (n,), seconds, contradicts the base given in the file ``file``."""
+    """Warning that ``time`` (n,), seconds, contradicts the base specified in ``file``."""
     if not base_key or not len(time):
         return ()
     possible = plausible_bases(time)
@@ -386,7 +386,7 @@ def time_base_warnings(time: NDArray[np.float64], base_key: str, file: str) -> t
 def preview_table(
     names: Sequence[str], columns: Sequence[NDArray[Any]]
 ) -> tuple[tuple[str, ...], ...]:
-    """First rows of columns as text, the names at the head."""
+    """Table of the first rows as text, with the column names in the first row."""
     rows = zip(*(column[:PREVIEW_ROWS].tolist() for column in columns), strict=True)
     return (tuple(names), *(tuple(_value_text(value) for value in row) for row in rows))
 

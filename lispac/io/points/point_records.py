@@ -1,4 +1,4 @@
-"""Points as records of fields after a text header, as in PLY and PCD."""
+"""Points stored as records of fields after a text header, as in PLY and PCD."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -44,11 +44,11 @@ class PointRecords:
     dtype : numpy.dtype
         Structured: the fields of one point, in the byte order of the file.
     count : int
-        Points to read.
+        Number of points to read.
     start : int
-        Byte at which they begin.
+        Byte at which the points begin.
     ascii : bool
-        Whether they are text, one point a row.
+        Whether the points are text, one per row.
     facts : mapping of str to Fact
         Other contents of the header.
     messages : tuple of Message
@@ -64,12 +64,12 @@ class PointRecords:
     messages: tuple[Message, ...] = ()
 
     def counted(self, after: int = 0) -> "PointRecords":
-        """Records with all points that the file holds, where its header counts fewer.
+        """Records with all points in the file, if its header states fewer.
 
         Parameters
         ----------
         after : int
-            Bytes, or rows of text, of other elements after the points.
+            Bytes, or rows of text, of other elements after the points in the file.
         """
         if self.ascii:
             columns = sum(max(1, np.prod(kind.shape)) for kind, *_ in self._dtype_fields)
@@ -88,7 +88,7 @@ class PointRecords:
         return list((self.dtype.fields or {}).values())
 
     def _are_points(self, rows: Rows) -> Flags:
-        """Whether records (n, size) have usable coordinates, or none as PCL writes no return."""
+        """Flags of records (n, size) with usable coordinates, or NaN as PCL marks no return."""
         values = rows.view(self.dtype)[:, 0]
         xyz = np.stack([values[axis].astype(np.float64) for axis in "xyz"], axis=1)
         with np.errstate(invalid="ignore"):
@@ -96,7 +96,7 @@ class PointRecords:
         return np.asarray(usable | np.isnan(xyz).all(axis=1))
 
     def require_whole(self) -> None:
-        """Refuse a header with a larger count than the file contains.
+        """Refuse a header that states more points than the file contains.
 
         Raises
         ------
@@ -114,12 +114,12 @@ class PointRecords:
 
 
 def read_record_columns(records: PointRecords, rows: int) -> Iterator[Columns]:
-    """Columns of up to ``rows`` points at once, as stored.
+    """Read the columns of up to ``rows`` points at a time, as stored.
 
     Raises
     ------
     InputError
-        Where the file ends early.
+        If the file ends early.
     """
     records.require_whole()
     rows = max(1, min(rows, LARGEST // records.dtype.itemsize))
@@ -178,12 +178,12 @@ def _read_text(file: IO[bytes], records: PointRecords, count: int, done: int) ->
 def point_chunk(
     columns: Columns, choice: Choice, path: Path, *, done: int, total: int | None
 ) -> PointChunk:
-    """A chunk of columns named x, y, z and a time.
+    """Make a chunk from columns, of which some are named x, y, z and a time.
 
     Raises
     ------
     InputError
-        Where there is no time, or a value is not a number.
+        If there is no time or a value is not a number.
     """
     name = find_time_field(path, tuple(columns), str(choice["time_field"]))
     if columns[name].ndim > 1:
@@ -202,7 +202,7 @@ def point_chunk(
 
 
 def require_xyz_fields(path: Path, names: tuple[str, ...]) -> None:
-    """Refuse fields without x, y and z.
+    """Refuse records without the fields x, y and z.
 
     Raises
     ------

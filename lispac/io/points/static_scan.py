@@ -1,7 +1,7 @@
-"""Clouds without time, from a tripod for example: coordinates in chunks.
+"""Chunked reading of the coordinates of clouds without time, for example from a tripod.
 
-LAS and LAZ of any point format, E57 with the poses of its scans applied, PTS, and text with three
-columns of coordinates, each known by its content.
+Supported are LAS and LAZ of any point format, E57 with the poses of its scans applied, PTS, and
+text with three columns of coordinates. The format is detected from the content.
 """
 
 from collections.abc import Iterator
@@ -39,9 +39,9 @@ class StaticScan:
     ----------
     path : Path
     system : str
-        Coordinate system as the file states it; empty where it states none.
+        Coordinate system specified in the file; empty if there is none.
     height_unit : str
-        As the file states it; empty where it states none.
+        Unit of heights specified in the file; empty if there is none.
     messages : tuple of Message
         Warnings and notes about the file.
     """
@@ -53,7 +53,7 @@ class StaticScan:
 
     @property
     def is_cloud(self) -> bool:
-        """True if it is certainly a cloud; a text may also be a list of points."""
+        """True if the file is certainly a cloud; a text file may also be a list of points."""
         return bool(_scan_kind(self.path))
 
     def coordinate_chunks(self, *, local: bool) -> Iterator[Array]:
@@ -67,7 +67,7 @@ class StaticScan:
         Raises
         ------
         InputError
-            Where the file is damaged, empty, or holds what is no coordinate.
+            If the file is damaged, empty, or contains values that are not coordinates.
         """
         known = {
             "las": las_chunks.read_coordinates,
@@ -93,12 +93,12 @@ class StaticScan:
 
 
 def open_static_scan(path: Path) -> StaticScan:
-    """Open a cloud; its points are read later.
+    """Open a cloud without reading its points.
 
     Raises
     ------
     InputError
-        Where the file is missing, empty, damaged, or of a kind that is not read without time.
+        If the file is missing, empty, damaged, or in a format that is not read without time.
     """
     path = require_not_empty(Path(path), WHAT)
     kind = _scan_kind(path)
@@ -112,12 +112,12 @@ def open_static_scan(path: Path) -> StaticScan:
 
 
 def _scan_kind(path: Path) -> str:
-    """``las``, ``e57`` or ``pts`` by the content; empty for other text.
+    """Format by the content: ``las``, ``e57`` or ``pts``; empty for other text.
 
     Raises
     ------
     InputError
-        Where it is a cloud in a format that is not read without time.
+        If it is a cloud in a format that is not read without time.
     """
     if las_chunks.sniff(path) > NOT:
         return "las"
@@ -134,12 +134,12 @@ def _scan_kind(path: Path) -> str:
 
 
 def _read_text(path: Path, local: bool) -> Array:
-    """Columns x, y, z from the header row, else the first three.
+    """Read the columns x, y, z named in a header row, else the first three columns.
 
     Raises
     ------
     InputError
-        Where no row has three coordinates, or they have commas.
+        If no row has three coordinates, or they have decimal commas.
     """
     rows = (
         (number, line) for number, line in numbered_lines(path, WHAT)
@@ -170,7 +170,7 @@ def _read_text(path: Path, local: bool) -> Array:
 
 
 def has_no_time(path: Path, *, or_text: bool) -> bool:
-    """True if a file is a cloud without time: PTS, or text whose first rows are x, y, z alone."""
+    """True if a file is a cloud without time: PTS, or text whose first rows have only x, y, z."""
     if pts.has_point_count(path) or not or_text:
         return pts.has_point_count(path)
     try:
@@ -183,5 +183,5 @@ def has_no_time(path: Path, *, or_text: bool) -> bool:
 
 
 def has_at_most_rows(path: Path, limit: int) -> bool:
-    """True if a text file has at most as many rows as a list of points."""
+    """True if a text file has no more rows than a list of points may have."""
     return len(list(islice(numbered_lines(path, WHAT), limit + 1))) <= limit

@@ -1,1 +1,1 @@
-"""The project on disk."""
+"""Reading and writing of projects on disk."""

@@ -11,11 +11,12 @@ from lispac.targets.finder_settings import is_possible_search
 from lispac.untrusted_values import LARGEST_INTEGER, InvalidContentError
 
 LIMITS, LARGEST_RMS, FULL_TURN = 1e8, 1e6, 360.0
-"""Metres from the origin of a local frame, metres of a sighting about its plane, degrees."""
+"""Limits: coordinates in a local frame, metres; RMS of a sighting about its plane, metres; angles,
+degrees."""
 
 
 def require_consistent(project: Project) -> None:
-    """Refuse values that the program cannot have written itself.
+    """Refuse values that the program cannot have written.
 
     Raises
     ------
@@ -77,7 +78,7 @@ def _stored_messages(project: Project) -> Iterator[Message]:
 
 
 def require_unique_names(project: Project) -> None:
-    """Refuse two targets or two lines of one name.
+    """Refuse two targets or two lines with the same name.
 
     Raises
     ------

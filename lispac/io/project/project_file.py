@@ -1,11 +1,12 @@
-"""The project on disk: a folder with ``project.json`` and the points of each sighting.
+"""Reading and writing of a project: a folder with ``project.json`` and the points of each sighting.
 
-``project.json`` holds paths (relative to the folder where they can be), settings, targets and
-results. The indices of each target's points go to ``sightings/NAME-HASH.npz``, named by their
-content: a new state never overwrites the file that the old ``project.json`` refers to, so a crash
-between the two writes leaves the old project whole. ``unsaved.json`` beside it is of the same form
-and holds what is not saved yet, as long as it is not. ``project.lispac`` is there to be
-double-clicked, since no system ties a program to a folder, or to one name among all JSON.
+``project.json`` contains paths (relative to the folder if possible), settings, targets and results.
+The indices of each target's points are in ``sightings/NAME-HASH.npz``, where HASH is a digest of
+the content. A new state therefore never overwrites the file that the old ``project.json`` refers
+to, and a crash between the two writes leaves the old project intact. ``unsaved.json`` has the same
+form and contains unsaved changes until they are saved. ``project.lispac`` opens the project by a
+double click, because operating systems associate programs with file name extensions, not with
+folders or with single JSON files.
 """
 
 import hashlib
@@ -67,19 +68,21 @@ OPENER = "project.lispac"
 OPENER_ENDING = ".lispac"
 OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
 Points = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
-"""Gives the indices of the sightings of a target, by its file, its name and their numbers."""
+"""Function that returns the point indices of the sightings of a target, from the path of its file
+of points, the name of the target, and the number of points of each sighting."""
 
 
 def write_project(project: Project, *, expected: str | None = None) -> str:
     """Write the project into its folder; the old state remains until the new one is complete.
 
-    What is kept against a crash stays: it may be of another window, or not have been offered yet.
+    The recovery copy of unsaved changes is kept, because it may belong to another window or may not
+    have been offered to the user yet.
 
     Parameters
     ----------
     expected : str, optional
-        Digest that the project file on the disk must have: `Project.file_digest`, or what the last
-        save returned. Without it, whatever is there is replaced.
+        Digest that the project file on disk must have: `Project.file_digest`, or the return value
+        of the last save. Without it, any project file is replaced.
 
     Returns
     -------
@@ -89,11 +92,11 @@ def write_project(project: Project, *, expected: str | None = None) -> str:
     Raises
     ------
     ProjectChanged
-        Where the file has another digest; nothing is written.
+        If the file has another digest; nothing is written.
     ProjectError
-        Where a project is found and none was expected, or another program is changing it.
+        If there is a project although none was expected, or another program is changing it.
     InputError
-        Where the folder cannot be written.
+        If the folder cannot be written.
     """
     folder, path = project.folder, project.folder / FILE_NAME
     with _new_folder(folder), project_lock(folder):
@@ -115,7 +118,7 @@ def _new_folder(folder: Path) -> Iterator[None]:
     Raises
     ------
     InputError
-        Where it cannot be made.
+        If it cannot be created.
     """  # noqa: DOC501 - `write_error` makes an InputError
     made = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
@@ -139,7 +142,7 @@ def _digest_on_disk(path: Path) -> str:
 
 
 def _write_opener(path: Path) -> None:
-    # The project is saved by now, and is one without it
+    # The project is already saved and complete without it
     if not path.exists():
         with suppress(InputError), atomic_write(path) as temporary:
             temporary.write_text(OPENER_TEXT, encoding="utf-8")
@@ -151,7 +154,7 @@ def is_project_file(path: Path) -> bool:
 
 
 def _write_state(project: Project, name: str) -> set[str]:
-    """Write a state, and return the names of its files of points."""
+    """Write a state of the project, and return the names of its files of points."""
     files = {target.name: _indices_file_name(target) for target in project.targets}
     text = json.dumps(_encode_project(project, files), indent=1) + "\n"
     _require_readable(project, text)
@@ -163,7 +166,7 @@ def _write_state(project: Project, name: str) -> set[str]:
 
 
 def _require_readable(project: Project, text: str) -> None:
-    """Refuse to write what `read_project` would refuse.
+    """Refuse to write content that `read_project` would refuse.
 
     Raises
     ------
@@ -186,14 +189,14 @@ def _require_readable(project: Project, text: str) -> None:
 
 
 def write_unsaved(project: Project) -> None:
-    """Write the project beside its saved state, for recovery after a crash.
+    """Write a recovery copy of the unsaved project beside its saved state.
 
     Raises
     ------
     ProjectError
-        Where another program is changing the project.
+        If another program is changing the project.
     InputError
-        Where the folder cannot be written.
+        If the folder cannot be written.
     """
     with project_lock(project.folder):
         _write_state(project, UNSAVED_NAME)
@@ -211,10 +214,10 @@ def read_unsaved(folder: Path) -> Project | None:
     Raises
     ------
     ProjectError
-        Where it is damaged.
+        If it is damaged.
     """
     path = folder / UNSAVED_NAME
-    # A crash between the save and the removal leaves a copy with the same contents
+    # After a crash between save and removal, the copy has the same content
     if not path.is_file() or path.read_bytes() == (folder / FILE_NAME).read_bytes():
         return None
     return _read_state(path)
@@ -226,7 +229,7 @@ def read_project(folder: Path) -> Project:
     Raises
     ------
     ProjectError
-        Where there is no project, or its file is damaged or of a newer version.
+        If there is no project, or its file is damaged or of a newer version.
     """
     path = project_folder(folder) / FILE_NAME
     project = _read_state(path)
@@ -235,12 +238,12 @@ def read_project(folder: Path) -> Project:
 
 
 def project_folder(path: Path) -> Path:
-    """Folder of a project, from itself, its ``project.json`` or the file that opens it.
+    """Folder of a project, from the folder, its ``project.json`` or the file that opens it.
 
     Raises
     ------
     ProjectError
-        Where there is no project, or it cannot be searched for.
+        If there is no project, or it cannot be searched for.
     """  # noqa: DOC501 - `_unreadable_error` makes a ProjectError
     path = Path(path)
     try:
@@ -254,9 +257,9 @@ def project_folder(path: Path) -> Path:
 
 
 def _read_state(path: Path) -> Project:
-    """Read a state of a project; again where another program writes one meanwhile.
+    """Read a state of a project, and retry if another program saves it at the same time.
 
-    The points that a state refers to are removed when the next state is saved.
+    A save removes the files of points of the previous state, which may be missing while reading.
 
     Raises
     ------
@@ -307,7 +310,7 @@ def _decode_text(path: Path, text: bytes, points: Points | None = None) -> Proje
 
 
 def _damage_message(failure: Exception) -> Message:
-    """Message on the invalid content of a project file."""
+    """Message about the invalid content of a project file."""
     if isinstance(failure, KeyError):
         return error("content.missing_field", field=str(failure.args[0]))
     if isinstance(failure, InvalidContentError):
@@ -418,12 +421,12 @@ def _decode_project(folder: Path, content: dict[str, Any], points: Points) -> Pr
 
 
 def _decode_result(content: Any) -> AdjustmentResult:
-    """A result whose parts name the same angles, targets and sightings.
+    """Decode a result, and check that its parts name the same angles, targets and sightings.
 
     Raises
     ------
     InvalidContentError
-        Where they do not, or the content is not a result.
+        If they do not, or if the content is not a result.
     """
     result = decode_value(content, AdjustmentResult)
     sightings = {each.sighting for each in result.sightings}
@@ -480,7 +483,7 @@ def _decode_target(folder: Path, content: dict[str, Any], points: Points) -> Tar
 
 
 def _point_count(sighting: dict[str, Any]) -> int:
-    """Points of a sighting.
+    """Number of points of a sighting.
 
     Raises
     ------
@@ -495,7 +498,7 @@ def _point_count(sighting: dict[str, Any]) -> int:
 
 INDEX_BYTES = 8
 ARRAY_HEADER = 4096
-"""Bytes before the numbers of an array in a file of NumPy, at most."""
+"""Largest number of bytes of the header of an array in a NumPy file."""
 UNREADABLE = (
     OSError, ValueError, KeyError, EOFError, MemoryError, RuntimeError, SyntaxError,
     tokenize.TokenError, zipfile.BadZipFile, zlib.error,
@@ -504,7 +507,7 @@ UNREADABLE = (
 
 
 def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArray[np.int64]]:
-    """Indices of each sighting; ``points`` are their numbers as the project states them.
+    """Read the point indices of each sighting; ``points`` are the expected numbers of points.
 
     Raises
     ------
@@ -514,11 +517,11 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
     try:
         if not path.is_file():
             raise ProjectError(error("project.points_missing", file=str(path), target=target))
-        # Opened here: numpy leaves a file open where it cannot make sense of it.
+        # Opened here, because numpy leaves a file open if it is not valid.
         with path.open("rb") as file, np.load(file) as arrays:
             found = []
             for k, count in enumerate(points):
-                # Before it is unpacked: a small file may claim any size
+                # Checked before unpacking, because a small file may state any size
                 size = arrays.zip.getinfo(f"line{k}.npy").file_size
                 if size > INDEX_BYTES * count + ARRAY_HEADER:
                     raise InvalidContentError(
@@ -566,7 +569,7 @@ def _write_indices(folder: Path, target: Target) -> None:
 
 
 def _arrays_digest(arrays: Iterable[NDArray[Any]]) -> str:
-    """Digest of the content of a file of points, which names it."""
+    """Digest of the content of a file of points, which is part of its name."""
     digest = hashlib.sha256()
     for array in arrays:
         digest.update(array.tobytes() + b"|")
@@ -579,7 +582,7 @@ def _unsaved_point_files(folder: Path) -> set[str]:
         content = json_values((folder / UNSAVED_NAME).read_bytes())
         return {target["indices"] for target in content["targets"]}
     except (OSError, ValueError, KeyError, TypeError):
-        return set()  # there is none, or it cannot be opened either
+        return set()  # there is no unsaved project, or it cannot be read
 
 
 def _remove_unused_files(folder: Path, used: set[str]) -> None:
@@ -599,7 +602,7 @@ def remove_point_files(folder: Path) -> None:
 
 
 def _has_named_content(path: Path) -> bool:
-    """True if a file of points has the content that its name states."""
+    """True if the content of a file of points matches the digest in its name."""
     named = re.fullmatch(r"[A-Za-z0-9_-]*-([0-9a-f]{16})\.npz", path.name)
     if named is None or is_link(path) or not path.is_file():
         return False
@@ -613,7 +616,7 @@ def _has_named_content(path: Path) -> bool:
                 with arrays.open(name) as file:
                     np.lib.format.read_magic(file)
                     np.lib.format.read_array_header_1_0(file)
-                    while block := file.read(BLOCK):  # it may unpack to any size
+                    while block := file.read(BLOCK):  # a damaged file may unpack to any size
                         digest.update(block)
                 digest.update(b"|")
             return digest.hexdigest()[:16] == named[1]

@@ -20,28 +20,28 @@ WAIT = 2.0
 FOREVER = math.inf
 
 _lock_counts: dict[tuple[str, int], int] = {}
-"""How often each thread of this process holds each project."""
+"""Number of times that each thread of this process holds the lock of each project."""
 
 
 @contextmanager
 def project_lock(
     folder: Path, *, wait: float = WAIT, waiting: Callable[[], None] = lambda: None
 ) -> Iterator[None]:
-    """Hold a project folder for writing; a thread that holds it can take it again.
+    """Lock a project folder for writing; a thread that holds the lock can acquire it again.
 
     Parameters
     ----------
     wait : float
         Seconds to wait for another program that holds it.
     waiting : callable
-        Called once when it has to wait.
+        Called once if the lock is not free.
 
     Raises
     ------
     ProjectError
-        Where another program still holds it after that time.
+        If another program still holds the lock after that time.
     InputError
-        Where the folder cannot be written, or the lock file is a link or a folder.
+        If the folder cannot be written, or the lock file is a link or a folder.
     """  # noqa: DOC501 - `write_error` makes an InputError
     key = os.path.realpath(folder), threading.get_ident()
     if key in _lock_counts:
@@ -69,5 +69,5 @@ def project_lock(
 
 
 def content_digest(content: bytes) -> str:
-    """Digest of the content of a project file, by which a change of it is noticed."""
+    """Digest of the content of a project file, used to detect changes."""
     return hashlib.sha256(content).hexdigest()

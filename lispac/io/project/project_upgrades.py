@@ -13,16 +13,16 @@ SCHEMA_VERSION = 11
 
 
 def upgrade_content(content: Content) -> Content:
-    """Content of a project file in the form of this version."""
+    """Convert the content of a project file to the present version."""
     for version in range(content["schema_version"], SCHEMA_VERSION):
         content = _UPGRADES[version](dict(content))
     return content
 
 
 def _upgrade_from_1(content: Content) -> Content:
-    """Upgrade to version 2; an adjustment of version 1 has to be repeated.
+    """Upgrade to version 2, without the result, which has to be estimated again.
 
-    The given model is kept: a project with independent POS errors keeps them.
+    The stochastic model is kept: a project with independent POS errors keeps them.
     """
     targets = [target | {"shape": "plane", "sphere_radius": None} for target in content["targets"]]
     return content | {
@@ -36,7 +36,7 @@ def _upgrade_from_1(content: Content) -> Content:
 
 
 def _upgrade_from_2(content: Content) -> Content:
-    """Upgrade to version 3, which holds how each file is read."""
+    """Upgrade to version 3, which contains the reading options of each file."""
     usual = {"format": "", "options": [], "time_shift": 0.0}
     return content | {
         "schema_version": 3,
@@ -47,13 +47,13 @@ def _upgrade_from_2(content: Content) -> Content:
 
 
 def _upgrade_from_3(content: Content) -> Content:
-    """Upgrade to version 4, which holds the finder options of each target."""
+    """Upgrade to version 4, which contains the finder options of each target."""
     targets = [target | {"choices": None} for target in content["targets"]]
     return content | {"schema_version": 4, "targets": targets}
 
 
 def _upgrade_from_4(content: Content) -> Content:
-    """Upgrade to version 5, which holds more of a comparison of lines."""
+    """Upgrade to version 5, which contains more details of a comparison of lines."""
 
     def state(distances: Content) -> Content:
         return {"distances": distances, "signed": None, "planes": None}
@@ -74,14 +74,15 @@ def _upgrade_from_4(content: Content) -> Content:
 
 
 def _upgrade_from_5(content: Content) -> Content:
-    """Upgrade to version 6, which holds the identity of the calibration."""
+    """Upgrade to version 6, which contains the identity of the calibration."""
     return content | {"schema_version": 6, "identity": {}}
 
 
 def _upgrade_from_6(content: Content) -> Content:
-    """Upgrade to version 7, which holds the second surfaces of a check against a reference.
+    """Upgrade to version 7, which contains the second surfaces of a check against a reference.
 
-    Before, the mean of both was taken, and nobody knows where. Surveyed points have an interval.
+    Earlier versions used the mean of both surfaces without a record of the places concerned.
+    Surveyed points have an interval.
     """
     absolute = content.get("absolute")
     if absolute:
@@ -91,12 +92,12 @@ def _upgrade_from_6(content: Content) -> Content:
 
 
 def _upgrade_from_7(content: Content) -> Content:
-    """Upgrade to version 8, which holds the results of alternative methods."""
+    """Upgrade to version 8, which contains the results of alternative methods."""
     return content | {"schema_version": 8, "opinions": []}
 
 
 def _upgrade_from_8(content: Content) -> Content:
-    """Upgrade to version 9, which holds reasons and remarks as messages."""
+    """Upgrade to version 9, which contains reasons and notes as messages."""
     targets = [
         target | {"missing": {line: _former_text(why) for line, why in target["missing"].items()}}
         for target in content["targets"]
@@ -139,7 +140,7 @@ def _upgrade_absolute_from_8(check: Any) -> Any:
 
 
 def _upgrade_reason_from_8(content: Content) -> Content:
-    """An estimate, or a part of the data: an empty reason is none."""
+    """Convert the reason of an estimate, or of a part of the data: an empty text becomes None."""
     return content | {"reason": _former_text(content["reason"]) if content["reason"] else None}
 
 
@@ -182,16 +183,16 @@ _NAMES_FROM_9 = {
     },
     "opinions": {"remarks": "messages"},
 }
-"""New names of fields by those of version 9, by the place of their table."""
+"""New field names by those of version 9, for each table of the file."""
 
 
 def _upgrade_from_9(content: Content) -> Content:
-    """Upgrade to version 10, whose fields have the standard terms."""
+    """Upgrade to version 10, whose field names use the standard terms."""
     return renamed_keys(content, _NAMES_FROM_9) | {"schema_version": 10}
 
 
 def _upgrade_from_10(content: Content) -> Content:
-    """Upgrade to version 11, whose reading options have the standard terms."""
+    """Upgrade to version 11, whose reading options use the standard terms."""
     lines = [line | {"reading": renamed_reading(line["reading"])} for line in content["lines"]]
     return content | {"schema_version": 11, "lines": lines}
 

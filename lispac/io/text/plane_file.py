@@ -19,8 +19,8 @@ from lispac.messages import error
 
 N_COLUMNS = 25
 PASS_GAP = 10.0
-"""Seconds without a point that part one pass from the next: a board is crossed in about a second,
-and a vessel needs longer than this to turn."""
+"""Smallest time without points between two lines, seconds. The scanner crosses a board in about a
+second, and a vessel needs longer than this to turn for the next line."""
 
 
 def read_plane_files(
@@ -37,12 +37,12 @@ def read_plane_files(
     -------
     observations : Observations
     planes : ndarray of shape (targets, 4)
-        The initial planes the files hold, local frame.
+        Initial planes in the files, local frame.
 
     Raises
     ------
     InputError
-        Where a file is missing, empty, or not 25 columns of numbers.
+        If a file is missing, empty, or not 25 columns of numbers.
     """
     if not paths:
         raise InputError(error("planes.none_given"))
@@ -105,12 +105,12 @@ def write_plane_file(
 
 
 def read_plane_table(path: Path) -> NDArray[np.float64]:
-    """All rows of a plane file, shape (n, 25).
+    """Read all rows of a plane file, shape (n, 25).
 
     Raises
     ------
     InputError
-        Where the file is missing, empty, or not 25 columns of numbers with a unit normal.
+        If the file is missing, empty, or not 25 columns of numbers with a unit normal.
     """
     require_uncompressed(require_file(path, "plane"))
     try:
@@ -149,7 +149,7 @@ def _distinct_names(stems: list[str]) -> list[str]:
 
 
 def _pass_numbers(time: NDArray[np.float64], gap: float) -> NDArray[np.int64]:
-    """Number of the pass each point belongs to: one number on all targets of a pass."""
+    """Line number of each point, from gaps in time; the targets of a line share its number."""
     order = np.argsort(time, kind="stable")
     number = np.empty(len(time), dtype=np.int64)
     number[order] = np.concatenate([[0], np.cumsum(np.diff(time[order]) > gap)])

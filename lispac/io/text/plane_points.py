@@ -35,7 +35,7 @@ NAMES = (
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
-    """25 numbers in the first row, of which 21 to 23 are a unit normal."""
+    """Likelihood by the first row: 25 numbers, of which numbers 21 to 23 are a unit normal."""
     row = head.split(b"\n", 1)[0].replace(b",", b" ").split()
     if len(row) != N_COLUMNS:
         return NOT
@@ -44,12 +44,12 @@ def sniff(head: bytes, path: Path) -> float:
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
-    """Read the file; plane files are small.
+    """Preview a plane file, which is read completely because it is small.
 
     Raises
     ------
     InputError
-        Where the file cannot be read or is not a plane file.
+        If the file cannot be read or is not a plane file.
     """
     rows = read_plane_table(require_not_empty(path, "plane"))
     file = printable(path.name)
@@ -69,12 +69,12 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
-    """Read as one chunk.
+    """Read the file as one chunk.
 
     Raises
     ------
     InputError
-        Where the file cannot be read or is not a plane file.
+        If the file cannot be read or is not a plane file.
     """
     path = require_not_empty(path, "plane")
     scale = coordinate_scale(PLANES.resolved(choice))

@@ -1,9 +1,9 @@
-"""Leica PTS: text of points without time, in blocks that begin with the number of their points.
+"""Reading of Leica PTS: text of points without time, in blocks that begin with a point count.
 
-A row is x, y, z and perhaps intensity and red, green, blue, parted by blanks. Cyclone writes one
-block or several; other programs write one and leave its number out. Intensities (-2048 to 2047,
-0 to 255 or 0 to 1) and colours are ignored. The file names no coordinate system or unit: metres are
-assumed unless a system is given.
+A row has x, y, z and optionally intensity and red, green, blue, separated by blanks. Cyclone writes
+one or several blocks; other programs write one block, sometimes without the count. Intensities
+(-2048 to 2047, 0 to 255 or 0 to 1) and colours are ignored. The file specifies no coordinate system
+or unit; metres are assumed unless a system is given.
 """
 
 import re
@@ -31,13 +31,13 @@ _XYZ = tuple((k, parse_number, axis) for k, axis in enumerate("xyz"))
 
 
 def read_coordinates(path: Path) -> Iterator[Array]:
-    """Coordinates alone, shape (n, 3), in the file's unit, about a million at a time.
+    """Read only the coordinates, shape (n, 3), in the file's unit, about a million at a time.
 
     Raises
     ------
     InputError
-        Where the file is missing, empty or cut short, a number of points does not fit, or a row
-        is not of numbers.
+        If the file is missing, empty or cut short, a point count does not fit, or a row does not
+        consist of numbers.
     """
     rows: Iterator[Row] = (
         (row, text) for row, line in numbered_lines(path, "PTS")
@@ -68,7 +68,7 @@ def read_coordinates(path: Path) -> Iterator[Array]:
 
 
 def has_point_count(path: Path) -> bool:
-    """True if a file begins with its number of points, as PTS without times does."""
+    """True if a file begins with its number of points, as PTS does."""
     first, second = _first_rows(path, 2)
     if not _COUNT.fullmatch(first):
         return False
@@ -86,7 +86,7 @@ def is_pts(path: Path) -> bool:
 
 
 def is_ptx(path: Path) -> bool:
-    """True if a text is PTX: columns and rows of a scan, poses of 3 numbers and of 4, points."""
+    """True if a text is PTX: scan columns and rows, then poses in rows of 3 and 4 numbers."""
     rows = _first_rows(path, 10)
     if not all(_COUNT.fullmatch(row) for row in rows[:2]):
         return False
@@ -95,7 +95,7 @@ def is_ptx(path: Path) -> bool:
 
 
 def _first_rows(path: Path, count: int) -> list[str]:
-    """First rows that are neither empty nor comments; empty if there are no more."""
+    """First rows that are neither empty nor comments, padded with empty rows."""
     try:
         texts = (text for _, line in numbered_lines(path, "PTS") if (text := line.strip()))
         rows = list(islice((text for text in texts if not text.startswith(COMMENT_MARKS)), count))
@@ -105,7 +105,7 @@ def _first_rows(path: Path, count: int) -> list[str]:
 
 
 def _is_pts_point(text: str) -> bool:
-    """True if a row is x, y, z alone, or with intensity and a colour of 0 to 255."""
+    """True if a row is x, y, z, optionally with intensity and a colour of 0 to 255."""
     fields = text.split()
     if not _is_point(text) or len(fields) not in (3, 7):
         return False
@@ -118,7 +118,7 @@ def _is_point(text: str) -> bool:
 
 
 def _read_uncounted(path: Path, rows: Iterator[Row]) -> Iterator[Array]:
-    """All rows as one block, since there is no point count.
+    """Read all rows as one block, because there is no point count.
 
     Raises
     ------
@@ -133,7 +133,7 @@ def _read_uncounted(path: Path, rows: Iterator[Row]) -> Iterator[Array]:
 
 
 def _require_count(path: Path, row: int, text: str, head: int, count: int) -> None:
-    """Refuse a row that is no number of points where one is due, after the block of ``head``.
+    """Refuse a row that is not a point count where the next block begins, after that of ``head``.
 
     Raises
     ------
@@ -149,7 +149,7 @@ def _require_count(path: Path, row: int, text: str, head: int, count: int) -> No
 
 
 def _require_no_count(path: Path, block: list[Row], head: int, count: int, done: int) -> None:
-    """Refuse a number of points where points are due still.
+    """Refuse a point count inside a block, where a point is expected.
 
     Raises
     ------
@@ -163,7 +163,7 @@ def _require_no_count(path: Path, block: list[Row], head: int, count: int, done:
 
 
 def _require_rows(path: Path, block: list[Row], width: int) -> None:
-    """Refuse rows of another width than the first of their block, commas and semicolons.
+    """Refuse rows with another number of columns than the first of their block, or with commas.
 
     Raises
     ------
@@ -180,7 +180,7 @@ def _require_rows(path: Path, block: list[Row], width: int) -> None:
 
 
 def _block_coordinates(path: Path, block: list[Row]) -> Array:
-    """The first three columns; `read_columns` names the row where they are not numbers.
+    """Read the first three columns; `read_columns` names the row with an invalid number.
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""Lists of target coordinates, as a total station or a spreadsheet writes them.
+"""Reading of lists of target coordinates, as exported by a total station or a spreadsheet.
 
-A row is a point: its name, where it has one, three coordinates, and perhaps its role. What columns
-mean is taken from a row of names above them, else from their order.
+Each row is a point with three coordinates and optionally a name and a role. The meaning of the
+columns is taken from a header row, else from their order.
 """
 
 import re
@@ -25,11 +25,11 @@ from lispac.picked_targets import Role, require_target_name
 
 WHAT = "coordinate list"
 MAX_ROWS = 1_000
-"""Rows; a longer file is a cloud and not a list of targets."""
+"""Largest number of rows; a longer file is considered a cloud and not a list of targets."""
 NAME, ROLE, UNUSED = "name", "role", "-"
 COORDINATES = ("x", "y", "z")
 COLUMNS = (NAME, *COORDINATES, ROLE)
-"""Possible contents of a column, besides unused ones."""
+"""Meanings of the columns that are used."""
 SIGMA, PLANE = "sigma", "plane"
 CHECK_NAMES = {
     **dict.fromkeys(("sigma", "s", "std", "stdev", "accuracy", "uncertainty"), SIGMA),
@@ -42,7 +42,7 @@ _NAMES = {
     **dict.fromkeys(("role", "use", "kind"), ROLE),
 }  # fmt: skip
 LOCAL_NAMES = {"north": "x", "n": "x", "northing": "x", "west": "y", "w": "y"}
-"""Names that differ in the local frame: its first axis points north, its second west."""
+"""Column names with another meaning in the local frame: x points north and y west."""
 ROLES: dict[str, Role] = {
     **dict.fromkeys(("target", "t", "adjustment"), "target"),
     **dict.fromkeys(("validation", "v", "check", "validation plane"), "validation"),
@@ -56,16 +56,16 @@ class ListedPoint:
     Attributes
     ----------
     row : int
-        Of the file, counted from 1.
+        Row number in the file, from 1.
     name : str
-        Empty where the list has no names.
+        Empty if the list has no names.
     role : {"target", "validation"} or None
         As in the list; None if not given.
     coordinates : three of float, in the order and unit of their coordinate system
     sigma : float or None, metres
-        Of a check point, if given in the list.
+        Standard deviation of a check point, if given in the list.
     plane : str
-        The plane that a check point lies on with others; empty where it stands alone.
+        Name of the plane that a check point shares with others; empty for a single point.
     """
 
     row: int
@@ -83,9 +83,9 @@ class PointList:
     Attributes
     ----------
     columns : tuple of str
-        Meaning of its columns, from the left: of `COLUMNS`, or ``-`` for one not used.
+        Meaning of the columns from the left: one of `COLUMNS`, or ``-`` for an unused column.
     are_columns_given : bool
-        Whether given by a header row or the caller; otherwise by their order.
+        Whether a header row or the caller gives the meanings; otherwise their order does.
     """
 
     path: Path
@@ -108,22 +108,22 @@ def read_point_list(
     Parameters
     ----------
     columns : sequence of str
-        What the columns hold, where that is not to be taken from the file; of `COLUMNS`, others
-        are not used.
+        Meanings of the columns, to override the file; names not in `COLUMNS` are unused columns.
     local : bool
-        Whether coordinates are in the local frame: x is then north and y west, else x is easting
-        or longitude and y northing or latitude.
+        Whether coordinates are in the local frame: x is then north and y west; otherwise x is
+        easting or longitude and y northing or latitude.
     degrees : bool
-        Whether degrees, minutes and seconds are understood.
+        Whether degrees, minutes and seconds are accepted.
     check : bool
         Whether these are check points, which may have columns ``sigma`` (metres) and ``plane``.
     metres : three of float
-        In a unit of each axis of the coordinate system, to which units in the titles are converted.
+        Metres in the unit of each axis of the coordinate system; values with another unit in the
+        column title are converted to that unit.
 
     Raises
     ------
     InputError
-        With the row where there is one.
+        If the list is not valid; the message names the row, if there is one.
     """
     path = Path(path)
     rows = _data_rows(path)
@@ -138,7 +138,7 @@ def read_point_list(
             path, None, tuple(_column_meaning(word, local) for word in columns)
         )
         if not _is_numeric_row(first[1], separator, meant, degrees):
-            first = None  # its own names
+            first = None  # a row of column names
     elif names := header_meanings(first[1], separator, local=local):
         if check:
             names = _with_check_columns(names, split_fields(first[1], separator))
@@ -151,7 +151,7 @@ def read_point_list(
     letters: dict[int, set[str]] = {k: set() for k, name in enumerate(meant) if name == UNUSED}
     for number, row_text in (*((first,) if first else ()), *rows):
         if first is None and not points:
-            separator = separator_of(row_text)  # names may be parted otherwise than numbers
+            separator = separator_of(row_text)  # may differ for names
         fields = split_fields(row_text, separator)
         points.append(_parse_point(path, number, fields, meant, degrees, factors))
         for k, found in letters.items():
@@ -179,12 +179,12 @@ def is_point_list(path: Path) -> bool:
 
 
 def _data_rows(path: Path) -> Iterator[tuple[int, str]]:
-    """Rows that are neither empty nor comments; names may be in a comment of the first rows.
+    """Rows that are neither empty nor comments; a comment at the top may have the column names.
 
     Raises
     ------
     InputError
-        Where there are too many for a list of targets.
+        If there are too many rows for a list of targets.
     """
     count = 0
     for number, line in numbered_lines(path, WHAT):
@@ -203,7 +203,7 @@ def _data_rows(path: Path) -> Iterator[tuple[int, str]]:
 
 
 def separator_of(row: str) -> str:
-    """Separator of the columns of a row, for all rows of the file."""
+    """Separator of the columns in a row, used for all rows of the file."""
     whole = split_fields(row)
     return next(
         (name for name in SEPARATORS if name != "auto" and split_fields(row, name) == whole), "auto"
@@ -222,7 +222,7 @@ def _column_meaning(word: str, local: bool) -> str:
 
 
 def header_meanings(row: str, separator: str, *, local: bool) -> tuple[str, ...]:
-    """Meanings of the column names; empty if a row has no names."""
+    """Meanings of the column names in a row; empty if the row has no names."""
     fields = split_fields(row, separator)
     if any(is_number(field) for field in fields):
         return ()
@@ -242,12 +242,12 @@ def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str
 def _require_complete_columns(
     path: Path, row: int | None, meant: tuple[str, ...]
 ) -> tuple[str, ...]:
-    """Refuse columns that are not three coordinates, each once.
+    """Refuse columns that do not contain each of the three coordinates once.
 
     Parameters
     ----------
     row : int or None
-        Of the file, with the names of the columns; None where the user gives them.
+        Row of the file with the column names; None if the user gives them.
 
     Raises
     ------
@@ -267,7 +267,7 @@ _COLUMN_ERRORS = {
     "columns_missing": ("seeds.columns_missing", "seeds.columns_missing_in_row"),
     "duplicate_columns": ("seeds.duplicate_columns", "seeds.duplicate_columns_in_row"),
 }
-"""Codes of errors of columns that the user names, and of those that a row of the file names."""
+"""Codes of errors about columns: if the user names them, and if a row of the file names them."""
 
 
 def _columns_error(what: str, path: Path, row: int | None, names: Sequence[str]) -> Message:
@@ -289,9 +289,9 @@ def _is_numeric_row(row: str, separator: str, meant: Sequence[str], degrees: boo
 def _meanings_by_order(
     path: Path, row: int, text: str, separator: str, check: bool
 ) -> tuple[str, ...]:
-    """Meanings of the columns of a row of numbers by their order: name, x, y, z, role.
+    """Meanings of the columns by their order: name, x, y, z, role.
 
-    Of check points: name, x, y, z, sigma, plane; without a name there is no sigma either.
+    For check points: name, x, y, z, sigma, plane; without a name there is no sigma either.
 
     Raises
     ------
@@ -327,7 +327,7 @@ def _column_factors(
     Raises
     ------
     InputError
-        Where a unit is not known or is none of the column's kind.
+        If a unit is not known or does not suit the column.
     """
     factors: dict[str, float] = {}
     for name, own in (*zip(COORDINATES, metres, strict=True), (SIGMA, 1.0)):
@@ -344,14 +344,14 @@ def _column_factors(
             code = "seeds.not_an_angle" if angle else "seeds.not_a_length"
             raise InputError(error(code, file=str(path), column=title))
         one = UNITS["deg"].si if angle else own
-        is_of_system = unit == "ft" and abs(own / FOOT - 1) < 1e-5  # US survey feet as well
+        is_of_system = unit == "ft" and abs(own / FOOT - 1) < 1e-5  # or US survey feet
         if not is_of_system:
             factors[name] = factors.get(name, 1.0) * UNITS[unit].si / one
     return factors
 
 
 LIMITS = {"x": (360.0, "NS"), "y": (90.0, "EW")}
-"""Degrees that longitude and latitude do not exceed, and hemispheres of the other one."""
+"""Largest longitude and latitude, degrees, and the hemispheres of the other coordinate."""
 
 
 def _parse_point(
@@ -416,7 +416,7 @@ def _parse_sigma(path: Path, row: int, text: str) -> float | None:
 
 
 def _require_unique_points(path: Path, points: Sequence[ListedPoint]) -> None:
-    """Refuse a list with the same name or place twice.
+    """Refuse a list with two points of the same name or position.
 
     Raises
     ------

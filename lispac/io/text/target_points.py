@@ -1,4 +1,4 @@
-"""Targets as CSV, as this program exports them, read as points of a line."""
+"""Reading of targets that this program has exported as CSV, as points of a line."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -32,8 +32,8 @@ from lispac.messages import error, note, warning
 from lispac.survey.line_source import printable
 
 FIRST_LIDAR = 5
-"""Column of the scanner's x: line, time and three coordinates on the map or in the local frame come
-before it."""
+"""Index of the column with the scanner's x, after line, time and three coordinates in a coordinate
+system or the local frame."""
 INTENSITY = 8
 
 
@@ -45,12 +45,12 @@ def sniff(head: bytes, path: Path) -> float:
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
-    """Read the file; targets are small.
+    """Preview a target file, which is read completely because it is small.
 
     Raises
     ------
     InputError
-        Where the file cannot be read or is damaged.
+        If the file cannot be read or is damaged.
     """
     chunk = _read_points(require_not_empty(path, "target"))
     file = printable(path.name)
@@ -71,12 +71,12 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
-    """Read as one chunk, with the lines numbered from 1 as ``point_source_id``.
+    """Read the file as one chunk, with the lines numbered from 1 as ``point_source_id``.
 
     Raises
     ------
     InputError
-        Where the file cannot be read or is damaged.
+        If the file cannot be read or is damaged.
     """
     path = require_not_empty(path, "target")
     scale = coordinate_scale(TARGETS.resolved(choice))
@@ -91,7 +91,7 @@ def _are_target_columns(names: Sequence[str]) -> bool:
 
 
 def _read_points(path: Path) -> PointChunk:
-    """The points in the LiDAR frame.
+    """Read the points in the LiDAR frame.
 
     Raises
     ------

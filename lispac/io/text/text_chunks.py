@@ -1,4 +1,7 @@
-"""Points as text, plain or gzipped: one point a row, columns named by its first row or the user."""
+"""Reading of points as text, plain or gzipped, one point per row.
+
+The columns are named by the first row or by the user.
+"""
 
 import gzip
 import zlib
@@ -85,7 +88,7 @@ def sniff(head: bytes, path: Path) -> float:
         return NOT
     lines = _decode_text(head).splitlines()[:100]
     layout, rows = guess_layout(lines), data_rows(lines)
-    body = rows[layout.first : -1] or rows[layout.first :]  # the last row may be cut
+    body = rows[layout.first : -1] or rows[layout.first :]  # the last row may be incomplete
     if not body or not all(layout.is_numeric_row(row) for row in body):
         return NOT
     return LIKELY if set(REQUIRED) <= set(layout.names) else POSSIBLE
@@ -97,7 +100,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     Raises
     ------
     InputError
-        Where the file cannot be read or holds no rows of numbers.
+        If the file cannot be read or holds no rows of numbers.
     """
     path = require_not_empty(path, "text")
     file = printable(path.name)
@@ -149,7 +152,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     if crs and units:
         file_warnings = unit_warnings(
             units, crs, file
-        )  # the names say which, and which does not fit
+        )  # these name the columns, and replace the general warning
     if (
         not resolved["time_base"]
         and "time" in columns
@@ -168,14 +171,14 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
-    """Read in chunks; columns beyond time, x, y, z go along under their names.
+    """Read a file in chunks; columns besides time, x, y, z are kept under their names.
 
-    Separator, decimal sign and names of columns are those of the file where not chosen.
+    Separator, decimal sign and column names are detected unless they are given.
 
     Raises
     ------
     InputError
-        Where the file is missing, empty, damaged, or a row does not fit the columns.
+        If the file is missing, empty, damaged, or a row does not fit the columns.
     """
     path = require_not_empty(path, "text")
     found, layout, _ = _detect_options(path)
@@ -199,7 +202,7 @@ def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
     Raises
     ------
     InputError
-        Where no row has four numbers.
+        If no row has four numbers.
     """
     with report_damage(path, "text"), _opened_text(path) as file:
         lines = next(_line_blocks(file, path, HEAD), [])[:200]
@@ -219,7 +222,7 @@ def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
 
 
 def _merge_options(detected: Choice, choice: Choice) -> dict[str, str]:
-    """Chosen options, completed by the detected ones."""
+    """Given options, completed by the detected ones."""
     return TEXT.resolved(
         {**detected, **{name: value for name, value in choice.items() if value not in ("", "auto")}}
     )
@@ -281,16 +284,16 @@ def _parse_block(
     path: Path, block: list[str], number: int, names: Sequence[str], columns: list[int],
     layout: RowLayout,
 ) -> NDArray[np.float64]:  # fmt: skip
-    """Numbers of a block of lines, of which ``number`` came before.
+    """Parse the numbers of a block of lines, which follows ``number`` lines of the file.
 
     Raises
     ------
     InputError
-        Where a row is not of numbers.
+        If a row does not consist of numbers.
     """
     rows = data_rows(block)
     before = 0
-    if number == 0:  # names of columns, or a count of points, at the head
+    if number == 0:  # column names or a point count at the top
         before = next((k for k, row in enumerate(rows) if layout.is_numeric_row(row)), len(rows))
     text = [layout.plain(row) for row in rows[before:]]
     if not text:
@@ -345,7 +348,7 @@ def _raise_row_error(
 
 
 def _parse_number(field: str) -> float:
-    """A number as NumPy reads it: Python also takes ``1_000`` and digits of other scripts.
+    """Parse a number like NumPy; Python also accepts ``1_000`` and digits of other scripts.
 
     Raises
     ------
@@ -394,12 +397,12 @@ def _decode_text(data: bytes) -> str:
 
 
 def _line_blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
-    """Blocks of whole lines, ``size`` bytes at once.
+    """Read blocks of whole lines, ``size`` bytes at a time.
 
     Raises
     ------
     InputError
-        Where the file is not text in rows.
+        If the file is not a text file with rows.
     """
     rest = b""
     while data := file.read(size):

@@ -1,4 +1,4 @@
-"""Points and trajectories as text that other programs read, units in the header."""
+"""Writing of points and trajectories as text for other programs, with units in the header."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -22,27 +22,27 @@ TRAJECTORY_HEADER = (
     "degrees (Applanix).",
     "time latitude longitude height roll pitch heading",
 )
-"""Above the numbers; the last line has the column names of `ascii_trajectory`."""
+"""Lines above the numbers; the last one has the column names of `ascii_trajectory`."""
 TIME_BASE = " Time base: "
-"""Ends the first line with the key of the time base, where it is known."""
+"""Text at the end of the first line, followed by the key of the time base, if it is known."""
 TRAJECTORY_OPTIONS = {
     "columns": TRAJECTORY_HEADER[-1], "position": "degrees", "attitude": "degrees",
     "roll": "starboard-down", "pitch": "bow-up", "heading": "true",
 }  # fmt: skip
-"""Options of `lispac.io.trajectory.ascii_trajectory` that read it."""
+"""Options of `lispac.io.trajectory.ascii_trajectory` to read an exported trajectory."""
 
 LINE_AND_TIME = ("line", "time (s)")
 SCANNER_NAMES = ("x lidar (m)", "y lidar (m)", "z lidar (m)")
-"""Names of columns of an exported target, by which `lispac.io.text.target_points` knows it."""
+"""Column names of an exported target, by which `lispac.io.text.target_points` recognises it."""
 
 
 def options_in_header(lines: Sequence[str]) -> dict[str, str]:
-    """Options that read a trajectory as this program writes it; empty for another file.
+    """Options to read a trajectory that this program has written; empty for another file.
 
     Parameters
     ----------
     lines : sequence of str
-        The first of the file.
+        First lines of the file.
     """
     if not lines or not lines[0].startswith(TRAJECTORY_HEADER[0]):
         return {}
@@ -53,21 +53,21 @@ def options_in_header(lines: Sequence[str]) -> dict[str, str]:
 def write_table(
     path: Path, names: Sequence[str], columns: Sequence[NDArray[Any]], formats: Sequence[str]
 ) -> None:
-    """Write columns as CSV with one row of names.
+    """Write columns as CSV with a header row.
 
     Parameters
     ----------
     names : sequence of str
-        With units; no commas or quotes are in them.
+        Column names with units, without commas or quotes.
     columns : sequence of ndarray of shape (n,)
         Numbers or text.
     formats : sequence of str
-        One of Python's for each column: ``.4f``, ``d``, ``s``.
+        Python format specification of each column: ``.4f``, ``d``, ``s``.
 
     Raises
     ------
     InputError
-        Where a name or text would fall apart in CSV.
+        If a name or text contains characters that would separate columns or rows in CSV.
     """
     texts = [name for name in names] + [
         str(value) for column in columns if column.dtype.kind == "U" for value in np.unique(column)
@@ -83,7 +83,7 @@ def write_table(
 
 
 def coordinate_names(system: CoordinateSystem | None) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names of the coordinates of a system, with their unit, and the formats to 0.1 mm."""
+    """Names of the coordinates of a system with their units, and formats for 0.1 mm."""
     if system is None:
         return ("north (m)", "west (m)", "up (m)"), (".4f", ".4f", ".4f")
     code = system.crs.to_epsg()
@@ -99,16 +99,16 @@ def coordinate_names(system: CoordinateSystem | None) -> tuple[tuple[str, ...], 
 
 
 def write_trajectory_text(path: Path, trajectory: Trajectory, time_base: str = "") -> None:
-    """Write a trajectory as text: degrees and metres, signs of Applanix, as given in the header.
+    """Write a trajectory as text in degrees and metres with Applanix's signs, as the header states.
 
-    Position to 0.01 mm, attitude to 1e-9 deg.
+    Positions are written to 0.01 mm, attitudes to 1e-9 deg.
 
     Parameters
     ----------
     time_base : str
-        Key of what its times count; empty where that is not known.
+        Key of the time base; empty if it is not known.
     """
-    signs = np.array([1.0, -1.0, 1.0])  # pitch is positive bow down inside
+    signs = np.array([1.0, -1.0, 1.0])  # pitch is positive bow down in the program
     attitude = np.degrees(trajectory.attitude * signs)
     attitude[:, 2] %= 360
     rows = np.column_stack(

@@ -21,7 +21,7 @@ TIME_BASES = {
     **dict.fromkeys(("time_tai", "tai_time", "tai", "ptp_time", "time_ptp"), "tai"),
     **dict.fromkeys(("time_unix", "unix_time", "unix", "posix_time"), "unix"),
 }
-"""Names of time columns that give the time base, and the keys of the bases; lower case."""
+"""Keys of time bases by the names of time columns that imply them; lower case."""
 MEANINGS = {
     **dict.fromkeys(("x", "easting", "east", "e", "lon", "longitude"), "x"),
     **dict.fromkeys(("y", "northing", "north", "n", "lat", "latitude"), "y"),
@@ -29,14 +29,14 @@ MEANINGS = {
     **dict.fromkeys((*TIME_NAMES, "sow", "seconds", *TIME_BASES), "time"),
     **dict.fromkeys(("intensity", "i", "scalar_intensity", "reflectance"), "intensity"),
 }
-"""Meanings of usual column names; lower case, without their unit."""
+"""Meanings of common column names; lower case, without the unit."""
 BEAMS = {
     "range", "distance", "slant_range", "slant range", "azimuth", "horizontal_angle",
     "horizontal angle", "vertical_angle", "vertical angle", "scan_angle", "scan angle",
 }  # fmt: skip
-"""Columns of points in polar coordinates."""
+"""Column names of points in polar coordinates."""
 ANGLES_OF_BEAMS = {"elevation"}
-"""Names that mean an angle beside those."""
+"""Names that mean an angle in files with columns in `BEAMS`."""
 
 
 @dataclass(frozen=True)
@@ -49,11 +49,11 @@ class RowLayout:
         One of `SEPARATORS`.
     decimal_comma : bool
     names : tuple of str
-        Of the columns, in the program's words; empty where no row above the numbers has them.
+        Column names in the terms of the program; empty if no row above the numbers has names.
     first : int
-        Rows before the first one of numbers.
+        Number of rows before the first row of numbers.
     titles : tuple of str
-        Of the columns, as the file has them, with the units of a row below the names.
+        Column titles of the file, with units from a row below the names.
     """
 
     separator: str
@@ -63,23 +63,23 @@ class RowLayout:
     titles: tuple[str, ...] = ()
 
     def plain(self, row: str) -> str:
-        """Row without quotes and with decimal points, as `float` reads it."""
+        """Convert a row to a form that `float` reads: no quotes, and decimal points."""
         row = row.replace('"', "")
         return row.replace(",", ".") if self.decimal_comma else row
 
     def fields(self, row: str) -> list[str]:
-        """The columns of a row."""
+        """Split a row into columns."""
         return [field.strip() for field in self.plain(row).split(SEPARATORS[self.separator])]
 
     def units(self) -> dict[str, str]:
-        """Unit in the title of each column that has one, as `title_unit` has it."""
+        """Unit in the title of each column that has one; see `title_unit`."""
         units = zip(self.names, map(title_unit, self.titles), strict=True)
         return {name: unit for name, unit in units if unit and name != "-"}
 
     def is_numeric_row(self, row: str) -> bool:
-        """True if a row has four numbers or more, and few other columns.
+        """True if a row has four or more numbers and few other columns.
 
-        A time as hh:mm:ss is a number here.
+        A time as hh:mm:ss counts as a number.
         """
         numbers = [_is_number(field) or is_clock(field) for field in self.fields(row)]
         return sum(numbers) >= max(len(REQUIRED), len(numbers) // 2 + 1)
@@ -92,7 +92,7 @@ def data_rows(lines: Sequence[str]) -> list[str]:
 
 
 def guess_layout(lines: Sequence[str]) -> RowLayout:
-    """Guess the layout from the first lines; ``first`` is their number where none has numbers."""
+    """Guess the layout from the first lines; ``first`` is their count if none has numbers."""
     rows = data_rows(lines)
     for first, row in enumerate(rows):
         for separator, decimal_comma in _layout_candidates(row):
@@ -118,9 +118,9 @@ def _layout_candidates(row: str) -> list[tuple[str, bool]]:
 
 
 def _column_titles(lines: Sequence[str], row: str, separator: str, columns: int) -> list[str]:
-    """Titles from one of the four lines above the numbers, which may be marked as a comment.
+    """Column titles from one of the four lines above the numbers, which may be a comment.
 
-    The units in a row between names and numbers are put behind the names.
+    Units in a row between names and numbers are appended to the names.
     """
     written = [bare for line in lines if (bare := line.strip("\r\n ")).strip()]
     units: list[str] = []
@@ -134,7 +134,7 @@ def _column_titles(lines: Sequence[str], row: str, separator: str, columns: int)
 
 
 def split_names(line: str, separator: str, columns: int) -> list[str]:
-    """Names in a line, which may be a comment; empty where it is none of that many."""
+    """Column names in a line, which may be a comment; empty if their number does not fit."""
     plain = line.strip("\r\n ").lstrip("#%/ ").replace('"', "")
     fields = [field.strip() for field in plain.split(SEPARATORS[separator])]
     if len(fields) != columns:
@@ -149,7 +149,7 @@ def name_without_unit(field: str) -> str:
 
 
 def ambiguous_columns(titles: Sequence[str]) -> dict[str, list[str]]:
-    """Titles grouped by the same meaning, where none of them has the exact name."""
+    """Groups of titles with the same meaning, of which none is the exact name."""
     found: dict[str, list[str]] = {}
     for title in titles:
         if meaning := MEANINGS.get(name_without_unit(title)):
@@ -164,7 +164,7 @@ def ambiguous_columns(titles: Sequence[str]) -> dict[str, list[str]]:
 def _column_meanings(fields: Sequence[str]) -> tuple[str, ...]:
     """Meanings of column names; the exact name of a column takes precedence over synonyms.
 
-    Beside a range or an azimuth, or in degrees, an elevation is an angle and no height.
+    An elevation in a file with a range or an azimuth, or in degrees, is an angle and not a height.
     """
     bares = [name_without_unit(field) for field in fields]
     beams = not BEAMS.isdisjoint(bares)

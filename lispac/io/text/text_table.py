@@ -23,10 +23,10 @@ Array = NDArray[np.float64]
 SEPARATORS = ("auto", "comma", "semicolon", "tab", "blank")
 BLOCK = 50_000
 LONGEST_LINE = 20_000
-"""Characters; a longer one is not a row of a table, and binary files have no line ends at all."""
+"""Largest number of characters of a row; longer lines indicate a file that is not a table."""
 
 DECIMAL_COMMAS = re.compile(r"\d,\d+\s+-?\d+,\d")
-"""In a row without points: commas that are decimal signs, blanks that part the columns."""
+"""Pattern of a row with decimal commas and columns separated by blanks, for rows without points."""
 
 _CLOCK = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2}(?:[.,]\d*)?)Z?")
 _DATE = re.compile(r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})")
@@ -35,9 +35,9 @@ _DMS_SEPARATORS = re.compile("[°º'’′\"”″:dms]+|\\s+")
 
 
 def first_lines(path: Path, count: int = 200) -> list[str]:
-    """First lines of a text file; empty where it is not text, and never an error.
+    """First lines of a text file; empty if it is not text, without raising an error.
 
-    Bytes that no text holds (NUL) and lines longer than any row mark a file that is not text.
+    A file with NUL bytes or with lines longer than `LONGEST_LINE` is not text.
     """
     try:
         with Path(path).open("rb") as file:
@@ -52,7 +52,7 @@ def first_lines(path: Path, count: int = 200) -> list[str]:
 
 
 UTF16 = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}
-"""Byte order marks of text as some programs on Windows write it."""
+"""Byte order marks of UTF-16 text, which some Windows programs write."""
 
 
 def _encoding(head: bytes) -> str:
@@ -60,7 +60,7 @@ def _encoding(head: bytes) -> str:
 
 
 def encoding_of(path: Path) -> str:
-    """Encoding of the text of a file, by its first bytes.
+    """Encoding of a text file, detected from its first bytes.
 
     Raises
     ------
@@ -90,7 +90,7 @@ def numbered_lines(path: Path, what: str) -> Iterator[tuple[int, str]]:
     Raises
     ------
     InputError
-        Where the file cannot be read or is not text.
+        If the file cannot be read or is not text.
     """
     path = require_file(Path(path), what)
     if path.stat().st_size == 0:
@@ -110,10 +110,10 @@ def numbered_lines(path: Path, what: str) -> Iterator[tuple[int, str]]:
 
 
 def split_fields(line: str, separator: str = "auto") -> list[str]:
-    """Split one row; ``auto`` takes semicolon, tab or comma where there is one, else blanks.
+    """Split a row; ``auto`` uses the semicolon, tab or comma if there is one, else blanks.
 
-    Commas between digits, with blanks between the numbers, are decimal signs. Fields may be in
-    quotes, as spreadsheets write them.
+    Commas between digits are decimal signs if blanks separate the numbers. Fields may be in quotes,
+    as spreadsheets write them.
     """
     if '"' in line and _QUOTED.search(line):
         return _split_quoted(line, separator)
@@ -128,7 +128,7 @@ def split_fields(line: str, separator: str = "auto") -> list[str]:
 
 _MARKS = {"semicolon": ";", "tab": "\t", "comma": ","}
 _QUOTED = re.compile(r'(?:^|[;,\t])\s*"')
-"""A quote that opens a field; others are seconds of arc."""
+"""Pattern of a quote that opens a field; other quotes mean seconds of arc."""
 
 
 def _split_quoted(line: str, separator: str) -> list[str]:
@@ -190,7 +190,7 @@ def degrees_minutes_seconds(field: str) -> float:
 def degrees_and_minutes(field: str) -> float:
     """Decimal degrees of ``4830.2533`` (ddmm.mmmm, as in NMEA 0183): 48 degrees, 30.2533 minutes.
 
-    A hemisphere may stand before or behind it.
+    A hemisphere may precede or follow the number.
 
     Raises
     ------
@@ -210,7 +210,7 @@ def degrees_and_minutes(field: str) -> float:
 
 
 def parse_with_hemisphere(parse: Callable[[str], float], field: str, *, letters: str) -> float:
-    """Parse a coordinate whose hemisphere, if there is one, is one of ``letters``.
+    """Parse a coordinate with an optional hemisphere, which must be one of ``letters``.
 
     Raises
     ------
@@ -234,7 +234,7 @@ def hemisphere_sign(field: str, o: str = "") -> float:
     Parameters
     ----------
     o : {"", "E", "W"}
-        What the letter O means: *Ost* in German, *ouest* in French; empty where that is not known.
+        Meaning of the letter O: *Ost* in German, *ouest* in French; empty if it is not known.
 
     Raises
     ------
@@ -252,12 +252,12 @@ HEMISPHERES = {"N": 1.0, "S": -1.0, "E": 1.0, "W": -1.0}
 
 
 def parse_coordinate(field: str, *, degrees: bool = False) -> float | None:
-    """Parse one coordinate, with a decimal point or comma and any minus sign.
+    """Parse one coordinate with a decimal point or comma and any Unicode minus sign.
 
     Parameters
     ----------
     degrees : bool
-        Whether degrees, minutes and seconds are understood as well.
+        Whether degrees, minutes and seconds are also accepted.
 
     Returns
     -------
@@ -275,7 +275,7 @@ def parse_coordinate(field: str, *, degrees: bool = False) -> float | None:
 
 
 def find_coordinates(text: str) -> tuple[str, str, str] | None:
-    """Three numbers in one text, as copied from a list; None where it holds anything else."""
+    """Three numbers in a text, for example copied from a list; None if it contains other text."""
     fields = split_fields(text.replace("\N{MINUS SIGN}", "-"))
     if len(fields) != 3 or not all(is_number(field) for field in fields):
         return None
@@ -342,7 +342,7 @@ def read_columns(
     Raises
     ------
     InputError
-        With the row and the column where a field is missing or cannot be read.
+        If a field is missing or cannot be read; the message names the row and the column.
     """
     width = max(index for index, _, _ in columns) + 1
     blocks: list[Array] = []
@@ -377,7 +377,7 @@ def read_columns(
 
 
 def _parse_values(fields: list[str], parse: Callable[[str], float]) -> Array:
-    """Values of fields; not a number where one cannot be read."""
+    """Parse the values of fields; NaN for a field that cannot be read."""
     if parse is parse_number:
         for quick in (float, parse_number):
             try:

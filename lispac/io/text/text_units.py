@@ -1,4 +1,4 @@
-"""Units in the titles of columns of points as text, and contradictions to them."""
+"""Units in the column titles of points as text, and warnings about contradictions."""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -22,12 +22,12 @@ from lispac.survey.line_source import printable
 
 TIME_UNITS = {"s": "second", "ms": "millisecond", "us": "microsecond", "ns": "nanosecond",
               "min": "minute", "h": "hour"}  # fmt: skip
-"""Units of time as the option ``time_unit`` has them."""
+"""Values of the option ``time_unit`` by the code of the unit."""
 AXES = ("x", "y", "z")
 
 
 def header_options(layout: RowLayout) -> dict[str, str]:
-    """Options ``time_unit``, ``time_base`` and ``unit`` given in the titles of the columns."""
+    """Options ``time_unit``, ``time_base`` and ``unit`` specified in the column titles."""
     units, found = layout.units(), dict[str, str]()
     if "time" in layout.names:
         title = layout.titles[layout.names.index("time")]
@@ -92,12 +92,12 @@ def require_cartesian(path: Path, layout: RowLayout) -> None:
 
 
 def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Message]:
-    """Warnings about titles that the reading does not follow.
+    """Warnings about column titles that contradict the reading options.
 
     Parameters
     ----------
     choice : mapping
-        Options as the user sets them.
+        Reading options set by the user.
     """
     file = printable(path.name)
     for option, specified in header_options(layout).items():
@@ -122,7 +122,7 @@ def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Mes
 def height_unit_of(units: Mapping[str, str], crs: str) -> str:
     """Option for the unit of heights; empty if the titles add nothing to the system.
 
-    Plain feet are those of a system in feet.
+    Feet of unspecified kind are those of the system, if it is in feet.
     """
     unit = units.get("z", "")
     system = _parse_crs(crs)
@@ -132,7 +132,7 @@ def height_unit_of(units: Mapping[str, str], crs: str) -> str:
 
 
 def unit_warnings(units: Mapping[str, str], crs: str, file: str) -> tuple[Message, ...]:
-    """A warning where eastings by their name are in another unit than the system's."""
+    """Warning if the title of the eastings gives another unit than the coordinate system."""
     unit, system = units.get("x", ""), _parse_crs(crs)
     if unit not in LENGTHS or system is None or system.is_geographic:
         return ()

@@ -1,4 +1,4 @@
-"""Units that files name in the titles of their columns: one table for all readers."""
+"""Units in column titles of files: one table for all readers."""
 
 import re
 from collections.abc import Sequence
@@ -14,13 +14,13 @@ Kind = Literal["length", "angle", "time", "notation"]
 
 @dataclass(frozen=True)
 class Unit:
-    """A unit, or a notation of numbers.
+    """A unit of measurement, or a notation of numbers.
 
     Attributes
     ----------
     kind : {"length", "angle", "time", "notation"}
     si : float
-        Metres, radians or seconds in it; of a notation, in what it is parsed to.
+        Metres, radians or seconds in the unit; for a notation, in the unit of the parsed number.
     name : Message
     """
 
@@ -68,7 +68,7 @@ ANGLE_CODES = tuple(
     code for code, unit in UNITS.items() if unit.kind == "angle" or code in ("dms", "ddmm")
 )
 UNKNOWN = "?"
-"""Code of a unit that is given and not known."""
+"""Code of a unit that is given but not known."""
 
 _FORMS = (
     (r"hh\W*mm", "clock"),
@@ -78,7 +78,7 @@ _FORMS = (
     (r"degr?[ée]?s?\W+min|\bdms\b", "dms"),
     (r"\bddd?mm", "ddmm"),
     (r"\bgons?\b|\bgrades\b", "gon"),
-    (r"\bgrads?\b|\bgrd\b", UNKNOWN),  # gons in English and French, degrees in German
+    (r"\bgrads?\b|\bgrd\b", UNKNOWN),  # gon in English and French, degree in German
     (r"milli.?rad|\bmrad", "mrad"),
     (r"deg|°|\bdd\b", "deg"),
     (r"rad", "rad"),
@@ -100,7 +100,7 @@ _FORMS = (
     (r"^min(ute)?s?\.?$", "min"),
     (r"^h(ou)?rs?\.?$|^h$|^heures?$|^stunden?$", "h"),
 )
-"""Descriptions of units, the first that fits first."""
+"""Patterns of unit descriptions with the unit codes, in the order in which they are tried."""
 _QUALIFIERS = re.compile(
     r"(true|grid|mag|wgs|nad|itrf|etrs|rgf|ellips|geoid|ortho|msl|navd|egm|utm|local|lidar|scan|body"
     r"|imu|ins|ref|vessel|frame|utc|gps|tai|unix|tow|sow|week|north|east|south|west|nord|sud|süd|est"
@@ -119,7 +119,7 @@ _CAMEL = re.compile(r"(?<=[a-z])(Deg|Rad|DMS|M|Ft)$")
 
 
 def split_title(title: str) -> tuple[str, str]:
-    """Name and unit of a column by its title: ``Height (ft)``, ``roll_deg``, ``LatDeg``."""
+    """Split a column title into name and unit: ``Height (ft)``, ``roll_deg``, ``LatDeg``."""
     text = title.strip()
     for form in (_BRACKETS, _SUFFIX, _CAMEL):
         mark = form.search(text)
@@ -129,12 +129,12 @@ def split_title(title: str) -> tuple[str, str]:
 
 
 def parse_unit(words: str) -> str:
-    """Code of the unit that a description names; empty where it names none."""
+    """Code of the unit in a description; empty if there is none."""
     return next((code for form, code in _FORMS if re.search(form, words.strip().lower())), "")
 
 
 def title_unit(title: str) -> str:
-    """Code of the unit in a column's title; empty where there is none, else `UNKNOWN`."""
+    """Code of the unit in a column title; empty without a unit, `UNKNOWN` for an unknown one."""
     words = split_title(title)[1]
     if code := _unit_before_direction(words):
         return code
@@ -142,7 +142,7 @@ def title_unit(title: str) -> str:
 
 
 def _unit_before_direction(words: str) -> str:
-    """Code of a unit that a direction may follow: in ``deg S`` the S means south."""
+    """Code of a unit that may be followed by a direction: in ``deg S`` the S means south."""
     head, _, last = words.rpartition(" ")
     return (parse_unit(head) if _parse_direction(last) else "") or parse_unit(words)
 
@@ -162,12 +162,12 @@ def _parse_direction(word: str) -> str:
 
 
 def direction_of(title: str) -> str:
-    """Direction in which a column of longitudes or latitudes counts, by its title.
+    """Positive direction of a column of longitudes or latitudes, from its title.
 
     Returns
     -------
     {"north", "south", "east", "west", `UNKNOWN`, ""}
-        Empty where the title names none.
+        Empty if the title gives no direction.
     """
     name, words = split_title(title)
     for word in reversed(re.split(r"[\s,;/_+]+", words)):
@@ -182,7 +182,7 @@ def direction_of(title: str) -> str:
 
 
 def is_units_row(fields: Sequence[str]) -> bool:
-    """True if the fields of a row are units, as below the names of columns."""
+    """True if the fields of a row are units, as in a row below the column names."""
     if any(map(_is_title_with_unit, fields)):
         return False
     unit_texts = [field.strip(" []()") for field in fields]
@@ -199,12 +199,12 @@ def _is_title_with_unit(field: str) -> bool:
 _PART_OF_UNIT = re.compile(
     r"\W*|(u\.?s\.?|int\w*|arc|decimal|milli|micro|nano|survey|gps|utc|geodetic|ellipsoid\w*)\W*"
 )
-"""Words before a unit in a row of units that are not column names."""
+"""Pattern of words before a unit that belong to the unit and are not column names."""
 NO_UNIT = ("", "-", "--", "none", "n/a", "1")
 
 
 def titles_with_units(names: Sequence[str], units: Sequence[str]) -> list[str]:
-    """Titles of columns out of a row of names and the row of units below it."""
+    """Column titles from a row of names and the row of units below it."""
     unit_texts = [unit.strip(" []()") for unit in units]
     return [
         name if unit in NO_UNIT else f"{name} [{unit}]"

@@ -1,7 +1,7 @@
-"""Trajectories in any text: the user or a header row specifies the columns.
+"""Reading of trajectories in any text format, with columns named by the user or a header row.
 
-The column names, from the left, are the mapping; the project file keeps them as they are, so that
-the next file of the same kind is read without asking.
+The mapping is the list of column names from the left. The project file stores it unchanged, so that
+the next file of the same kind can be read without a question to the user.
 """
 
 import re
@@ -57,7 +57,7 @@ from lispac.survey.trajectory import Trajectory
 from lispac.untrusted_values import is_whole_number
 
 COLUMNS_ASSUMED = "trajectory.columns_assumed"
-"""Code of the warning that a file does not name its columns."""
+"""Code of the warning that a file does not name its columns, so that they are assumed."""
 DEFAULT_COLUMNS = "time latitude longitude height roll pitch heading"
 DEFAULTS = {
     "columns": DEFAULT_COLUMNS,
@@ -74,7 +74,7 @@ DEFAULTS = {
     "time": "gps-week",
 }
 HEADER = "header"
-"""Choice of a unit: as the title of each column states it."""
+"""Value of a unit option: the unit specified in the title of each column."""
 _ANGLES = {"degrees": "deg", "radians": "rad", "dms": "dms", "degrees-minutes": "ddmm"}
 _LENGTHS = {
     "": UNSPECIFIED,
@@ -91,7 +91,7 @@ _COMMENT = ("#", "%", "//", ";")
 
 
 def sniff_ascii(path: Path) -> float:
-    """Likelihood that a text is a trajectory, by its row of names or its numbers per row."""
+    """Likelihood that a text is a trajectory, by its column names or the numbers per row."""
     lines = first_lines(path, 60)
     if options_in_header(lines):
         return SURE
@@ -109,12 +109,12 @@ def sniff_ascii(path: Path) -> float:
 
 
 def layout_by_choice(path: Path, choice: Choice) -> TextLayout:
-    """Text layout with the columns that the user has chosen.
+    """Text layout with the columns chosen by the user.
 
     Raises
     ------
     InputError
-        Where a name is unknown or given twice.
+        If a name is unknown or given twice.
     """
     chosen = DEFAULTS | dict(choice)
     tokens = [token for token in re.split(r"[\s,;]+", chosen["columns"].strip()) if token]
@@ -150,17 +150,17 @@ def layout_by_choice(path: Path, choice: Choice) -> TextLayout:
 
 
 def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Rows:
-    """Rows of data, split; comments and rows before the first of numbers are passed over.
+    """Split rows of data; comments and rows before the first row of data are skipped.
 
     Parameters
     ----------
     header : str
-        Rows to pass over at the head; ``auto`` up to the first that looks like data.
+        Number of rows to skip at the top; ``auto`` for those before the first that looks like data.
 
     Raises
     ------
     InputError
-        Where ``header`` is neither ``auto`` nor a number.
+        If ``header`` is neither ``auto`` nor a number.
     """
     if header != "auto" and not is_whole_number(header, MAX_HEADER_ROWS):
         raise InputError(error("trajectory.header_rows", file=str(path), value=header))
@@ -223,9 +223,9 @@ def _name_without_unit(title: str) -> str:
 
 
 def _header_names(lines: list[str]) -> list[str]:
-    """Titles of the columns: the last row before the data with at least three known names.
+    """Column titles: the last row before the data with at least three known names.
 
-    The units in a row between the names and the data are put behind the names.
+    Units in a row between the names and the data are appended to the names.
     """
     titles: list[str] = []
     for line in lines:
@@ -241,7 +241,7 @@ def _header_names(lines: list[str]) -> list[str]:
 
 
 def _column_unit(role: str, token: str, field: str, chosen: dict[str, str], title: str) -> str:
-    """Unit of a column by its role, the user's name, first value, options, title in the file."""
+    """Unit of a column from its role, its given name, first value, options and title."""
     if role == "time":
         return "clock" if is_clock(field) else _unit_in_title(title).partition(UNKNOWN)[0] or "s"
     if role == "latitude_hemisphere":
@@ -269,7 +269,7 @@ def _column_unit(role: str, token: str, field: str, chosen: dict[str, str], titl
 
 
 def _unit_in_title(title: str) -> str:
-    """Unit in a title; an unknown unit is returned with its words."""
+    """Unit in a title; an unknown unit is returned with its text."""
     unit = title_unit(title)
     return f"{UNKNOWN}{split_title(title)[1]}" if unit == UNKNOWN else unit
 
@@ -289,7 +289,7 @@ def _conventions(chosen: dict[str, str]) -> TrajectoryConventions:
 
 
 def _detect_options(path: Path, choice: Choice) -> tuple[dict[str, str], list[Message]]:
-    """Columns, units and time base by a row of names and by the first values."""
+    """Detect columns, units and time base from the column names and the first values."""
     lines = first_lines(path, 60)
     if own := options_in_header(lines):
         return own, []
@@ -348,7 +348,7 @@ def _column_roles(names: list[str]) -> list[str]:
     for name, bare in zip(names, bares, strict=True):
         role = role_of(bare)
         if role in HEIGHTS and title_unit(name) in ANGLE_CODES:
-            role = ""  # an elevation that is an angle
+            role = ""  # here the elevation is an angle
         waits = role in exact and bare.strip().lower() != role
         tokens.append(role if role and role not in used_roles and not waits else "-")
         used_roles |= set() if waits else {role}
@@ -361,11 +361,11 @@ _UNIT_OPTIONS: tuple[tuple[str, tuple[str, ...], dict[str, str]], ...] = (
     ("heights", HEIGHTS, _LENGTHS),
     ("grid_unit", GRID, _LENGTHS),
 )
-"""Option, roles of its columns, and unit of each of its choices."""
+"""Options for units: name, roles of the columns, and unit for each value."""
 
 
 def _unit_options(titles: Sequence[str]) -> dict[str, str]:
-    """Options for the units specified in titles."""
+    """Unit options for the units specified in the titles."""
     found: dict[str, str] = {}
     for option, roles, units in _UNIT_OPTIONS:
         codes = [
@@ -382,7 +382,7 @@ def _unit_options(titles: Sequence[str]) -> dict[str, str]:
 
 
 def _require_single_angle_columns(path: Path, titles: Sequence[str]) -> None:
-    """Refuse an angle in several columns, of degrees, minutes and seconds.
+    """Refuse an angle split into columns of degrees, minutes and seconds.
 
     Raises
     ------
@@ -425,12 +425,12 @@ def _require_all_columns_named(
 
 
 def _mark_hemisphere_columns(path: Path, tokens: list[str], data: list[list[str]]) -> list[str]:
-    """Columns without a meaning whose values are letters of hemispheres, by their values.
+    """Find columns of hemisphere letters among the columns without a meaning, by their values.
 
     Raises
     ------
     InputError
-        Where the letter O alone does not distinguish east from west.
+        If the letter O alone does not distinguish east from west.
     """
     found = list(tokens)
     for index, token in enumerate(tokens):
@@ -449,9 +449,9 @@ _LETTERS = (
     {"N", "S", "NORTH", "SOUTH", "NORD", "SUD", "SÜD"},
     {"E", "W", "O", "EAST", "WEST", "EST", "OUEST", "OST"},
 )
-"""Letters in columns of hemispheres."""
+"""Hemisphere letters and words of latitude and of longitude."""
 ROWS_SEARCHED = 200_000
-"""Rows that are searched for the first position."""
+"""Largest number of rows that are searched for the first position."""
 SAMPLE_ROWS = 60
 
 
@@ -478,7 +478,7 @@ def _is_zero(field: str) -> bool:
 
 
 def _column_values(data: list[list[str]], index: int) -> NDArray[np.float64] | None:
-    """First values of a column; None where they are not numbers."""
+    """First values of a column; None if they are not numbers."""
     fields = [row[index] for row in data if index < len(row)]
     if not fields or not all(is_number(field) for field in fields):
         return None
@@ -493,12 +493,12 @@ def _detect_units(
     choice: Choice,
     file: str,
 ) -> Iterator[Message]:
-    """Detect units by the first values and put them into ``units``; warn of radians.
+    """Detect units from the first values, store them in ``units``, and warn about radians.
 
     Parameters
     ----------
     written : mapping of str to sequence of str
-        Fields of latitude and longitude as they are written.
+        Fields of latitude and longitude as text.
     """
     if "latitude" in values and "longitude" in values:
         latitude, longitude = np.abs(values["latitude"]), np.abs(values["longitude"])
@@ -511,7 +511,7 @@ def _detect_units(
             actions = (degrees_action("position"),)
             yield warning("trajectory.position_in_radians", file=file, actions=actions)
     elif not {"latitude", "longitude"} & set(values) and "easting" not in values and written:
-        # A unit of degrees in the title is no contradiction to degrees with letters or minutes.
+        # Degrees in the title do not contradict degrees with hemisphere letters or minutes.
         units["position"] = "degrees-minutes" if _has_padded_degrees(written) else "dms"
     if "heading" in values:
         largest = float(np.abs(values["heading"]).max())
@@ -521,7 +521,7 @@ def _detect_units(
 
 
 def degrees_action(option: str) -> Action:
-    """Read an angle as degrees."""
+    """Action that reads an angle in degrees."""
     return Action("use_degrees", {"name": option, "value": "degrees"})
 
 
@@ -529,7 +529,7 @@ _PADDED = {
     "latitude": re.compile(r"[NS]?\s*[-+]?\d{4}([.,]\d*)?\s*[NS]?", re.IGNORECASE),
     "longitude": re.compile(r"[EW]?\s*[-+]?\d{5}([.,]\d*)?\s*[EW]?", re.IGNORECASE),
 }
-"""Degrees and minutes with all their zeros, as NMEA 0183 prescribes."""
+"""Patterns of degrees and minutes with leading zeros, as NMEA 0183 prescribes."""
 
 
 def _has_padded_degrees(written: Mapping[str, Sequence[str]]) -> bool:
@@ -539,7 +539,7 @@ def _has_padded_degrees(written: Mapping[str, Sequence[str]]) -> bool:
 
 
 def _is_in_radians(option: str, largest: float, units: dict[str, str], choice: Choice) -> bool:
-    """Determine the unit: degrees if values exceed a full circle in radians, else radians."""
+    """Detect a missing unit: degrees if a value exceeds 2 pi, else radians; True for radians."""
     if option in units or option in choice:
         return False
     units[option] = "degrees" if largest > 2 * np.pi else "radians"
@@ -547,7 +547,7 @@ def _is_in_radians(option: str, largest: float, units: dict[str, str], choice: C
 
 
 def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Iterator[Message]:
-    """Warnings about titles that the reading does not follow."""
+    """Warnings about column titles that contradict the reading options."""
     file = printable(path.name)
     for option, specified in _unit_options(titles).items():
         given = str(choice.get(option, specified))
@@ -583,7 +583,7 @@ def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Itera
 
 _MAGNETIC = re.compile(r"(?<![a-z])mag", re.IGNORECASE)
 _KINDS_OF = {"feet": ("international-feet", "us-survey-feet")}
-"""Units that specify a title more precisely."""
+"""Option values that make an imprecise unit in a title precise."""
 
 
 def _titles_with_unit(titles: Sequence[str], option: str) -> tuple[str, ...]:

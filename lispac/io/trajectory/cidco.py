@@ -1,8 +1,8 @@
-"""CIDCO's binary points: 22 little-endian float64 each, made for boresight calibration.
+"""Reading of CIDCO's binary points for boresight calibration: 22 little-endian float64 a point.
 
 X, Y, Z local; time; x, y, z LiDAR and their sigmas; roll, pitch, heading (radians) and their
-sigmas; POS position local and its sigmas. The points are read in the LiDAR frame; what else a
-point has goes along.
+sigmas; POS position local and its sigmas. The points are read in the LiDAR frame; the other values
+are kept as attributes.
 """
 
 from collections.abc import Iterator
@@ -47,7 +47,7 @@ LONGEST_LEVER = 50.0  # metres between POS and LiDAR on any vessel
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
-    """Likelihood by the geometry of each record: POS to point is as long as the LiDAR range."""
+    """Likelihood by the geometry: the distance from POS to point agrees with the LiDAR range."""
     if path.stat().st_size % RECORD:
         return NOT
     records = np.frombuffer(head[: len(head) // RECORD * RECORD], "<f8").reshape(-1, N_COLUMNS)
@@ -57,7 +57,7 @@ def sniff(head: bytes, path: Path) -> float:
 def _are_consistent_records(records: NDArray[np.float64]) -> NDArray[np.bool_]:
     sigmas = records[:, [7, 8, 9, 13, 14, 15, 19, 20, 21]]
     angles = records[:, 10:13]
-    with np.errstate(all="ignore"):  # a stranger's bytes make any numbers
+    with np.errstate(all="ignore"):  # other files give arbitrary numbers
         distance = np.linalg.norm(records[:, 0:3] - records[:, 16:19], axis=1)
         measured = np.linalg.norm(records[:, 4:7], axis=1)
         finite = np.isfinite(records).all(axis=1)
@@ -72,7 +72,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     Raises
     ------
     InputError
-        Where the file cannot be read or does not hold such records.
+        If the file cannot be read or does not hold such records.
     """
     path = require_not_empty(path, "CIDCO")
     resolved = CIDCO.resolved(choice)
@@ -92,12 +92,12 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
-    """Read in chunks.
+    """Read the points in chunks.
 
     Raises
     ------
     InputError
-        Where the file is missing, cut short, empty, or does not hold such records.
+        If the file is missing, cut short, empty, or does not hold such records.
     """
     path = require_not_empty(path, "CIDCO")
     scale, total = coordinate_scale(CIDCO.resolved(choice)), path.stat().st_size // RECORD
@@ -107,7 +107,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
 
 
 def record_chunks(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
-    """All records, shape (n, 22), some at a time.
+    """Read all records in blocks of shape (n, 22).
 
     Raises
     ------

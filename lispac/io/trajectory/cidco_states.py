@@ -1,9 +1,9 @@
-"""The POS states in CIDCO's binary points, as a trajectory of their own.
+"""Reading of the POS states in CIDCO's binary points as a trajectory.
 
-Every point holds the state at its time: position in a local frame (north, west, up), roll, pitch
-and heading against it, and the sigmas. What lies between the objects that were cut out is not in
-the file, and neither is the place of its frame on Earth. Files of several lines are joined by
-copying them one after the other: records have no header.
+Every point contains the state at its time: position in a local frame (north, west, up), roll, pitch
+and heading relative to this frame, and the sigmas. The file contains only the times at which the
+extracted objects were scanned, and not the position of the local frame on Earth. Files of several
+lines can be concatenated, because they have no header.
 """
 
 from pathlib import Path
@@ -46,16 +46,16 @@ ORIGIN = FormatOption(
 )
 STATES = slice(10, 22)
 TOLERANCE = 1e-6
-"""Metres or radians by which states of one time may differ."""
+"""Largest difference of states with the same time, metres or radians."""
 
 
 def sniff_states(path: Path) -> float:
-    """Likelihood that a CIDCO file holds states, never above that of its points."""
+    """Likelihood that a file contains CIDCO's states, not greater than that of its points."""
     return POSSIBLE if sniff_points(path) > NOT else NOT
 
 
 def preview_states(path: Path, choice: Choice) -> FilePreview:
-    """Read the whole file; such files are small.
+    """Preview a file, which is read completely because it is small.
 
     Raises
     ------
@@ -73,12 +73,12 @@ def preview_states(path: Path, choice: Choice) -> FilePreview:
 
 
 def read_states(path: Path, choice: Choice) -> Trajectory:
-    """Bring the states into geographic coordinates about the origin.
+    """Read the states and convert them to geographic coordinates with the given origin.
 
     Raises
     ------
     InputError
-        Where the file cannot be read, the origin is none, or states of one time differ.
+        If the file cannot be read, the origin is not valid, or states with the same time differ.
     """
     states = _state_table(path)
     frame = _origin_frame(choice)
@@ -91,7 +91,7 @@ def read_states(path: Path, choice: Choice) -> Trajectory:
 
 
 def preview_sigmas(path: Path, choice: Choice) -> FilePreview:
-    """Read the whole file and describe the standard deviations of its states."""
+    """Preview the standard deviations of the states; the file is read completely."""
     facts, file_warnings = accuracy_facts(read_sigmas(path, choice), printable(path.name))
     return FilePreview(
         _state_facts(_state_table(path)) | facts, _preview_rows(path), {}, file_warnings
@@ -99,7 +99,7 @@ def preview_sigmas(path: Path, choice: Choice) -> FilePreview:
 
 
 def read_sigmas(path: Path, choice: Choice) -> TrajectoryAccuracy:
-    """The sigmas of the states: north, west and up are those of north, east and down.
+    """Read the sigmas of the states; those of north, west, up are used for north, east, down.
 
     Raises
     ------
@@ -111,12 +111,12 @@ def read_sigmas(path: Path, choice: Choice) -> TrajectoryAccuracy:
 
 
 def _state_table(path: Path) -> Array:
-    """Time, attitude, its sigmas, position, its sigmas; shape (n, 13), each time once.
+    """Table of time, attitude, its sigmas, position, its sigmas; shape (n, 13), each time once.
 
     Raises
     ------
     InputError
-        Where they are not those of one trajectory.
+        If the states are not those of one trajectory.
     """
     path = require_not_empty(path, "CIDCO")
     with report_damage(path, "CIDCO binary"):

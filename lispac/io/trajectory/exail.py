@@ -1,14 +1,14 @@
-"""Text exports of Exail (iXblue) post-processing: APPS and Delph INS.
+"""Reading of text exports of Exail (iXblue) post-processing: APPS and Delph INS.
 
-These exports are made from templates, so their columns differ; what each column is stands in the
-header. Comment lines give the name, its meaning and its unit, and the last one all names:
+These exports are made from templates, so that their columns differ; the header describes them.
+Comment lines give the name, the meaning and the unit of each column, and the last one all names:
 
     # latitude: Latitude, decimal degree
     # heading: Heading, degree
     #date   time   latitude   longitude   ellipsoidHeight   heading   roll   pitch
 
-The reader goes by these names and units, never by position. Signs are not in the header: iXblue's
-are roll positive port side up and pitch positive bow down.
+The reader uses these names and units, never the position of a column. The header does not specify
+signs; iXblue's convention is roll positive port side up and pitch positive bow down.
 """
 
 import re
@@ -56,7 +56,7 @@ _SIGNS = {
 
 
 def sniff_exail(path: Path) -> float:
-    """Likelihood of such an export, by the maker and the columns named in its comments."""
+    """Likelihood of an Exail export, by the manufacturer and columns named in its comments."""
     comments = [line for line in first_lines(path) if line.startswith("#")]
     if not comments:
         return NOT
@@ -65,13 +65,13 @@ def sniff_exail(path: Path) -> float:
         return NOT
     if any(_MAKER.search(line) for line in comments):
         return SURE
-    # Columns described one a line are the templates' way; a bare row of names is anybody's.
+    # Only these templates describe one column per line; other files also have a row of names.
     described = sum(_DESCRIPTION.match(line) is not None for line in comments)
     return LIKELY if described >= 5 else NOT
 
 
 def sniff_exail_accuracy(path: Path) -> float:
-    """Likelihood of such an export with all standard deviations."""
+    """Likelihood of an Exail export with all standard deviations."""
     confidence = sniff_exail(path)
     if not confidence:
         return NOT
@@ -79,12 +79,12 @@ def sniff_exail_accuracy(path: Path) -> float:
 
 
 def exail_layout(path: Path) -> TextLayout:
-    """Columns by the comment lines at the head.
+    """Text layout from the comment lines at the top.
 
     Raises
     ------
     InputError
-        Where no comment line names columns.
+        If no comment line names columns.
     """
     lines = first_lines(path)
     comments = [line for line in lines if line.startswith("#")]
@@ -133,7 +133,7 @@ def exail_layout(path: Path) -> TextLayout:
 
 
 def default_unit(role: str) -> str:
-    """Unit that is assumed for a column without a unit in the header."""
+    """Unit assumed for a column without a unit in the header."""
     if role in ("time", "date"):
         return {"time": "s", "date": "date"}[role]
     if role in (*GRID, *HEIGHTS):
@@ -143,7 +143,7 @@ def default_unit(role: str) -> str:
 
 
 def unit_assumed_warning(path: Path, name: str, unit: str) -> Message:
-    """Warning that a header states no unit for a column and that ``unit`` is assumed."""
+    """Warning that a header gives no unit for a column, so that ``unit`` is assumed."""
     return Message(_ASSUMED[unit], Level.WARNING, {"file": printable(path.name), "column": name})
 
 
@@ -156,14 +156,14 @@ _ASSUMED = {
 
 
 def sign_in_description(words: str) -> str:
-    """Sign that a description states (``positive bow down``), as an option; empty where none."""
+    """Sign in a description (``positive bow down``), as an option value; empty if there is none."""
     if "positive" not in words.lower() and "+" not in words:
         return ""
     return next((sign for sign, form in _SIGNS.items() if re.search(form, words.lower())), "")
 
 
 def exail_rows(path: Path) -> Rows:
-    """Rows of data, split."""
+    """Split the rows of data into columns."""
     separator = ""
     for row, line in numbered_lines(path, "Exail text"):
         if not line.strip() or line.startswith("#"):
@@ -205,7 +205,7 @@ def read_exail(path: Path, choice: Choice) -> Trajectory:
 
 
 def preview_exail_accuracy(path: Path, choice: Choice) -> FilePreview:
-    """Size of the standard deviations."""
+    """Preview the standard deviations."""
     path = Path(path)
     layout = exail_layout(path)
     return preview_accuracy(
@@ -228,7 +228,7 @@ def read_exail_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
 
 
 def _column_names(comments: list[str]) -> tuple[str, ...]:
-    """Names in the last comment line that has at least three that mean something."""
+    """Column names in the last comment line with at least three known names."""
     for line in reversed(comments):
         names = split_fields(line.lstrip("# \t"), "tab" if "\t" in line.strip() else "auto")
         if sum(bool(role_of(name)) for name in names) >= 3:

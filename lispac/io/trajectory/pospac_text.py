@@ -1,13 +1,13 @@
-"""Text exports of Applanix POSPac (POS Export Utility).
+"""Reading of text exports of Applanix POSPac (POS Export Utility).
 
-After a title and the settings comes a line of column names between commas, then a line of units in
-parentheses, then rows between blanks:
+A title and the settings are followed by a line of column names separated by commas, a line of units
+in parentheses, and rows of numbers separated by blanks:
 
     TIME, DISTANCE, EASTING, NORTHING, ELLIPSOID HEIGHT, LATITUDE, LONGITUDE, ..., HEADING SD
     (time in Sec, distance in Meters, position in Meters, lat, long in Degrees, ...)
 
-The reader goes by these names and units, never by position. Signs are Applanix's: roll positive
-starboard down, pitch positive bow up.
+The reader uses these names and units, never the position of a column. Signs are Applanix's: roll
+positive starboard down, pitch positive bow up.
 """
 
 import re
@@ -48,7 +48,7 @@ _FACTS = {
 
 
 def sniff_pospac(path: Path) -> float:
-    """Likelihood of such an export, by its title and line of names."""
+    """Likelihood of a POSPac export, by its title and line of column names."""
     lines = first_lines(path)
     found = _names_line(lines)
     if found is None:
@@ -60,7 +60,7 @@ def sniff_pospac(path: Path) -> float:
 
 
 def sniff_pospac_accuracy(path: Path) -> float:
-    """Likelihood of such an export with all standard deviations."""
+    """Likelihood of a POSPac export with all standard deviations."""
     confidence = sniff_pospac(path)
     if not confidence:
         return NOT
@@ -68,12 +68,12 @@ def sniff_pospac_accuracy(path: Path) -> float:
 
 
 def pospac_layout(path: Path) -> TextLayout:
-    """Columns by the line of names and the line of units.
+    """Text layout from the line of column names and the line of units.
 
     Raises
     ------
     InputError
-        Where there is no line of names, or positions are not in decimal degrees.
+        If there is no line of column names, or positions are not in decimal degrees.
     """
     lines = first_lines(path)
     found = _names_line(lines)
@@ -113,12 +113,12 @@ def pospac_layout(path: Path) -> TextLayout:
 
 
 def pospac_rows(path: Path) -> Rows:
-    """Rows of data, split; everything up to the line of names is passed over.
+    """Split the rows of data; everything up to the line of column names is skipped.
 
     Raises
     ------
     InputError
-        Where a row below the names is none of numbers.
+        If a row below the column names does not consist of numbers.
     """
     found = _names_line(first_lines(path))
     start = found[0] + 1 if found else 0
@@ -160,7 +160,7 @@ def read_pospac(path: Path, choice: Choice) -> Trajectory:
 
 
 def preview_pospac_accuracy(path: Path, choice: Choice) -> FilePreview:
-    """Size of the standard deviations."""
+    """Preview the standard deviations."""
     path = Path(path)
     layout = pospac_layout(path)
     return preview_accuracy(path, layout, _conventions(layout, choice))
@@ -180,7 +180,7 @@ def read_pospac_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
 
 
 def _names_line(lines: list[str]) -> tuple[int, tuple[str, ...]] | None:
-    """Index and names of the line of column names."""
+    """Index of the line of column names, and the names."""
     for index, line in enumerate(lines):
         if not line.strip().upper().startswith("TIME") or line.count(",") < 4:
             continue
@@ -191,7 +191,7 @@ def _names_line(lines: list[str]) -> tuple[int, tuple[str, ...]] | None:
 
 
 def _units_by_group(line: str) -> dict[str, str]:
-    """Unit of each group of columns, out of the line in parentheses."""
+    """Unit of each group of columns, from the line in parentheses."""
     units: dict[str, str] = {}
     for what, unit in _UNIT.findall(line):
         words = what.lower()
@@ -216,7 +216,7 @@ def _units_by_group(line: str) -> dict[str, str]:
 
 
 def _unit_group(role: str) -> str:
-    """Group of columns in the line of units that a role belongs to."""
+    """Group in the line of units to which a column of a role belongs."""
     if role in ("latitude", "longitude"):
         return "geographic"
     if role.removesuffix("_sd") in ("roll", "pitch", "heading"):

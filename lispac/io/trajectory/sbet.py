@@ -1,4 +1,4 @@
-"""Applanix SBET trajectories and smrmsg accuracies."""
+"""Reading and writing of Applanix SBET trajectories and smrmsg accuracies."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -25,13 +25,13 @@ from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 Array = NDArray[np.float64]
 
 SMRMSG_RECORD = 80
-"""Bytes."""
+"""Bytes of a record of smrmsg."""
 ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE)
 
 
 @dataclass(frozen=True)
 class SbetOptions:
-    """Conventions that an SBET does not specify, by the names of the options."""
+    """Reading options for the conventions that an SBET does not specify."""
 
     heading: str = "minus-wander"
     pitch: str = "bow-up"
@@ -43,7 +43,7 @@ class SbetOptions:
     byte_order: str = "little-endian"
 
     def assumptions(self) -> tuple[Message, ...]:
-        """Notes on the conventions that are assumed."""
+        """Notes on the assumed conventions."""
         return (
             note(_HEADINGS[self.heading]),
             sign_note(self.roll),
@@ -66,7 +66,7 @@ _ORDERS = {
     "longitude-latitude": "assumed.longitude_first",
 }
 _BYTE_ORDERS = {"little-endian": "assumed.little_endian", "big-endian": "assumed.big_endian"}
-"""Codes of the notes by the value of an option."""
+"""Codes of the notes on the byte order, by the value of the option."""
 AXES = {
     "wander-nwu": note("axes.wander_nwu"),
     "wander-ned": note("axes.wander_ned"),
@@ -75,22 +75,24 @@ AXES = {
     "nwu": note("axes.nwu"),
     "neu": note("axes.neu"),
 }
-"""Names of the axes of the velocities, by the option."""
+"""Names of the axes of the velocities, by the value of the option."""
 
 
 def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
-    """Read an SBET: 17 float64 a record.
+    """Read an SBET with 17 float64 per record.
+
+    Times are continued across a time rollover at midnight or at the end of the week, which the
+    assumptions then mention.
 
     Parameters
     ----------
     options : SbetOptions, optional
-        After Applanix where there are none. Times that start again at midnight or at the end of
-        the week are continued, which the assumptions then mention.
+        Applanix's conventions by default.
 
     Raises
     ------
     InputError
-        Where the file is missing, cut short, holds NaN, angles out of range or disordered times.
+        If the file is missing, cut short, holds NaN, angles out of range or disordered times.
     """
     path = Path(path)
     chosen = options or SbetOptions()
@@ -132,7 +134,7 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
 
 
 def velocity_in_axes(axes: str, velocity: Array, wander: Array) -> Array:
-    """Velocities to the north, east and up, shape (n, 3), from the axes of that key (`AXES`).
+    """Velocities to the north, east and up, shape (n, 3), from the axes of a key of `AXES`.
 
     Parameters
     ----------
@@ -154,24 +156,24 @@ def velocity_in_axes(axes: str, velocity: Array, wander: Array) -> Array:
 
 
 MAX_STATES = 20_000
-"""States whose velocities are compared with the positions to find their axes."""
+"""Largest number of states whose velocities are compared with the positions to find their axes."""
 
 
 def _derivatives(records: Array, chosen: SbetOptions) -> tuple[Array | None, Array | None]:
-    """Velocities in the records, and derivatives of the attitude; None where all are zero."""
+    """Velocities and attitude rates from the records; None for either if its values are zero."""
     velocity = records[:, 4:7] if records[:, 4:7].any() else None
     rates = records[:, 14:17]
     if not rates.any():
         return velocity, None
     factor = float(np.radians(1.0)) if chosen.unit == "degrees" else 1.0
-    # In the signs of the kinematic equations: roll starboard down, pitch bow up.
+    # Signs of the kinematic equations: roll positive starboard down, pitch positive bow up.
     signs = np.array(
         [-1.0 if chosen.roll == "port-down" else 1.0, -1.0 if chosen.pitch == "bow-down" else 1.0,
          1.0]
     )  # fmt: skip
     angles = factor * records[:, 7:10]
     found = attitude_rates(angles * signs, factor * rates)
-    # The rates may be about axes forward, port, up instead.
+    # The rates may instead be about the axes forward, port, up.
     other = attitude_rates(angles * signs, factor * rates * [1.0, -1.0, -1.0])
     truth = np.gradient(np.unwrap(angles[:MAX_STATES], axis=0), records[:MAX_STATES, 0], axis=0)
     off = [np.abs(each[:MAX_STATES] - truth * signs).sum() for each in (found, other)]
@@ -182,7 +184,7 @@ def _derivatives(records: Array, chosen: SbetOptions) -> tuple[Array | None, Arr
 def _with_velocity(
     trajectory: Trajectory, velocity: Array, wander: Array, chosen: SbetOptions
 ) -> Trajectory:
-    """The trajectory with velocities in the axes given, or those that fit the positions best."""
+    """Add velocities to the trajectory, in the given axes or those that fit the positions best."""
     keys = [chosen.axes] if chosen.axes != "unknown" else list(AXES)
     some = slice(0, MAX_STATES)
     place = LocalFrame(
@@ -207,7 +209,7 @@ def _require_on_earth(
     longitude: NDArray[np.float64],
     chosen: SbetOptions,
 ) -> None:
-    # The bounds leave room for the last digit.
+    # The bounds allow for rounding of the last digit.
     limit, around = np.pi / 2 + 1e-9, 2 * np.pi + 1e-9
     if np.abs(latitude).max() <= limit and np.abs(longitude).max() <= around:
         return
@@ -235,16 +237,16 @@ def write_sbet(path: Path, trajectory: Trajectory) -> None:
     records[:, 8] = -trajectory.attitude[:, 1]
     records[:, 9] = trajectory.attitude[:, 2]
     with atomic_write(path) as temporary:
-        temporary.write_bytes(records.data)  # tofile hides what the system says
+        temporary.write_bytes(records.data)  # tofile hides the error of the system
 
 
 def read_smrmsg(path: Path) -> TrajectoryAccuracy:
-    """Read smrmsg: 10 float64 a record; attitude sigmas in arc minutes.
+    """Read smrmsg with 10 float64 per record; attitude sigmas are in arc minutes.
 
     Raises
     ------
     InputError
-        Where the file is missing, cut short, holds NaN, negative sigmas or disordered times.
+        If the file is missing, cut short, holds NaN, negative sigmas or disordered times.
     """
     path = Path(path)
     require_file(path, "smrmsg")
@@ -263,7 +265,7 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
 
 
 def is_smrmsg(head: NDArray[np.float64]) -> bool:
-    """True if ``head``, records of shape (n, 10), can be times and accuracies."""
+    """True if ``head``, records of shape (n, 10), may contain times and accuracies."""
     if not len(head) or not np.isfinite(head).all() or not plausible_bases(head[:, 0]):
         return False
     sound = (head[:, 1:] >= 0).all() and head[:, 1:].max() < 1e4 and head[:, 1:].max() > 1e-9
@@ -277,4 +279,4 @@ def write_smrmsg(path: Path, accuracy: TrajectoryAccuracy) -> None:
     records[:, 1:4] = accuracy.position
     records[:, 7:10] = np.degrees(accuracy.attitude) * 60
     with atomic_write(path) as temporary:
-        temporary.write_bytes(records.data)  # tofile hides what the system says
+        temporary.write_bytes(records.data)  # tofile hides the error of the system

@@ -1,7 +1,7 @@
-"""Options of an SBET, detected from its own numbers.
+"""Detection of the reading options of an SBET from its values.
 
-The format is bare numbers. Their order, unit and byte order show in their size, frames and signs in
-the motion (`lispac.io.trajectory.sbet_motion`).
+The format has no header. Order of the positions, unit and byte order are detected from the size of
+the numbers; frames and signs from the motion (`lispac.io.trajectory.sbet_motion`).
 """
 
 import os
@@ -33,11 +33,11 @@ RECORD = 17 * 8
 HEAD = 100
 BYTE_ORDERS = {"little-endian": "<", "big-endian": ">"}
 BLOCK, BLOCKS = 1000, 60
-"""Records of a block, and blocks read where a file has more: five seconds each at 200 Hz."""
+"""Records of a block (five seconds at 200 Hz), and largest number of blocks read from a file."""
 
 
 MAX_TIMES = 1_000_000
-"""Times examined for disorder and gaps; of more, every n-th."""
+"""Largest number of times examined for disorder and gaps; of more times, every n-th."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class SbetDetection:
     Attributes
     ----------
     head : ndarray of shape (n, 17)
-        The first records, as stored.
+        First records, as stored.
     """
 
     options: SbetOptions
@@ -57,7 +57,7 @@ class SbetDetection:
 
 
 def sample_blocks(path: Path, byte_order: str = "<") -> tuple[list[Array], int]:
-    """Blocks of neighbouring records, spread over the file, and the count of records.
+    """Read blocks of consecutive records spread over the file, and count the records.
 
     Returns
     -------
@@ -78,26 +78,26 @@ def sample_blocks(path: Path, byte_order: str = "<") -> tuple[list[Array], int]:
 
 
 def _sample_times(path: Path, byte_order: str, count: int) -> Array:
-    """Times of all records, or of every n-th where there are many."""
+    """Times of all records, or of every n-th record of a large file."""
     mark = "<" if byte_order == "little-endian" else ">"
     records = np.memmap(path, dtype=f"{mark}f8", mode="r", shape=(count, 17))
     return np.array(records[:: 1 + count // MAX_TIMES, 0], dtype=np.float64)
 
 
 def sbet_fit(records: Array) -> float:
-    """Likelihood that neighbouring records of shape (n, 17) are an SBET.
+    """Likelihood that consecutive records of shape (n, 17) are an SBET.
 
     Returns
     -------
     float
-        1 where they fit one in radians, 0.6 where they fit one in degrees, with the positions
-        exchanged or with some records out of order, else 0.
+        1 for an SBET in radians; 0.6 for one in degrees, with latitude and longitude exchanged, or
+        with some records out of order; else 0.
     """
     if len(records) < 2 or not np.isfinite(records).all():
         return 0.0
     time, steps = records[:, 0], np.diff(records[:, 0])
     size = np.abs(records)
-    # Tiny numbers everywhere are other bytes read as numbers.
+    # Only tiny numbers indicate other data read as float64.
     somewhere = bool((size[:, 1:3] > 1e-9).any())
     moving = bool(size[:, 3].max() < 2e4 and size[:, 4:7].max() < 1000)
     if not (plausible_bases(time) and somewhere and moving and size.max() < 1e11):
@@ -117,7 +117,7 @@ def sbet_fit(records: Array) -> float:
 
 
 def detect_byte_order(path: Path) -> tuple[str, float]:
-    """Byte order in which the first records fit better, and their likelihood."""
+    """Byte order in which the first records fit an SBET better, and the likelihood."""
     scores = {name: sbet_fit(_edge_records(path, mark)) for name, mark in BYTE_ORDERS.items()}
     best = max(scores, key=lambda name: scores[name])
     return best, scores[best]
@@ -129,7 +129,7 @@ def sbet_fit_at_end(path: Path, byte_order: str) -> float:
 
 
 def _edge_records(path: Path, mark: str, *, last: bool = False) -> Array:
-    """The first or the last hundred records; none where the file cannot be read."""
+    """Read the first or the last hundred records; none if the file cannot be read."""
     try:
         with Path(path).open("rb") as file:
             if last:
@@ -143,12 +143,12 @@ def _edge_records(path: Path, mark: str, *, last: bool = False) -> Array:
 
 
 def detect_sbet(path: Path) -> SbetDetection:
-    """Examine an SBET and find its options.
+    """Examine an SBET and detect its options.
 
     Raises
     ------
     InputError
-        Where the file is missing, empty or shorter than two records.
+        If the file is missing, empty or shorter than two records.
     """
     path = require_file(Path(path), "SBET")
     size = path.stat().st_size
@@ -233,7 +233,7 @@ def _detect_from_blocks(
 def _detect_unit_and_order(
     table: Array, options: SbetOptions, file: str
 ) -> tuple[SbetOptions, list[Message]]:
-    """Detect degrees for radians, and an order that the range of latitude excludes."""
+    """Detect degrees, and latitude and longitude exchanged if a latitude is out of range."""
     first, second = (float(np.abs(table[:, k]).max()) for k in (1, 2))
     if max(first, second) > 2 * np.pi:
         if max(first, second) > 360:
@@ -256,6 +256,6 @@ def _block_in_radians(block: Array) -> Array:
 
 
 def _block_motions(block: Array) -> tuple[TrajectoryMotion, TrajectoryMotion]:
-    """Velocities from positions, as the file has them and with latitude and longitude exchanged."""
+    """Velocities from positions, as stored and with latitude and longitude exchanged."""
     time, first, second, height = block[:, :4].T
     return motion_of(time, first, second, height), motion_of(time, second, first, height)

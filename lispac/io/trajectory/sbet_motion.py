@@ -1,9 +1,10 @@
-"""Velocity frame, heading and signs of an SBET, detected from its motion.
+"""Detection of velocity frame, heading reference and signs of an SBET from its motion.
 
-The frame of the velocities shows when they are compared with the positions, and with it whether the
-heading counts from the wander azimuth. The signs of roll and pitch show in the angular rates, where
-there are any. Roll in turns and pitch against vertical velocity are not used: a vessel may heel to
-either side in a turn, and pitches about its heave a quarter of a wave apart.
+The frame of the velocities is detected by comparison with the positions; it also shows whether the
+heading is measured from the wander azimuth. The signs of roll and pitch are detected from the
+angular rates, if there are any. Roll in turns and the relation of pitch to vertical velocity are
+not used: a vessel may heel to either side in a turn, and pitch and heave differ in phase by a
+quarter of a wave.
 """
 
 from collections.abc import Sequence
@@ -25,10 +26,11 @@ from lispac.messages import Action, Message, note, warning
 Array = NDArray[np.float64]
 
 MAX_RESIDUAL, MIN_RATIO = 0.02, 3.0
-"""Part of the speed by which velocities may miss, and by how many times the next must miss more."""
+"""Largest residual of the velocities relative to the speed, and smallest ratio of the residual of
+the second-best frame to that of the best."""
 
 SMALLEST_WANDER = 1e-4
-"""Radians below which a wander angle changes nothing."""
+"""Smallest wander angle that has an effect, radians."""
 
 
 def detect_velocity_frame(
@@ -43,7 +45,7 @@ def detect_velocity_frame(
     -------
     SbetOptions
     Message
-        The fact about the velocities.
+        Fact about the velocities for the preview.
     list of Message
         Warnings.
     """
@@ -83,7 +85,7 @@ def detect_velocity_frame(
     if not rivals and turns >= SMALLEST_WANDER:
         return _detect_heading(chosen, blocks, motions, turns, fact, file)
     if turns < SMALLEST_WANDER:
-        # Without a wander angle its frames are those counted from north.
+        # Without a wander angle, its frames are identical to those relative to north.
         plain = [key for key in (best, *rivals) if not key.startswith("wander")]
         chosen = replace(chosen, axes=plain[0])
         fact = note("fact.velocity_axes", axes=AXES[plain[0]], share=share)
@@ -103,7 +105,7 @@ def _detect_heading(
     fact: Message,
     file: str,
 ) -> tuple[SbetOptions, Message, list[Message]]:
-    """Detect the heading by an unambiguous velocity frame, where there is a wander angle."""
+    """Detect the heading reference with an unambiguous velocity frame and a wander angle."""
     if chosen.axes.startswith("wander"):
         return replace(chosen, heading="minus-wander"), fact, []
     offsets = []
@@ -130,7 +132,7 @@ def _detect_heading(
 def _moving_states(
     blocks: Sequence[Array], motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]]
 ) -> tuple[Array, Array, Array, Array]:
-    """Velocities, wander and velocities from positions (as read, exchanged) of moving states."""
+    """Velocities, wander, and velocities from positions (as read, exchanged) of moving states."""
     rows: list[tuple[Array, Array, Array, Array]] = []
     for block, (own, exchanged) in zip(blocks, motions, strict=True):
         common, first, second = np.intersect1d(own.index, exchanged.index, return_indices=True)
@@ -154,9 +156,9 @@ def _velocity_columns(motion: TrajectoryMotion, rows: NDArray[np.int64]) -> Arra
 
 
 def _velocity_residual(velocity: Array, truth: Array) -> float:
-    """Median difference of velocities from those of the positions, relative to the speed.
+    """Median difference of the velocities from those of the positions, relative to the speed.
 
-    The vertical is weighted by its size: it is small for a vessel and then has no effect.
+    The vertical component is weighted by its size, so that small vertical motion has no effect.
     """
     speed = float(np.median(np.hypot(velocity[:, 0], velocity[:, 1])))
     return float(np.median(np.linalg.norm(velocity - truth, axis=1))) / max(speed, 1e-9)
@@ -165,11 +167,11 @@ def _velocity_residual(velocity: Array, truth: Array) -> float:
 def detect_signs(
     blocks: Sequence[Array], options: SbetOptions, file: str
 ) -> tuple[SbetOptions, Message, list[Message]]:
-    """Detect the signs of roll and pitch by the angular rates of the body.
+    """Detect the signs of roll and pitch from the angular rates of the body.
 
-    A positive rate about the forward axis takes the starboard side down whether y is to starboard
-    or to port; the rate about y raises the bow in the first case and lowers it in the second, and
-    the rate about z against the heading decides between the cases.
+    A positive rate about the forward axis lowers the starboard side, whether y points to starboard
+    or to port. A positive rate about y raises the bow in the first case and lowers it in the
+    second. The rate about z, compared with the heading, distinguishes the two cases.
     """
     check = (Action("check_sign", {"name": "pitch"}),)
     if not any(np.any(block[:, 14:17]) for block in blocks):
@@ -203,7 +205,7 @@ def detect_signs(
 def _rate_correlation(blocks: Sequence[Array], angle: int, rate: int) -> float | None:
     """Correlation of changes of an angle with its integrated rate; None if undetermined.
 
-    Changes over half a second, of a tenth of a degree at least: shorter ones are noise and
+    Changes over half a second of at least a tenth of a degree are used; smaller ones are noise and
     vibration.
     """
     changes, turns = [], []
@@ -224,7 +226,7 @@ def _rate_correlation(blocks: Sequence[Array], angle: int, rate: int) -> float |
     change, turn = np.concatenate(changes), np.concatenate(turns)
     if len(change) < 10:
         return None
-    # About zero, not about the mean: a steady turn gives the sign as well.
+    # Correlation about zero instead of the mean, so that a steady turn also gives the sign.
     size = float(np.sqrt(np.mean(change**2)))
     length = float(np.linalg.norm(change) * np.linalg.norm(turn))
     if size < np.radians(0.1) or length == 0:

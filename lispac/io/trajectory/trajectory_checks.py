@@ -1,4 +1,4 @@
-"""Checks of trajectory values that hold for all formats."""
+"""Checks of trajectory values for all formats."""
 
 from pathlib import Path
 
@@ -14,14 +14,15 @@ Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
 MAX_HEIGHT = 1e5
-"""Metres that no survey exceeds."""
+"""Largest accepted height, metres."""
 
 FASTEST_TURN = 0.7
-"""Radians a second that a carrier does not exceed over a second; a wrong unit does in any turn."""
+"""Largest turn rate of a carrier over one second, radians per second; with a wrong unit of angles,
+it is exceeded in any turn."""
 
 
 def require_time_base(path: Path, time: Array, base: TimeBase) -> None:
-    """Refuse a time base that ``time`` (n,), seconds, cannot be in by its values.
+    """Refuse a time base that is not possible for the values of ``time`` (n,), seconds.
 
     Raises
     ------
@@ -43,7 +44,7 @@ def require_time_base(path: Path, time: Array, base: TimeBase) -> None:
 
 
 def require_heights(path: Path, height: Array, numbers: Numbers | None = None) -> None:
-    """Refuse heights no survey has.
+    """Refuse heights that are impossible in a survey.
 
     Parameters
     ----------
@@ -73,10 +74,10 @@ def require_attitude(
     attitude: tuple[Array, Array, Array],
     numbers: Numbers | None = None,
 ) -> None:
-    """Refuse angles, in radians, that cannot be.
+    """Refuse impossible angles, radians.
 
-    A heading may continue over full turns; then it starts near a full circle and changes no faster
-    than a carrier turns.
+    A heading may be continuous over several turns if it starts near a full circle and does not
+    change faster than a carrier turns.
 
     Parameters
     ----------
@@ -122,7 +123,7 @@ def _is_continuous_heading(time: Array, heading: Array) -> bool:
     if len(seconds) < 2:
         return False
     turns = np.abs(np.diff(np.interp(seconds, time, heading)))
-    # Over a gap nothing is known.
+    # Across a gap, the heading may change by any amount.
     after = np.minimum(np.searchsorted(time, seconds[1:]), len(time) - 1)
     known = time[after] - time[np.maximum(after - 1, 0)] <= LONGEST_GAP
     return bool((turns[known] < FASTEST_TURN).all())

@@ -1,4 +1,4 @@
-"""A trajectory, or its accuracy, out of columns whose meaning and unit are known."""
+"""Conversion of text columns with known meanings and units to a trajectory or its accuracy."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -59,9 +59,9 @@ for _unit in ANGLE_CODES:
 PARSERS["hemisphere"] = hemisphere_sign, 1.0
 PARSERS["hemisphere-fr"] = partial(hemisphere_sign, o="W"), 1.0
 PARSERS["hemisphere-de"] = partial(hemisphere_sign, o="E"), 1.0
-"""How a unit is read, and the factor to radians, metres or seconds.
+"""Parser of each unit, and the factor to radians, metres or seconds.
 
-For map coordinates and heights, the coordinate system affects the factor. The letter O is
+For eastings, northings and heights, the coordinate system may change the factor. The letter O means
 *ouest* in French and *Ost* in German."""
 
 _NAMES = {
@@ -91,7 +91,7 @@ _NAMES = {
     "heading_sd": "headingsd sdheading headingstd yawsd",
 }
 ROLES = {name: role for role, names in _NAMES.items() for name in names.split()}
-"""Role of a column by its name in lower case, letters and digits alone."""
+"""Role of a column by its name in lower case, with only letters and digits."""
 
 POSITION = ("latitude", "longitude")
 HEMISPHERES = ("latitude_hemisphere", "longitude_hemisphere")
@@ -103,7 +103,7 @@ SIGMAS = ("north_sd", "east_sd", "height_sd", "roll_sd", "pitch_sd", "heading_sd
 
 
 def role_of(name: str) -> str:
-    """Role of a column called ``name``; empty where it is none the program uses."""
+    """Role of a column called ``name``; empty if the program does not use it."""
     return ROLES.get("".join(c for c in name.lower() if c.isalnum()), "")
 
 
@@ -119,7 +119,7 @@ class Column:
 
 @dataclass(frozen=True)
 class TrajectoryConventions:
-    """Conventions that a text trajectory does not contain: values of the options of its reader."""
+    """Reading options for the conventions that a text trajectory does not specify."""
 
     pitch: str = "bow-up"
     roll: str = "starboard-down"
@@ -128,7 +128,7 @@ class TrajectoryConventions:
     crs: str = ""
 
     def assumptions(self) -> tuple[Message, ...]:
-        """Notes on the conventions that are assumed."""
+        """Notes on the assumed conventions."""
         return (
             note("assumed.time_base", base=base_message(base_of_key(self.time))),
             sign_note(self.roll),
@@ -143,7 +143,7 @@ SIGN_NAMES = {
     "bow-up": note("sign.pitch_bow_up"),
     "bow-down": note("sign.pitch_bow_down"),
 }
-"""Names of the signs of roll and pitch, by their options."""
+"""Names of the signs of roll and pitch, by the values of their options."""
 _SIGN_CODES = {
     "starboard-down": "assumed.roll_starboard_down",
     "port-down": "assumed.roll_port_down",
@@ -153,7 +153,7 @@ _SIGN_CODES = {
 
 
 def sign_note(sign: str) -> Message:
-    """The note on the sign of roll or pitch that is assumed, by its option."""
+    """Note on the assumed sign of roll or pitch, by the value of its option."""
     return note(_SIGN_CODES[sign])
 
 
@@ -172,7 +172,7 @@ def trajectory_of(
     Raises
     ------
     InputError
-        Where a column is missing, a row cannot be read, or the values cannot be a trajectory.
+        If a column is missing, a row cannot be read, or the values are not possible.
     """
     chosen = _choose_columns(path, columns, conventions)
     _require_known_units(path, chosen)
@@ -257,7 +257,7 @@ def accuracy_of(
 
 
 def is_complete(columns: Sequence[Column]) -> bool:
-    """True if columns hold all values of a trajectory."""
+    """True if the columns contain all values of a trajectory."""
     roles = {column.role for column in columns}
     return (
         roles.issuperset(("time", *ATTITUDE))
@@ -291,7 +291,7 @@ def _choose_columns(
 
 
 def missing_columns(path: Path, columns: Sequence[Column]) -> Message:
-    """The message about columns that a trajectory lacks."""
+    """Message about missing columns of a trajectory."""
     file, names = str(path), tuple(column.name for column in columns)
     if not names:
         return error("trajectory.no_columns", file=file)
@@ -313,7 +313,7 @@ def missing_columns(path: Path, columns: Sequence[Column]) -> Message:
 def map_warnings(
     path: Path, columns: Sequence[Column], conventions: TrajectoryConventions, read: Trajectory
 ) -> tuple[Message, ...]:
-    """Warnings about positions on the map, as they were read, and about heights.
+    """Warnings about eastings and northings as read, and about heights.
 
     Raises
     ------
@@ -323,7 +323,7 @@ def map_warnings(
     chosen = _choose_columns(path, columns, conventions)
     grid = _chosen_grid(path, chosen, conventions)
     lengths = _length_units(path, chosen, grid)
-    # One of easting and northing speaks for both.
+    # One warning is enough for easting and northing.
     lengths.pop("northing", None)
     file_warnings = [length.reported for length in lengths.values()]
     if grid is not None:
@@ -346,7 +346,7 @@ def _length_units(
     Raises
     ------
     InputError
-        Where a unit does not fit what the column is.
+        If a unit does not suit the quantity in the column.
     """
     lengths: dict[str, LengthUnit] = {}
     for column in chosen:
@@ -361,7 +361,7 @@ def _length_units(
 
 
 def _require_unit_kind(path: Path, column: Column, kind: Literal["an angle", "a length"]) -> None:
-    """Refuse a unit that does not fit what the column is.
+    """Refuse a unit that does not suit the quantity in the column.
 
     Raises
     ------
@@ -377,7 +377,7 @@ def _require_unit_kind(path: Path, column: Column, kind: Literal["an angle", "a 
 
 
 def _require_known_units(path: Path, columns: Sequence[Column]) -> None:
-    """Refuse columns whose header states a unit that is not known, or that is ambiguous.
+    """Refuse columns with an unknown or ambiguous unit in the header.
 
     Raises
     ------
@@ -396,12 +396,12 @@ def _require_known_units(path: Path, columns: Sequence[Column]) -> None:
 def _read_values(
     path: Path, rows: Rows, columns: Sequence[Column], factors: Mapping[str, float] = _NO_FACTORS
 ) -> tuple[dict[str, Array], Numbers]:
-    """Values by role in radians, metres and seconds; ``factors`` go before the unit's own.
+    """Read values by role in radians, metres and seconds; ``factors`` override those of units.
 
     Raises
     ------
     InputError
-        Where a row cannot be read, or signs contradict the direction in a title.
+        If a row cannot be read, or signs contradict the direction in a title.
     """
     parsers = [(column.index, _field_parser(column), column.name) for column in columns]
     table, numbers = read_columns(path, rows, parsers)
@@ -419,7 +419,7 @@ def _read_values(
 
 
 def _field_parser(column: Column) -> Callable[[str], float]:
-    """Function that parses a field of a column and refuses letters of the other coordinate."""
+    """Parser for a column, which refuses hemisphere letters of the other coordinate."""
     parse = PARSERS[column.unit][0]
     if column.role not in POSITION or parse is parse_number:
         return parse
@@ -429,12 +429,12 @@ def _field_parser(column: Column) -> Callable[[str], float]:
 
 
 def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -> None:
-    """Give latitudes and longitudes the sign of their hemisphere, where a column has it.
+    """Apply the sign of the hemisphere to latitudes and longitudes, if a column contains it.
 
     Raises
     ------
     InputError
-        Where a value has both a sign and a hemisphere.
+        If a value has both a sign and a hemisphere.
     """
     for role, place in zip(HEMISPHERES, POSITION, strict=True):
         sign = values.pop(role, None)

@@ -1,4 +1,4 @@
-"""Facts on a trajectory for the preview, and contradictions in its own motion."""
+"""Facts on a trajectory for the preview, and warnings about contradictions in its motion."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,18 +19,18 @@ from lispac.survey.trajectory import LONGEST_GAP
 Array = NDArray[np.float64]
 
 SHORTEST_STEP = 1e-6
-"""Seconds: no system measures more often; shorter steps are times without meaning."""
+"""Smallest plausible time step, seconds; shorter steps indicate meaningless times."""
 MIN_SPEED = 0.3
-"""Metres a second from which a course over ground means something."""
+"""Smallest speed for a meaningful course over ground, metres per second."""
 
 MAX_SPEED = 350.0
-"""Metres a second; no carrier of a survey is faster."""
+"""Largest speed of any carrier of a survey, metres per second."""
 
 FASTEST_VESSEL = 60.0
-"""Metres a second; beyond, a wrong unit is likelier than a vessel."""
+"""Largest plausible speed of a vessel, metres per second; beyond it a wrong unit is more likely."""
 
 MAX_CENTRES = 10_000
-"""States of a block at which the velocity is taken; of more, every n-th."""
+"""Largest number of states of a block used for velocities; of more states, every n-th."""
 
 SWAP_COORDINATES = Action("swap_coordinates", {"name": "order", "value": "longitude-latitude"})
 CHOOSE_TIME_BASE = Action("choose_time_base", {"name": "time"})
@@ -43,7 +43,7 @@ class TrajectoryMotion:
     Attributes
     ----------
     index : ndarray of shape (n,)
-        State in the block at the middle of each difference.
+        Index in the block of the state in the middle of each difference.
     north, east, up : ndarray of shape (n,), metres a second
     """
 
@@ -64,9 +64,10 @@ class TrajectoryMotion:
 
 
 def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> TrajectoryMotion:
-    """Velocities over half a second about each state, over less in a block of a few seconds.
+    """Velocities from positions over half a second around each state.
 
-    Where the states are farther apart, between neighbours; not over gaps.
+    The interval is shorter in a block of a few seconds. If the states are farther apart, neighbours
+    are used. Velocities are not computed across gaps.
 
     Parameters
     ----------
@@ -93,7 +94,7 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
         north = (latitude[after] - latitude[before]) * meridian / span
         east = turn * parallel / span
         up = (height[after] - height[before]) / span
-        # The state has to be in the middle, or its velocity is another one in a turn.
+        # The state has to be in the middle: in a turn, the velocity would differ otherwise.
         offset = np.abs((time[after] + time[before]) / 2 - time[index])
         sound = np.isfinite(north) & np.isfinite(east) & np.isfinite(up)
         sound &= (span > 0) & (span < 2 * LONGEST_GAP) & (offset < 0.1 * span)
@@ -101,14 +102,14 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
 
 
 def wrap_angle(angle: Array) -> Array:
-    """Each ``angle``, radians, brought to -pi to pi, in the same shape."""
+    """Wrap each ``angle``, radians, to -pi to pi, in the same shape."""
     return np.remainder(angle + np.pi, 2 * np.pi) - np.pi
 
 
 def trajectory_facts(
     time: Array, latitude: Array, longitude: Array, height: Array, speed: Array
 ) -> dict[str, Fact]:
-    """Span, rate, area, heights and speed of a sample.
+    """Facts on time span, rate, area, heights and speed of a sample of states.
 
     Parameters
     ----------
@@ -116,7 +117,7 @@ def trajectory_facts(
     latitude, longitude : ndarray of shape (n,), radians
     height : ndarray of shape (n,), metres
     speed : ndarray of shape (m,), metres a second
-        Of some of the states.
+        Speed of some of the states.
     """
     facts = span_facts(time)
     steps = np.diff(time)
@@ -132,7 +133,7 @@ def trajectory_facts(
 
 
 def span_facts(time: Array) -> dict[str, Fact]:
-    """Start, end and duration of ``time``, shape (n,), seconds."""
+    """Facts on start, end and duration of ``time``, shape (n,), seconds."""
     start, end = float(time[0]), float(time[-1])
     long = end - start >= 3600
     return {
@@ -166,7 +167,7 @@ def time_warnings(time: Array, base_key: str, file: str) -> tuple[Message, ...]:
             )
         )  # fmt: skip
     else:
-        # Any time of day or week could be UTC, so these bases are not listed.
+        # Any time of day or week may be UTC, so these bases are not listed.
         known = base_of_key(base_key)
         others = [
             base_message(base)
@@ -189,7 +190,7 @@ GAPS = "trajectory.gaps"
 
 
 def gap_warnings(time: Array, longest_gap: float, file: str) -> tuple[Message, ...]:
-    """A warning about gaps longer than ``longest_gap``.
+    """Warning about gaps longer than ``longest_gap``.
 
     Parameters
     ----------
@@ -211,14 +212,15 @@ def course_warnings(
     headings: Sequence[Array],
     file: str,
 ) -> tuple[Message, ...]:
-    """Warnings where the course over ground contradicts heading, position or unit.
+    """Warnings if the course over ground contradicts headings, positions or the unit.
 
     Parameters
     ----------
     motions : sequence of (TrajectoryMotion, TrajectoryMotion)
-        Of each block of neighbouring states, as read and with latitude and longitude exchanged.
+        Motion of each block of consecutive states, as read and with latitude and longitude
+        exchanged.
     headings : sequence of ndarray of shape (n,), radians
-        Of each block.
+        Headings of each block.
     file : str
         Name of the file.
     """
@@ -236,20 +238,21 @@ def course_warnings(
 
 
 OTHER_UNIT, SAME_UNIT = np.radians(30.0), np.radians(10.0)
-"""Median differences of heading and course that contradict, and that confirm, a unit."""
+"""Median differences of heading and course, radians: a larger one than the first contradicts the
+unit used, and a smaller one than the second confirms the other unit."""
 
 
 def angle_unit_messages(
     path: Path, motion: TrajectoryMotion, heading: Array, unit: float
 ) -> tuple[Message, ...]:
-    """A warning where the headings agree with the course in the other of degrees and radians.
+    """Warning if the headings agree with the course only in the other unit (degrees or radians).
 
     Parameters
     ----------
     heading : ndarray of shape (n,), radians
-        As read in the unit taken.
+        Headings as read in the unit used.
     unit : float, radians
-        One of the unit taken.
+        Size of the unit used.
     """
     degree = float(np.radians(1.0))
     other = 1.0 if unit == degree else degree

@@ -1,4 +1,4 @@
-"""Formats of trajectories and of their accuracies, for the list."""
+"""Formats of trajectories and of their accuracies, for the list in `lispac.io.formats`."""
 
 from collections.abc import Callable
 from dataclasses import asdict
@@ -208,10 +208,10 @@ def _make_format(
     preview: Callable[[Path, Choice], FilePreview],
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy],
 ) -> FileFormat:
-    """A format that refuses unknown options before it examines or reads."""
+    """Make a format that refuses unknown options before it examines or reads a file."""
 
     def preview_checked(path: Path, choice: Choice) -> FilePreview:
-        """Preview of a file, after a check of its options."""
+        """Make the preview of a file after a check of the options."""
         made.resolved(choice)
         return preview(Path(path), choice)
 

@@ -1,4 +1,4 @@
-"""Preview of a trajectory of text: facts and warnings from its first and last rows."""
+"""Preview of a text trajectory: facts and warnings from its first and last rows."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -42,23 +42,23 @@ HEAD_ROWS, TAIL_BYTES = 5000, 64 * 1024
 
 @dataclass(frozen=True)
 class TextLayout:
-    """Columns of a text file, from its beginning or from the user.
+    """Columns of a text file, detected from its beginning or given by the user.
 
     Attributes
     ----------
     columns : tuple of Column
-        Those the program uses.
+        Columns that the program uses.
     names : tuple of str
         All columns from the left, for the preview.
     separator : str
     rows : callable
-        Path to the rows of data, each with its number in the file.
+        Function of the path that returns the rows of data, each with its number in the file.
     facts : dict of str to Fact
     file_warnings : tuple of Message
     velocities : tuple of Column
-        East and north velocity, each with the unit of its length; empty where there are none.
+        East and north velocity, each with the unit of its length; empty if there are none.
     signs : mapping of str to str
-        Signs of roll and pitch that the file states, as options, by the angle.
+        Signs of roll and pitch specified in the file, as option values, by the angle.
     """
 
     columns: tuple[Column, ...]
@@ -79,7 +79,7 @@ class TextLayout:
 def preview_text(
     path: Path, layout: TextLayout, conventions: TrajectoryConventions, choice: Choice
 ) -> FilePreview:
-    """Facts, first rows and warnings of a trajectory of text, from its first and last rows."""
+    """Facts, first rows and warnings of a text trajectory, from its first and last rows."""
     file = printable(path.name)
     head = list(islice(layout.rows(path), HEAD_ROWS))
     rows_about = note("fact.about", count=_estimate_row_count(path, head))
@@ -125,7 +125,7 @@ def _motion_variants(first: Trajectory) -> tuple[TrajectoryMotion, TrajectoryMot
 def preview_accuracy(
     path: Path, layout: TextLayout, conventions: TrajectoryConventions
 ) -> FilePreview:
-    """Facts and warnings of standard deviations in text, from the first rows."""
+    """Facts and warnings about standard deviations in text, from the first rows."""
     head = list(islice(layout.rows(path), HEAD_ROWS))
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
     facts = layout.column_facts
@@ -147,7 +147,7 @@ def preview_accuracy(
 def accuracy_facts(
     accuracy: TrajectoryAccuracy, file: str
 ) -> tuple[dict[str, Fact], tuple[Message, ...]]:
-    """Span, size and warnings of standard deviations of the file called ``file``."""
+    """Time span, size and warnings for the standard deviations in the file called ``file``."""
     facts, file_warnings = span_facts(accuracy.time), []
     position, attitude = accuracy.position, accuracy.attitude
     for name, values in zip(("north", "east", "height"), position.T, strict=True):
@@ -172,22 +172,22 @@ _SIGNS_ASSUMED = {
     ("pitch", "bow-up"): "trajectory.pitch_bow_up",
     ("pitch", "bow-down"): "trajectory.pitch_bow_down",
 }
-"""Code of the warning that a sign is assumed, by the angle and its option."""
+"""Code of the warning that a sign is assumed, by the angle and the value of its option."""
 
 
 def sign_assumed_warning(path: Path, angle: str, sign: str) -> Message:
-    """The warning that a file does not specify the sign of roll or pitch."""
+    """Warning that a file does not specify the sign of roll or pitch."""
     code, actions = _SIGNS_ASSUMED[angle, sign], (Action("check_sign", {"name": angle}),)
     return Message(code, Level.WARNING, {"file": printable(path.name)}, actions=actions)
 
 
 def refusal_warning(refused: InputError, path: Path) -> Message:
-    """The message of an error as a warning, with the name of the file instead of its path."""
+    """Convert an error into a warning, with the name of the file instead of its path."""
     return replace(message_with_file_name(refused, path), level=Level.WARNING)
 
 
 def has_sigmas(columns: Sequence[Column]) -> bool:
-    """True if the columns hold all six standard deviations."""
+    """True if the columns contain all six standard deviations."""
     return {column.role for column in columns}.issuperset(SIGMAS)
 
 
@@ -198,11 +198,11 @@ def _with_last_rows(
     first: Trajectory,
     head: Sequence[tuple[int, list[str]]],
 ) -> tuple[Trajectory, list[Message]]:
-    """First and last rows as one trajectory; the first alone where the last do not fit it."""
+    """First and last rows as one trajectory; only the first rows if the last do not fit."""
     if len(head) < HEAD_ROWS:
         return first, []
     tail = list(_last_rows(path, layout))
-    # In a short file the last rows begin among the first ones.
+    # In a short file, the last rows overlap the first ones.
     seen = [k for k, (_, fields) in enumerate(tail) if fields == head[-1][1]]
     rows = chain(head, tail[seen[-1] + 1 :] if seen else tail)
     try:

@@ -22,20 +22,20 @@ Array = NDArray[np.float64]
 LENGTHS = {code: unit.si for code, unit in UNITS.items() if unit.kind == "length"}
 """Metres in each unit; ``ft`` are feet of unspecified kind."""
 UNSPECIFIED = ""
-"""Unit of a length without a unit in the file."""
+"""Code for a length whose unit is not specified in the file."""
 
 
 @dataclass(frozen=True)
 class LengthUnit:
-    """A unit of a column.
+    """Unit of length of a column.
 
     Attributes
     ----------
     metres : float
     name : Message
-        With the source of the choice.
+        Name of the unit, with the source of the choice.
     reported : Message or None
-        What the user should check.
+        Warning that the user should check the unit.
     """
 
     metres: float
@@ -50,17 +50,17 @@ class TrajectoryProjection:
     Attributes
     ----------
     text : str
-        As the user states it.
+        Coordinate system as given by the user.
     metres : float
-        In a unit of its axes.
+        Metres in the unit of its axes.
     name : Message
-        Of that unit.
+        Name of the unit of its axes.
     in_feet : bool
-        Whether that unit is a foot of some kind.
+        Whether the unit of its axes is a kind of foot.
     height_metres : float or None
-        In a unit of its heights; None where it has none.
+        Metres in the unit of its heights; None if it has no heights.
     height_name : Message or None
-        Of the unit of its heights.
+        Name of the unit of its heights.
     """
 
     text: str
@@ -89,7 +89,7 @@ class TrajectoryProjection:
         return LengthUnit(LENGTHS[title_unit], LENGTH_NAMES[LENGTHS[title_unit]])
 
     def place_warning(self, path: Path, latitude: Array, longitude: Array) -> Message | None:
-        """A warning where positions lie outside the area that the system is meant for.
+        """Warning if positions are outside the area of use of the system.
 
         Parameters
         ----------
@@ -114,7 +114,7 @@ class TrajectoryProjection:
         Raises
         ------
         InputError
-            Where the coordinates lie outside.
+            If the coordinates are outside the coordinate system.
         """  # noqa: DOC501 - `_crs_error` makes an InputError
         from pyproj import Proj, Transformer
         from pyproj.exceptions import ProjError
@@ -141,12 +141,12 @@ class TrajectoryProjection:
 
 
 def projection_of_text(path: Path, text: str) -> TrajectoryProjection:
-    """The coordinate system of eastings and northings that the user states.
+    """Coordinate system of eastings and northings given by the user.
 
     Raises
     ------
     InputError
-        Where it is not known, or is not a projected one.
+        If it is not known or not a projected system.
     """  # noqa: DOC501 - `_crs_error` makes an InputError
     from pyproj import CRS
     from pyproj.exceptions import ProjError

@@ -1,6 +1,7 @@
-"""Comparison of the velocities of a trajectory of text with the motion of its positions.
+"""Comparison of the velocities of a text trajectory with the motion of its positions.
 
-A trajectory does not need them, but a wrong unit or coordinate system of the positions shows.
+The velocities are not needed for the trajectory, but reveal a wrong unit or coordinate system of
+the positions.
 """
 
 from collections.abc import Sequence
@@ -21,18 +22,18 @@ _NAMES = {
     "north_velocity": ("northvelocity", "velocitynorth", "northvel", "velnorth", "vnorth", "vn"),
 }
 SPEED_TOLERANCE = 0.05
-"""Part by which two speeds of the same motion do not differ in the middle."""
+"""Largest accepted deviation from 1 of the median ratio of both speeds."""
 FOOT = 0.3048
-"""Metres; US survey feet are the same to `SPEED_TOLERANCE`."""
+"""Metres; US survey feet do not differ within `SPEED_TOLERANCE`."""
 
 
 def velocity_columns(names: Sequence[str], units: Sequence[str]) -> tuple[Column, ...]:
-    """East and north velocity among columns; empty where one is missing.
+    """Columns of east and north velocity; empty if one is missing.
 
     Parameters
     ----------
     units : sequence of str
-        Of the length in each, for each name; empty where not known.
+        Unit of length of each named column; empty if not known.
     """
     bare = ["".join(c for c in name.lower() if c.isalnum()) for name in names]
     found = []
@@ -50,7 +51,7 @@ def speed_warnings(
     velocities: Sequence[Column],
     motion: TrajectoryMotion,
 ) -> tuple[Message, ...]:
-    """A warning where positions move at another speed than the velocities of the same rows."""
+    """Warning if the speed from the positions differs from the velocities of the same rows."""
     if not velocities:
         return ()
     try:
@@ -65,7 +66,7 @@ def speed_warnings(
         return ()
     ratio = float(np.median(motion.speed[moving] / recorded[moving]))
     by_feet = min(abs(ratio / FOOT - 1), abs(ratio * FOOT - 1)) < SPEED_TOLERANCE
-    # Velocities in a unit that is not known may be knots; those of feet and metres show alone.
+    # Velocities in an unknown unit may be in knots; only feet and metres can be distinguished.
     if abs(ratio - 1) <= SPEED_TOLERANCE or (factor is None and not by_feet):
         return ()
     code = "trajectory.speed_differs_by_feet" if by_feet else "trajectory.speed_differs"

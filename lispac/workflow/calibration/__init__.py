@@ -1,1 +1,1 @@
-"""From seeds to the boresight: targets, estimation, alternative methods."""
+"""Calibration workflow: picking of targets, estimation of the boresight, alternative methods."""

@@ -32,12 +32,12 @@ def with_use_of_line(project: Project, line: str, used: bool) -> Project:
 
 
 def with_renamed_target(project: Project, old: str, new: str) -> Project:
-    """Rename a target in its place, and clear the results under its old name.
+    """Rename a target without changing the order, and clear the results under its old name.
 
     Raises
     ------
     ProjectError
-        Where the name is empty or taken.
+        If the name is empty or taken.
     """
     new = new.strip()
     if not new:
@@ -45,7 +45,7 @@ def with_renamed_target(project: Project, old: str, new: str) -> Project:
     if any(target.name == new for target in project.targets if target.name != old):
         raise ProjectError(error("edit.name_taken", name=new, target=old))
     names = [target.name for target in project.targets]
-    # The edit determines which results are out of date; only the order is restored.
+    # The edit clears the results that are out of date; only the order is restored here.
     edited = project.without_target(old).with_target(replace(project.target(old), name=new))
     by_name = {target.name: target for target in edited.targets}
     order = [new if name == old else name for name in names]

@@ -30,14 +30,15 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 RESELECTIONS = 3
-"""Each selection leaves about a third of the error that the smear of the one before it caused."""
+"""Largest number of repeated selections of the points. Each reduces the error caused by the smeared
+surfaces of the previous selection to about a third."""
 
 MAX_WARNINGS = 3
-"""Warnings about the data that the error of a failed adjustment names."""
+"""Largest number of warnings about the data in the error of a failed adjustment."""
 
 SELECTION_SPACING = 0.1
-"""Metres between the points that steer a selection: near a slow scanner a surface has hundreds of
-points where its far end has one, and these must not decide alone."""
+"""Spacing of the points used in the adjustments between selections, metres. The near end of a
+surface may have hundreds of times the density of the far end, and would otherwise dominate."""
 
 CONVERGENCE_LIMIT = 0.1
 """Change of an angle, as a share of its sigma, below which the selection is not repeated."""
@@ -50,23 +51,24 @@ def observations_of(
     settings: Settings | None = None,
     mounting: Mounting | None = None,
 ) -> Observations:
-    """Bring the points of every used sighting into the adjustment's form, fewer of them.
+    """Thinned observations of the adjustment from the points of all used sightings.
 
-    Neighbours are averaged; with independent POS errors one of them is kept, as in the thesis.
+    Neighbouring points are averaged; with independent POS errors one of them is kept, as in the
+    thesis.
 
     Parameters
     ----------
     settings : Settings, optional
-        In place of the project's.
+        Settings to use instead of the project's.
     mounting : Mounting, optional
-        Places the points to find neighbours; the prior where not given.
+        Mounting with which the points are placed to find neighbours; the prior by default.
 
     Raises
     ------
     AdjustmentError
-        Where no target is left that two lines have.
+        If no target has sightings on two lines.
     RankDeficient
-        Where there is one line only.
+        If there is only one line.
     """
     settings = settings or project.settings
     averages = settings.pos_errors == "correlated"
@@ -123,14 +125,14 @@ def observations_of(
 def thin_observations(
     observations: Observations, mounting: Mounting, settings: Settings
 ) -> Observations:
-    """Fewer observations: neighbours are averaged; with independent POS errors one of them is kept.
+    """Thin observations by averaging neighbours; with independent POS errors one of them is kept.
 
     Parameters
     ----------
     mounting : Mounting
-        Places the points to find neighbours.
+        Mounting with which the points are placed to find neighbours.
     settings : Settings
-        With the distance of neighbours and the model of the errors.
+        Settings with the distance of neighbours and the stochastic model.
     """
     if settings.pos_errors == "correlated":
         return average_points_in_cells(
@@ -161,7 +163,7 @@ def _require_two_lines(project: Project) -> None:
 
 
 def with_lidar_noise(observations: Observations, settings: Settings) -> Observations:
-    """The observations with the LiDAR noise that is given, on each axis or along the beam."""
+    """Observations with the given LiDAR noise, on each axis or along and across the beam."""
     return replace(
         observations,
         sigma_lidar=_lidar_sigma(observations.points_lidar, settings),
@@ -193,16 +195,16 @@ def estimate(
     Parameters
     ----------
     settings : Settings, optional
-        In place of the project's.
+        Settings to use instead of the project's.
     reselections : int
-        How often the points are selected again; 0 takes the picks as they are.
+        Largest number of repeated selections of the points; 0 uses the picked points.
     cross_check : bool
-        Whether to adjust parts of the data too.
+        Whether to adjust parts of the data, too.
 
     Raises
     ------
     AdjustmentError
-        Where targets and lines cannot give a result.
+        If the targets and lines do not determine a result.
     """
     settings = settings or project.settings
     settings.require_sound()
@@ -236,7 +238,7 @@ def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
     RankDeficient
         If a parameter is not determined.
     TargetDisagrees
-        The error of the block, with the causes.
+        The original error, with the causes added.
     """
     try:
         yield
@@ -259,10 +261,11 @@ def reselect_points(
     rounds: int = RESELECTIONS,
     progress: Progress = no_progress,
 ) -> Project:
-    """The project with its targets' points selected again, with a boresight found on the way.
+    """Select the points of the targets again with a boresight that is estimated between selections.
 
-    The picks were made with the prior boresight, which smears a surface that is seen from a moving
-    platform. The result is for `adjust_selected`; the picks in the project stay as they were.
+    The points were picked with the prior boresight, whose error smears surfaces scanned from a
+    moving platform. The returned project is for `adjust_selected`; the picked points of the given
+    project are not changed.
     """
     settings, selected = project.settings, replace(project, result=None)
     prior = project.mounting("prior")
@@ -285,8 +288,8 @@ def reselect_points(
                 count=rounds,
             ),
         )
-        # Points of another surface among the picks would be treated as POS errors by the correlated
-        # model; this one leaves them to stand out.
+        # The correlated model would treat points of another surface as POS errors. With this model
+        # they remain visible as residuals.
         with _add_failure_causes(project, survey):
             thinned = observations_of(selected, survey, settings=coarse)
             result = adjust_or_explain(
@@ -310,10 +313,11 @@ def adjust_selected(
     advise: bool = True,
     progress: Progress = no_progress,
 ) -> Project:
-    """Adjust the points of ``selected``, those of the sightings that ``project`` uses.
+    """Adjust the points of ``selected`` in the sightings that ``project`` uses.
 
-    Fast enough to follow a click: a target or line switched off needs no new selection. Without
-    ``advise`` no further line is recommended; `complete_result` adds that, and the cross-checks.
+    The adjustment is fast enough for interactive changes, because excluding a target or line needs
+    no new selection. Without ``advise`` no additional line is recommended; `complete_result` adds
+    the recommendation and the cross-checks.
     """
     settings, prior = project.settings, project.mounting("prior")
     with _add_failure_causes(project, survey):
@@ -345,10 +349,10 @@ def complete_result(
     cross_check: bool = True,
     progress: Progress = no_progress,
 ) -> Project:
-    """Complete a result with the parts omitted for speed: a further line, the cross-checks.
+    """Complete a result with the parts omitted for speed: the additional line and cross-checks.
 
-    For what was solved without advice: a click is followed at once, and this comes after it. The
-    result is the same but for the note on a further line.
+    Used after `adjust_selected` without ``advise``. The result is the same except for the note on
+    an additional line.
     """
     assert project.result is not None
     observations, _ = _selected_observations(project, selected, survey)
@@ -358,8 +362,8 @@ def complete_result(
 
 
 def _with_advice(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
-    """The result with a note on the further line that would help most."""
-    # A further line is judged by the sigmas of the whole.
+    """Result with a note on the additional line that would improve the precision most."""
+    # The additional line is assessed with the sigmas of the complete adjustment.
     judged = observations.with_sigmas(*result.sigma_factors)
     seen = result.observability
     if seen is None or not (found := further_line_advice(judged, result)):
@@ -371,12 +375,12 @@ def _with_advice(result: AdjustmentResult, observations: Observations) -> Adjust
 def _selected_observations(
     project: Project, selected: Project, survey: Survey
 ) -> tuple[Observations, tuple[CommonCoverage, ...]]:
-    """The points of ``selected`` on the sightings that the project uses, and what was cut.
+    """Observations from the points of ``selected`` in the used sightings, and the removed parts.
 
     Raises
     ------
     AdjustmentError
-        Where no two lines show a common part of any target.
+        If no two lines observe a common part of any target.
     """
     near = selected.result.mounting if selected.result else project.mounting("prior")
     observations = observations_of(
@@ -400,5 +404,5 @@ def _with_cross_checks(project: Project, observations: Observations, progress: P
 
 
 def count_points(project: Project, survey: Survey, settings: Settings) -> int:
-    """Points that would take part with these settings."""
+    """Number of points that would be used with these settings."""
     return len(observations_of(project, survey, settings=settings))

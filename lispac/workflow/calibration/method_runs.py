@@ -1,4 +1,4 @@
-"""Computation of alternative methods, without the project's targets."""
+"""Computation of alternative methods, which do not use the project's targets."""
 
 from dataclasses import replace
 
@@ -25,7 +25,7 @@ def adjust_natural_planes(
     Raises
     ------
     AdjustmentError
-        Where there are too few of them, or they face too few ways.
+        If there are too few validation planes, or they have too few orientations.
     """
     planes = tuple(
         replace(plane, role="target")
@@ -47,15 +47,15 @@ def targetless_result(result: TargetlessResult) -> AlternativeResult:
 
 
 def with_targetless_result(project: Project, found: TargetlessResult) -> Project:
-    """Project with a targetless result.
+    """Add a targetless result to a project.
 
-    A project without targets of its own takes it as its result, and the surfaces as its targets; in
-    others it stands beside that of the targets.
+    In a project without used targets it becomes the result, and its surfaces become the targets. In
+    other projects it is stored as the result of an alternative method.
 
     Raises
     ------
     AdjustmentError
-        Where a validation plane, or an excluded target, has the name of a surface.
+        If a validation plane or an excluded target has the name of a surface.
     """
     former = set(project.result.noise_factors) if project.is_targetless and project.result else ()
     own = tuple(each for each in project.targets if each.name not in former)
@@ -77,7 +77,7 @@ def patch_test_result(result: PatchTestResult) -> AlternativeResult:
     Raises
     ------
     AdjustmentError
-        If it has no sigma: it could not be compared with another result.
+        If it has no sigma, which is needed to compare it with another result.
     """
     if result.covariance is None:
         raise AdjustmentError(error("estimate.patch_test_without_sigma"))
@@ -99,7 +99,7 @@ def run_method(
     Raises
     ------
     AdjustmentError
-        Where the survey gives it no result.
+        If the method finds no result in this survey.
     """
     if method == "natural planes":
         return adjust_natural_planes(project, survey, progress=progress)

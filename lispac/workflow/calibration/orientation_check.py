@@ -1,4 +1,4 @@
-"""Check that the picked targets do not all face one way, before the estimation."""
+"""Check before the estimation that the picked targets do not all have the same orientation."""
 
 import numpy as np
 
@@ -10,14 +10,14 @@ from lispac.survey.cloud import Cloud
 from lispac.workflow.project.survey import Survey
 
 MAX_POINTS = 500
-"""Points of a target used for its orientation."""
+"""Largest number of points of a target used for its orientation."""
 
 
 def do_targets_face_one_way(project: Project, survey: Survey) -> bool:
-    """True if several planes are in use that all face one way, and the user has not accepted it.
+    """True if several planes are used, all of one orientation that the user has not accepted.
 
-    Judged by the sighting with most points of each, as the lines lie before the calibration; the
-    estimate judges by the adjusted planes.
+    The sighting with the most points of each plane is used, placed with the prior boresight. The
+    estimation repeats the check with the adjusted planes.
     """
     used = [
         target
@@ -38,5 +38,5 @@ def do_targets_face_one_way(project: Project, survey: Survey) -> bool:
         try:
             normals.append(fit_plane(cloud[sample]).normal)
         except PlaneNotFound:
-            return False  # its quality shows this
+            return False  # its quality reports this
     return have_one_orientation(np.array(normals), np.zeros(len(normals), dtype=bool))

@@ -1,7 +1,7 @@
 """LiDAR patch test of a project: proposed objects and pairs, angles, assessment.
 
-It is an alternative to the adjustment of targets: other objects, another measure, the same
-georeferencing and the same POS errors. The project's targets take no part.
+The patch test is an alternative to the adjustment of targets. It uses other objects and another
+measure of mismatch, but the same georeferencing and POS errors. The project's targets are not used.
 """
 
 from collections.abc import Collection, Sequence
@@ -33,8 +33,8 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 RESELECT_ANGLE = np.radians(0.05)
-"""Change of an angle, radians, above which the objects' points are taken again: lines were apart
-when they were taken, and boxes did not hold the same of each."""
+"""Change of an angle, radians, above which the points in the boxes are selected again: the lines
+were misaligned before, so that a box contained different parts of the object in each line."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +45,7 @@ class PlacedObjects:
     ----------
     objects : tuple of PatchObject
     placings : tuple of ndarray of shape (3,), radians
-        Of each object, the boresight with which the lines were placed when its points were taken.
+        For each object, the boresight with which the lines were placed to select its points.
     sample : ObjectSample
     """
 
@@ -55,17 +55,17 @@ class PlacedObjects:
 
     @property
     def boresight(self) -> Array:
-        """The placing of all objects, shape (3,), radians; NaN where they have no common one."""
+        """Boresight in `placings` of all objects, shape (3,), radians; NaN if they differ."""
         first, *others = self.placings or (np.full(3, np.nan),)
         same = all(np.array_equal(first, each) for each in others)
         return first if same else np.full(3, np.nan)
 
     def blocks(self, objects: Collection[str], pairs: Sequence[LinePair]) -> list[PairBlock]:
-        """Blocks of points that some objects and pairs of lines compare."""
+        """Blocks of points that are compared for some objects and pairs of lines."""
         return [b for b in pair_blocks(self.sample, pairs) if b.first.object.name in objects]
 
     def select_objects(self, names: Collection[str]) -> "PlacedObjects":
-        """Some of the objects."""
+        """Select some of the objects."""
         kept = [k for k, each in enumerate(self.objects) if each.name in names]
         return PlacedObjects(
             tuple(self.objects[k] for k in kept),
@@ -74,7 +74,7 @@ class PlacedObjects:
         )
 
     def joined_with(self, other: "PlacedObjects") -> "PlacedObjects":
-        """These objects and others, of which none has the same name."""
+        """Combine these objects with others; all names must differ."""
         return PlacedObjects(
             self.objects + other.objects,
             self.placings + other.placings,
@@ -82,9 +82,9 @@ class PlacedObjects:
         )
 
     def moved_to_boresight(self, boresight: Array) -> tuple[PatchObject, ...]:
-        """Objects with their boxes moved along with the lines at another boresight.
+        """Objects with their boxes moved with the lines for another boresight.
 
-        A box that was laid about what one line saw goes with the line that has most points in it.
+        A box moves by the mean displacement of its points in the line with the most points in it.
 
         Parameters
         ----------
@@ -108,24 +108,24 @@ class PlacedObjects:
 
 
 def line_pairs(survey: Survey, kinds: Collection[Kind] = ()) -> tuple[LinePair, ...]:
-    """All pairs of lines, reciprocal ones first; those of some kinds where kinds are given."""
+    """Pairs of lines, reciprocal ones first; all pairs, or those of the given kinds."""
     return tuple(p for p in pairs_of_lines(survey.heading) if not kinds or p.kind in kinds)
 
 
 def place_lines(project: Project, survey: Survey, boresight: Array) -> dict[str, Cloud]:
-    """Lines placed with a boresight, shape (3,), radians."""
+    """Place the lines with a boresight, shape (3,), radians."""
     return place_clouds(survey.clouds, project.mounting("prior").with_boresight(boresight))
 
 
 def propose_objects(
     project: Project, survey: Survey, *, count: int = OBJECT_COUNT, progress: Progress = no_progress
 ) -> PlacedObjects:
-    """Find objects that lines share, wherever the prior boresight is.
+    """Find objects that lines share, independent of the error of the prior boresight.
 
     Raises
     ------
     AdjustmentError
-        Where the lines share none.
+        If the lines share no object.
     """
     if len(survey.clouds) < 2:
         raise AdjustmentError(error("patch_test.single_line", project=project.name))
@@ -153,12 +153,12 @@ def place_objects(
     margin: float = MARGIN,
     progress: Progress = no_progress,
 ) -> PlacedObjects:
-    """Take the points that lines have in the objects' boxes.
+    """Select the points of each line in the boxes of the objects.
 
     Parameters
     ----------
     boresight : ndarray of shape (3,), radians
-        With which the lines are placed; the boxes are to hold what is meant then.
+        Boresight with which the lines are placed; the boxes must contain the objects then.
     """
     progress(0.0, gettext_lazy("Selecting the points around the objects"))
     clouds = place_lines(project, survey, boresight)
@@ -181,14 +181,14 @@ def find_boresight(
     Parameters
     ----------
     pairs : sequence of LinePair, optional
-        All there are where it is not given.
+        Pairs of lines to compare; all pairs by default.
     start : ndarray of shape (3,), radians, optional
-        That with which the objects were laid out where it is not given.
+        Initial boresight; by default that with which the objects were placed.
 
     Raises
     ------
     AdjustmentError
-        Where lines do not meet at the objects, or leave an angle open.
+        If lines do not overlap at the objects, or do not determine an angle.
     """
     project.settings.require_sound()
     chosen = line_pairs(survey) if pairs is None else tuple(pairs)
@@ -220,7 +220,7 @@ def find_angle(
     laid: PlacedObjects, blocks: Sequence[PairBlock], start: Array, angle: int,
     *, progress: Progress = no_progress,
 ) -> MismatchMinimum:  # fmt: skip
-    """Find one angle with the smallest mismatch, the others fixed.
+    """Find one angle with the smallest mismatch while the others are fixed.
 
     Parameters
     ----------
@@ -231,7 +231,7 @@ def find_angle(
     Raises
     ------
     AdjustmentError
-        Where lines do not meet at the objects, or leave the angle open.
+        If lines do not overlap at the objects, or do not determine the angle.
     """
     return minimise_mismatch(laid.sample, blocks, start, (angle,), progress=progress)
 

@@ -1,4 +1,4 @@
-"""From a seed to a target: the plane or sphere in every line."""
+"""Picking of a target at a seed: search for its plane or sphere in every line."""
 
 import itertools
 from collections.abc import Mapping
@@ -52,27 +52,28 @@ def find_target(
     ----------
     seed : ndarray of shape (3,) or three floats, metres, local frame
     sphere_radius : float, metres, optional
-        Of a sphere, where it is known.
+        Radius of a sphere, if it is known.
     line : str, optional
-        Search in this line only; the other sightings of a target of that name are kept.
+        Only line to search; the other sightings of a target of that name are kept.
     first_line : str, optional
-        The line the seed was clicked on, where that is known.
+        Line in which the seed was clicked, if it is known.
     threshold : float, metres, optional
-        RANSAC distance threshold; that of the project, or more for spheres, where not given.
+        RANSAC distance threshold; by default that of the project, or a larger one for spheres.
     radius : float, metres, optional
-        Search radius about the seed; `DEFAULT_RADII` where not given.
+        Search radius about the seed; `DEFAULT_RADII` by default.
     expected : ExpectedTarget, optional
-        What is known of a plane's size and inclination; the planes found are compared with it.
+        Expected size and inclination of a plane, with which the detected planes are compared.
     choices : FinderChoices
-        Fewest points, largest tilt and the like; kept with the target.
+        Finder options, for example the smallest number of points and the largest tilt; stored with
+        the target.
 
     Raises
     ------
     TargetNotFound
         If no target is found in any line.
     ProjectError
-        Where there is no such line, the shape does not suit the role, or the one line's sighting
-        does not suit the target it is for.
+        If there is no such line, the shape does not suit the role, or the sighting in ``line``
+        does not suit the existing target.
     """
     search = TargetSearch(shape, sphere_radius)
     radii = search.search_radii(role) if radius is None else (radius,)
@@ -124,7 +125,7 @@ def pick_target(
     choices: FinderChoices = USUAL,
     progress: Progress = no_progress,
 ) -> Project:
-    """Find the target at a seed in every line (or one) and add it; parameters as of `find_target`.
+    """Find the target at a seed in all lines or one and add it; parameters as for `find_target`.
 
     Raises
     ------
@@ -142,12 +143,12 @@ def pick_target(
 
 
 def spheres_of(target: Target, survey: Survey) -> dict[str, SpherePatch]:
-    """The sphere that each sighting's points form in its line, placed with the prior boresight.
+    """Sphere fitted to the points of each sighting, placed with the prior boresight.
 
     Raises
     ------
     SphereNotFound
-        Where the points of a sighting do not determine one.
+        If the points of a sighting do not determine a sphere.
     """
     search = TargetSearch.for_target(target)
     found = {
@@ -171,7 +172,7 @@ def _require_same_surface(
         if sighting.line != line:
             cloud = place.clouds[sighting.line]
             found[sighting.line] = search.patch_of_points(cloud, sighting.indices)
-    found[line] = patch  # the last one: where two disagree, it is the one that is rejected
+    found[line] = patch  # the new sighting is last: of two that disagree, the last is rejected
     _, rejected = split_by_agreement(found, place.clouds, place.accuracy, known.radius, None)
     if line in rejected:
         raise TargetNotFound(
@@ -196,7 +197,7 @@ def point_position(project: Project, survey: Survey, line: str, number: int) -> 
 
 
 def require_survey_points(survey: Survey, target: Target) -> None:
-    """Refuse a target whose points are not those of the survey's lines.
+    """Refuse a target whose points do not exist in the survey's lines.
 
     Raises
     ------
@@ -252,9 +253,10 @@ def _find_in_lines(
     first_line: str | None,
     progress: Progress,
 ) -> tuple[Mapping[str, Patch], dict[str, Message], float]:
-    """Patches, reasons and radius of the first radius with a target on two lines.
+    """Search with increasing radii until a target is found on two lines.
 
-    Where none does, those of the radius that fits most lines, the smallest of these.
+    Returns the patches found by line, the reasons for the other lines, and the radius. If no radius
+    gives two lines, the result is that of the smallest radius with the most lines.
     """
     best: tuple[Mapping[str, Patch], dict[str, Message], float] | None = None
     refusal: TargetNotFound | None = None

@@ -1,4 +1,4 @@
-"""Adding and removing points of a target's sightings by hand."""
+"""Manual adding and removing of points of a target's sightings."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -15,10 +15,10 @@ from lispac.survey.cloud import Cloud
 
 Array = NDArray[np.float64]
 Chosen = Callable[[Array], NDArray[np.bool_]]
-"""Selection among the points (n, 3)."""
+"""Function of points (n, 3) that returns flags of the selected ones."""
 
 MIN_POINTS = 10
-"""Points that a sighting keeps at least."""
+"""Smallest number of points that a sighting must keep."""
 EDIT_MARGIN = 2.0
 """Metres beyond a sighting within which points are added to it."""
 
@@ -26,20 +26,20 @@ EDIT_MARGIN = 2.0
 def without_points(
     target: Target, clouds: Mapping[str, Cloud], chosen: Chosen, line: str = ""
 ) -> tuple[Target, int]:
-    """Take points away from a target's sightings, or from the one on ``line``.
+    """Remove points from a target's sightings, or from the one on ``line``.
 
     Parameters
     ----------
-    clouds : the lines as the choice was made in them
+    clouds : lines as placed when the points were selected
 
     Returns
     -------
-    Target, and how many points it lost
+    Target, and number of points removed
 
     Raises
     ------
     ProjectError
-        Where a sighting would keep fewer than `MIN_POINTS` points.
+        If a sighting would keep fewer than `MIN_POINTS` points.
     """
 
     def edited(sighting: PickedSighting, cloud: Cloud) -> NDArray[np.int64]:
@@ -60,12 +60,12 @@ def with_points(
 ) -> tuple[Target, int]:
     """Add points near their surface to a target's sightings, or to the one on ``line``.
 
-    Added is what lies within the target's threshold of the sighting's own surface, and no farther
-    than `EDIT_MARGIN` from it: an outline on the screen holds also what is behind.
+    Points are added only within the target's threshold of the surface of the sighting and within
+    `EDIT_MARGIN` of its outline, because a selection on the screen also contains points behind it.
 
     Parameters, returns
     -------------------
-    See `without_points`; the number is that of points gained.
+    See `without_points`; the number is that of points added.
     """
 
     def edited(sighting: PickedSighting, cloud: Cloud) -> NDArray[np.int64]:

@@ -1,4 +1,4 @@
-"""Numbers of points as text: ``12+40 60`` is 12 to 51 and 60."""
+"""Point indices as compact text: ``12+40 60`` means 12 to 51 and 60."""
 
 import re
 from collections.abc import Iterator
@@ -15,7 +15,7 @@ MAX_POINTS = 10**9
 
 
 def numbers_text(indices: NDArray[np.int64]) -> str:
-    """Numbers in their order, runs of neighbours as first and count.
+    """Convert indices to text in their order; runs of consecutive indices as first and count.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ def numbers_text(indices: NDArray[np.int64]) -> str:
 
 
 def point_numbers(text: str) -> NDArray[np.int64]:
-    """The inverse of `numbers_text`.
+    """Parse a text written by `numbers_text`.
 
     Returns
     -------

@@ -11,7 +11,7 @@ from lispac.workflow.calibration.proposals import Proposal
 
 
 def without_picked(project: Project, proposal: Proposal) -> Proposal:
-    """The proposal without the surfaces that the project has already, under free names."""
+    """Remove the surfaces that the project already has from a proposal, and use free names."""
     targets: list[Target] = []
     reasons: dict[str, Message] = {}
     picked: list[str] = []
@@ -31,10 +31,10 @@ def without_picked(project: Project, proposal: Proposal) -> Proposal:
 def with_accepted(
     project: Project, proposal: Proposal, names: Collection[str]
 ) -> tuple[Project, tuple[str, ...]]:
-    """The project with the proposed targets of these names, and the names they have there.
+    """Add the proposed targets with given names; returns the project and their names in it.
 
-    A name that is taken gives way to the next free one. What was predicted is kept where it holds
-    for the targets that the project has then.
+    If a name is taken, the next free one is used. The predicted sigma is kept if it is valid for
+    the resulting set of targets.
     """
     new_names: list[str] = []
     targets = set(proposal.picked)
@@ -55,6 +55,6 @@ def with_accepted(
 
 def _same_picked_target(target: Target, project: Project) -> str | None:
     """Name of the project's target on the same surface; None if there is none."""
-    # What is proposed may have the name of another one that was picked.
+    # A proposed target may have the name of another, picked one.
     found = find_overlap(replace(target, name=""), project.targets)
     return found.other if found is not None and found.is_same_surface else None

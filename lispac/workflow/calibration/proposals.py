@@ -1,4 +1,4 @@
-"""Targets and validation planes proposed without a click: the user accepts, edits or rejects."""
+"""Automatic detection of targets and validation planes, proposed to the user."""
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
@@ -45,17 +45,19 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 MIN_AREA = 2.0
-"""Square metres from which a plane is large enough for validation, where there are others."""
+"""Smallest area of a validation plane, square metres, if there are enough planes of that size."""
 MAX_POOR = 0.5
-"""Share of its sightings: a plane whose flatness is doubtful or poor on so many is proposed for
-nothing. One that is observed poorly on so many is proposed where there are too few others, and on
-more for nothing."""
+"""Limit for the share of a plane's sightings with poor quality.
+
+A plane is not proposed if the flatness is not good in this share of its sightings or more. If the
+rating is poor in exactly this share, the plane is proposed only if there are too few others; if it
+is poor in more, the plane is not proposed."""
 MAX_SHARED_POINTS = 0.01
-"""Share of the points of a plane from which it overlaps another one."""
+"""Smallest share of the points of a plane in common with another one for an overlap."""
 UNCHECKED = {
     "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
 }  # fmt: skip
-"""Codes of warnings that targets do not check each other."""
+"""Codes of warnings that the targets do not check each other."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,12 +70,12 @@ class Proposal:
         Named T1, T2 ... and V1, V2 ..., with their sightings in every line.
     reasons : dict of name to Message
     sigma : ndarray of shape (3,), radians
-        Of roll, pitch, yaw: predicted from the geometry of the proposed targets, with the given
-        standard deviations and the noise seen on all flat planes.
+        Predicted sigmas of roll, pitch, yaw from the geometry of the proposed targets, with the
+        given standard deviations and the noise observed on all flat planes.
     picked : tuple of str
         Targets of the project that would have been proposed.
     warnings : tuple of Message
-        Those of an adjustment of the proposed targets, without notes.
+        Warnings of an adjustment of the proposed targets, without notes.
     """
 
     targets: tuple[Target, ...]
@@ -88,17 +90,17 @@ def propose_targets(
 ) -> Proposal:
     """Propose targets and validation planes, without changing the project.
 
-    Of the flat planes those are targets that determine the angles best and check each other (see
-    `target_choice`). They are adjusted; planes that are not flat with the estimated boresight, or
-    of which the adjustment rejects a sighting, are replaced. Of the others those that are flat as
-    well, and that the lines can be compared on, are for validation, spread in height and range.
+    The targets are the flat planes that determine the angles best and check each other (see
+    `target_choice`). They are adjusted. Planes that are not flat with the estimated boresight, or
+    with a sighting that the adjustment rejects, are replaced. Validation planes are chosen from the
+    other flat planes on which lines can be compared, at positions far from each other.
 
     Raises
     ------
     TargetNotFound
-        Fewer than two planes on two lines or more.
+        If there are fewer than two planes on two or more lines.
     AdjustmentError
-        The planes do not determine the boresight.
+        If the planes do not determine the boresight.
     """
     threshold = project.settings.threshold
     progress(0.0, gettext_lazy("Aligning the lines"))
@@ -170,10 +172,10 @@ def _comparable_planes(
     left: Sequence[Target],
     judged: Mapping[str, "_PlaneAssessment"],
 ) -> dict[str, tuple[tuple[str, str], ...]]:
-    """Planes for validation, with the pairs of lines that can be compared on them.
+    """Candidate validation planes, with the pairs of lines that can be compared on them.
 
-    They are flat by the test of the targets. Those that are observed poorly are last, and as many
-    as there are too few others.
+    They pass the same flatness test as the targets. Poorly observed planes come last, and are
+    included only until there are `MIN_VALIDATION` planes.
     """
     assert solved.result is not None
     usable = [target for target in left if judged[target.name].use in ("any", "at need")]
@@ -198,7 +200,7 @@ def _comparable_planes(
 
 
 def _is_boresight_known(result: AdjustmentResult) -> bool:
-    """True if the boresight is known so well that a bend of a plane is that of the surface."""
+    """True if the boresight is precise enough to attribute a bend of a plane to the surface."""
     return float(result.sigma.max()) <= ROUGHLY_OFF
 
 
@@ -209,9 +211,9 @@ def _choose_targets(
     named: Mapping[str, DetectedPlane],
     judged: dict[str, "_PlaneAssessment"],
 ) -> tuple[list[str], Project, CandidatePlanes]:
-    """Names of the targets to propose, a project with their adjustment, and all planes.
+    """Choose the targets: their names, a project with their adjustment, and all planes.
 
-    Planes that turn out not to be flat are marked so in ``judged``.
+    Planes found not to be flat are marked in ``judged``.
 
     Raises
     ------
@@ -275,7 +277,7 @@ def _candidate_planes(
 def _target_reason(
     planes: CandidatePlanes, chosen: Sequence[str], name: str, lines: int
 ) -> Message:
-    """Why a target is proposed: the angle whose sigma would grow most without it."""
+    """Reason for a target: the angle whose sigma would increase most without it."""
     without = planes.predicted_sigma(set(chosen) - {name})
     now = planes.predicted_sigma(chosen)
     k = int(np.argmax(without / now))
@@ -324,7 +326,7 @@ def _do_planes_overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:
 def _proposed_target(
     survey: Survey, plane: DetectedPlane, name: str, role: Role, threshold: float
 ) -> Target:
-    # Where the prior boresight puts it, as if it had been clicked.
+    # Placed with the prior boresight, like a clicked seed.
     line = plane.line if plane.line in plane.found else next(iter(plane.found))
     indices, aligned = plane.found[line].indices, survey.alignment
     distances = np.linalg.norm(aligned.clouds[line][indices] - plane.seed, axis=1)
@@ -346,12 +348,13 @@ def _proposed_target(
 
 @dataclass(frozen=True)
 class _PlaneAssessment:
-    """Use of a plane: any, at need, or none.
+    """Possible use of a plane, from the quality of its sightings.
 
     Attributes
     ----------
-    poor : lines that show it poorly
-    reason : why the first of them does
+    use : "any"; "at need" if there are too few others; "not flat" and "poor" planes are not used
+    poor : lines with a sighting of poor quality
+    reason : reason for the rating of the first of these
     """
 
     use: Literal["any", "at need", "not flat", "poor"]
@@ -364,7 +367,7 @@ class _PlaneAssessment:
 
 
 def _assess_planes(project: Project, survey: Survey) -> dict[str, _PlaneAssessment]:
-    """Assessment of each target by the quality of its sightings."""
+    """Assess each plane by the quality of its sightings."""
     found: dict[str, dict[str, SightingQuality]] = {target.name: {} for target in project.targets}
     for (name, line), quality in sighting_qualities(project, survey).items():
         found[name][line] = quality
@@ -386,7 +389,7 @@ def _assess_plane(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
 def _too_few_planes_message(
     project: Project, flat: int, judged: Sequence[_PlaneAssessment]
 ) -> Message:
-    """Warning that there are too few planes, with the reasons why others do not count."""
+    """Error that there are too few planes, with the numbers of uneven and poorly observed ones."""
     uneven = sum(not each.flat for each in judged)
     poor = len(judged) - flat - uneven
     return error(
@@ -395,11 +398,11 @@ def _too_few_planes_message(
 
 
 def _linearise_planes(project: Project, survey: Survey) -> LinearisedProblem:
-    """All planes together, linearised where the adjustment ends up with them."""
+    """Linearised adjustment of all planes together, at its solution."""
     observations = observations_of(project, survey)
     model = project.settings.stochastic_model
     prior = project.mounting("prior")
-    # Planes that all face one way are refused, or accepted, where the pairs of them are known.
+    # Planes of one orientation are checked later, by pairs.
     result = adjust(observations, prior, model, accept_single_orientation=True, diagnostics=False)
     observations = observations.without_targets(result.excluded_targets)
     shapes = np.stack([target.plane for target in result.targets])
@@ -414,8 +417,8 @@ def _linearise_planes(project: Project, survey: Survey) -> LinearisedProblem:
 def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, float]:
     """RMS difference of the planes of different lines on each surface, metres.
 
-    A board is the same from everywhere. A tarpaulin or a bonnet shows each line another part of
-    itself, or is no plane at all, which limits its information for the adjustment.
+    A board has the same plane in all lines. Of a tarpaulin or a car bonnet, each line observes a
+    different part, or it is not plane, which limits its information for the adjustment.
     """
     uneven: dict[str, float] = {}
     for target in project.targets:
@@ -430,7 +433,7 @@ def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, floa
 
 
 def _with_unevenness(linearised: LinearisedProblem, uneven: dict[str, float]) -> LinearisedProblem:
-    """Linearised problem whose surface sigmas are at least the observed roughness."""
+    """Linearised problem with surface sigmas not smaller than the observed unevenness."""
     problem = linearised.problem
     if not problem.model.correlated:
         return linearised
@@ -441,7 +444,7 @@ def _with_unevenness(linearised: LinearisedProblem, uneven: dict[str, float]) ->
 
 
 def _parallel_pairs(project: Project, planes: Mapping[str, DetectedPlane]) -> set[tuple[str, str]]:
-    """Pairs of planes that face one way, which the adjustment would refuse."""
+    """Pairs of planes of the same orientation, which the adjustment would refuse."""
     if project.settings.accept_single_orientation:
         return set()
     normals = {
@@ -456,7 +459,7 @@ def _parallel_pairs(project: Project, planes: Mapping[str, DetectedPlane]) -> se
 
 
 def _complete_planes(planes: Mapping[str, DetectedPlane]) -> set[str]:
-    """Names of the planes that end within the search radius: the same outline on every line."""
+    """Names of planes that lie completely within the search radius, with the same outline."""
     radius = FinderSettings().radius
     return {
         name
@@ -474,7 +477,7 @@ def _order_validation_planes(
     compared: Mapping[str, Sequence[tuple[str, str]]],
     survey: Survey,
 ) -> list[str]:
-    """Validation planes in order: reciprocal lines first, then by distance from the others."""
+    """Order validation planes: first those with reciprocal lines, then far from the others."""
     large = [name for name, plane in planes.items() if plane.area >= MIN_AREA]
     names = large if len(large) >= MIN_VALIDATION else list(planes)
     is_reciprocal = {name: _has_reciprocal_lines(compared[name], survey) for name in names}

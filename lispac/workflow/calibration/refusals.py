@@ -1,4 +1,4 @@
-"""Refusals of an adjustment whose surfaces the program has chosen itself."""
+"""Errors of an adjustment whose surfaces were chosen by the program."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -9,19 +9,19 @@ from lispac.messages import Message, as_message, error, note
 
 Method = Literal["propose", "targetless"]
 UNDETERMINED = {"propose": "propose.undetermined", "targetless": "targetless.undetermined"}
-"""Code of the refusal that names the undetermined angle, by method."""
+"""Code of the error that names the undetermined angle, by method."""
 NO_RESULT = {"propose": "propose.no_result", "targetless": "targetless.no_result"}
-"""Code of every other refusal, by method."""
+"""Code of all other errors, by method."""
 
 
 @contextmanager
 def refused_by_method(project: str, method: Method) -> Iterator[None]:
-    """Replace the advice of a refused adjustment, which is about picked targets.
+    """Replace the suggested actions of a failed adjustment, which are about picked targets.
 
     Parameters
     ----------
     project : str
-        Its name.
+        Name of the project.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Repeated selection of the points of every target, with the estimated boresight."""
+"""Repeated selection of the points of each target with the estimated boresight."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -19,12 +19,13 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 ESTIMATED = PlacementAccuracy(ROUGHLY_OFF)
-"""Accuracy of lines that an adjustment has placed; the first used points with prior errors."""
+"""Accuracy of lines placed with an adjusted boresight. It is not better than roughly aligned,
+because the first adjustment used points selected with the prior boresight."""
 
 THRESHOLD_FACTOR = 2 / 3
-"""Share of the pick's threshold that is left once the boresight no longer smears the surface: two
-LiDAR sigma where the pick took three. For planes alone: what displaces the profiles of a sphere is
-the motion of the vessel, and that stays."""
+"""Factor on the threshold of the pick once boresight errors no longer smear the surface: two LiDAR
+sigmas instead of three. It applies only to planes, because the profiles of a sphere are displaced
+by the motion of the vessel, which remains."""
 
 
 def reselect_targets(
@@ -32,9 +33,8 @@ def reselect_targets(
 ) -> Project:
     """Search every used target again, in lines placed with the estimated boresight.
 
-    A sighting that is not found again keeps its points, and so does one that was edited by hand. No
-    sighting is added: which lines a
-    target is used in is the user's choice.
+    Sightings that are not found again or that were edited by hand keep their points. No sighting is
+    added, because the user chooses the lines in which a target is used.
     """
     clouds = survey.placed(project, "estimated")
     used = [target for target in project.targets_of_role("target") if target.used_sightings]
@@ -62,9 +62,9 @@ def reselect_target(
 
     Parameters
     ----------
-    before, after : lines by name, as the target was picked in them and as they are placed now
+    before, after : lines by name, as placed when the target was picked and as placed now
     narrowed : float
-        Share of the threshold of the pick; that of a sphere stays.
+        Factor on the threshold of the pick; not applied to spheres.
     """
     line, seed = _moved_seed(target, before, after)
     narrowed = narrowed if target.shape == "plane" else 1.0
@@ -98,7 +98,7 @@ def reselect_target(
 def _moved_seed(
     target: Target, before: Mapping[str, Cloud], after: Mapping[str, Cloud]
 ) -> tuple[str, Array]:
-    """Line of the nearest sighting point to the seed, and the seed moved along with it."""
+    """Line of the sighting point nearest to the seed, and the seed moved with that point."""
     seed = np.array(target.seed)
     nearest: list[tuple[float, str, int]] = []
     for sighting in target.used_sightings:

@@ -1,4 +1,4 @@
-"""Many seeds at once, from a list of target coordinates."""
+"""Picking of many targets from a list of target coordinates."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -30,7 +30,7 @@ class ListedSeed:
     Attributes
     ----------
     row : int
-        Of the list.
+        Row number in the list.
     place : metres, local frame
     exists : bool
         Whether the project has a target of that name.
@@ -45,7 +45,7 @@ class ListedSeed:
 
 @dataclass(frozen=True)
 class SeedOutcome:
-    """Result of a seed: the target with a warning, or the reason why there is none."""
+    """Result of a seed: the target with a warning, or the reason why none was found."""
 
     seed: ListedSeed
     target: Target | None
@@ -59,7 +59,7 @@ class SeedList:
     Attributes
     ----------
     notes : tuple of Message
-        What is assumed about the coordinates.
+        Assumptions about the coordinates.
     """
 
     points: PointList
@@ -81,17 +81,17 @@ def read_seeds(
     Parameters
     ----------
     system : CoordinateSystem or None
-        That the coordinates are in; None for the local frame.
+        Coordinate system of the list; None for the local frame.
     columns : sequence of str
-        As `lispac.io.text.seed_file.read_point_list`.
+        As for `lispac.io.text.seed_file.read_point_list`.
     role : {"target", "validation"}, optional
-        Of points without a role in the list; by default from their name: what begins with V is a
-        validation plane.
+        Role of points without a role in the list; by default, points whose name begins with V are
+        validation planes.
 
     Raises
     ------
     InputError
-        With the row.
+        If the list is not valid; the message names the row.
     """
     geographic = system is not None and system.is_geographic
     metres = (1.0, 1.0, 1.0) if system is None else system.metres
@@ -99,7 +99,7 @@ def read_seeds(
         path, columns=columns, local=system is None, degrees=geographic, metres=metres
     )
     used_names = {target.name for target in project.targets}
-    # Names that the list does not give are the next free ones.
+    # Points without a name in the list get the next free names.
     numbered = project
     seeds = []
     for point in points.points:
@@ -120,12 +120,12 @@ def read_seeds(
 
 
 def role_by_name(name: str) -> Role:
-    """Role by the name: a name that begins with V is a validation plane."""
+    """Role by the name: a name that begins with V means a validation plane."""
     return "validation" if name[:1] in ("V", "v") else "target"
 
 
 def require_free_names(seeds: SeedList) -> None:
-    """Refuse names that targets of the project have.
+    """Refuse names that are already used by targets of the project.
 
     Raises
     ------
@@ -154,13 +154,13 @@ def pick_seeds(
     ----------
     how : mapping
         Further arguments of `picking.find_target`: threshold, radius, shape.
-        Shape and what is expected are for targets; a validation plane is a plane of any size.
+        Shape and expected size apply to targets; a validation plane is a plane of any size.
 
     Raises
     ------
     InputError
     ProjectError
-        Where one cannot be searched for at all; then none is picked.
+        If a seed is not valid for a search; then no target is picked.
     """
     outcomes = []
     for k, seed in enumerate(seeds):
@@ -194,7 +194,7 @@ def pick_seeds(
 
 
 def require_any_found(seeds: SeedList, outcomes: Sequence[SeedOutcome]) -> None:
-    """Refuse a list none of whose seeds led to a target.
+    """Raise an error if no seed of a list led to a target.
 
     Raises
     ------
@@ -215,12 +215,12 @@ def require_any_found(seeds: SeedList, outcomes: Sequence[SeedOutcome]) -> None:
 
 
 def require_all_found(seeds: SeedList, outcomes: Sequence[SeedOutcome]) -> None:
-    """Refuse a list with seeds that led to no target.
+    """Raise an error if some seed of a list led to no target.
 
     Raises
     ------
     TargetNotFound
-        Naming them with the reasons.
+        If there are such seeds; the message names them with the reasons.
     """
     failed = [outcome.seed for outcome in outcomes if outcome.target is None]
     if failed:

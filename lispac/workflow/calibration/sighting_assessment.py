@@ -35,9 +35,9 @@ Key = tuple[str, str]
 """Names of target and line."""
 
 STEP = 1e-5
-"""Radians by which the boresight is turned to see how points move."""
+"""Change of an angle, radians, for the numerical derivatives of point positions."""
 MAX_POINTS = 50_000
-"""Points about a sighting among which surfaces like it are searched for."""
+"""Largest number of points around a sighting in which similar surfaces are searched for."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +47,7 @@ class AssessedQuality:
     Attributes
     ----------
     indices : ndarray of shape (n,), int
-        Of the points.
+        Indices of the assessed points.
     """
 
     quality: SightingQuality
@@ -75,10 +75,10 @@ def assess_sightings(
 ) -> dict[Key, AssessedQuality]:
     """Assess every sighting of a project; valid ``known`` results are kept.
 
-    Before the calibration the points are those that were picked, and what an error of the rough
-    boresight can explain in them does not count. After it they are selected once more in the lines
-    as they lie then, with the threshold of the pick: the adjustment too leaves the picked ones. Of
-    validation planes, which nothing selects again, the picked points are judged before and after.
+    Before the calibration, the picked points are assessed, and deviations that an error of the
+    approximate boresight can explain are ignored. After it, the points of targets are selected
+    again in the calibrated lines with the threshold of the pick, because the adjustment does not
+    use the picked points either. For validation planes, the picked points are always assessed.
     """
     known = known or {}
     judged: dict[Key, AssessedQuality] = {}
@@ -125,7 +125,7 @@ def _is_selected_again(project: Project, role: Role) -> bool:
 
 
 def assess_target(project: Project, survey: Survey, target: Target) -> dict[str, SightingQuality]:
-    """The quality of each sighting of a target, by line, before a calibration or after it."""
+    """Quality of each sighting of a target by line, before or after a calibration."""
     judged = assess_sightings(replace(project, targets=(target,)), survey)
     return {line: each.quality for (_, line), each in judged.items()}
 
@@ -133,18 +133,18 @@ def assess_target(project: Project, survey: Survey, target: Target) -> dict[str,
 def sighting_qualities(
     project: Project, survey: Survey, *, progress: Progress = no_progress
 ) -> dict[Key, SightingQuality]:
-    """The quality of every sighting, by the names of target and line."""
+    """Quality of every sighting, by the names of target and line."""
     judged = assess_sightings(project, survey, progress=progress)
     return {key: each.quality for key, each in judged.items()}
 
 
 @dataclass(frozen=True, eq=False)
 class _PlacedMounting:
-    """Placed points and scanner positions, and their derivatives by each angle.
+    """Placement of points and scanner positions, with the derivatives by each boresight angle.
 
-    With the estimated mounting where there is one. Before, with the one that makes the lines nearly
-    meet, whose error bends a plane that is seen from a moving vessel: what such an error can
-    explain does not count.
+    The estimated mounting is used if there is one, otherwise the mounting that approximately aligns
+    the lines. The error of the latter bends planes scanned from a moving vessel; the derivatives
+    serve to ignore deviations that such an error can explain.
     """
 
     points: Georeferencer
@@ -155,7 +155,7 @@ class _PlacedMounting:
 
     @classmethod
     def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_PlacedMounting":
-        """Placement with the estimated or the prior mounting."""
+        """Placement with the estimated mounting or that of the approximate alignment."""
         mounting = project.mounting("estimated") if estimated else survey.alignment.mounting
         # A range offset does not affect the position of the scanner.
         scanner = replace(mounting, range_offset=0.0, scan_angle_offset=0.0)
@@ -173,7 +173,7 @@ class _PlacedMounting:
 
 @dataclass(frozen=True, eq=False)
 class _SightingPoints:
-    """The points of a sighting: as measured, when, and placed."""
+    """Points of a sighting: in the LiDAR frame, their times, and placed in the local frame."""
 
     lidar: Array
     time: Array
@@ -194,7 +194,7 @@ def _target_qualities(
     target: Target,
     sightings: tuple[PickedSighting, ...],
 ) -> list[SightingQuality]:
-    """The quality of each sighting as selected, those that were picked being the target's own."""
+    """Quality of each selected sighting; the sightings of ``target`` are those that were picked."""
     seen = [_SightingPoints.of(survey, placing, sighting) for sighting in sightings]
     shown: list[ObservedExtent | None] = [None] * len(seen)
     if target.shape == "plane" and placing.is_nearly_aligned:
@@ -214,7 +214,7 @@ def _target_qualities(
 def _ambiguity_note(
     target: Target, survey: Survey, sighting: PickedSighting
 ) -> tuple[Message, ...]:
-    """Note that another surface could be confused with the target, if there is one."""
+    """Note on another surface that could be confused with the target, if there is one."""
     cloud = survey.alignment.clouds[sighting.line]
     points = cloud[sighting.indices]
     try:
@@ -232,7 +232,7 @@ def _ambiguity_note(
 def _observed_parts(
     target: Target, placing: _PlacedMounting, seen: list[_SightingPoints]
 ) -> list[ObservedExtent | None]:
-    """Part of a plane that each line shows, if the search radius cuts it on none."""
+    """Part of a plane observed in each line, if the search radius cuts the plane in no line."""
     planes: dict[int, Array] = {}
     extents = []
     for k, each in enumerate(seen):
@@ -290,7 +290,7 @@ def _sighting_quality(
 
 
 def unexpected_deviations(target: Target, survey: Survey) -> dict[str, tuple[Message, ...]]:
-    """Deviations of each sighting from the expected target, as messages, by line."""
+    """Messages on deviations of each sighting from the expected target, by line."""
     messages: dict[str, tuple[Message, ...]] = {}
     for sighting in target.sightings if target.expected is not None else ():
         assert target.expected is not None
@@ -305,7 +305,7 @@ def unexpected_deviations(target: Target, survey: Survey) -> dict[str, tuple[Mes
 
 
 def lidar_noise(settings: Settings) -> float:
-    """Sigma of a point along the normal of a surface at zero incidence, metres."""
+    """Sigma of a point along the surface normal at zero incidence angle, metres."""
     if settings.lidar_beam_sigma is not None:
         return settings.lidar_beam_sigma[0]
     if settings.lidar_sigma_xyz is not None:
@@ -314,12 +314,12 @@ def lidar_noise(settings: Settings) -> float:
 
 
 def _compared_sightings(target: Target) -> tuple[tuple[NDArray[np.int64], bool], ...]:
-    """Point indices and use of all sightings of a target."""
+    """Point indices and flag of use of all sightings of a target, which a quality depends on."""
     return tuple((sighting.indices, sighting.used) for sighting in target.sightings)
 
 
 def _quality_dependencies(project: Project, target: Target) -> tuple[object, ...]:
-    """Values besides the points that a quality depends on."""
+    """Values that a quality depends on in addition to the points."""
     estimated = _is_selected_again(project, target.role)
     mounting = project.mounting("estimated" if estimated else "prior")
     return (

@@ -1,8 +1,8 @@
-"""Choice of targets among the planes of a survey, for precision and redundancy together.
+"""Choice of targets among the planes of a survey for precision and reliability.
 
-An angle is checked where it stays determined without any one of the targets: an error of a target
-then shows in the others (reliability: Baarda 1968). The targets are chosen one after the other, by
-the covariance that the adjustment of all planes predicts for each set.
+An angle is checked if it remains determined without any single target, so that the other targets
+reveal an error of that one (reliability: Baarda 1968). The targets are chosen one after the other
+by the covariance that is predicted for each set from the adjustment of all planes.
 """
 
 from collections.abc import Callable, Collection, Iterable, Sequence
@@ -22,12 +22,14 @@ from lispac.messages import error
 Array = NDArray[np.float64]
 
 MAX_TARGETS, MIN_TARGETS, MIN_VALIDATION = 6, 3, 4
-"""Targets that are chosen, and planes that are left for validation once the targets are checked."""
+"""Largest and smallest number of targets, and number of planes that are reserved for validation
+once the targets check each other."""
 MAX_SIGMA_SHARE = 0.85
-"""A target that leaves more than this share of every sigma is left for validation."""
+"""Largest ratio of a sigma with and without an additional target; if it is exceeded for every
+angle, the plane is not added and remains for validation."""
 MAX_PAIR_RATIO = 2.0
-"""Factor on the least worst sigma of any two planes up to which two others are preferred that are
-apart, or boards."""
+"""Factor on the smallest worst sigma of all pairs of planes, up to which a pair is preferred whose
+planes are far apart, or are boards. The worst sigma is that of the least determined angle."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,15 +39,16 @@ class CandidatePlanes:
     Attributes
     ----------
     linearised : LinearisedProblem
-        Equations of all planes together, with the unevenness of each one: for the choice.
+        Equations of all planes together with the unevenness of each plane, used for the choice,
+        which is conservative.
     predicted : LinearisedProblem
-        The same with the surface sigma that an adjustment of all planes finds: for the sigmas that
-        are given. The choice is to be careful; a prediction is not.
+        The same equations with the surface sigma from the adjustment of all planes, used for the
+        predicted sigmas.
     centres : mapping of name to ndarray of shape (3,), metres, local frame
     whole : collection of str
-        Planes that end within the search radius: every line shows the same outline.
+        Planes that lie completely within the search radius, with the same outline in every line.
     one_way : collection of pairs of str
-        Pairs that face one way, which the adjustment would refuse.
+        Pairs of planes of the same orientation, which the adjustment would refuse.
     """
 
     linearised: LinearisedProblem
@@ -58,7 +61,7 @@ class CandidatePlanes:
     def sigma(self, names: Iterable[str]) -> Array:
         """Sigmas of roll, pitch, yaw from some of the planes, shape (3,), radians.
 
-        Infinite where these do not determine the angles.
+        Infinite if these planes do not determine the angles.
         """
         key = frozenset(names)
         if key not in self._sigmas:
@@ -68,7 +71,7 @@ class CandidatePlanes:
     def predicted_sigma(self, names: Iterable[str]) -> Array:
         """Predicted sigmas of an adjustment of some of the planes, as in `sigma`.
 
-        With the factor by which the scatter of its parts is expected to raise them.
+        Includes the factor by which the scatter of parts of the data is expected to increase them.
         """
         kept, problem = set(names), self.predicted.problem
         with single_blas_thread():
@@ -111,22 +114,22 @@ def _sigma_of_targets(linearised: LinearisedProblem, names: Iterable[str]) -> Ar
 
 
 def choose_targets(planes: CandidatePlanes) -> list[str]:
-    """Names of the planes to adjust with, the best first.
+    """Choose the planes to use as targets, the best first.
 
-    The first two leave the least worst angle. Further ones are added until each angle is checked,
-    then as long as one improves an angle clearly and enough planes are left for validation. None
-    is added that is so close to another one that both act as one.
+    The first two are the pair with the smallest worst sigma. Further planes are added until each
+    angle is checked, then as long as a plane clearly improves an angle and enough planes remain for
+    validation. A plane that is too close to a chosen one to be independent is not added.
 
     Raises
     ------
     AdjustmentError
-        Where no two planes determine the boresight.
+        If no two planes determine the boresight.
     """
     names = list(planes.centres)
     with single_blas_thread():
         chosen = _best_pair(planes, names)
         boards = [name for name in names if name in planes.whole]
-        # Boards rather than walls, where they determine enough: walls are kept for validation.
+        # Boards are preferred if they determine the angles; walls are kept for validation.
         pool = boards if set(chosen) <= set(boards) else names
         while len(chosen) < min(MAX_TARGETS, len(names)):
             checked = planes.are_mutually_checked(chosen)
@@ -144,14 +147,15 @@ def choose_targets(planes: CandidatePlanes) -> list[str]:
 
 
 def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
-    """The two planes that leave the least worst angle.
+    """Pair of planes with the smallest worst sigma, that of the least determined angle.
 
-    Two that are apart, and of these two boards, if they do nearly as well.
+    Pairs that are far apart, and among these pairs of boards, are preferred if their worst sigma is
+    not more than `MAX_PAIR_RATIO` times the smallest.
 
     Raises
     ------
     AdjustmentError
-        If all planes face one way or no pair determines the angles.
+        If all planes have the same orientation or no pair determines the angles.
     """
     worst = {
         pair: float(planes.sigma(pair).max())
@@ -177,7 +181,7 @@ def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
 def _best_addition(
     planes: CandidatePlanes, chosen: Sequence[str], pool: Sequence[str], checked: bool
 ) -> str | None:
-    """The plane that serves most beside the chosen ones; None where none serves."""
+    """Plane that improves the chosen set most; None if no plane improves it enough."""
     others = [
         name
         for name in pool

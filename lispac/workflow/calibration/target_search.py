@@ -1,4 +1,4 @@
-"""Search for a target, plane or sphere, in one line or in all."""
+"""Search for a target (plane or sphere) in one line or in all lines."""
 
 import os
 from collections.abc import Iterable, Mapping
@@ -34,28 +34,28 @@ Patch = PlanePatch | SpherePatch
 OnePatch = TypeVar("OnePatch", PlanePatch, SpherePatch)
 
 DEFAULT_RADII: dict[Role, tuple[float, ...]] = {"target": (2.0,), "validation": (4.0, 10.0, 20.0)}
-"""Metres about the seed, tried in turn until two lines have the plane.
+"""Search radii about the seed by role, metres, tried in turn until the plane is found in two lines.
 
-A board fits into two metres. A validation plane is a piece of a wall or a tower: more points make
-the fit better, and its centre may be hidden from the lines or out of their reach.
+A board fits into a radius of two metres. A validation plane is a part of a wall or a tower: more
+points improve the fit, and its centre may be occluded or out of the range of the lines.
 """
 
 SPHERE_THRESHOLD, LARGEST_SHARE = 0.03, 0.3
-"""Metres, and share of a known radius: default threshold for spheres.
+"""Default threshold for spheres, metres, and its largest share of a known radius.
 
-A ball is small and crossed in a tenth of a second, in which a rolling vessel displaces its profiles
-against each other by up to a centimetre. Planes get by with less, for they are crossed for longer
-and only what lies across them counts. A threshold near the radius would take what is beside a small
-ball for its surface.
+A ball is crossed in a tenth of a second, during which the roll of the vessel displaces its profiles
+by up to a centimetre relative to each other. A smaller threshold is enough for planes, because they
+are crossed for longer and only the displacement along the normal has an effect. A threshold close
+to the radius would include points beside a small ball.
 """
 
 SPHERE_FACTOR = 3.0
-"""Search radius about the seed in radii of a known sphere, where that is more than usual: the seed
-may lie on the far side, and what is around the ball gives its place in the other lines."""
+"""Search radius about the seed in radii of a known sphere, if that is more than the default. The
+seed may be on the far side of the ball, and the surroundings help to find it in other lines."""
 
 SEARCH_SAMPLE = 50_000
-"""Points about a seed that are searched for a plane; where a line has more there, a fair sample
-shows where the plane is, and then all points that lie on it are taken."""
+"""Largest number of points about a seed in which a plane is searched for. If a line has more, the
+plane is found in a sample, and then all points on it are selected."""
 
 CLICK_RADIUS = 0.1
 """Metres from a clicked point within which its neighbours are searched for."""
@@ -63,8 +63,8 @@ CLICK_RADIUS = 0.1
 UP = np.array([0.0, 0.0, 1.0])
 
 ALIGNED_MAX_SHIFT = 0.5
-"""Metres that a target may be from one line to another where the lines are nearly aligned: what is
-left is the error of the POS and of the rough boresight."""
+"""Largest displacement of a target between approximately aligned lines, metres, due to the errors
+of the POS and of the approximate boresight."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class TargetSearch:
     ----------
     shape : {"plane", "sphere"}
     sphere_radius : float or None, metres
-        None where it is unknown, and for planes.
+        None if it is unknown, and for planes.
     """
 
     shape: Shape = "plane"
@@ -83,12 +83,12 @@ class TargetSearch:
 
     @classmethod
     def for_target(cls, target: Target) -> "TargetSearch":
-        """Search for a target that is already picked, with its shape and radius."""
+        """Make the search for a picked target, with its shape and radius."""
         return cls(target.shape, target.sphere_radius)
 
     @property
     def radius_range(self) -> RadiusRange:
-        """Radii a sphere may have."""
+        """Smallest and largest radius that a sphere may have."""
         if self.sphere_radius is None:
             return RadiusRange()
         return RadiusRange.of_known_radius(self.sphere_radius)
@@ -99,7 +99,7 @@ class TargetSearch:
         return tuple(max(radius, SPHERE_FACTOR * (self.sphere_radius or 0.0)) for radius in usual)
 
     def threshold(self, usual: float) -> float:
-        """Default threshold, metres, where that for planes is ``usual``."""
+        """Default threshold, metres, from ``usual``, the one for planes."""
         if self.shape == "plane":
             return usual
         if self.sphere_radius is None:
@@ -151,7 +151,7 @@ class TargetSearch:
         )
 
     def patch_of_points(self, cloud: Cloud, indices: NDArray[np.int64]) -> Patch:
-        """The target that chosen points of a line form.
+        """Fit the target to selected points of a line.
 
         Parameters
         ----------
@@ -160,7 +160,7 @@ class TargetSearch:
         Raises
         ------
         TargetNotFound
-            Where they do not determine one.
+            If the points do not determine a target.
         """
         points = cloud[indices]
         every = np.arange(len(points))
@@ -179,21 +179,21 @@ class TargetSearch:
         accuracy: PlacementAccuracy = PRIOR_ACCURACY,
         progress: Progress = no_progress,
     ) -> tuple[Mapping[str, Patch], dict[str, Message]]:
-        """The target at the seed in every line, and why it is missing in the others.
+        """Find the target at the seed in every line, with the reasons for lines without it.
 
-        Of each line no more is read than what the target may be in. A surface that differs from
-        the target by more than the accuracy of the placement allows is another one.
+        Only the part of each line that may contain the target is read. A surface that differs from
+        the target by more than the accuracy of the placement is considered another one.
 
         Parameters
         ----------
         seed : ndarray of shape (3,), metres, local frame
         accuracy : PlacementAccuracy
-            How well these lines are placed relative to each other.
+            Accuracy of the placement of the lines relative to each other.
 
         Raises
         ------
         TargetNotFound
-            If it is in no line.
+            If the target is found in no line.
         """
         if self.shape == "plane":
             return find_planes_in_lines(
@@ -225,7 +225,7 @@ def find_planes_in_lines(
     accuracy: PlacementAccuracy = PRIOR_ACCURACY,
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
-    """Find the plane at ``seed`` (3,), local frame, in every line, or why it is missing."""
+    """Find the plane at ``seed`` (3,), local frame, in every line, or the reason without it."""
     regions, points = _search_regions(clouds, seed, settings, limit=SEARCH_SAMPLE)
     beside = {
         name: _points_near_click(regions[name], cloud, seed) for name, cloud in clouds.items()
@@ -256,19 +256,20 @@ def _clicked_line(
 
 @dataclass(frozen=True, eq=False)
 class SearchPlace:
-    """Seed in the aligned lines, where a target is searched for.
+    """Approximately aligned lines, and the seed in them, for the search of a target.
 
     Attributes
     ----------
     clouds : mapping of line name to Cloud
+        Aligned lines.
     seed : ndarray of shape (3,), metres, local frame
-        Moved as the line was that it was taken from.
+        Seed, moved by the alignment of the line from which it was taken.
     line : str or None
-        The line that is.
+        Line from which the seed was taken; None if it is not known.
     max_shift : float, metres
-        Farthest the target may be from one line to another.
+        Largest displacement of the target between lines.
     accuracy : PlacementAccuracy
-        Of the lines.
+        Accuracy of the placement of the lines.
     """
 
     clouds: Mapping[str, Cloud]
@@ -279,14 +280,14 @@ class SearchPlace:
 
     @classmethod
     def of(cls, aligned: Alignment, seed: Array, line: str | None, radius: float) -> "SearchPlace":
-        """A seed as it was clicked or typed, with the lines as the prior boresight places them.
+        """Search place of a seed that was clicked or typed in the lines with the prior boresight.
 
         Parameters
         ----------
         aligned : Alignment
         seed : ndarray of shape (3,), metres, local frame
         line : str or None
-            The line it was taken from. Where that is not known, a line with a point at the seed.
+            Line from which the seed was taken; if None, a line with a point at the seed is used.
         radius : float, metres
             Search radius about the seed.
         """
@@ -305,7 +306,7 @@ class SearchPlace:
 def _nearest_point(
     aligned: Alignment, line: str, seed: Array, reaches: tuple[float, ...]
 ) -> list[tuple[float, str, Array]]:
-    """The line's point nearest to the seed: how far off, the line, how the point was moved."""
+    """Distance of the line's point nearest to the seed, the line, and the shift of the point."""
     before = aligned.before.get(line)
     if before is None:
         return []
@@ -343,10 +344,10 @@ def _search_regions(
 
 
 def _points_near_click(region: SphereRegion, cloud: Cloud, seed: Array) -> Array | None:
-    """A sampled line's points close to a click in it, the nearest first.
+    """Points close to a click in a line that is sampled, the nearest first.
 
-    The sample may lack all of them, and a click on the edge of a board would then seem to float
-    before the wall behind.
+    The sample may contain none of these points. A click on the edge of a board would then appear to
+    be in front of the wall behind it.
     """
     if region.one_in == 1 or len(cloud.within(seed, CLICK_GAP).numbers) == 0:
         return None
@@ -355,12 +356,12 @@ def _points_near_click(region: SphereRegion, cloud: Cloud, seed: Array) -> Array
 
 
 def _with_point_numbers(patch: OnePatch, region: SphereRegion) -> OnePatch:
-    """The patch with the numbers of its points in the line, not in the region it was found in."""
+    """Patch with the indices of its points in the line instead of in the search region."""
     return replace(patch, indices=region.numbers[patch.indices], one_in=region.one_in)
 
 
 def _complete_plane(patch: PlanePatch, region: SphereRegion, cloud: Cloud) -> PlanePatch:
-    """All of the line's points on a plane that was found among some of them."""
+    """Patch with all points of the line on a plane that was found in a sample."""
     if region.one_in == 1:
         return _with_point_numbers(patch, region)
     some = region.points[patch.indices]

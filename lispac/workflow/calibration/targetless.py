@@ -1,8 +1,8 @@
-"""The boresight from the scene alone, without a target.
+"""Targetless estimation of the boresight from surfaces of the scene.
 
-Patches of natural surfaces become targets of the same adjustment: their points are averaged,
-weighed, tested and cross-checked as those of boards are. With each new boresight the scene is cut
-again, until the angles stay.
+Patches of natural surfaces are used as targets in the same adjustment: their points are averaged,
+weighted, tested and cross-checked like those of boards. The scene is divided into patches again
+with each new boresight until the angles converge.
 """
 
 from collections import Counter
@@ -34,16 +34,16 @@ from lispac.workflow.project.survey import Survey
 Indices = NDArray[np.int64]
 
 THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
-"""Metres that a line may be off its region, from round to round: at first as much as a tenth of a
-degree moves it some tens of metres away."""
+"""Largest distance of a line from its region in each round, metres; in the first round, the
+displacement by 0.1 deg at a distance of some tens of metres."""
 QUICK_SPACING = 0.3
-"""Metres over which points are averaged between the rounds."""
+"""Distance over which points are averaged in the rounds before the final adjustment, metres."""
 CONVERGENCE_LIMIT = 0.1
 """Change of an angle, as a share of its sigma, below which no further round is run."""
 MIN_PATCHES = 4
-"""Patches below which nothing of them can be checked."""
+"""Smallest number of patches; with fewer the result cannot be checked."""
 MAX_SHARE = 0.3
-"""Share of its sightings that do not agree by which a line is named."""
+"""Share of rejected sightings from which a line is reported as disagreeing."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,18 +53,19 @@ class TargetlessResult:
     Attributes
     ----------
     project : Project
-        With the patches as its targets, and the result.
+        Project with the patches as its targets, and the result.
     rounds : int
     converged : bool
-        Whether the angles stayed where they were in the last of them.
+        Whether the angles no longer changed in the last round.
     candidates : int
-        Patches that were found; the chosen ones are targets of the project.
+        Number of patches found; the chosen ones are targets of the project.
     disagreeing : tuple of str
         Lines that share no surface with the others, or do not agree with them as a whole.
     targets : int
-        Of the project, adjusted with the scene.
+        Number of the project's own targets that were adjusted with the patches.
     raised : float
-        Largest factor on the sigma of an angle for what the model of errors does not predict.
+        Largest factor on the sigma of an angle for scatter that the stochastic model does not
+        predict.
     """
 
     project: Project
@@ -83,7 +84,7 @@ class TargetlessResult:
 
     @property
     def messages(self) -> tuple[Message, ...]:
-        """Messages on the basis and the limits of the result."""
+        """Messages on the data used and the limits of the result."""
         used = len(self.project.targets) - self.targets
         found = [note("targetless.basis", used=used, total=self.candidates, rounds=self.rounds)]
         if self.targets:
@@ -108,15 +109,15 @@ def targetless(
     Parameters
     ----------
     count : int
-        Most surfaces that are adjusted.
+        Largest number of surfaces that are adjusted.
     with_targets : bool
-        Adjust the project's targets with them; else these take no part.
+        Whether to adjust the project's targets together with the surfaces.
 
     Raises
     ------
     AdjustmentError
-        Where lines do not overlap, or share too few surfaces; with targets also where one of these
-        is used on a single line.
+        If lines do not overlap or share too few surfaces; with targets also if one of these is used
+        in only one line.
     """
     settings = project.settings
     settings.require_sound()
@@ -125,7 +126,7 @@ def targetless(
     own = _targets_only(project) if with_targets else None
     started = perf_counter()
     progress(0.0, gettext_lazy("Aligning the lines"))
-    # Wherever the prior is, near or far, the start is the same.
+    # The start does not depend on the error of the prior boresight.
     mounting = survey.alignment.mounting
     quick = replace(settings, subsample=max(settings.subsample, QUICK_SPACING), parameters=())
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
@@ -161,7 +162,7 @@ def targetless(
             )  # fmt: skip
         changes = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)
-        # The quick model's own sigmas are far too small to be moved less than.
+        # The sigmas of the quick model are far too small to be used as a tolerance.
         converged = rounds > 1 and bool((changes < CONVERGENCE_LIMIT * choice.sigma).all())
         if converged:
             break
@@ -178,7 +179,7 @@ def targetless(
             parameters=settings.parameters,
             components=settings.variance_components,
             accept_single_orientation=settings.accept_single_orientation,
-            test_model=False,  # places of the scene and stretches of lines show it better
+            test_model=False,  # parts of the scene and of the lines test it better
             progress=sub_progress(progress, 0.5, 0.9),
         )
     solved = SolvedEquations.of(
@@ -221,9 +222,9 @@ def _targets_only(project: Project) -> Project:
 def _surfaces_off_targets(
     surfaces: tuple[Target, ...], targets: tuple[Target, ...]
 ) -> tuple[Target, ...]:
-    """Surfaces of the scene that no target lies on, none with the name of a target.
+    """Surfaces of the scene that contain no points of the targets, with names that are not taken.
 
-    What is seen of a board would count twice else.
+    The points of a board would otherwise be used twice.
     """
     on: dict[str, list[Indices]] = {}
     for target in targets:
@@ -249,7 +250,7 @@ def _surfaces_off_targets(
 def _targets_of_patches(
     patches: Patches, choice: PatchChoice, clouds: Mapping[str, Cloud], survey: Survey
 ) -> tuple[Target, ...]:
-    """The patches chosen, with all points that lie on each line's own plane in the region."""
+    """Targets from the chosen patches, with all points on the plane of each line in the region."""
     planes, names = patches.planes, list(clouds)
     found = []
     for k, rows in enumerate(choice.rows):
@@ -285,15 +286,15 @@ def disagreeing_lines(
 ) -> tuple[str, ...]:
     """Lines that are shifted, share no surface, or have many rejected sightings.
 
-    A line that is too far off for its POS error shows by its sightings: there are none, or others
-    are not agreed with.
+    A line whose displacement exceeds its POS error has no sightings, or sightings that disagree
+    with the others and are rejected.
 
     Parameters
     ----------
     lines : iterable of str
-        All that there are.
+        All lines.
     shifted : collection of str
-        Those whose position is shifted as a whole.
+        Lines whose position is shifted as a whole.
     """
     count = Counter(residual.sighting.line for residual in result.sightings)
     rejected = Counter(sighting.line for sighting in result.rejected_sightings)

@@ -1,4 +1,4 @@
-"""Distances of the lines from a static scan, or from surveyed points and planes."""
+"""Check of the lines against a reference: a static scan, or surveyed points and planes."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -52,12 +52,13 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 DEFAULT_SIGMA = 0.005
-"""Metres; default sigma of a reference."""
+"""Default sigma of a reference, metres."""
 SEARCH_DISTANCE = 1.0
-"""Metres from the reference within which lines are searched for; at 50 m, 1.1 deg of boresight."""
+"""Largest distance of line points from the reference, metres; at a range of 50 m, this corresponds
+to a boresight error of 1.1 deg."""
 PER_DIAMETER, PER_WIDTH = 4, 5
-"""Points that stand for a surveyed plane along the diameter of a cylinder, and cylinders along the
-plane's shorter side."""
+"""Sampling of a surveyed plane: points along the diameter of a cylinder, and cylinders along the
+shorter side of the plane."""
 MIN_PLACES = {"scan": 30, "points": 1}
 """Smallest number of places of a line for a result."""
 
@@ -81,31 +82,31 @@ def check_absolute(
     ----------
     path : Path
         A static scan (LAS, LAZ, E57, PTS, text), or a list of check points: name, x, y, z, and
-        perhaps sigma and the plane that they lie on with others.
+        optionally sigma and the name of the plane that a point shares with others.
     crs : str
-        Coordinate system of the reference, or ``local``; empty: as the file states it, else the
-        local frame. Height, datum and epoch as `lispac.survey.crs.coordinate_system`.
+        Coordinate system of the reference, or ``local``; if empty, the one specified in the file,
+        else the local frame. Height, datum and epoch as for `lispac.survey.crs.coordinate_system`.
     sigma : float, metres
-        Of the reference: of a scan that which all its points share (registration and control), of
-        a list that of each point it states none for.
+        Standard deviation of the reference. For a scan, the part common to all points (registration
+        and control); for a list, that of points without a sigma.
     reach : float, metres
-        How far from the reference a line is searched for.
+        Largest distance of line points from the reference.
 
     Returns
     -------
     project : Project
-        With the check.
+        Project with the check.
     notes : tuple of Message
-        How the reference was read, and warnings about it.
+        Notes on the reading of the reference, and warnings about it.
 
     Raises
     ------
     ProjectError
-        Where nothing was estimated.
+        If nothing has been estimated.
     InputError
-        Where the reference cannot be read or is elsewhere.
+        If the reference cannot be read or is not at the site of the survey.
     NotComparable
-        Where no line has points on it.
+        If no line has points on the reference.
     """
     if project.result is None:
         raise ProjectError(error("estimate.needed", project=project.name))
@@ -161,7 +162,7 @@ def check_absolute(
 
 @dataclass(frozen=True, eq=False)
 class _LineNearReference:
-    """Points of a line that may lie on the reference, with both boresights."""
+    """Points of a line that may lie on the reference, placed with both boresights."""
 
     line: str
     numbers: NDArray[np.int64]
@@ -188,10 +189,10 @@ def _lines_near_reference(
 
 @dataclass(frozen=True, eq=False)
 class _MeasuredReference:
-    """Reference surfaces and places that the lines are compared with.
+    """Reference surfaces and places at which the lines are compared.
 
-    Of a scan: ``candidates`` for places, shape (k, 3), and the diameter that the scan's own density
-    asks for at each. ``sigmas`` are those of the scan, or of surveyed points and then planes.
+    For a scan, ``candidates`` are possible places, shape (k, 3), with the diameters required by the
+    density of the scan. ``sigmas`` are that of the scan, or those of surveyed points, then planes.
     """
 
     reference: Reference
@@ -222,9 +223,10 @@ class _MeasuredReference:
         )  # fmt: skip
 
     def surfaces(self, tree: "cKDTree") -> Iterator[tuple[Array, Array, Array, int]]:
-        """Surfaces that a line came near, each with its number among ``sigmas``.
+        """Surfaces that a line came near.
 
-        Their points, their places, and the diameters there by how dense both are.
+        Yields for each surface its points, the places on it, the diameters there (from the density
+        of line and reference), and its index in ``sigmas``.
         """
         diameters = cylinder_diameters(tree, self.candidates, self.reach)
         near = np.flatnonzero(np.isfinite(diameters))
@@ -235,7 +237,7 @@ class _MeasuredReference:
             flat = is_reference_flat(surface, cores, SMOOTH * wide, self.roughest)
             yield surface, cores[flat], wide[flat], 0
         for k, plane in enumerate(self.reference.planes):
-            # It is flat at any width, and a line may be sparse there.
+            # A plane is flat at any width, so the diameter may be increased for a sparse line.
             side = float(np.clip(plane.width / PER_WIDTH, NARROWEST, WIDEST))
             diameters = cylinder_diameters(tree, plane.grid(side), self.reach)
             if np.isfinite(diameters).any():
@@ -253,7 +255,7 @@ def _compare_line(
     Raises
     ------
     NotComparable
-        With what would help.
+        If there are too few places; the message suggests an action.
     """
     found: list[tuple[CorePointDistances, NDArray[np.intp]]] = []
     tree, tried = build_tree(cloud.after), 0
@@ -293,7 +295,7 @@ def _compare_line(
 
 
 def _too_few_message(where: _MeasuredReference, count: int, tried: int) -> Message:
-    """Message on the reason why a line is not compared, and on a suggested action."""
+    """Message with the reason why a line cannot be compared, and a suggested action."""
     if where.reference.kind == "points":
         return error("check.no_surveyed_point_near", distance=where.reach)
     if not tried:

@@ -1,4 +1,4 @@
-"""Many projects calibrated one after the other: a row of a table for each."""
+"""Calibration of many projects one after the other, with a table row for each."""
 
 import csv
 import math
@@ -43,18 +43,18 @@ class BatchRow:
     ----------
     folder : Path
     name, vessel, dates : str
-        Blank where they are not known.
+        Empty if not known.
     verdict : {"good", "notes", "warnings", "refused"}
-        Highest level of the messages of the report; ``warnings`` where one is an error, too.
+        Highest level of the messages in the report; ``warnings`` also stands for errors.
     boresight_deg, sigma_deg : roll, pitch, yaw in degrees, or None
     sigma_0 : float or None, no unit
-        A posteriori: 1 if the errors agree with the given sigmas.
+        A posteriori sigma_0; 1 if the errors agree with the given sigmas.
     test_passed : bool or None
-        Chi-square test of the variance factor.
+        Result of the chi-square test of the variance factor.
     rms_before, rms_after : float or None, metres
-        Distances between the lines on all validation planes.
+        RMS distances between the lines on all validation planes.
     messages : tuple of str
-        Of a refused project the reason.
+        Messages of the report; for a refused project, the reason.
     """
 
     folder: Path
@@ -79,28 +79,28 @@ def batch(
     options: ReportOptions = USUAL,
     progress: Progress = no_progress,
 ) -> tuple[BatchRow, ...]:
-    """Estimate and validate every project in these folders, targets as they are picked.
+    """Estimate and validate every project in the given folders with its picked targets.
 
-    A project that is refused is a row too, and the next one follows.
+    A project that cannot be calibrated also gets a row, and the next project follows.
 
     Parameters
     ----------
     folders : searched at any depth
     save : bool
-        Whether the projects keep what is found; otherwise they stay as they are on disk.
+        Whether to save the results in the projects; otherwise these remain unchanged on disk.
     reports : path, optional
-        Folder in which each project's report is written.
+        Folder in which the report of each project is written.
     form : {"pdf", "html", "json", "zip"}
-        Of the reports.
+        File type of the reports.
     options : ReportOptions
-        As `lispac.workflow.output.report_options` gives them.
+        Options of the reports; see `lispac.workflow.output.report_options`.
 
     Raises
     ------
     ProjectError
-        Where a folder does not exist, or there is no project in any.
+        If a folder does not exist, or none of them contains a project.
     InputError
-        Where there is no such form of report.
+        If ``form`` is not valid.
     """
     return tuple(
         calibrate_each(
@@ -122,7 +122,7 @@ def calibrate_each(
     Raises
     ------
     InputError
-        Where there is no such form of report.
+        If the file type of the reports is not valid.
     """
     if form not in REPORTS:
         raise InputError(error("report.format", formats=tuple(REPORTS), format=form))
@@ -217,7 +217,7 @@ def _pooled_rms(planes: Sequence[tuple[float, int]]) -> float | None:
 
 
 def _report_names(folders: Sequence[Path]) -> Iterator[str]:
-    """A name for each folder's report: its own, with a number where others have the same."""
+    """Name of the report of each folder: that of the folder, with a number if it is not unique."""
     used_names: set[str] = set()
     for folder in folders:
         name, k = folder.name, 1
@@ -236,15 +236,15 @@ HEADS = (
 
 
 def write_table(rows: Sequence[BatchRow], path: Path) -> None:
-    """Write the rows as CSV, numbers in full.
+    """Write the rows as CSV with full precision.
 
     Raises
     ------
     InputError
-        Where the file cannot be written.
+        If the file cannot be written.
     """
     stream = StringIO()
-    stream.write("\ufeff")  # a spreadsheet takes the file for UTF-8 by its mark
+    stream.write("\ufeff")  # spreadsheets detect UTF-8 by the byte order mark
     writer = csv.writer(stream)
     writer.writerow(HEADS)
     for row in rows:

@@ -1,4 +1,4 @@
-"""The error budget of a project's system at a distance."""
+"""Error budget of a project's system at given distances."""
 
 from collections.abc import Sequence
 
@@ -19,7 +19,7 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 TIMES_PER_LINE = 1_000
-"""Times of each line at which accuracies and rates are interpolated."""
+"""Number of times of each line at which accuracies and rates are interpolated."""
 
 
 def error_budget_of(
@@ -29,20 +29,20 @@ def error_budget_of(
     *,
     lever_sigma: Sequence[float] | None = None,
 ) -> ErrorBudget:
-    """Error budget of a point of this system by source of error.
+    """Error budget of a point by source of error.
 
     Parameters
     ----------
     distances : metres from the scanner
     lever_sigma : three of float, metres, optional
-        How well the lever arm is known, forward, left, up.
+        Standard deviations of the lever arm: forward, left, up.
 
     Raises
     ------
     ProjectError
-        Where nothing was estimated.
+        If nothing has been estimated.
     InputError
-        Where a distance or a sigma makes no sense.
+        If a distance or a sigma is not valid.
     """
     result = project.result
     if result is None:

@@ -1,4 +1,4 @@
-"""Calibrations of a vessel's system over the years, from projects."""
+"""History of the calibrations of a vessel's system, read from projects."""
 
 import os
 import re
@@ -31,7 +31,7 @@ SYSTEM = ("vessel", "scanner", "scanner_serial", "pos", "pos_serial")
 
 @dataclass(frozen=True)
 class CalibratedSystem:
-    """A scanner and an INS/GNSS on a vessel, as the projects name them; blank where they do not."""
+    """A scanner and an INS/GNSS on a vessel, as named in projects; unknown fields are empty."""
 
     vessel: str = ""
     scanner: str = ""
@@ -81,18 +81,18 @@ class CalibrationHistory:
 
 
 def find_projects(folders: Sequence[Path]) -> tuple[list[Path], list[Message]]:
-    """Folders of all projects in these folders, at any depth.
+    """Find the folders of all projects in given folders, at any depth.
 
     Returns
     -------
     projects : list of Path
     unreadable : list of Message
-        Of each folder in them that cannot be read.
+        Messages about subfolders that cannot be read.
 
     Raises
     ------
     ProjectError
-        One of them does not exist or cannot be read, or there is no project in any.
+        If one of the folders does not exist or cannot be read, or none contains a project.
     """
     found: dict[Path, None] = {}
     unreadable: list[Message] = []
@@ -121,23 +121,23 @@ def read_histories(
     also: Iterable[Project] = (),
     progress: Progress = no_progress,
 ) -> tuple[tuple[CalibrationHistory, ...], tuple[Message, ...]]:
-    """The history of each system that has a calibration in these folders.
+    """Read the history of each system with a calibration in given folders.
 
     Parameters
     ----------
-    folders : searched at any depth
-    vessel : only systems of this one
-    also : projects that are open, and are taken as they are instead of as they were saved
+    folders : folders searched at any depth
+    vessel : vessel whose systems are read; all vessels if None
+    also : open projects, used in their present state instead of the saved one
 
     Returns
     -------
-    histories : those with most calibrations first
+    histories : histories, those with most calibrations first
     messages : excluded calibrations, with the reason
 
     Raises
     ------
     ProjectError
-        No project in the folders, or none with a result and a date.
+        If the folders contain no project, or none with a result and a date.
     """
     open_ones = {project.folder.resolve(): project for project in also}
     inside, unreadable = find_projects(folders)
@@ -170,7 +170,7 @@ def read_histories(
             known.append((day, project))
     if not known:
         raise ProjectError(_no_calibration_message(vessel, excluded))
-    # Of two on the same lines the one that is open counts.
+    # Of two projects on the same lines, the open one is used.
     known.sort(
         key=lambda each: (
             each[0], each[1].folder.resolve() not in open_ones, str(each[1].folder)
@@ -234,7 +234,7 @@ def _system_history(group: Sequence[tuple[date, Project]]) -> CalibrationHistory
 def _without_repeated_surveys(
     group: Sequence[tuple[date, Project]],
 ) -> tuple[list[tuple[date, Project]], list[Message]]:
-    """Projects without those on the lines of an earlier one, and notes on these."""
+    """Exclude projects with the same lines as an earlier one; returns notes on them, too."""
     kept: list[tuple[date, Project]] = []
     messages = []
     for day, project in group:
@@ -249,7 +249,7 @@ def _without_repeated_surveys(
 
 
 def first_date_in(text: str) -> date | None:
-    """The first day in a text, like 2026-03-04."""
+    """First date in a text, in the form 2026-03-04."""
     for found in _DAY.finditer(text):
         try:
             return date(*map(int, found.groups()))
@@ -259,7 +259,7 @@ def first_date_in(text: str) -> date | None:
 
 
 def _survey_date(project: Project) -> date | None:
-    """First day of the survey: as given, or by the times of the lines."""
+    """First day of the survey: the given one, or that of the times of the lines."""
     return first_date_in(project.identity.dates or survey_dates(project))
 
 

@@ -26,10 +26,10 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 SEARCH_DISTANCE = 1.0
-"""Metres that lines may be apart: a prior boresight that is half a degree off moves a wall at 60 m
-by half a metre."""
+"""Largest distance between lines, metres: an error of 0.5 deg of the prior boresight displaces a
+wall at 60 m by half a metre."""
 MIN_PLACES = 10
-"""Smallest number of places for a figure."""
+"""Smallest number of places for a statistic."""
 
 
 @dataclass(frozen=True)
@@ -40,16 +40,16 @@ class DifferenceStatistics:
     ----------
     places : int
     median : float or None, metres
-        Along the normal, positive where the second line lies nearer to the vessel; None of several
-        pairs, since which line is the second is then nobody's.
+        Median along the normal, positive if the second line is nearer to the vessel; None for
+        several pairs, for which the sign has no meaning.
     rmsd : float, metres
         Root mean square of the differences.
     robust_sigma : float or None, metres
-        1.4826 times the median absolute deviation from the median; None where there is no median.
+        1.4826 times the median absolute deviation from the median; None if there is no median.
     p95, largest : float, metres
-        Of the differences without their signs.
+        95th percentile and maximum of the absolute differences.
     significant : float, in [0, 1]
-        Share of the places whose difference is more than the noise of the points.
+        Share of the places whose difference exceeds the half-width of its 95 % interval.
     """
 
     places: int
@@ -67,7 +67,7 @@ class DifferenceStatistics:
         Parameters
         ----------
         distance, half_width : ndarray of shape (n,), metres
-            With half their 95 % intervals.
+            Differences, and half-widths of their 95 % intervals.
         """
         size, median = np.abs(distance), float(np.median(distance))
         return cls(
@@ -87,9 +87,9 @@ class LineQuality:
 
     Attributes
     ----------
-    which : placed with the prior or with the estimated boresight
-    pairs : of all lines that share a flat place
-    not_compared : why two lines were not
+    which : boresight with which the lines are placed, prior or estimated
+    pairs : differences of all pairs of lines that share a flat place
+    not_compared : reasons why other pairs are not compared
     """
 
     which: Which
@@ -99,7 +99,7 @@ class LineQuality:
     def figures_of_pair(
         self, pair: LineDifference, facing: Facing = "all"
     ) -> DifferenceStatistics | None:
-        """Statistics of a pair; None if too few places face that way."""
+        """Statistics of a pair; None if there are too few places of that orientation."""
         own = pair.facing(facing)
         return _difference_statistics([own])
 
@@ -144,22 +144,22 @@ def line_quality(
     reach: float = SEARCH_DISTANCE,
     progress: Progress = no_progress,
 ) -> LineQuality:
-    """Compare every two lines of a survey on flat places, calibrated or not.
+    """Compare all pairs of lines of a survey on flat places, before or after the calibration.
 
     Parameters
     ----------
-    which : lines as the prior boresight places them, or the estimated one
+    which : boresight with which the lines are placed, prior or estimated
     reach : float, metres
-        The farthest that two lines may be apart.
+        Largest distance between two lines.
 
     Raises
     ------
     InputError
-        A reach out of range.
+        If ``reach`` is out of range.
     NotComparable
-        Where no two lines share a flat place.
+        If no two lines share a flat place.
     ProjectError
-        Where the estimated boresight is selected and there is none.
+        If ``which`` is "estimated" and there is no result.
     """
     if not 0.0 < reach <= 10.0:
         raise InputError(error("check.search_distance", distance=reach))

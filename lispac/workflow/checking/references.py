@@ -35,9 +35,9 @@ Array = NDArray[np.float64]
 MAX_POINTS = 2_000_000
 """Largest number of points of a static scan; a larger one is sampled."""
 LARGEST_SIGMA = 0.2
-"""Metres; of a surveyed point, a larger one is rather one in millimetres."""
+"""Largest plausible sigma of a surveyed point, metres; a larger one is probably in millimetres."""
 LEAST_CELL = 1.0
-"""Metres: side of the cells that mark the part of a scan covered by the lines."""
+"""Smallest side of the cells that mark the part of a scan covered by the lines, metres."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +50,7 @@ class PlaneReference:
     points : ndarray of shape (k, 3), metres, local frame
     plane : Plane
     sigma : float, metres
-        Of the plane in the middle of its points.
+        Standard deviation of the plane at the centre of its points.
     """
 
     name: str
@@ -60,16 +60,16 @@ class PlaneReference:
 
     @property
     def width(self) -> float:
-        """The shorter side of what its points span, metres."""
+        """Shorter side of the extent of its points, metres."""
         return float(extent_in_plane(self.plane, self.points).min())
 
     def grid(self, spacing: float) -> Array:
-        """Places on the plane within the hull of its points, shape (n, 3), metres, local frame.
+        """Grid on the plane within the hull of its points, shape (n, 3), metres, local frame.
 
         Parameters
         ----------
         spacing : float, metres
-            Between them.
+            Spacing of the grid.
         """
         from scipy.spatial import Delaunay
 
@@ -92,17 +92,19 @@ class Reference:
     size_bytes : int, sha256 : str
     kind : {"scan", "points"}
     system : str
-        As text.
+        Coordinate system as text.
     sigma : float, metres
-        Of a scan, which all its points share; the usual one of points.
+        Standard deviation common to all points of a scan, or the default one of surveyed points.
     notes : tuple of Message or str
-        How it was read, and warnings about it.
+        Notes on the reading, and warnings about the reference.
     surface : ndarray of shape (n, 3), metres, local frame
-        Points of a scan where the lines have been; none otherwise.
+        Points of a scan in the area of the lines; empty for surveyed points.
     names : tuple of str
-        Of surveyed points that stand alone.
+        Names of surveyed points that do not belong to a plane.
     places : ndarray of shape (k, 3), metres, local frame
+        Positions of these points.
     sigmas : ndarray of shape (k,), metres
+        Standard deviations of these points.
     planes : tuple of PlaneReference
     """
 
@@ -138,16 +140,16 @@ def read_reference(
     Parameters
     ----------
     sigma : float, metres
-        Of the scan, or of each point that the list states none for.
+        Standard deviation of the scan, or of points without a sigma in the list.
     reach : float, metres
-        How far from the lines a scan is read.
+        Largest distance from the lines at which points of a scan are read.
     crs : str
-        Coordinate system, or ``local``; empty: as the file states it, else the local frame.
+        Coordinate system, or ``local``; if empty, the one in the file, else the local frame.
 
     Raises
     ------
     InputError
-        Where the file or its coordinates cannot be used.
+        If the file or its coordinates cannot be used.
     """
     path = Path(path)
     found = open_static_scan(path)
@@ -240,7 +242,7 @@ def _group_points(
 
 
 def _sigma_warnings(points: Sequence[ListedPoint]) -> list[Message]:
-    """The warning about standard deviations that are probably not in metres; or none."""
+    """Warning about standard deviations that are probably not in metres, if there are any."""
     large = [
         (point.name or f"P{k}", point.sigma)
         for k, point in enumerate(points, start=1)
@@ -256,12 +258,12 @@ def _sigma_warnings(points: Sequence[ListedPoint]) -> list[Message]:
 def _plane_reference(
     name: str, points: Array, sigmas: Sequence[float], path: Path
 ) -> tuple[PlaneReference, Message | None]:
-    """A plane, and the warning about a point that does not lie on it.
+    """Fit a plane to surveyed points, with a warning about a point that does not lie on it.
 
     Raises
     ------
     InputError
-        Where they make no plane.
+        If the points do not determine a plane.
     """
     from scipy.spatial import Delaunay, QhullError
 
@@ -291,12 +293,12 @@ def _read_surface(
     scan: StaticScan, system: CoordinateSystem | None, survey: Survey, project: Project,
     reach: float, progress: Progress,
 ) -> tuple[Array, Message]:  # fmt: skip
-    """The part of a scan where the lines have been, and its number of points.
+    """Read the part of a scan in the area of the lines, and count its points.
 
     Raises
     ------
     InputError
-        Where no point of it is near the lines.
+        If no point of the scan is near the lines.
     """
     seen = _VisibleCells.of(survey, project, reach)
     parts: list[Array] = []
@@ -335,7 +337,7 @@ def _require_same_site(
     path: Path, chunk: Array, placed: Array, system: CoordinateSystem | None,
     trajectory: LocalTrajectory,
 ) -> None:  # fmt: skip
-    """Refuse a scan of another place, by the point of its first chunk that is nearest."""
+    """Refuse a scan of another site, judged by the nearest point in its first chunk."""
     step = max(1, len(placed) // 1000)
     nearest = int(np.argmin(distances_from_trajectory(placed[::step], trajectory)))
     require_near_trajectory(chunk[::step][nearest], system, trajectory, f"{path}")
@@ -343,7 +345,7 @@ def _require_same_site(
 
 @dataclass(frozen=True, eq=False)
 class _VisibleCells:
-    """Cells of the local frame that contain points of the lines, and their neighbours."""
+    """Cells of the local frame that contain points of the lines, and neighbouring cells."""
 
     side: float
     low: Array
@@ -366,7 +368,7 @@ class _VisibleCells:
         return cls(side, low, counts, np.unique(np.concatenate(wide)))
 
     def contains(self, points: Array) -> NDArray[np.bool_]:
-        """Which points, shape (n, 3), lie there; those that are not finite do not."""
+        """Flags of points, shape (n, 3), that lie in the cells; False for points not finite."""
         at = np.floor(points / self.side) - self.low
         inside = np.asarray(((at >= 0) & (at < self.counts)).all(axis=1))
         found = np.zeros(len(points), dtype=bool)

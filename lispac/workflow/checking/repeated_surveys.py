@@ -1,4 +1,4 @@
-"""Calibrations of one mounting by several surveys, from their projects."""
+"""Calibrations of one mounting from several surveys, read from their projects."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,9 +18,9 @@ class ComparedProjects:
 
     Attributes
     ----------
-    each : the earliest first
-    counted : those that count where all are put together, each survey once
-    messages : on the comparison
+    each : all calibrations, the earliest first
+    counted : calibrations used for the combined result, each survey once
+    messages : messages on the comparison
     """
 
     each: tuple[Calibration, ...]
@@ -29,7 +29,7 @@ class ComparedProjects:
 
 
 def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
-    """Calibration of each project, with notes on their comparison.
+    """Read the calibration of each project, with notes on their comparison.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
     Raises
     ------
     ProjectError
-        Where a project has no result yet, or one is given twice.
+        If a project has no result yet, or one is given twice.
     """
     projects = [open_project(folder) for folder in folders]
     seen: set[Path] = set()
@@ -68,7 +68,7 @@ def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
 
 
 def distinct_names(projects: Sequence[Project]) -> list[str]:
-    """Distinct names of projects: their own, or with the folders above them."""
+    """Distinct names of projects: their folder names, if needed with parent folders."""
     paths = [project.folder.resolve() for project in projects]
     kinds = [
         [project.name for project in projects],

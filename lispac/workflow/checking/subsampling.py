@@ -1,7 +1,7 @@
 """Dependence of the result on the subsampling distance (thesis table 4.3).
 
-With errors that a sighting's points have in common, more points of the same sightings soon add
-no information, and only take time.
+Because the points of a sighting share errors, additional points of the same sighting soon add no
+information, but only computing time.
 """
 
 from collections.abc import Sequence
@@ -22,7 +22,7 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 DISTANCES = (0.0, 0.05, 0.10, 0.15, 0.20)
-"""Metres: all points, the thesis's distances, and one more."""
+"""Default distances, metres: 0 for all points, those of the thesis, and an additional one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,10 +33,11 @@ class SubsamplingResult:
     ----------
     distance : float, metres; 0 for all points
     points : int
-        That took part; averaged ones count once.
+        Number of points used; averaged points count as one.
     boresight, sigma : ndarrays of shape (3,), radians
     seconds : float
-        The adjustment took; the selection of the points, the same for all, is not in it.
+        Computing time of the adjustment, without the selection of the points, which is common to
+        all distances.
     """
 
     distance: float
@@ -62,11 +63,11 @@ def subsampling_study(
     Raises
     ------
     InputError
-        No distance, or a negative one.
+        If there is no distance, or a negative one.
     ProjectError
-        No target has been picked.
+        If no target has been picked.
     AdjustmentError
-        Where targets and lines cannot give a result.
+        If the targets and lines do not determine a result.
     """
     if not distances or not all(0.0 <= distance < np.inf for distance in distances):
         raise InputError(error("estimate.point_spacing"))

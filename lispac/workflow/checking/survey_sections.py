@@ -1,4 +1,4 @@
-"""Sections of a survey, before and after."""
+"""Sections through the lines of a survey, before and after the calibration."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -32,10 +32,10 @@ class SectionPoints:
     Attributes
     ----------
     section : Section
-        Where it was laid.
-    points : ndarray of shape (n, 2) by line, metres, to the right and upwards of the middle
+        Position and size of the section.
+    points : ndarray of shape (n, 2) by line, metres, to the right and upwards from the centre
     separation : float or None, metres
-        Along a plane's normal, the greatest distance between two lines; None without a plane.
+        Largest distance between two lines along the normal of a plane; None without a plane.
     """
 
     which: Which
@@ -54,10 +54,10 @@ def section_at_target(
     thickness: float = 0.2,
     progress: Progress = no_progress,
 ) -> tuple[SectionPoints, ...]:
-    """Lay a strip across a target, before and, where there is a result, after.
+    """Cut a section through a target before and, if there is a result, after the calibration.
 
-    Both have the same directions and lie through the middle that the target has in them; what
-    all lines move together is not seen.
+    Both sections have the same directions, and each passes through the centre of the target in its
+    placement. A common displacement of all lines is therefore not visible.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def section_at_target(
     Raises
     ------
     ProjectError
-        Where there is no such target, or it has no points.
+        If there is no such target, or it has no points.
     """
     target = project.target(name)
     groups = {
@@ -103,7 +103,7 @@ def cut_between_points(
     thickness: float = 0.2,
     progress: Progress = no_progress,
 ) -> tuple[SectionPoints, ...]:
-    """Lay an upright strip from one point to another, at the same place before and after.
+    """Cut a vertical section from one point to another, at the same position before and after.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def cut_between_points(
     Raises
     ------
     InputError
-        Where the points lie above each other.
+        If one point is vertically above the other.
     """
     section = section_between(first, second, height=height, thickness=thickness)
     return tuple(

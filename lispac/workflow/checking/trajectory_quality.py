@@ -7,11 +7,11 @@ from lispac.workflow.project.survey import Survey
 
 
 def trajectory_on_lines(survey: Survey) -> tuple[LineTrajectorySummary, ...]:
-    """Motion and accuracy of the trajectory on each line that it covers for two states."""
+    """Motion and accuracy of the trajectory on each line with at least two states."""
     found = []
     for name, scan in survey.scans.items():
         times = survey.trajectory.time
-        # The states on both sides of the line's first and last time belong to it.
+        # The states just before the first and after the last time of the line are included.
         first = max(int(np.searchsorted(times, scan.first_time, side="right")) - 1, 0)
         last = min(int(np.searchsorted(times, scan.last_time)) + 1, len(times))
         own = slice(first, last)

@@ -1,4 +1,4 @@
-"""Distances of the lines on planes not used in the adjustment, before and after."""
+"""Validation: distances between lines on planes not used in the adjustment, before and after."""
 
 from dataclasses import replace
 
@@ -26,15 +26,15 @@ def validate(
     Parameters
     ----------
     model : LocalModel
-        What stands for the surface between the points of a line.
+        Local model of the surface between the points of a line.
 
     Raises
     ------
     ProjectError
-        Where nothing was estimated, or there is no validation plane.
+        If nothing has been estimated, or there is no validation plane.
     NotComparable
-        Where no plane is seen in common by two lines; one of several such planes is named in
-        ``not_compared`` instead.
+        If two lines have no plane in common. If this applies only to some planes, they are listed
+        in ``not_compared`` instead.
     """
     placed = survey.placed(project, "estimated")
     planes = [plane for plane in project.targets_of_role("validation") if plane.used]
@@ -76,18 +76,18 @@ def validate_with_truth(
 ) -> tuple[PlaneComparison, ...]:
     """Compare the lines on the validation planes with the simulated true boresight as "after".
 
-    What is left between the lines then is the POS error of each of them, which no boresight
-    removes: a result cannot be better than that.
+    The remaining distances between the lines are due to the POS errors, which no boresight removes;
+    they are the limit of what a calibration can achieve.
 
     Parameters
     ----------
     project : Project
-        Simulated, and validated: what distances are measured to is taken from it.
+        A simulated project with a validation, whose local surface model is used.
 
     Raises
     ------
     ProjectError
-        The survey is not a simulated one, or has not been validated.
+        If the survey is not simulated or has not been validated.
     """
     if project.truth_deg is None or project.result is None or not project.validation:
         raise ProjectError(error("validate.not_simulated", project=project.name))

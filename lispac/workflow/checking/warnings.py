@@ -1,7 +1,7 @@
-"""All warnings about an open project in one list, each with its cause.
+"""List of all warnings about an open project, each with its cause.
 
-No rules are applied here: the list contains the messages about the files, the
-sightings, the adjustment, the validation and the checks.
+The list collects the messages about the files, the sightings, the adjustment, the validation and
+the checks. No further checks are made here.
 """
 
 from collections.abc import Iterator, Mapping
@@ -27,9 +27,9 @@ DATA, ADJUST = Cause.of_step("Data"), Cause.of_step("Adjust")
 LISTED_SINGLY = {
     "report.sightings", "report.not_found_target", "report.not_found_plane", "report.not_compared",
 }  # fmt: skip
-"""Codes of a report that sum up what is a message each here."""
+"""Codes of summary messages in a report, whose single messages are listed here."""
 OF_A_REPORT = {"report.not_calibrated"}
-"""Codes for a report only: in the window the steps show what remains to be done."""
+"""Codes used only in a report: in the window, the steps show what remains to be done."""
 
 
 def warnings_of(
@@ -42,17 +42,17 @@ def warnings_of(
     outdated: bool = False,
     storage: Message | None = None,
 ) -> tuple[Message, ...]:
-    """All warnings, then all notes, in the order of the work; assumptions last.
+    """All warnings, then all notes, in the order of the workflow; assumptions last.
 
     Parameters
     ----------
     survey : Survey or None
         None while the data are not loaded.
-    qualities : of the sightings, by the names of target and line, as far as they are known
-    refusal : why no result follows from the last edit
-    refused_since : why an estimate after the result was refused
-    outdated : whether there was a result that an edit has dropped
-    storage : why no recovery copy of unsaved changes is written
+    qualities : known qualities of the sightings, by the names of target and line
+    refusal : reason why there is no result after the last edit
+    refused_since : reason why an estimation after the result failed
+    outdated : whether an edit has cleared a result
+    storage : reason why no recovery copy of unsaved changes is written
     """
     if survey is not None:
         project = project.with_data_messages(survey.messages)
@@ -80,7 +80,7 @@ def _storage_warning(storage: Message | None) -> Iterator[Message]:
 
 
 def _trajectory_gaps(project: Project, survey: Survey | None) -> Iterator[Message]:
-    """Gaps of the trajectory that are not interpolated."""
+    """Messages on gaps of the trajectory that are not interpolated."""
     if survey is None:
         return
     steps, limit = np.diff(survey.trajectory.time), project.settings.longest_gap
@@ -92,18 +92,18 @@ def _trajectory_gaps(project: Project, survey: Survey | None) -> Iterator[Messag
 
 
 def _reading_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
-    """Notes on assumptions and exclusions while the files were read."""
+    """Notes on assumptions and excluded data from the reading of the files."""
     if survey is None:
         return
     for each in survey.notes:
         yield note("project.import_note", reason=each, subject=_file_cause(project, each))
-    for message in survey.messages:  # warnings come with those about the result
+    for message in survey.messages:  # warnings are listed with those about the result
         if message.level is Level.NOTE:
             yield message
 
 
 def _file_cause(project: Project, about: Message) -> Cause:
-    """Cause of a note about a file: its line, else the data."""
+    """Cause of a note about a file: the line of the file, else the data in general."""
     lines = [
         line for line in project.lines
         if about.params.get("file") in (printable(line.path.name), str(line.path))
@@ -137,7 +137,7 @@ def _targets_not_found(project: Project) -> Iterator[Message]:
 
 
 def _target_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
-    """Notes on targets that an estimation would refuse, before there is a result."""
+    """Notes on targets that an estimation would refuse, if there is no result yet."""
     if project.result is not None:
         return
     used = [target for target in project.targets_of_role("target") if target.used]

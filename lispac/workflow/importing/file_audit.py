@@ -1,4 +1,4 @@
-"""The audit of a file of points by itself, before it is a line of a project."""
+"""Audit of a file of points before it is imported as a line of a project."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,7 +16,7 @@ from lispac.survey.point_screening import PointScreen, PointSelection
 from lispac.workflow.importing.line_points import read_chunks
 
 MAX_AUDITED_POINTS = 20_000_000
-"""Points that are read; the import reads all of them."""
+"""Largest number of points that are read; the import checks all points."""
 
 
 @dataclass(frozen=True)
@@ -27,9 +27,9 @@ class FileAudit:
     ----------
     audit : LineAudit
     attributes : frozenset of str
-        That the points have.
+        Names of the attributes of the points.
     messages : tuple of Message
-        About the file, with effects that need no trajectory.
+        Messages about the file, with effects that can be determined without a trajectory.
     """
 
     audit: LineAudit
@@ -50,16 +50,16 @@ def audit_file(
     Parameters
     ----------
     format : FileFormat
-        Of points.
+        A format of points.
     options : mapping
-        Of the format.
+        Options of the format.
     max_points : int
-        Points after which reading stops, which a message states.
+        Number of points after which reading stops, which a message reports.
 
     Raises
     ------
     InputError
-        Where the file cannot be read.
+        If the file cannot be read.
     """
     resolved = format.resolved(options)
     screen = PointScreen(PointSelection.of(resolved), ranged=resolved[FRAME.name] == SCANNER)
@@ -88,7 +88,7 @@ def audit_file(
 def audit_messages(
     path: Path, format: FileFormat, options: Choice, *, progress: Progress = no_progress
 ) -> tuple[Message, ...]:
-    """Messages about the points of a file; none where they cannot be read."""
+    """Messages about the points of a file; none if the points cannot be read."""
     try:
         return audit_file(path, format, options, progress=progress).messages
     except LispacError:

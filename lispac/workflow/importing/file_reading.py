@@ -1,4 +1,4 @@
-"""Reading the files of a survey in their formats, and checking a file before it is used."""
+"""Reading of the files of a survey in their formats, and checks of a file before its use."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -27,7 +27,8 @@ from lispac.survey.line_source import printable
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
 MAX_ORIGIN_DISTANCE = 100_000.0
-"""Metres; beyond, a plane tangent at the origin is no frame for the site."""
+"""Largest distance of the trajectory from the origin of the local frame, metres; a frame tangent to
+the ellipsoid at a more distant origin is not suitable."""
 WORDS: Mapping[Kind, str] = {
     "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
 }  # fmt: skip
@@ -45,7 +46,7 @@ _UNKNOWN_OF_KIND: Mapping[Kind, str] = {
 
 @dataclass(frozen=True)
 class FileCheck:
-    """Preview of a file in one format that it may have.
+    """Result of the check of a file in one format that it may have.
 
     Attributes
     ----------
@@ -53,7 +54,7 @@ class FileCheck:
     confidence : float, 0 to 1
     finding : FilePreview or None
     error : Message or None
-        Why it cannot be read, where there is no finding.
+        Reason why it cannot be read in this format, if there is no preview.
     """
 
     format: FileFormat
@@ -70,7 +71,7 @@ def check_file(
     Raises
     ------
     InputError
-        Where the file is missing or empty, no format knows it, or it is a cloud without time.
+        If the file is missing or empty, of an unknown format, or a cloud without time.
     """
     path = require_not_empty(Path(path), "survey")
     found = [(format, sure) for kind in kinds for format, sure in recognise_formats(path, kind)]
@@ -93,15 +94,15 @@ def _check_format(path: Path, format: FileFormat, sure: float) -> FileCheck:
 
 
 def preview_with_options(path: Path, format: FileFormat, given: Choice) -> FilePreview:
-    """Preview of a file with the options that the user gives.
+    """Preview of a file with options given by the user.
 
-    There is no warning about a missing coordinate system where one is given, and a warning where
-    the one given is not used.
+    If a coordinate system is given, there is no warning about a missing one, but a warning if the
+    given one is not used.
 
     Raises
     ------
     InputError
-        As the format's own examination.
+        If the file cannot be examined in this format.
     """
     finding = format.preview(path, given)
     crs = str(given.get("crs", ""))
@@ -117,7 +118,7 @@ def preview_with_options(path: Path, format: FileFormat, given: Choice) -> FileP
 
 
 def detect_reading(path: Path, kind: Kind, reading: Reading) -> tuple[Reading, tuple[Message, ...]]:
-    """Complete how a file is read: the given options, and the detected ones for the rest.
+    """Complete the reading options of a file: given options, and detected ones for the rest.
 
     Returns
     -------
@@ -128,7 +129,7 @@ def detect_reading(path: Path, kind: Kind, reading: Reading) -> tuple[Reading, t
     Raises
     ------
     InputError
-        Where the file is missing, its format not known, or an option is none of it.
+        If the file is missing, its format is not known, or an option does not belong to it.
     """
     path = require_file(Path(path), WORDS[kind])
     if reading.format:
@@ -159,12 +160,12 @@ READ_AS = "import.read_as"
 def usual_or_detected_reading(
     path: Path, kind: Kind, given_reading: Reading, *, columns: bool = False
 ) -> tuple[Reading, tuple[Message, ...]]:
-    """Complete how a file is read, or keep the defaults if the file agrees with them.
+    """Complete the reading options of a file, or keep the defaults if the file agrees with them.
 
     Parameters
     ----------
     columns : bool
-        Whether the columns of a text file are named.
+        Whether the columns of a text file are specified.
 
     Raises
     ------
@@ -187,11 +188,11 @@ def usual_or_detected_reading(
 
 
 USUAL: Mapping[Kind, str] = {"trajectory": "sbet", "accuracy": "smrmsg", "points": "las"}
-"""Formats with default options of the program."""
+"""Default format for each kind of file, read with its default options."""
 
 BESIDE = ("axes", "time", "time_base", "crs", "height_unit")
-"""Options that change nothing of how points in the LiDAR frame, or poses, are read: what follows
-from time bases is a shift of the line's times (`shift_lines_to_trajectory`)."""
+"""Options without effect on the reading of points in the LiDAR frame and of poses. Time bases have
+an effect only through the time shift of a line (`shift_lines_to_trajectory`)."""
 
 
 def _agrees_with_usual(reading: Reading, key: str) -> bool:
@@ -203,7 +204,7 @@ def _agrees_with_usual(reading: Reading, key: str) -> bool:
 
 
 def read_trajectory(path: Path, reading: Reading) -> Trajectory:
-    """Read a trajectory, by default as SBET in Applanix's convention.
+    """Read a trajectory, by default as SBET with Applanix's conventions.
 
     Raises
     ------
@@ -218,12 +219,12 @@ def read_trajectory(path: Path, reading: Reading) -> Trajectory:
 
 
 def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[Message, ...]]:
-    """The trajectory of a project in its local frame, and the assumptions of its reading.
+    """Read the trajectory of a project in its local frame, with the assumptions of the reader.
 
     Raises
     ------
     InputError
-        Where the file cannot be read, or the local frame's origin is far from it.
+        If the file cannot be read, or the origin of the local frame is too far away.
     """
     raw = read_trajectory(project.trajectory, project.trajectory_reading)
     frame = raw.mean_frame()
@@ -238,7 +239,7 @@ def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[Message, 
 
 
 def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
-    """Read a trajectory's accuracies, by default as smrmsg.
+    """Read the accuracies of a trajectory, by default as smrmsg.
 
     Raises
     ------

@@ -23,25 +23,25 @@ from lispac.survey.time_rollover import NONE
 from lispac.workflow.importing.file_reading import USUAL, format_of_line, read_trajectory
 
 SHIFT_TOLERANCE = 1e-3
-"""Seconds that a typed shift may differ from the one that follows, to be the same."""
+"""Largest difference of a given shift from the one that follows from the time bases, seconds."""
 
 
 def known_time_base(
     format: FileFormat, path: Path, choice: Choice, option: str, *, given: bool
 ) -> KnownTimeBase:
-    """The time base of a file.
+    """Known time base of a file.
 
     Parameters
     ----------
     option : str
-        Its name among the options of the format.
+        Name of the option of the format for the time base.
     given : bool
-        Whether ``choice`` names it because the user does.
+        Whether the time base in ``choice`` was given by the user.
 
     Raises
     ------
     InputError
-        Where the file cannot be examined.
+        If the file cannot be examined.
     """
     base_key = str(choice.get(option, ""))
     if not base_key:
@@ -52,12 +52,12 @@ def known_time_base(
 
 
 def has_given_time_base(trajectory: Path, reading: Reading) -> bool:
-    """True if the reading of a trajectory gives a time base that its file does not contain.
+    """True if the reading options of a trajectory give a time base that its file does not specify.
 
     Raises
     ------
     InputError
-        Where the file cannot be examined.
+        If the file cannot be examined.
     """
     kept = dict(reading.options)
     given = kept.pop("time", "")
@@ -76,30 +76,30 @@ def shift_lines_to_trajectory(
     *,
     trajectory_given: bool,
 ) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
-    """Give lines the time shift that follows from the given time bases.
+    """Set the time shift of lines that follows from the given time bases.
 
     Parameters
     ----------
     lines : sequence of LineSource
-        Complete reading options.
+        Lines with complete reading options.
     given_readings : sequence of Reading
-        Given by the user for each.
+        Reading options given by the user for each line.
     trajectory_reading : Reading
-        Complete reading options.
+        Complete reading options of the trajectory.
     trajectory_given : bool
         Whether the user gives the time base of the trajectory.
 
     Returns
     -------
     lines : tuple of LineSource
-        Those that nothing follows for as they came.
+        Lines with the shift; lines without a known shift are unchanged.
     notes : tuple of Message
 
     Raises
     ------
     InputError
-        Where the times cannot be what is given, or a shift is given besides that differs from
-        the one that follows.
+        If the times are not possible in the given base, or the user also gives a shift that
+        differs from the one that follows from the bases.
     """
     bases = [dict(reading.options).get("time_base", "") for reading in given_readings]
     if not any(bases) and not trajectory_given:

@@ -42,19 +42,19 @@ def has_columns(format: FileFormat) -> bool:
 
 
 def possible_meanings(format: FileFormat) -> tuple[str, ...]:
-    """Possible meanings of a column, by the words of the option; "unused" comes first."""
+    """Possible meanings of a column, as values of the option; "unused" comes first."""
     if format.kind == "points":
         return (PASSED_OVER, *_POINTS)
     return (PASSED_OVER, *(role for role in _ORDER if role in set(ROLES.values())))
 
 
 def meaning_label(meaning: str) -> str:
-    """Label of a meaning, to be translated; a name from the file is returned unchanged."""
+    """Label of a meaning for translation; a name from the file is returned unchanged."""
     return _WORDS.get(meaning, meaning)
 
 
 def column_meanings(format: FileFormat, finding: FilePreview | None, given: str) -> tuple[str, ...]:
-    """The meaning of each column of the preview, from the left."""
+    """Meaning of each column of the preview, from the left."""
     if finding is None or not finding.rows:
         return tuple(given.split())
     width = max(len(row) for row in finding.rows)
@@ -67,7 +67,7 @@ def column_meanings(format: FileFormat, finding: FilePreview | None, given: str)
 
 
 def with_meaning(tokens: Sequence[str], column: int, meaning: str) -> tuple[str, ...]:
-    """The tokens with one column's meaning changed; a column that had it before loses it."""
+    """Change the meaning of one column; another column with that meaning becomes unused."""
     changed = [
         PASSED_OVER if token == meaning and meaning != PASSED_OVER else token for token in tokens
     ]
@@ -76,7 +76,7 @@ def with_meaning(tokens: Sequence[str], column: int, meaning: str) -> tuple[str,
 
 
 def missing_columns(format: FileFormat, tokens: Sequence[str]) -> tuple[Message, ...]:
-    """Names of the required meanings that no column has."""
+    """Names of required meanings that are assigned to no column."""
     if not has_columns(format) or not tokens:
         return ()
     has = set(tokens)
@@ -109,7 +109,7 @@ def has_column_names(check: FileCheck) -> bool:
 
 
 def layout_key(check: FileCheck) -> str:
-    """Key of text files with the same format, number and names of columns."""
+    """Key of the layout of text files: format, number and names of columns."""
     if not has_columns(check.format) or check.finding is None or not check.finding.rows:
         return ""
     rows = check.finding.rows

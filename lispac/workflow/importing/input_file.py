@@ -51,9 +51,9 @@ class LineLocation:
     system : str
         Name of its coordinate system.
     latitude, longitude : float, radians
-        Of one of its points.
+        Position of one of its points.
     error : Message or None
-        Why there is no such place.
+        Reason why the position cannot be determined.
     """
 
     system: str = ""
@@ -69,32 +69,32 @@ class InputFile:
     Attributes
     ----------
     checks : tuple of FileCheck
-        What each format that knows the file finds in it, the surest first; empty before the file
-        was examined and where no format knows it.
+        Checks of the file in each format that it may have, the most likely first; empty before the
+        examination and for unknown formats.
     role : {"trajectory", "accuracy", "points"} or None
-        None leaves the file out.
+        None excludes the file.
     format : FileFormat or None
     given_options : mapping of str to str
         Options given by the user.
     finding : FilePreview or None
-        With these options; the last one that could be made where they do not fit the file.
+        Preview with these options; if they do not fit the file, the last valid preview.
     content : Trajectory, TrajectoryAccuracy, LineTimes or None
     error : Message or None
-        Why the file cannot be used.
+        Reason why the file cannot be used.
     shift : float, seconds
-        Added to the times of a line.
+        Time shift, added to the times of a line.
     follows : bool
-        Whether the shift is the one that follows from given time bases.
+        Whether the shift follows from given time bases.
     place : LineLocation or None
-        Of a georeferenced line.
+        Location of a georeferenced line.
     remembered : bool
-        Whether the columns are those chosen for an earlier file laid out alike.
+        Whether the columns are those chosen for an earlier file with the same layout.
     project_reading : Reading or None
-        How an open project reads it: role, format and options are not to be changed then.
+        Reading options in an open project; role, format and options cannot be changed then.
     audit : LineAudit or None
-        Of the points of a line.
+        Audit of the points of a line.
     split_by : str
-        What makes several lines of the file, as `split_line` has it; empty for one line.
+        Criterion by which the file is split into lines, as for `split_line`; empty for one line.
     """
 
     path: Path
@@ -116,17 +116,17 @@ class InputFile:
 
     @property
     def formats(self) -> tuple[FileFormat, ...]:
-        """Formats of its role that know the file, the surest first."""
+        """Possible formats of the file in its role, the most likely first."""
         return tuple(check.format for check in self.checks if check.format.kind == self.role)
 
     @property
     def roles(self) -> tuple[Kind, ...]:
-        """Roles that some format could give it, the surest first."""
+        """Possible roles of the file by its formats, the most likely first."""
         return tuple(dict.fromkeys(check.format.kind for check in self.checks))
 
     @property
     def options(self) -> dict[str, str]:
-        """All options: given, else detected, else default."""
+        """Values of all options: given, else detected, else default."""
         if self.format is None:
             return {}
         found = {} if self.finding is None else dict(self.finding.choice)
@@ -144,7 +144,7 @@ class InputFile:
 
     @property
     def reading(self) -> Reading:
-        """Given options of the file, for the project; the others are detected again."""
+        """Given reading options for the project; the others are detected again."""
         given = {} if self.given_options is None else dict(self.given_options)
         if self.format is None or (not given and self.format in self.formats[:1]):
             return Reading("", (), self.shift)
@@ -152,19 +152,19 @@ class InputFile:
 
     @property
     def layout(self) -> str:
-        """Key of the layout of a text file, to recognise the next one; empty for others."""
+        """Key of the layout of a text file, to recognise similar ones; empty for other files."""
         check = next((check for check in self.checks if check.format is self.format), None)
         return "" if check is None else layout_key(check)
 
     def parts(self, line: LineSource) -> tuple[LineSource, ...]:
-        """The lines that the file becomes: ``line`` itself, or what it is split into."""
+        """Lines of the file: ``line`` itself, or the lines into which it is split."""
         if not self.split_by or self.audit is None or self.format is None:
             return (line,)
         return parts_of_line(line, self.audit, self.split_by, self.format.key)
 
     @property
     def is_georeferenced(self) -> bool:
-        """True if it is a line in map coordinates."""
+        """True if the file is a line in map coordinates."""
         return self.role == "points" and self.options.get("frame") == "georeferenced"
 
 
@@ -176,14 +176,14 @@ def examine_file(
     Parameters
     ----------
     mappings : mapping of str to str
-        Columns chosen for text files before, by their layout.
+        Columns chosen for earlier text files, by the key of their layout.
     """
     progress(0.0, gettext_lazy("Examining {file}", file=path.name))
     try:
         found = check_file(path)
     except LispacError as refused:
         return InputFile(path, error=message_with_file_name(refused, path), pending=False)
-    # Of equally sure formats those whose files end so come first, then those that can be read.
+    # At equal likelihood, formats with the extension of the file come first, then readable ones.
     ending = path.suffix.lower()
     found.sort(
         key=lambda check: (-check.confidence, ending not in check.format.endings, bool(check.error))
@@ -226,7 +226,7 @@ def examine_project_file(input_file: InputFile, *, progress: Progress = no_progr
 
 
 def reexamine_file(input_file: InputFile, *, progress: Progress = no_progress) -> InputFile:
-    """Examine a file with the present role, format and options.
+    """Examine a file again with its present role, format and options.
 
     Raises
     ------
@@ -257,14 +257,14 @@ def reexamine_file(input_file: InputFile, *, progress: Progress = no_progress) -
 
 
 COLUMNS_NOT_CHOSEN = "import.columns_not_chosen"
-"""Code of the error that the user has to choose what columns are."""
+"""Code of the error that the user has to choose the meanings of the columns."""
 
 
 def _with_preview(input_file: InputFile, given: dict[str, str]) -> InputFile:
     assert input_file.format is not None
     known = next((check for check in input_file.checks if check.format is input_file.format), None)
     if not given and known is not None:
-        # Columns shown again as found are those of the first check.
+        # If the columns are reset to the detected ones, these are those of the first check.
         return replace(input_file, finding=known.finding, error=known.error)
     try:
         return replace(
@@ -286,7 +286,7 @@ def _with_content(input_file: InputFile, progress: Progress) -> InputFile:
         )
         place = input_file.place
         if input_file.is_georeferenced:
-            # A line's times do not hang on its coordinate system, so they are read either way.
+            # The times of a line do not depend on its coordinate system, so they are read anyway.
             place = _line_location(input_file, times)
         found = audit_file(
             input_file.path,

@@ -36,7 +36,7 @@ from lispac.workflow.importing.input_times import (
 )
 
 MAX_DISTANCE = 20_000.0
-"""Metres between a line's points and the trajectory; no scanner sees farther."""
+"""Largest plausible distance of a line from the trajectory, metres; no scanner has such a range."""
 
 SETTING_OPTIONS = {
     "set_option", "use_degrees", "use_feet", "use_us_survey_feet", "swap_coordinates",
@@ -54,7 +54,7 @@ OF_A_FILE = {
     "split_line", "keep_one_line", "leave_out", "shift_times", "clear_shift", "detect_columns",
     BRIDGE_GAPS, *SETTING_OPTIONS, *CHOOSING_OPTIONS,
 }  # fmt: skip
-"""Actions that apply to a file."""
+"""Actions that apply to a file as a whole."""
 
 LEAVE_OUT = Action("leave_out")
 CLEAR_TIME_BASE = Action("clear_time_base", {"name": "time_base", "value": ""})
@@ -79,7 +79,7 @@ def option_to_choose(action: Action) -> str:
 
 
 def already_in_project(input_file: InputFile, lines: Mapping[Path, str]) -> tuple[Message, ...]:
-    """The error that a file is a line of the open project; ``lines`` are names by path."""
+    """Error that a file is already a line of the open project; ``lines`` are names by path."""
     name = lines.get(input_file.path)
     if name is None or input_file.role != "points":
         return ()
@@ -88,7 +88,7 @@ def already_in_project(input_file: InputFile, lines: Mapping[Path, str]) -> tupl
 
 
 def without_changes(input_file: InputFile, messages: tuple[Message, ...]) -> tuple[Message, ...]:
-    """Messages without the actions that would change the open project lines are added to."""
+    """Messages without the actions that would change the open project to which lines are added."""
     return tuple(
         replace(
             message,
@@ -114,9 +114,9 @@ def file_messages(
     Parameters
     ----------
     trajectory : InputFile or None
-        The first file whose role is the trajectory.
+        First file with the role of the trajectory.
     trajectories, accuracies : int
-        Files of these roles.
+        Number of files with these roles.
     longest_gap : float, seconds
     """
     if input_file.pending:
@@ -140,14 +140,14 @@ def file_messages(
 
 
 def as_note(message: Message) -> Message:
-    """A message about an excluded file, changed into a note."""
+    """Change a message about an excluded file into a note."""
     return replace(message, level=Level.NOTE)
 
 
 def with_possible_actions(
     input_file: InputFile, messages: Iterable[Message]
 ) -> tuple[Message, ...]:
-    """The messages with those of their actions that the file has an option for."""
+    """Messages with only those actions for which the file has an option."""
     return tuple(
         replace(message, actions=tuple(a for a in message.actions if _is_possible(input_file, a)))
         for message in messages
@@ -199,9 +199,9 @@ def _own_messages(input_file: InputFile, longest_gap: float) -> list[Message]:
 
 
 def _is_superseded(input_file: InputFile, reported: Message) -> bool:
-    """True if another message about the file says the same on a better basis."""
+    """True if another message about the file reports the same with better information."""
     if reported.code == GAPS and isinstance(input_file.content, Trajectory):
-        return True  # the reader does not know which gaps are to be bridged
+        return True  # the reader does not know the longest gap that is bridged
     if input_file.error is None:
         return False
     is_same = (reported.code, reported.params) == (input_file.error.code, input_file.error.params)
@@ -210,7 +210,7 @@ def _is_superseded(input_file: InputFile, reported: Message) -> bool:
 
 
 def _is_resolved_by_split(message: Message, by: str) -> bool:
-    """True if splitting the file into lines already follows the proposal of a message."""
+    """True if the file is already split into lines as proposed by a message."""
     return any(each.code == "split_line" and each.params["by"] == by for each in message.actions)
 
 
@@ -235,7 +235,7 @@ def _accuracy_time_messages(input_file: InputFile, trajectory: InputFile | None)
 def time_messages(
     input_file: InputFile, track: Trajectory, longest_gap: float, known: KnownTimeBase
 ) -> list[Message]:
-    """Messages on how the trajectory covers a line; ``known`` is the trajectory's time base."""
+    """Messages on the coverage of a line; ``known`` is the time base of the trajectory."""
     times, covered = input_file.content, line_coverage(input_file, track, longest_gap)
     if covered is None or not isinstance(times, LineTimes):
         return []
@@ -274,7 +274,7 @@ def _given_base_notes(
     line_base: KnownTimeBase,
     other: KnownTimeBase,
 ) -> list[Message]:
-    """Notes on the shift that follows from the time bases given."""
+    """Notes on the time shift that follows from the given time bases."""
     found = matches_of_known_bases(times.sample, track.time, line_base, other)
     if not found or not input_file.shift:
         return []
@@ -286,7 +286,7 @@ def _given_base_notes(
 def _shift_messages(
     input_file: InputFile, times: LineTimes, track: Trajectory, base: TimeBase | None
 ) -> list[Message]:
-    """The time shift in use; a warning where another one fits as well."""
+    """Messages on the time shift in use, with a warning if another one also fits."""
     if not input_file.shift:
         return []
     file, undo = printable(input_file.path.name), Action("clear_shift")
@@ -305,7 +305,7 @@ def _shift_messages(
 def _other_shifts_warning(
     file: str, rivals: Iterable[TimeMatch], actions: tuple[Action, ...]
 ) -> Message:
-    """The warning that other shifts fit the times as well."""
+    """Warning that other time shifts also fit the times."""
     shifts = tuple(
         note("import.shift_from", shift=match.shift, base=base_message(match.points))
         for match in rivals
@@ -327,7 +327,7 @@ def _shift_action(match: TimeMatch) -> Action:
 def _coverage_warnings(
     covered: TrajectoryCoverage, file: str, longest_gap: float, *, whole: bool
 ) -> list[Message]:
-    """Warnings that some points have no place on the trajectory."""
+    """Warnings about points outside the time span or in gaps of the trajectory."""
     found = []
     if covered.outside:
         code = "import.points_outside" if whole else "import.points_outside_sampled"
@@ -347,7 +347,7 @@ def _coverage_warnings(
 def _outside_errors(
     input_file: InputFile, times: LineTimes, track: Trajectory, base: TimeBase | None
 ) -> list[Message]:
-    """The error that no point of a line lies within the trajectory."""
+    """Error that no point of a line lies within the trajectory."""
     file = printable(input_file.path.name)
     start, end = float(times.start + input_file.shift), float(times.end + input_file.shift)
     first, last = float(track.time[0]), float(track.time[-1])

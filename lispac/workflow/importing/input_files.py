@@ -1,7 +1,7 @@
 """Files to be imported: sorted by role, checked against each other.
 
-An `InputFiles` is an immutable value; the window shows it and asks for the next one. What has to be
-read from files is in `input_file`, the messages about them in `input_file_messages`.
+An `InputFiles` is an immutable value; each edit in the window makes a new one. Files are examined
+in `input_file`, and the messages about them are in `input_file_messages`.
 """
 
 import os
@@ -44,7 +44,7 @@ from lispac.workflow.importing.input_times import (
 State = Literal["pending", "fine", "warning", "error", "out"]
 
 MAX_FILES = 500
-"""Files taken from one folder; more are hardly a survey's."""
+"""Largest number of files taken from one folder; a survey rarely has more."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class ImportRequest:
 
 
 def find_project(paths: Iterable[Path]) -> Path | None:
-    """The first project among files and folders, which is to be opened rather than imported."""
+    """First project among files and folders, which is opened instead of imported."""
     for path in paths:
         if is_project_file(path):
             return path
@@ -72,7 +72,7 @@ def find_project(paths: Iterable[Path]) -> Path | None:
 
 
 def collect_files(paths: Iterable[Path]) -> tuple[Path, ...]:
-    """Files among paths and directly in folders, without hidden ones."""
+    """Files among the paths and directly in folders among them, without hidden files."""
     found: list[Path] = []
     for path in paths:
         if path.is_dir():
@@ -90,10 +90,10 @@ class InputFiles:
     Attributes
     ----------
     files : tuple of InputFile
-        In the order in which they came.
+        Files in the order in which they were added.
     longest_gap : float, seconds
     into : Project or None
-        That lines are added to, where it is no new one that is made.
+        Project to which lines are added; None for a new project.
     """
 
     files: tuple[InputFile, ...] = ()
@@ -102,7 +102,7 @@ class InputFiles:
 
     @classmethod
     def of_project(cls, project: Project) -> "InputFiles":
-        """Input files for an open project, which has a trajectory and accuracies already."""
+        """Input files for an open project, which already has a trajectory and accuracies."""
         files = [
             InputFile(
                 project.trajectory, role="trajectory", project_reading=project.trajectory_reading
@@ -125,7 +125,7 @@ class InputFiles:
         return replace(self, files=self.files + new)
 
     def without_file(self, path: Path) -> "InputFiles":
-        """Remove a file from the list, unless an open project has it."""
+        """Remove a file from the list, unless it belongs to the open project."""
         kept = tuple(e for e in self.files if e.path != path or e.project_reading is not None)
         return replace(self, files=kept)
 
@@ -135,7 +135,7 @@ class InputFiles:
         return replace(self, files=with_time_base_shifts(files))
 
     def with_role(self, path: Path, role: Kind | None) -> "InputFiles":
-        """Give a file another role, in the most likely format of it; requires a new examination."""
+        """Change the role of a file, with its most likely format; requires a new examination."""
         file = self.file(path)
         if role == file.role or file.project_reading is not None:
             return self
@@ -157,13 +157,13 @@ class InputFiles:
         )  # fmt: skip
 
     def with_option(self, path: Path, name: str, value: str) -> "InputFiles":
-        """Give an option; requires a new examination."""
+        """Set an option of a file; requires a new examination."""
         file = self.file(path)
         given = dict(file.given_options or {}) | {name: value}
         return self.with_changed_file(replace(file, given_options=given, pending=True))
 
     def with_column(self, path: Path, column: int, meaning: str) -> "InputFiles":
-        """Give the meaning of a column; requires a new examination."""
+        """Set the meaning of a column; requires a new examination."""
         file = self.file(path)
         tokens = with_meaning(file.columns, column, meaning)
         changed = self.with_option(path, "columns", " ".join(tokens))
@@ -172,7 +172,7 @@ class InputFiles:
     def with_action(self, path: Path, action: Action) -> "InputFiles":
         """Apply an action of a message; a file whose options change has to be read again.
 
-        Actions by which the user chooses a value change nothing here.
+        Actions that ask the user for a value have no effect here.
         """
         params, file = action.params, self.file(path)
         if action.code in SETTING_OPTIONS:
@@ -204,9 +204,9 @@ class InputFiles:
         return changed
 
     def with_resolved_role(self, path: Path) -> "InputFiles":
-        """Resolve the role of a file by means of the other files.
+        """Determine an ambiguous role of a file from the other files.
 
-        Text that may be a trajectory is a line beside one that certainly is.
+        A text that may be a trajectory is a line if another file is certainly the trajectory.
         """
         file = self.file(path)
         surest = {
@@ -230,12 +230,12 @@ class InputFiles:
 
     @property
     def trajectory(self) -> InputFile | None:
-        """The trajectory, the first where there are several."""
+        """File of the trajectory, the first if there are several."""
         return next(iter(self.files_of_role("trajectory")), None)
 
     @property
     def accuracy(self) -> InputFile | None:
-        """The accuracy of the trajectory."""
+        """File of the accuracies of the trajectory."""
         return next(iter(self.files_of_role("accuracy")), None)
 
     @property
@@ -245,14 +245,14 @@ class InputFiles:
 
     @property
     def trajectory_content(self) -> Trajectory | None:
-        """Trajectory read from its file; None before."""
+        """Trajectory read from its file; None if it has not been read."""
         file = self.trajectory
         content = None if file is None else file.content
         return content if isinstance(content, Trajectory) else None
 
     @property
     def accuracy_content(self) -> TrajectoryAccuracy | None:
-        """Accuracies read from their file; None before."""
+        """Accuracies read from their file; None if they have not been read."""
         file = self.accuracy
         content = None if file is None else file.content
         return content if isinstance(content, TrajectoryAccuracy) else None
@@ -274,7 +274,7 @@ class InputFiles:
 
     @cached_property
     def names(self) -> dict[Path, str]:
-        """A name for each line: its file's, with the folder's in front where two are alike."""
+        """Name of each line: that of its file, preceded by that of the folder if not unique."""
         stems = [printable(file.path.stem) for file in self.lines]
         stems += [line.name for line in self._project_lines]
         return {
@@ -291,7 +291,7 @@ class InputFiles:
         return () if self.into is None else self.into.lines
 
     def coverage(self, file: InputFile) -> TrajectoryCoverage | None:
-        """Coverage of a line by the trajectory; None before both are read."""
+        """Coverage of a line by the trajectory; None until both have been read."""
         return (
             None
             if self.trajectory_content is None
@@ -318,7 +318,7 @@ class InputFiles:
         return self._messages[file.path]
 
     def time_messages(self, file: InputFile) -> tuple[Message, ...]:
-        """Messages about the times of a line and those of the trajectory."""
+        """Messages about the times of a line relative to those of the trajectory."""
         if self.trajectory_content is None or file.role != "points":
             return ()
         return tuple(time_messages(file, self.trajectory_content, self.longest_gap, self._base))
@@ -336,7 +336,7 @@ class InputFiles:
 
     @cached_property
     def proposed_shifts(self) -> tuple[tuple[InputFile, float], ...]:
-        """Lines outside the trajectory, wholly or in good part, each with the shift for it."""
+        """Time shifts to propose for lines completely or largely outside the trajectory."""
         track = self.trajectory_content
         if track is None:
             return ()
@@ -350,11 +350,11 @@ class InputFiles:
     # -- the end -----------------------------------------------------------------------------
 
     def import_problem(self, folder: str) -> str:
-        """Reason why no project can be made, in the language in use; empty if there is none."""
+        """Reason why no project can be made, in the present language; empty if one can."""
         return self.files_problem_text() or folder_problem(folder)
 
     def files_problem_text(self) -> str:
-        """Problem of the files, in the language in use; empty if there is none."""
+        """Problem of the files, in the present language; empty if there is none."""
         if not self.files:
             return gettext("Add the files of the survey: drop them here, or press Add files.")
         if any(file.pending for file in self.files):
@@ -383,7 +383,7 @@ class InputFiles:
         return gettext("Two lines are named {line}. Rename a file.", line=duplicates[0])
 
     def request(self, folder: Path, settings: Settings) -> ImportRequest:
-        """Arguments for the new project; only without a `import_problem`."""
+        """Arguments for the new project; valid only if `import_problem` is empty."""
         trajectory, accuracy = self.trajectory, self.accuracy
         assert trajectory is not None
         return ImportRequest(
@@ -397,7 +397,7 @@ class InputFiles:
         )
 
     def sources(self) -> tuple[LineSource, ...]:
-        """The lines, for the project."""
+        """Sources of the lines, for the project."""
         return tuple(
             line
             for file in self.lines
@@ -406,7 +406,7 @@ class InputFiles:
 
     @property
     def column_mappings(self) -> dict[str, str]:
-        """Chosen columns by the layout of their files, for later imports."""
+        """Chosen columns by the key of the layout of their files, for later imports."""
         return {
             file.layout: " ".join(file.columns)
             for file in self.files
@@ -415,7 +415,7 @@ class InputFiles:
 
 
 def folder_problem(folder: str) -> str:
-    """Why a project cannot be made there, in the language in use; empty where it can."""
+    """Reason why no project can be made in a folder, in the present language; empty if it can."""
     if not folder.strip():
         return gettext("Choose a folder for the project.")
     place = expand_user(Path(folder.strip()))
@@ -431,13 +431,13 @@ def folder_problem(folder: str) -> str:
 
 
 def _require_number(value: object) -> float:
-    """A parameter of an action that is a number."""
+    """Parameter of an action, which must be a number."""
     assert isinstance(value, float | int)
     return float(value)
 
 
 def proposed_folder(input_files: InputFiles) -> Path | None:
-    """A folder for the project beside the data, where that can be written and is free."""
+    """Free, writable folder beside the data, as a proposal for the project."""
     used = [file for file in (input_files.trajectory, *input_files.lines) if file is not None]
     if not used:
         return None

@@ -15,7 +15,7 @@ from lispac.survey.trajectory import Trajectory
 from lispac.workflow.importing.input_file import InputFile
 
 SHARE_NEEDED = 0.5
-"""Share of a line's points that a shift must bring inside to be proposed."""
+"""Smallest share of a line's points that a proposed time shift must bring onto the trajectory."""
 
 
 def line_time_base(file: InputFile) -> KnownTimeBase:
@@ -33,7 +33,7 @@ def trajectory_time_base(file: InputFile | None) -> KnownTimeBase:
         return KnownTimeBase()
     given = bool((file.given_options or {}).get("time", ""))
     if file.project_reading is not None:
-        # A project keeps what was found beside what was given.
+        # A project stores detected options together with given ones.
         check = next((check for check in file.checks if check.format is file.format), None)
         found = check.finding.choice if check is not None and check.finding is not None else {}
         given = given and key != found.get("time", key)
@@ -44,7 +44,7 @@ def trajectory_time_base(file: InputFile | None) -> KnownTimeBase:
 def with_time_base_shifts(files: tuple[InputFile, ...]) -> tuple[InputFile, ...]:
     """Apply the shifts that follow from given time bases, and remove those that do not.
 
-    As `shift_lines_to_trajectory` does it when the project is made.
+    `shift_lines_to_trajectory` does the same when the project is made.
     """
     trajectory = next((file for file in files if file.role == "trajectory"), None)
     if trajectory is None or not isinstance(trajectory.content, Trajectory):
@@ -65,7 +65,7 @@ def with_time_base_shifts(files: tuple[InputFile, ...]) -> tuple[InputFile, ...]
 def line_coverage(
     file: InputFile, trajectory: Trajectory, longest_gap: float
 ) -> TrajectoryCoverage | None:
-    """Coverage by the trajectory of the examined points of a line, with its shift applied."""
+    """Coverage of the examined points of a line by the trajectory, with the time shift applied."""
     if not isinstance(file.content, LineTimes):
         return None
     return assess_coverage(file.content.sample + file.shift, trajectory.time, longest_gap)
@@ -74,14 +74,14 @@ def line_coverage(
 def proposed_shift(
     file: InputFile, track: Trajectory, longest_gap: float, base: TimeBase | None
 ) -> TimeMatch | None:
-    """Time shift to propose for a line: if no point lies inside, or clearly more would.
+    """Time shift to propose for a line that has no or clearly fewer points inside without it.
 
-    Never besides what is given.
+    No shift is proposed if one follows from given time bases.
 
     Parameters
     ----------
     base : TimeBase or None
-        The trajectory's.
+        Time base of the trajectory.
     """
     covered = line_coverage(file, track, longest_gap)
     if file.follows or covered is None or not isinstance(file.content, LineTimes):
@@ -101,7 +101,7 @@ def proposed_shift(
 def matching_shifts(
     times: LineTimes, track: Trajectory, base: TimeBase | None
 ) -> tuple[TimeMatch, ...]:
-    """Time shifts that bring a line onto the trajectory: in its own base, else in any."""
+    """Time shifts that bring a line onto the trajectory: those for its time base, else for any."""
     some = times.sample[:: max(1, len(times.sample) // 1000)]
     if base is not None:
         found = find_time_matches(some, track.time, trajectory_bases=(base,))

@@ -23,7 +23,7 @@ class LineChunks:
     choice : mapping
         Complete reading options of the file.
     system : CoordinateSystem or None
-        Of a cloud that is georeferenced already; None for points in the LiDAR frame.
+        Coordinate system of a georeferenced cloud; None for points in the LiDAR frame.
     """
 
     line: LineSource
@@ -33,7 +33,7 @@ class LineChunks:
 
     @classmethod
     def of(cls, line: LineSource) -> "LineChunks":
-        """Chunks of a line of a project, with the options that it is read with."""
+        """Open a line of a project with its reading options."""
         options = dict(line.reading.options)
         if line.reading.format:
             format = format_of(line.reading.format)
@@ -50,7 +50,7 @@ class LineChunks:
         yield from screen_chunks(chunks, self.choice, self.line.path)
 
     def pattern(self, first: PointChunk) -> RecordLayout:
-        """Layout of the records of the line's cloud."""
+        """Layout of the records of a cloud of this line."""
         if self.format.key == "las" and self.line.path.exists():
             return layout_of_las(self.line.path)
         return layout_of_columns(first, standard_time=self.choice["time_base"] == "gps-adjusted")

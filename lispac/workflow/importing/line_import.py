@@ -1,4 +1,4 @@
-"""Importing the lines of a project: each becomes a store beside ``project.json``."""
+"""Import of the lines of a project, each into a store beside ``project.json``."""
 
 import hashlib
 import json
@@ -37,7 +37,7 @@ from lispac.workflow.importing.line_points import DistantDuplicates, LinePoints
 Array = NDArray[np.float64]
 
 LINES = "lines"
-"""Folder of the stored lines, in that of the project."""
+"""Folder of the stored lines in the folder of the project."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,9 +48,9 @@ class ImportedLine:
     ----------
     stored : StoredLine
     seconds : float
-        That the import took; 0 where the line was imported already.
+        Duration of the import; 0 if the line was imported before.
     reason : Message or None
-        Note that it was imported again automatically, with the reason.
+        Note with the reason if the line was imported again automatically.
     """
 
     stored: StoredLine
@@ -65,21 +65,21 @@ def import_lines(
     again: bool = False,
     progress: Progress = no_progress,
 ) -> list[ImportedLine]:
-    """Import lines of a project that are not imported in their present form.
+    """Import the lines of a project that are not imported or have changed since.
 
     Parameters
     ----------
     names : sequence of str
-        Of the lines; none means all of them.
+        Names of the lines; all lines if empty.
     again : bool
-        Import what is imported already, too.
+        Whether to import lines again that are already imported.
 
     Raises
     ------
     InputError
-        Where a file cannot be read or does not fit the trajectory.
+        If a file cannot be read or does not fit the trajectory.
     ProjectError
-        Where there is no such line, or its store cannot be written.
+        If there is no such line, or its store cannot be written.
     """
     known = {line.name: line for line in project.lines}
     for name in names:
@@ -90,7 +90,7 @@ def import_lines(
     lines = [known[name] for name in (names or known)]
     progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
     trajectory, _ = local_trajectory(project)
-    for line in lines:  # before hours of reading others; what is imported needs its file no more
+    for line in lines:  # checked before hours of reading; imported lines no longer need their file
         if again or not (line_folder(project, line) / MANIFEST).exists():
             require_file(line.path, "line")
     sizes = [line.path.stat().st_size if line.path.exists() else 0 for line in lines]
@@ -125,7 +125,7 @@ def import_line(
     if not again:
         try:
             return ImportedLine(open_stored_line(project, line, trajectory, progress=progress), 0.0)
-        except ProjectError as failure:  # damaged or made from something else: it is made now
+        except ProjectError as failure:  # damaged or made from other data: imported now
             if (folder / MANIFEST).exists():
                 reason = note("import.repeated", line=line.name, reason=damage_reason(failure))
                 if not line.path.exists():
@@ -166,7 +166,7 @@ def import_line(
 
 
 def _store_header(line: LineSource, columns: Path) -> None:
-    """Store the header of a LAS file, for a cloud that is made when the file is missing."""
+    """Store the header of a LAS file, to write clouds of the line if the file is missing later."""
     if line.reading.format == "las" or (not line.reading.format and is_las(line.path)):
         write_header_copy(line.path, columns / HEADER)
         (columns / HEADER_SUM).write_text(f"{file_checksum(columns / HEADER):08x}\n", "ascii")
@@ -178,7 +178,7 @@ def assumptions_of(stored: StoredLine) -> tuple[Message, ...]:
     Raises
     ------
     ProjectError
-        Where the store is damaged.
+        If the store is damaged.
     """
     found = []
     for each in stored.manifest.assumptions:
@@ -186,15 +186,15 @@ def assumptions_of(stored: StoredLine) -> tuple[Message, ...]:
             message = as_message(each) if isinstance(each, str) else decode_value(each, Message)
         except InvalidContentError as failure:
             raise ProjectError(error("store.audit_damaged", line=stored.name)) from failure
-        if has_text(message):  # else of another version
+        if has_text(message):  # else the store is of another version
             found.append(message)
     return tuple(found)
 
 
 def stored_header(stored: StoredLine) -> Path | None:
-    """The LAS file without points that holds the header of a stored line's file.
+    """LAS file without points with the header of a stored line's file.
 
-    None where it had none, or what was kept of it has changed since.
+    None if the file was not LAS, or the stored header was changed.
     """
     columns = stored.folder / stored.manifest.folder
     try:
@@ -223,10 +223,10 @@ def open_stored_line(
     Raises
     ------
     ProjectError
-        Where the line is not imported, its import was interrupted, it is damaged, or its file or
-        what it was made with has changed since.
+        If the line is not imported, its import was interrupted, it is damaged, or its file or the
+        settings and data of the import have changed since.
     InputError
-        Where its file cannot be read.
+        If its file cannot be read.
     """
     stored = open_store(line_folder(project, line), line.name, progress=progress)
     made_with = _store_dependencies(line, trajectory, project.mounting("prior"))
@@ -242,7 +242,7 @@ def open_stored_line(
         raise ProjectError(refusal)
     try:
         same = stored.is_of(line.path)
-    except FileNotFoundError:  # the store needs its file no more
+    except FileNotFoundError:  # an imported line no longer needs its file
         same = line.path.name == Path(stored.manifest.original.path).name
     except OSError as failure:
         raise InputError(
@@ -269,7 +269,7 @@ def line_folder(project: Project, line: LineSource) -> Path:
 
 
 RESERVED = {"con", "prn", "aux", "nul", *(f"{p}{k}" for p in ("com", "lpt") for k in range(10))}
-"""Names that Windows gives to nothing but devices."""
+"""Names that Windows reserves for devices."""
 
 
 CHANGES = {
@@ -287,7 +287,7 @@ def _store_dependencies(
     """Settings and data that the content of a store depends on, as plain values."""
     on_map = LinePoints(line, trajectory, mounting).recovery is not None
     return {
-        "reading": json.loads(json.dumps(encode_value(line.reading))),  # as it comes back
+        "reading": json.loads(json.dumps(encode_value(line.reading))),  # as read back
         "columns": list(line.columns),
         "trajectory": _trajectory_fingerprint(trajectory),
         "recovered_with": mounting.without_nominal_axes.values.tolist() if on_map else None,
@@ -310,20 +310,20 @@ class _LineFileReader:
         self._points, self._original = points, original
 
     def stored_findings(self) -> tuple[tuple[dict[str, Any], ...], dict[str, Any]]:
-        """The assumptions and the audit, as plain values."""
+        """Assumptions and audit, as plain values for the store."""
         return tuple(map(encode_value, self._points.assumptions)), encode_value(
             self._points.findings
         )
 
     def pieces(self, first: int) -> Iterator[PointPiece]:
-        """Give the usable points from index ``first`` of the file on.
+        """Yield the usable points from index ``first`` of the file on.
 
-        The file is read from its beginning all the same: the audit covers all of it.
+        The file is nevertheless read from its beginning, because the audit covers all points.
 
         Raises
         ------
         InputError
-            Where the file cannot be read, changes meanwhile, or none of its points can be used.
+            If the file cannot be read, changes while it is read, or has no usable points.
         DistantDuplicates
             If equal points are too far apart in the file to be excluded at once.
         """

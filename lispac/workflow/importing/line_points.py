@@ -1,7 +1,7 @@
-"""The usable points of a line in the LiDAR frame, from its file, with an audit of all its points.
+"""Reading of the usable points of a line in the LiDAR frame, with an audit of all its points.
 
-The import into the store and the reading into memory both go through `LinePoints`, so that a line
-has the same points either way.
+The import into the store and the reading into memory both use `LinePoints`, so that a line has the
+same points in both cases.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -41,11 +41,12 @@ from lispac.workflow.importing.time_shift_advice import outside_trajectory_messa
 Array = NDArray[np.float64]
 
 TIMES_KEPT = 100
-"""Times of each chunk that are kept to examine them."""
+"""Number of times of each chunk that are kept for examination."""
 SAMPLE_OF_CHUNK, MAX_SAMPLES = 4000, 50
-"""Points of a chunk, and chunks, that are kept to check how a georeferenced line is recovered."""
+"""Largest number of points of a chunk, and of chunks, that are kept to check the recovery of a
+georeferenced line."""
 MAX_COPY_SHARE = 0.01
-"""Estimated share of copies far apart from which the line is read again to exclude them."""
+"""Estimated share of distant copies of points above which a line is read again without them."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,7 @@ class LineFindings:
     ----------
     audit : LineAudit
     recovery : tuple of Message
-        How a georeferenced line is recovered.
+        Messages about the recovery of the scanner points of a georeferenced line.
     """
 
     audit: LineAudit
@@ -68,18 +69,18 @@ class DistantDuplicates(Exception):
 
 
 OTHER_LEVER_ARM = 0.001
-"""Metres of difference from which the lever arm of a cloud is another one."""
+"""Smallest difference from which the lever arm of a cloud counts as different, metres."""
 
 
 def mounting_of_cloud(line: LineSource, prior: Mounting) -> tuple[Mounting, tuple[Message, ...]]:
-    """The mounting with which a georeferenced cloud was made, and messages about it.
+    """Mounting with which a georeferenced cloud was made, and messages about it.
 
-    A cloud that the program wrote has it in its header; of others it is the prior.
+    Clouds written by this program contain it in their header; for others the prior is assumed.
 
     Parameters
     ----------
     prior : Mounting
-        Of the project.
+        Prior mounting of the project.
     """
     record = MountingRecord.read(line.path)
     if record is None:
@@ -106,24 +107,24 @@ def mounting_of_cloud(line: LineSource, prior: Mounting) -> tuple[Mounting, tupl
 
 
 class LinePoints:
-    """Reads a line chunk by chunk: excludes what cannot be used, and recovers map coordinates.
+    """Reader of a line in chunks without unusable points; recovers scanner points from a cloud.
 
     Parameters
     ----------
     line : LineSource
     trajectory : LocalTrajectory
     mounting : Mounting
-        The prior: a georeferenced cloud that does not say otherwise is taken to have been made
-        with it.
+        Prior mounting; a georeferenced cloud is assumed to be made with it unless the file contains
+        another one.
     attributes : sequence of str or None
-        Attributes of the file that go along where it has them; None for all.
+        Attributes that are kept if the file has them; None for all.
     far_copies : bool
         See `PointScreen`.
 
     Raises
     ------
     InputError
-        Where the options are not the format's own.
+        If an option does not belong to the format.
     """
 
     def __init__(
@@ -157,14 +158,14 @@ class LinePoints:
         self._without_pose = 0
 
     def pieces(self) -> Iterator[PointPiece]:
-        """The points, in the order of the file; ``index`` is the place of each point in the file.
+        """Read the points in file order; ``index`` is the index of each point in the file.
 
         Raises
         ------
         InputError
-            Where the file is missing or damaged, or none of its points can be used.
+            If the file is missing or damaged, or has no usable points.
         DistantDuplicates
-            At the end, where copies far apart were found and are not excluded.
+            At the end, if distant copies of points were found and are not excluded.
         """
         self._screen = self._new_screen()
         self._covered, self._times, self._samples, self._without_pose = [], [], [], 0
@@ -186,17 +187,17 @@ class LinePoints:
 
     @property
     def audit(self) -> LineAudit:
-        """The audit of the points read so far."""
+        """Audit of the points read so far."""
         return self._screen.result()
 
     @property
     def findings(self) -> "LineFindings":
-        """Findings in the points, after they are read."""
+        """Findings in the points; valid after they have been read."""
         return LineFindings(self.audit, self.recovery_messages)
 
     @property
     def recovery_messages(self) -> tuple[Message, ...]:
-        """Messages about how a georeferenced line is recovered; none for other lines."""
+        """Messages about the recovery of a georeferenced line; none for other lines."""
         if self.recovery is None or not self._samples:
             return ()
         if has_several_scanners(self.audit):
@@ -248,7 +249,7 @@ class LinePoints:
         self, points_map: Array, time: Array, used: NDArray[np.bool_],
         attributes: Mapping[str, NDArray[Any]],
     ) -> None:  # fmt: skip
-        """Keep some points of a georeferenced line, to check how they are recovered."""
+        """Keep some points of a georeferenced line, to check their recovery."""
         if len(self._samples) >= MAX_SAMPLES:
             return
         step = slice(None, None, 1 + len(time) // SAMPLE_OF_CHUNK)
@@ -260,7 +261,7 @@ class LinePoints:
     def _pose_mask(self, time: Array) -> NDArray[np.bool_]:
         """Mask of the times (n,), in the trajectory's time base, with a pose; counts the others."""
         finite = time[np.isfinite(time)]
-        # Copied: a view would keep the whole chunk.
+        # Copied, because a view would keep the whole chunk in memory.
         self._times.append(time[:: max(1, len(time) // TIMES_KEPT)].copy())
         self._times += [finite.min(keepdims=True), finite.max(keepdims=True)] if len(finite) else []
         posed = self.trajectory.covers(time)
@@ -273,7 +274,7 @@ class LinePoints:
         return posed
 
     def _no_points_message(self, read: int) -> Message:
-        """Why no point can be used."""
+        """Message with the reason why no point can be used."""
         path = self.line.path
         if not read:
             return error("import.no_points", file=str(path))
@@ -290,7 +291,7 @@ class LinePoints:
 
 
 def read_chunks(chunks: Any) -> Iterator[PointChunk]:
-    """The chunks that a format of points yields."""
+    """Read the chunks of a file in a format of points."""
     assert isinstance(chunks, Iterator)
     yield from chunks
 
@@ -298,13 +299,13 @@ def read_chunks(chunks: Any) -> Iterator[PointChunk]:
 def read_line(
     line: LineSource, trajectory: LocalTrajectory, mounting: Mounting
 ) -> tuple[Scan, LineFindings]:
-    """Read one line into memory, in the LiDAR frame, with what was found in its points.
+    """Read one line into memory in the LiDAR frame, with the findings in its points.
 
     Parameters
     ----------
     trajectory : LocalTrajectory
     mounting : Mounting
-        The prior: a georeferenced cloud is taken to have been made with it.
+        Prior mounting, with which a georeferenced cloud is assumed to be made.
 
     Raises
     ------
@@ -333,12 +334,12 @@ def read_line(
 
 
 def screen_chunks(chunks: Iterator[PointChunk], choice: Choice, path: Path) -> Iterator[PointChunk]:
-    """Chunks of a file with the selected points only, as the file has them.
+    """Chunks with only the selected points of a file, as stored in it.
 
     Raises
     ------
     InputError
-        Where an option of the selection cannot be read.
+        If an option of the selection is not valid.
     """
     ranged = crs_of_options(choice, path) is None
     screen = PointScreen(PointSelection.of(choice), ranged=ranged)

@@ -1,4 +1,4 @@
-"""Splitting the line of a file that holds several scanners or passes into lines."""
+"""Splitting of a file with several scanners or survey lines into lines."""
 
 import sys
 from dataclasses import replace
@@ -12,11 +12,11 @@ from lispac.workflow.importing.file_audit import audit_file
 from lispac.workflow.importing.file_reading import format_of_line
 
 GAP = "gap"
-"""Splits a line where its times pause."""
+"""Criterion that splits a line at gaps in its times."""
 
 
 def split_line(line: LineSource, by: str) -> tuple[LineSource, ...]:
-    """The lines that a file holds: one for each value of an attribute, or between pauses.
+    """Split a file into lines: one for each value of an attribute, or between gaps in time.
 
     Parameters
     ----------
@@ -27,12 +27,12 @@ def split_line(line: LineSource, by: str) -> tuple[LineSource, ...]:
     Returns
     -------
     tuple of LineSource
-        Of the same file, each with the option ``only``; the line itself where there is but one.
+        Lines of the same file, each with the option ``only``; ``line`` itself if there is only one.
 
     Raises
     ------
     InputError
-        Where the file cannot be read, or its points have no such attribute.
+        If the file cannot be read, or its points do not have the attribute.
     """
     format, choice, _ = format_of_line(line)
     found = audit_file(line.path, format, choice, max_points=sys.maxsize)
@@ -51,14 +51,14 @@ def split_line(line: LineSource, by: str) -> tuple[LineSource, ...]:
 
 
 def parts_of_line(line: LineSource, audit: LineAudit, by: str, key: str) -> tuple[LineSource, ...]:
-    """The lines that a file holds, by its audit.
+    """Lines into which a file is split, from its audit.
 
     Parameters
     ----------
     by : str
         As for `split_line`.
     key : str
-        Of the format of the file.
+        Key of the file format.
     """
     if by == GAP:
         conditions = [AttributeCondition("time", start, end) for start, end in audit.spans]
@@ -78,7 +78,7 @@ def parts_of_line(line: LineSource, audit: LineAudit, by: str, key: str) -> tupl
 def _line_with_condition(
     line: LineSource, name: str, condition: AttributeCondition, key: str
 ) -> LineSource:
-    """The line with the points that meet a condition, under another name."""
+    """Line with the points that meet a condition, under another name."""
     options = dict(line.reading.options)
     before = options.get("only", "")
     options["only"] = f"{before} {condition}".strip()

@@ -14,8 +14,8 @@ from lispac.survey.time_rollover import NONE, PERIODS, rollover_note
 from lispac.workflow.importing.file_reading import format_of_line
 
 MIN_MARGIN = 6 * 3600.0
-"""Seconds from a midnight or the end of a week that no line reaches which its first points are
-farther from."""
+"""Time from midnight or the end of the week, seconds. A line whose first points are farther from
+both is assumed not to reach them, so that its other times are not checked for a rollover."""
 
 
 def resolve_time_rollovers(
@@ -26,13 +26,13 @@ def resolve_time_rollovers(
     Returns
     -------
     lines : tuple of LineSource
-        Lines with a time rollover, with the option for it.
+        The lines, with the option for the time rollover set if one was detected.
     notes : tuple of Message
 
     Raises
     ------
     InputError
-        Where a file cannot be read.
+        If a file cannot be read.
     """
     resolved: list[LineSource] = []
     notes: list[Message] = []

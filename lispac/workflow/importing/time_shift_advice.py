@@ -27,13 +27,13 @@ def outside_trajectory_message(reading: Reading, times: Array, track: Array, fil
     Parameters
     ----------
     reading : Reading
-        Of the line.
+        Reading options of the line.
     times : ndarray of shape (n,), seconds
-        Of the line, as it is read.
+        Times of the line, as read.
     track : ndarray of shape (m,), seconds, increasing
-        Of the trajectory.
+        Times of the trajectory.
     file : Path
-        Of the line.
+        File of the line.
     """
     first, last = float(times.min()), float(times.max())
     start, end = float(track[0]), float(track[-1])
@@ -76,15 +76,17 @@ def _known_time_bases(reading: Reading, times: Array) -> tuple[TimeBase, ...] | 
 
 
 def shift_gain_note(line: LineSource, times: Array, track: Array) -> Message | None:
-    """Note on a change that would bring in clearly more points of a line; None if none would.
+    """Note on a change that would bring clearly more points onto the trajectory, or None.
+
+    The change is a time shift, or another setting of the time rollover.
 
     Parameters
     ----------
     line : LineSource
     times : ndarray of shape (n,), seconds
-        Of the line, as it is read: all or a sample.
+        Times of the line, as read: all times or a sample.
     track : ndarray of shape (m,), seconds, increasing
-        Of the trajectory.
+        Times of the trajectory.
     """
     if not len(times):
         return None
@@ -97,7 +99,7 @@ def shift_gain_note(line: LineSource, times: Array, track: Array) -> Message | N
             option=f"{TIME_ROLLOVER}={found}",
         )
     inside = (times >= track[0]) & (times <= track[-1])
-    if reading.time_rollover in PERIODS:  # the times of the trajectory may have been sorted instead
+    if reading.time_rollover in PERIODS:  # the times of the trajectory may have been sorted
         written = reading.to_file_time(times) + reading.time_shift
         share = float(((written >= track[0]) & (written <= track[-1])).mean())
         if share >= float(inside.mean()) + MIN_SHARE_GAIN:

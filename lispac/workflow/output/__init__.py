@@ -1,1 +1,1 @@
-"""Results for others: report, georeferenced lines, data, script, manual."""
+"""Output of results: report, georeferenced lines, data, script, manual."""

@@ -1,7 +1,7 @@
-"""Lines on the map as LAS or LAZ: georeferenced chunk by chunk, with all their attributes.
+"""Writing of georeferenced lines as LAS or LAZ in chunks, with all attributes.
 
-Reading, georeferencing and writing run side by side; memory holds a few chunks whatever the
-line's length.
+Reading, georeferencing and writing run in parallel; only a few chunks are in memory, whatever the
+length of the line.
 """
 
 import os
@@ -29,7 +29,7 @@ from lispac.survey.scanner_frame_recovery import RecoverySetup
 Array = NDArray[np.float64]
 
 IN_FLIGHT = 3
-"""Chunks between reading and writing."""
+"""Largest number of chunks between reading and writing."""
 
 
 @dataclass(frozen=True)
@@ -40,14 +40,14 @@ class WrittenLine:
     ----------
     path : Path
     points : int
-        Written.
+        Number of points written.
     outside, in_gaps : int
-        Excluded without a pose: outside the trajectory's time, or in a gap of it (or where
-        it is too steep to be interpolated).
+        Number of points excluded because they have no pose: outside the time span of the
+        trajectory, or in a gap (or at attitudes too steep to be interpolated).
     excluded : int
-        Excluded because they are beyond the range of the scanner, or in it.
+        Number of points excluded because they are beyond the range of the scanner or at its origin.
     messages : tuple of Message
-        What of the source is not kept, and assumptions.
+        Notes on data of the source that are not kept, and assumptions.
     """
 
     path: Path
@@ -59,7 +59,7 @@ class WrittenLine:
 
     @property
     def notes(self) -> tuple[Message, ...]:
-        """Points that are excluded, and the messages."""
+        """Notes on excluded points, and the messages."""
         found, file = [], printable(self.path.name)
         total = self.points + self.outside + self.in_gaps
         if self.outside:
@@ -99,25 +99,25 @@ def write_cloud(
     Parameters
     ----------
     chunks : iterable of PointChunk
-        In the LiDAR frame, from a file or a store; times as the source has them.
+        Chunks in the LiDAR frame, from a file or a store, with the times of the source.
     temporary, path : Path
-        Where it is written now, and the name it will have.
+        File that is written, and the final name.
     mapping : ScannerPointConverter
-        To the selected coordinate system, with the selected mounting.
+        Converter to the selected coordinate system, with the selected mounting.
     pattern : callable
-        The first chunk to the layout of the records.
+        Function of the first chunk that returns the layout of the records.
     reading : Reading
-        How the source's times come into the trajectory's time base; written are those of the
-        source.
+        Reading options, which convert the times of the source to the time base of the trajectory;
+        the times of the source are written.
     recovery : RecoverySetup, optional
-        What made the chunks, where they are georeferenced already.
+        Georeferencing with which the chunks were made, if they are not in the LiDAR frame.
     max_range : float, metres
         Largest distance from the scanner of points recovered from a georeferenced cloud.
 
     Raises
     ------
     InputError
-        Where no point has a pose, a point lies outside the coordinate system, or the file cannot
+        If no point has a pose, a point lies outside the coordinate system, or the file cannot
         be written.
     """
     source = iter(chunks)
@@ -151,7 +151,7 @@ def write_cloud(
             outside, in_gaps = outside + done.outside, in_gaps + done.in_gaps
             excluded += done.excluded
             count = cloud.count + outside + in_gaps + excluded
-            # A text file does not say how many points are to come.
+            # A text file does not specify its number of points.
             progress(min(count / total, 1.0) if total else 0.5, pace.step(count))
 
         try:
@@ -166,7 +166,7 @@ def write_cloud(
             while waiting:
                 finish()
         finally:
-            # What is under way ends before the file is closed; what is not begins no more.
+            # Running tasks finish before the file is closed; waiting tasks are cancelled.
             workers.shutdown(cancel_futures=True)
             writer.shutdown(cancel_futures=True)
         count = cloud.count

@@ -1,4 +1,4 @@
-"""Targets and the trajectory for other programs."""
+"""Export of targets and the trajectory for other programs."""
 
 from collections.abc import Sequence
 from contextlib import ExitStack
@@ -65,24 +65,24 @@ def export_targets(
 ) -> list[Path]:
     """Write the points of every target and validation plane, one file each.
 
-    LAS and LAZ hold the number of the line, from 1, as point source, and the scanner's x, y, z as
-    extra bytes; CSV holds the name of the line.
+    LAS and LAZ files contain the number of the line, from 1, as point source ID, and the scanner's
+    x, y, z as extra bytes; CSV files contain the name of the line.
 
     Parameters
     ----------
     output : Path
-        Folder.
+        Output folder.
     system : CoordinateSystem, optional
-        The local frame where not given.
+        Coordinate system of the output; the local frame by default.
     names : sequence of str
-        Of targets; all where not given.
+        Names of the targets; all by default.
 
     Raises
     ------
     ProjectError
-        Where there is no such target, or nothing has been estimated.
+        If there is no such target, or nothing has been estimated.
     InputError
-        Where the folder cannot be written.
+        If the folder cannot be written.
     """
     mapper = ScannerPointConverter(system, survey.trajectory, project.mounting(which))
     targets = _chosen_targets(project, names)
@@ -113,15 +113,15 @@ def export_planes(
 ) -> list[Path]:
     """Write the points of every planar target as a 25-column plane file, in the local frame.
 
-    Range and scan-angle offset are applied to the scanner's coordinates and the latency to the
-    times, so that lever arm and boresight alone bring them to the coordinates in the file.
+    Range and scan-angle offset are applied to the scanner coordinates and the latency to the times,
+    so that only lever arm and boresight are needed to compute the local coordinates in the file.
 
     Raises
     ------
     ProjectError
-        Where there is no such target, it is a sphere, or nothing has been estimated.
+        If there is no such target, it is a sphere, or nothing has been estimated.
     InputError
-        Where the folder cannot be written.
+        If the folder cannot be written.
     """
     mounting = project.mounting(which)
     spheres = [name for name in names if project.target(name).shape == "sphere"]
@@ -161,12 +161,12 @@ def export_planes(
 
 
 def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "sbet") -> Path:
-    """Write the trajectory as SBET after Applanix, or as text.
+    """Write the trajectory as SBET with Applanix's conventions, or as text.
 
     Raises
     ------
     InputError
-        Where the trajectory cannot be read or the file not be written.
+        If the trajectory cannot be read or the file cannot be written.
     """
     if output.exists() and output.samefile(project.trajectory):
         raise InputError(error("export.own_trajectory", file=str(output)))
@@ -184,19 +184,19 @@ SBET_ZEROS = note("export.sbet_zeros")
 
 
 def trajectory_datum_note(project: Project) -> Message:
-    """Datum and epoch of an exported trajectory."""
+    """Note on datum and epoch of an exported trajectory."""
     return note("export.trajectory_datum", file=project.trajectory.name)
 
 
 def _trajectory_time_base(project: Project) -> str:
-    """Key of what the times of the trajectory count; empty where that is not known."""
+    """Key of the time base of the trajectory; empty if it is not known."""
     reading = project.trajectory_reading
     format = format_of(reading.format or USUAL["trajectory"])
     try:
         found = known_time_base(
             format, project.trajectory, dict(reading.options), "time", given=False
         )
-    except InputError:  # its file is gone, which the loaded survey does not need
+    except InputError:  # the file is missing, but the loaded survey does not need it
         return ""
     return "" if found.base is None else found.base.key
 
@@ -210,7 +210,7 @@ def _chosen_targets(project: Project, names: Sequence[str]) -> list[Target]:
 
 
 def _target_points(target: Target, survey: Survey) -> _TargetPoints:
-    """Points of the sightings that take part, or of all where none does."""
+    """Points of the used sightings, or of all sightings if none is used."""
     parts = target.used_sightings or target.sightings
     scans = [survey.scans[sighting.line] for sighting in parts]
     chosen = [sighting.indices for sighting in parts]

@@ -35,7 +35,7 @@ def report_content_of(
     refused: Message | str = "",
     progress: Progress = no_progress,
 ) -> ReportContent:
-    """Numbers of the report."""
+    """Content of the report, with all its numbers."""
     project = project.with_data_messages(survey.messages)
     read = [each for each in survey.messages if each.level is Level.NOTE]
     tracks = {}
@@ -68,21 +68,20 @@ def write_report(
     generated: datetime | None = None,
     progress: Progress = no_progress,
 ) -> None:
-    """Write the report as PDF, HTML, JSON or its tables as CSV, by the ending of ``path``.
+    """Write the report as PDF, HTML, JSON or CSV tables (.zip), by the suffix of ``path``.
 
     Parameters
     ----------
     pictures : mapping of caption to PNG file, optional
     options : language (JSON stays English), page, convention and letterhead; see
         `lispac.workflow.output.report_options`
-    refused : why an estimate after that of the report was refused; empty where
-        none was
-    generated : the moment the report says it was made at; now, if not given
+    refused : reason why an estimation after that of the report failed; empty if none did
+    generated : date and time given in the report; now by default
 
     Raises
     ------
     InputError
-        Where the ending is none of these or the file cannot be written.
+        If the suffix is not one of these or the file cannot be written.
     """
     ending = path.suffix.lower()
     if ending not in REPORT_ENDINGS:
@@ -124,7 +123,7 @@ def preview_report(
     ppi: float = 96.0,
     progress: Progress = no_progress,
 ) -> "Preview":
-    """The report as `write_report` makes it, to be examined: its pages, and its PDF.
+    """Make the report like `write_report` for display: images of the pages, and the PDF.
 
     Parameters
     ----------
@@ -136,7 +135,7 @@ def preview_report(
     Raises
     ------
     InputError
-        Where a picture or the logo cannot be read.
+        If a picture or the logo cannot be read.
     """
     from lispac.report.pdf import preview_of
 
@@ -157,7 +156,7 @@ def save_preview(preview: "Preview", path: Path) -> None:
     Raises
     ------
     InputError
-        Where the file cannot be written.
+        If the file cannot be written.
     """
     with atomic_write(path) as temporary:
         temporary.write_bytes(preview.pdf)

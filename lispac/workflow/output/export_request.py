@@ -1,4 +1,4 @@
-"""Export of data other than the report."""
+"""Export of lines, targets, planes or the trajectory."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,24 +28,25 @@ ENDINGS: dict[What, tuple[str, ...]] = {
     "planes": ("txt",),
     "trajectory": ("sbet", "text"),
 }
-"""Forms of each kind of export, the usual one first."""
+"""File types of each kind of export, the default one first."""
 
 
 @dataclass(frozen=True)
 class ExportRequest:
-    """Data, place and form of an export.
+    """Data, destination and file type of an export.
 
     Attributes
     ----------
     what : {"lines", "targets", "planes", "trajectory"}
     output : Path
-        A folder; for the trajectory a file.
+        Output folder; for the trajectory the output file.
     which : {"prior", "estimated"}
-        Boresight.
+        Boresight that is used.
     form : str
         One of `ENDINGS`.
     system, height, trajectory_datum, epoch
-        Of lines and targets, as `lispac.workflow.output.georeferencing.georeference_project`.
+        For lines and targets, as for
+        `lispac.workflow.output.georeferencing.georeference_project`.
     """
 
     what: What
@@ -76,7 +77,7 @@ def export(
     -------
     paths : list of Path
     notes : tuple of Message
-        Excluded data, and assumptions.
+        Notes on excluded data and assumptions.
 
     Raises
     ------

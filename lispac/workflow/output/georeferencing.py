@@ -1,4 +1,4 @@
-"""All lines of a project on the map, one LAS or LAZ file each."""
+"""Georeferencing of the lines of a project, one LAS or LAZ file each."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
@@ -49,31 +49,31 @@ def georeference_project(
 ) -> list[WrittenLine]:
     """Write the lines of a project as LAS or LAZ in a coordinate system.
 
-    All files appear at the end, together: what fails or is stopped leaves nothing.
+    All files appear together at the end; after an error or cancellation none is left.
 
     Parameters
     ----------
     output : Path
-        Folder; made where it does not exist.
+        Output folder, created if needed.
     system : str
-        As `lispac.survey.crs.coordinate_system` takes it, or ``local``; empty for that of the
-        lines where they are georeferenced.
+        As for `lispac.survey.crs.coordinate_system`, or ``local``; if empty, the system of the
+        lines if they are georeferenced.
     height, trajectory_datum, epoch
-        As `lispac.survey.crs.coordinate_system`; a datum or an epoch that is not given is that of
-        the lines' own reading.
+        As for `lispac.survey.crs.coordinate_system`; datum and epoch are by default those with
+        which the lines are read.
     lines : sequence of str
-        Names; all where not given.
+        Names of the lines; all by default.
     sources : mapping of str to iterable of PointChunk, optional
-        Where lines are read from instead of their files, by the line's name. Their points are in
-        the LiDAR frame, their times as in the file. A line whose file is gone comes from its store.
+        Chunks of lines to use instead of their files, by line name. Points are in the LiDAR frame,
+        and times as in the file. A line whose file is missing is read from its store.
 
     Raises
     ------
     InputError
-        Where the coordinate system is not known or not given, a file cannot be read, or the disk
-        is full.
+        If the coordinate system is not known or not given, a file cannot be read, or the disk is
+        full.
     ProjectError
-        Where there is no such line, or nothing has been estimated.
+        If there is no such line, or nothing has been estimated.
     """
     mounting = project.mounting(which)
     chosen = [LineChunks.of(line) for line in _chosen_lines(project, lines)]
@@ -130,12 +130,12 @@ def georeference_project(
 
 
 def _stored_layout(stored: StoredLine, path: Path) -> RecordLayout | None:
-    """Record layout of the line's file, if it was stored at the import."""
+    """Record layout of the line's file, if it was stored during the import."""
     header = stored_header(stored)
     try:
         return None if header is None else layout_of_las(header, path)
     except InputError:
-        return None  # damaged: all points are there, and what is missing is reported
+        return None  # damaged: all points are stored, and missing data are reported
 
 
 def _layout_function(
@@ -159,13 +159,13 @@ def _chosen_lines(project: Project, names: Sequence[str]) -> list[LineSource]:
 
 
 def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[PointChunk]:
-    """An imported line chunk by chunk, in the order of space.
+    """Chunks of an imported line, in spatial order.
 
     Parameters
     ----------
     reading : Reading
-        What it does to times is taken back, so that they are as in the file (to the last digit of
-        a double).
+        Reading options, whose effect on times is reversed to restore the times of the file (to the
+        last digit of a double).
     """
     for start in range(0, len(stored), CHUNK):
         rows = slice(start, start + CHUNK)
@@ -197,6 +197,6 @@ def require_no_overwrite(project: Project, paths: Sequence[Path]) -> None:
 
 
 def _folders_to_create(folder: Path) -> list[Path]:
-    """The folders that will be made, the innermost first."""
+    """Folders that will be created, the innermost first."""
     folder = Path(folder)
     return [place for place in (folder, *folder.parents) if not place.exists()]

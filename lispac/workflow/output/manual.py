@@ -1,6 +1,6 @@
 """HTML pages of the manual: shipped with a bundle, otherwise built from the sources and cached.
 
-Sphinx runs as a program of its own: nothing of it is loaded here, nor gets into a bundle.
+Sphinx runs as a separate program, so that it is neither loaded here nor part of a bundle.
 """
 
 import hashlib
@@ -22,9 +22,9 @@ from lispac.messages import error
 from lispac.progress import Progress, no_progress
 
 SHIPPED = "html"
-"""Folder of the built pages beside their sources, in a bundle."""
+"""Folder of the built pages beside their sources in a bundle."""
 BUILDERS = {"sphinx": "Sphinx", "myst_parser": "myst-parser", "furo": "furo"}
-"""Packages that build the manual, and their names."""
+"""Packages that build the manual, with the names shown in messages."""
 POLL_INTERVAL_S = 0.1
 
 
@@ -36,21 +36,21 @@ def manual_page(
     place: Path | None = None,
     progress: Progress = no_progress,
 ) -> Path:
-    """The file of a page, after building the manual where that was not done yet.
+    """File of a page of the manual, which is built first if needed.
 
     Parameters
     ----------
-    language : of `lispac.language.LANGUAGES`
-    page : name of the page, without ending; one that this language lacks is given in English
+    language : one of `lispac.language.LANGUAGES`
+    page : name of the page without suffix; a page missing in this language is given in English
     sources : Path or None
         Folder with ``conf.py``, ``en`` and ``fr``; None for the manual of this installation.
     place : Path or None
-        Folder that keeps what is built; None for the one in the cache.
+        Folder of the built pages; None for the one in the cache.
 
     Raises
     ------
     InputError
-        Where the manual is not built and cannot be.
+        If the manual is not built and cannot be built.
     Cancelled
         If the user cancels.
     """
@@ -68,16 +68,16 @@ def manual_page(
 def build_manual(
     sources: Path, output: Path, *, strict: bool = False, progress: Progress = no_progress
 ) -> None:
-    """Build the pages of all languages into folders ``en`` and ``fr`` of a folder.
+    """Build the pages of all languages in the subfolders ``en`` and ``fr`` of a folder.
 
     Parameters
     ----------
-    strict : a link to nowhere, a picture that is missing and the like fail
+    strict : whether warnings are errors, for example broken links and missing images
 
     Raises
     ------
     InputError
-        Where the packages that build it are not installed, or they refuse.
+        If the packages that build it are not installed, or the build fails.
     Cancelled
         If the user cancels.
     """
@@ -101,7 +101,7 @@ def build_manual(
 def _run_command(command: list[str], progress: Progress) -> None:
     variables = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as output:
-        # One after the other: what it says can be read when it has ended
+        # The languages are built one after the other; the output is read when the program has ended
         with subprocess.Popen(
             command, stdout=output, stderr=subprocess.STDOUT, env=variables
         ) as process:
@@ -118,12 +118,12 @@ def _run_command(command: list[str], progress: Progress) -> None:
 
 
 def _build_atomically(sources: Path, place: Path, built: Path, progress: Progress) -> None:
-    """Build beside the place and rename, so that the result is complete or absent.
+    """Build in a temporary folder and rename it, so that the result is complete or absent.
 
     Raises
     ------
     InputError
-        Where it cannot be written.
+        If the folder cannot be written.
     """
     try:
         place.mkdir(parents=True, exist_ok=True)

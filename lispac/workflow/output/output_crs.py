@@ -16,7 +16,7 @@ from lispac.workflow.importing.line_chunks import LineChunks
 LOCAL = "local"
 """Selects the local frame instead of a coordinate system."""
 FIRST_YEAR, LAST_YEAR = 1900.0, 2100.0
-"""An epoch outside is a slip of the pen."""
+"""Range of accepted epochs, decimal years; others are considered typing errors."""
 
 
 def utm_zone(trajectory: LocalTrajectory) -> str:
@@ -35,13 +35,13 @@ def output_system(
     Parameters
     ----------
     trajectory_datum : str, optional
-        As `lispac.survey.crs.coordinate_system`; where not given, datum and epoch are those of the
-        lines' own reading.
+        As for `lispac.survey.crs.coordinate_system`; by default, datum and epoch are those with
+        which the lines are read.
 
     Raises
     ------
     InputError
-        Where it is not known, the lines contradict each other, or an epoch changes nothing.
+        If the system is not known, the lines have different ones, or an epoch has no effect.
     """
     if epoch is not None and not FIRST_YEAR <= epoch <= LAST_YEAR:
         raise InputError(error("export.bad_epoch", epoch=f"{epoch:g}"))
@@ -56,7 +56,7 @@ def output_system(
 
 
 def _own_system_at_epoch(chosen: Sequence[LineChunks], epoch: float) -> CoordinateSystem | None:
-    """The lines' own system, with their datum of the trajectory at another epoch."""
+    """System of the lines, with the datum of their trajectory at another epoch."""
     georeferenced = next(chunks for chunks in chosen if chunks.system is not None)
     choice = georeferenced.choice
     _require_datum(choice[DATUM.name], epoch)
@@ -69,12 +69,12 @@ def _require_datum(trajectory_datum: str, epoch: float | None) -> None:
 
 
 def trajectory_datum_of(lines: Sequence[LineSource]) -> tuple[str, float | None]:
-    """Datum of the trajectory and epoch that lines on the map are read with; empty where none is.
+    """Datum and epoch of the trajectory with which georeferenced lines are read; empty if none.
 
     Raises
     ------
     InputError
-        Where they are read with different ones.
+        If the lines are read with different ones.
     """
     return _chunks_datum([LineChunks.of(line) for line in lines])
 
@@ -95,12 +95,12 @@ def requested_system(
     text: str, trajectory: LocalTrajectory, height: str = "", trajectory_datum: str = "",
     epoch: float | None = None,
 ) -> CoordinateSystem | None:  # fmt: skip
-    """Coordinate system that the user chose; None for the local frame.
+    """Coordinate system chosen by the user; None for the local frame.
 
     Raises
     ------
     InputError
-        Where there is none, or it is not known.
+        If no system is chosen, or it is not known.
     """
     if text == LOCAL:
         if height or trajectory_datum or epoch is not None:
@@ -114,7 +114,7 @@ def requested_system(
 
 
 def _far_away_warning(system: CoordinateSystem, trajectory: LocalTrajectory) -> tuple[Message, ...]:
-    """The warning that a coordinate system is meant for another part of the world."""
+    """Warning that the survey is outside the area of use of a coordinate system."""
     latitude, longitude = trajectory.frame.latitude, trajectory.frame.longitude
     elsewhere = area_of_use_elsewhere(system.crs, math.degrees(latitude), math.degrees(longitude))
     if not elsewhere:
@@ -128,12 +128,12 @@ def _far_away_warning(system: CoordinateSystem, trajectory: LocalTrajectory) -> 
 
 
 def common_system(project: Project) -> CoordinateSystem | None:
-    """The coordinate system of the lines' files; None where these are in the LiDAR frame.
+    """Coordinate system of the files of the lines; None if they are in the LiDAR frame.
 
     Raises
     ------
     InputError
-        Where they are in different ones.
+        If the files have different coordinate systems.
     """
     return _chunks_system([LineChunks.of(line) for line in project.lines])
 

@@ -1,4 +1,4 @@
-"""The options of a report, of which a template holds what a company always wants."""
+"""Options of a report; a template contains those that a company always uses."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -14,18 +14,18 @@ from lispac.untrusted_values import InvalidContentError, toml_values
 
 KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")
 MAX_LENGTH = 2000
-"""Letters of a text of a template."""
+"""Largest number of characters of a text in a template."""
 
 
 def report_options(
     template: Path | None = None, page: str = "", convention: str = "", language: str = ""
 ) -> ReportOptions:
-    """Options from a template, if there is one, overridden by the chosen ones.
+    """Options from a template, if there is one, overridden by the chosen options.
 
     Raises
     ------
     InputError
-        With what is wrong in the template or of the choice.
+        If the template or a chosen option is not valid.
     """
     options = USUAL if template is None else _read_template(Path(template))
     if page:
@@ -89,12 +89,14 @@ def _parse_language(text: str) -> str:
 
 
 def _find_logo(folder: Path, name: str) -> Path:
-    """The logo of a template, in its folder: a template of others could name any file.
+    """Find the logo of a template, which must be in the folder of the template.
+
+    This prevents a template from another source from including any file of the computer.
 
     Raises
     ------
     InputError
-        Where it lies elsewhere, or is no picture.
+        If it is in another folder, or is not an image.
     """
     path = folder / name
     if not path.resolve().is_relative_to(folder.resolve()):

@@ -1,8 +1,8 @@
-"""The script that makes a project from its raw files: the steps of the window as Python.
+"""Python script that makes a project from its raw files with the steps of the window.
 
-It follows from the project alone, so undo takes steps out of it, and a project made elsewhere has
-one too. The script is tested here: whether seeds lead to the project's points, and an adjustment
-to its angles.
+The script is derived from the state of the project, not from a history: undone steps are not in it,
+and a project made on another computer has one, too. The script is tested: seeds must lead to the
+points of the project, and an adjustment to its angles.
 """
 
 import textwrap
@@ -56,13 +56,13 @@ OTHERWISE = (
 
 @dataclass(frozen=True)
 class Script:
-    """Python that makes a project again.
+    """Python script that makes a project again.
 
     Attributes
     ----------
     messages : tuple of Message
-        Where its numbers differ from the project's, and what it cannot know; they stand in the
-        text too.
+        Notes on differences from the numbers of the project and on unknown values; they are also
+        included in the text.
     """
 
     text: str
@@ -75,7 +75,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
     Parameters
     ----------
     survey : Survey
-        Loaded for it.
+        Survey loaded for the project.
     """
     files = FilePaths([project.trajectory, *(line.path for line in project.lines)])
     blocks = [
@@ -120,7 +120,7 @@ def save_script(script: Script, path: Path) -> None:
     Raises
     ------
     InputError
-        Where the file cannot be written.
+        If the file cannot be written.
     """
     with atomic_write(path) as temporary:
         temporary.write_text(script.text, encoding="utf-8", errors="replace", newline="\n")
@@ -165,9 +165,9 @@ def _new_project_step(project: Project, files: FilePaths, *, resolved: bool) -> 
 
 
 def _are_readings_detected(project: Project, survey: Survey) -> bool:
-    """True if detection gives the same readings and notes as the project has.
+    """True if detection gives the reading options and notes of the project.
 
-    This applies to a project that was just created; an opened one does not show these notes.
+    The comparison applies to a project that was just created; an opened one has no such notes.
     """
     readings = project.lines, project.trajectory_reading, project.accuracy_reading
     try:
@@ -197,7 +197,7 @@ def _line_code(line: LineSource, files: FilePaths) -> PythonCode:
 
 
 def _comparison_steps(project: Project) -> Iterator[str]:
-    """The comparison of the lines that the project holds."""
+    """Steps for the validation in the project."""
     if not project.validation:
         return
     model = project.validation[0].model
@@ -225,7 +225,7 @@ def _reference_check_steps(
     project: Project, survey: Survey, check: AbsoluteCheck, files: FilePaths, progress: Progress
 ) -> tuple[list[str], list[Message]]:
     """Steps of the check against a reference, with notes on its unknown options."""
-    # Of a list the project keeps the usual sigma of its points, not that which was given.
+    # For a list, the project stores the default sigma of its points, not the given one.
     sigmas = (check.sigma,) if check.kind == "scan" else (DEFAULT_SIGMA, check.sigma)
     path = _find_reference(check, [files.folder, project.folder, project.folder.parent])
     if path is None:
@@ -273,7 +273,7 @@ def _find_reference(check: AbsoluteCheck, folders: list[Path]) -> Path | None:
 def target_steps(
     project: Project, survey: Survey, target: Target, progress: Progress
 ) -> Iterator[str]:
-    """Steps of a script that give a project this target."""
+    """Steps of a script that add this target to a project."""
     by_hand = any(sighting.by_hand for sighting in target.sightings)
     seeded = None if by_hand else _seed_arguments(project, survey, target, progress)
     if seeded is not None:
@@ -291,7 +291,7 @@ def target_steps(
 def _seed_arguments(
     project: Project, survey: Survey, target: Target, progress: Progress
 ) -> dict[str, Any] | None:
-    """Arguments with which the seed leads to the target; None where there are none."""
+    """Arguments with which the seed leads to the target; None if there are none."""
     search = TargetSearch.for_target(target)
     named: dict[str, Any] = {
         "role": (target.role, "target"),
@@ -303,7 +303,7 @@ def _seed_arguments(
         "choices": (target.choices, USUAL_CHOICES),
     }
     given = {name: value for name, (value, usual) in named.items() if value != usual}
-    # Where lines meet at the seed, or none has a point there, it counts which of them was clicked.
+    # If several lines or no line have a point at the seed, the clicked line affects the result.
     place = np.array(target.seed)
     clicked = [
         line for line in survey.lines if len(survey.clouds[line].within(place, CLICK_GAP).points)
@@ -333,7 +333,7 @@ def _is_same_target(picked: Target, target: Target) -> bool:
 
 
 def _target_code(target: Target) -> PythonCode:
-    """A target with all its points, all of which take part."""
+    """Code of a target with all its points, all of which are used."""
     named: dict[str, Any] = {
         "name": target.name, "role": target.role, "seed": target.seed,
         "threshold": target.threshold, "radius": target.radius,

@@ -1,4 +1,4 @@
-"""Python as a script of a project has it: values, and calls that fit the page."""
+"""Python code for the script of a project: values, and calls wrapped to the line length."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass
@@ -8,7 +8,7 @@ from typing import Any
 
 WIDTH = 100
 SHORT = 72
-"""Letters of a piece of a long text."""
+"""Largest number of characters of a piece of a long text."""
 
 
 class PythonCode(str):
@@ -16,7 +16,7 @@ class PythonCode(str):
 
 
 def python_literal(value: object) -> str:
-    """A value as Python writes it; a value of the program by what differs from the usual."""
+    """Python literal of a value; a dataclass as a call with only the non-default fields."""
     if isinstance(value, PythonCode):
         return str(value)
     if isinstance(value, Path):
@@ -26,7 +26,7 @@ def python_literal(value: object) -> str:
     if isinstance(value, StrEnum):
         return repr(value.value)
     if isinstance(value, float):
-        return repr(float(value))  # NumPy's own say what they are besides
+        return repr(float(value))  # NumPy's scalars include their type
     if isinstance(value, (list, tuple)):
         inside = ", ".join(map(python_literal, value))
         if isinstance(value, list):
@@ -44,7 +44,7 @@ def python_literal(value: object) -> str:
 
 
 def non_default_fields(value: Any, *, but: Sequence[str] = ()) -> dict[str, object]:
-    """Fields of a dataclass whose values are not the usual ones, without those named ``but``."""
+    """Fields of a dataclass with values other than the default, without those in ``but``."""
     return {
         field.name: found
         for field in fields(value)
@@ -53,7 +53,7 @@ def non_default_fields(value: Any, *, but: Sequence[str] = ()) -> dict[str, obje
 
 
 def call_text(function: str, *arguments: object, **named: object) -> str:
-    """A call in one line, or in a line for each argument where it would be too long."""
+    """Code of a call in one line, or with a line for each argument if it would be too long."""
     parts = [
         *map(python_literal, arguments),
         *(f"{name}={python_literal(value)}" for name, value in named.items()),
@@ -66,7 +66,7 @@ def call_text(function: str, *arguments: object, **named: object) -> str:
 
 
 def rows(values: Sequence[object]) -> PythonCode:
-    """A list with a row for each value."""
+    """Code of a list with a row for each value."""
     inside = "".join(
         f"    {python_literal(v).replace(chr(10), chr(10) + '    ')},\n" for v in values
     )
@@ -74,7 +74,7 @@ def rows(values: Sequence[object]) -> PythonCode:
 
 
 def split_text_code(text: str) -> PythonCode:
-    """A long text without line breaks, in pieces of whole words."""
+    """Code of a long text without line breaks, split into pieces of whole words."""
     pieces = [""]
     for word in text.split(" "):
         if pieces[-1] and len(pieces[-1]) + len(word) >= SHORT:
@@ -87,14 +87,14 @@ def split_text_code(text: str) -> PythonCode:
 
 
 class FilePaths:
-    """Names of the files of a project, relative to the folder most of them share."""
+    """File paths of a project in a script, relative to the folder that contains most files."""
 
     def __init__(self, paths: Sequence[Path]) -> None:
         parents = [path.parent for path in paths]
         self.folder = max(dict.fromkeys(parents), key=parents.count)
 
     def __call__(self, path: Path) -> PythonCode:
-        """Expression of a path in the script."""
+        """Code of a path in the script."""
         if path.parent == self.folder:
             return PythonCode(f"data / {path.name!r}")
         return PythonCode(python_literal(path))

@@ -1,1 +1,1 @@
-"""Before the survey: simulation, plans, sensors, and studies on many machines."""
+"""Survey planning: simulation, plans, sensors, and simulation studies on a cluster."""

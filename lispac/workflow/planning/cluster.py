@@ -1,9 +1,9 @@
-"""A campaign on many machines: the workers of a dask scheduler.
+"""Computation of many simulations on a cluster: the workers of a dask scheduler.
 
-The scheduler hands chunks to workers and hands those of a lost worker to others. What has come in
-is kept here, so that nothing is calculated twice but what was under way. Where the same chunk has
-lost its worker several times over, the scheduler gives it up; it is sent again a few times, since
-office machines are switched off without regard to what they calculate.
+The scheduler distributes chunks to workers and gives the chunks of a lost worker to others.
+Received results are kept here, so that only unfinished chunks are computed again. The scheduler
+gives up a chunk that has lost its worker several times. Such a chunk is sent again a few times,
+because office computers may be switched off while they compute.
 """
 
 import asyncio
@@ -25,31 +25,32 @@ from lispac.workflow.planning.cluster_access import ClusterAccess
 from lispac.workflow.planning.parallel_map import chunk_size
 
 CONNECT_TIMEOUT = 4.0
-"""Seconds in which a scheduler has to reply."""
+"""Longest time for a reply of the scheduler, seconds."""
 
 START_TIMEOUT = 15.0
-"""Seconds that a worker may take to be there: one that was lost is started again by its nanny."""
+"""Longest time for a worker to appear, seconds; dask's nanny process restarts a lost worker."""
 
 POLL_INTERVAL = 2.0
 """Seconds without a result after which the number of workers is checked."""
 
 WORKER_TIMEOUT = 60.0
-"""Seconds that may pass without any worker before the campaign ends."""
+"""Longest time without any worker, seconds, after which the computation ends with an error."""
 
 MAX_SENDINGS = 3
-"""Times that a chunk is sent; each time the scheduler bears with several lost workers."""
+"""Largest number of times that a chunk is sent to the scheduler. Each time, the scheduler tolerates
+several lost workers before it gives the chunk up."""
 
 
 @contextmanager
 def cluster_mapper(access: ClusterAccess | str) -> Iterator[Mapper]:
     """A mapper over the workers of a dask scheduler.
 
-    What is not done when the context is left is cancelled.
+    Unfinished chunks are cancelled when the context is left.
 
     Parameters
     ----------
     access : ClusterAccess or str
-        An address alone stands for access without certificates of its own.
+        A str is the address, without certificates given by the user.
 
     Raises
     ------
@@ -107,7 +108,7 @@ def _require_scheduler(address: str, security: Any) -> None:
 
     try:
         asyncio.run(greeted())
-    except Exception as failure:  # whatever another program's reply leads to
+    except Exception as failure:  # another program's reply may cause any error
         raise LispacError(
             error("cluster.no_scheduler", address=address, limit=CONNECT_TIMEOUT)
         ) from failure
@@ -121,7 +122,7 @@ class _Cluster:
         self.under_way: set[_ChunkInProgress] = set()
 
     def check(self) -> None:
-        """Refuse a cluster without workers, or whose workers are not like this program.
+        """Refuse a cluster without workers, or with workers of another version.
 
         Raises
         ------
@@ -157,7 +158,7 @@ class _Cluster:
                 )  # fmt: skip
 
     def map(self, function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
-        """Results in the order of the values, each as soon as those before it are available."""
+        """Yield results in the order of the values, each as soon as the previous are available."""
         values = list(values)
         size = chunk_size(len(values), self._count_threads())
         chunks = [values[k : k + size] for k in range(0, len(values), size)]
@@ -189,7 +190,7 @@ class _Cluster:
         Raises
         ------
         LispacError
-            Where all workers are gone.
+            If all workers are gone.
         """
         alone_since = None
         while True:
@@ -205,12 +206,12 @@ class _Cluster:
                     raise self._connection_error()
 
     def _receive_result(self, sent: "_ChunkInProgress") -> list[Any] | None:
-        """Results of a completed chunk; None if the scheduler gave it up and it may be repeated.
+        """Results of a completed chunk; None if the scheduler gave it up and it is sent again.
 
         Raises
         ------
         LispacError
-            Where it was sent too often already, or all workers are gone.
+            If it was sent too often already, or all workers are gone.
         """
         import distributed
 
@@ -218,7 +219,7 @@ class _Cluster:
         with self._report_lost_connection():
             lost = self._query_scheduler(sent.future.exception)
             if lost is None:
-                # Its worker may have been lost since: others do it again, or are lost by it, too
+                # If its worker was lost since, others compute it again, or are lost as well
                 try:
                     result = list(self._query_scheduler(sent.future.result))
                 except distributed.scheduler.KilledWorker as killed:
@@ -243,7 +244,7 @@ class _Cluster:
         Raises
         ------
         LispacError
-            Where no worker is left.
+            If no worker is left.
         """
         while True:
             try:
@@ -281,7 +282,7 @@ class _Cluster:
         self.under_way.discard(sent)
 
     def close(self) -> None:
-        """Cancel what has not come back, and leave."""
+        """Cancel unfinished chunks and close the connection."""
         with suppress(Exception):  # the scheduler may be gone, and then there is nothing to cancel
             self.client.cancel([sent.future for sent in self.under_way])
         self.client.close()
@@ -308,7 +309,8 @@ class _ChunkInProgress:
 
 
 _ONE_AT_A_TIME = threading.Lock()
-"""A worker may have several threads; how many threads BLAS has is a setting of the process."""
+"""Lock of a worker process, which may have several threads while the number of BLAS threads is a
+setting of the process."""
 
 
 def _program_version() -> str:

@@ -1,4 +1,4 @@
-"""Connection to a dask scheduler: TLS, or TCP where the user accepts its risk.
+"""Connection to a dask scheduler with TLS, or with TCP if the user accepts its risk.
 
 Source: dask, distributed, "TLS/SSL".
 """
@@ -21,9 +21,9 @@ ADDRESS = re.compile(r"((?P<protocol>tcp|tls)://)?(?P<host>\[[0-9a-fA-F:]+\]|[^\
 class ClusterAccess:
     """Address and encryption of the connection to a scheduler.
 
-    dask unpickles what a scheduler sends, so that whoever answers at its address can run programs
-    on this computer, and whoever reaches the scheduler can run programs on the workers. TLS with
-    certificates lets nobody else answer.
+    dask unpickles the data that a scheduler sends. Anyone who replies at its address can therefore
+    run programs on this computer, and anyone who can reach the scheduler can run programs on the
+    workers. TLS with certificates prevents both.
 
     Attributes
     ----------
@@ -31,8 +31,8 @@ class ClusterAccess:
         ``tls://HOST:PORT``, ``tcp://HOST:PORT`` or ``HOST:PORT``, which is TLS unless the host is
         this computer.
     certificates : tuple of 3 Path, optional
-        Of the authority, of this client, and its key, all PEM; those of dask's own configuration
-        where they are not given.
+        PEM files with the certificate of the authority, the certificate of this client, and its
+        key; by default those of dask's configuration.
     plain_tcp : bool
         Whether TCP to another computer is accepted.
     """
@@ -48,7 +48,7 @@ class ClusterAccess:
         Raises
         ------
         LispacError
-            Where it is no address, or plain TCP to another computer and that is not accepted.
+            If the address is not valid, or means plain TCP to another computer without consent.
         """
         found = ADDRESS.fullmatch(self.address)
         if found is None:
@@ -73,7 +73,7 @@ class ClusterAccess:
         Raises
         ------
         LispacError
-            Where TLS has no certificates, or a file of theirs cannot be used.
+            If there are no certificates for TLS, or one of the files cannot be used.
         """
         from distributed.security import Security
 

@@ -1,4 +1,4 @@
-"""The built-in survey, written to files and calibrated like any other."""
+"""Built-in survey, which is written to files and calibrated like any other survey."""
 
 from pathlib import Path
 
@@ -24,9 +24,8 @@ from lispac.workflow.project.projects import save_project
 from lispac.workflow.project.survey import Survey, load_survey
 
 LIDAR_SIGMA = 0.0019
-"""Metres: the simulated scanner's 2.5 mm along the beam and 1.3 mm across it (0.005 deg at 15 m),
-seen along the normals of the two boards: the root mean square over all points that six lines have
-of them."""
+"""LiDAR noise along the normals of the two boards, metres: root mean square over all their points
+in six lines, with 2.5 mm along the beam and 1.3 mm across it (0.005 deg at 15 m)."""
 
 MARKER = "demo"
 
@@ -37,19 +36,19 @@ def make_demo(
     points_per_second: float = POINTS_PER_SECOND,
     progress: Progress = no_progress,
 ) -> Project:
-    """Simulate the built-in survey and write it as a new project: raw files, nothing picked.
+    """Simulate the built-in survey and write it as a new project with raw files but no targets.
 
     An earlier demo in the folder is replaced, once the new survey is simulated.
 
     Parameters
     ----------
     points_per_second : float
-        Of the scanner; fewer make a smaller survey of the same quay.
+        Pulse rate of the scanner; a lower rate makes a smaller survey of the same quay.
 
     Raises
     ------
     ProjectError
-        Where the folder holds anything but a demo.
+        If the folder contains anything other than a demo.
     """
     folder = Path(folder).absolute()
     require_replaceable(folder, MARKER)

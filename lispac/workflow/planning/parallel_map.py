@@ -1,7 +1,7 @@
 """Mapping of many simulations: in this process, in a pool of processes, or on a cluster.
 
-Searches and Monte Carlo ask for a mapper alone, so the same code runs in all three places, and
-gives the same numbers: no calculation knows which others it shares a process with.
+Searches and Monte Carlo simulations use only a mapper, so that the same code runs in all three ways
+with the same numbers: no computation depends on others in its process.
 """
 
 import os
@@ -18,11 +18,11 @@ from lispac.messages import error
 from lispac.workflow.planning.cluster_access import ClusterAccess
 
 MAX_CHUNK = 16
-"""Most values that a process is sent at once."""
+"""Largest number of values that are sent to a process at once."""
 
 CHUNKS_PER_PROCESS = 8
-"""Chunks that each process gets at least, where there are enough values: the last one to finish
-keeps the others waiting for a fraction of the whole only."""
+"""Smallest number of chunks for each process, if there are enough values, so that the processes
+wait only a short time for the last one to finish."""
 
 
 def choose_mapper(
@@ -35,12 +35,12 @@ def choose_mapper(
     workers : int or None
         Processes on this machine; all cores by default.
     cluster : ClusterAccess or None
-        Of a dask scheduler whose workers are to be used instead.
+        Access to a dask scheduler whose workers are used instead.
 
     Raises
     ------
     LispacError
-        On entering: the cluster cannot be used.
+        If the cluster cannot be used; raised on entering the context.
     """
     if cluster is None:
         return process_pool_mapper(workers or os.cpu_count() or 1)
@@ -53,18 +53,18 @@ def choose_mapper(
 def process_pool_mapper(workers: int, *, at_once: int = MAX_CHUNK) -> Iterator[Mapper]:
     """Mapper over ``workers`` processes; one means this process.
 
-    What is not done when the context is left is never begun. The processes are started afresh on
-    every system: one that is forked from a program with threads may wait for a lock for ever.
+    Waiting values are not computed after the context is left. Processes are spawned, not forked, on
+    every system, because a process forked from a program with threads may deadlock.
 
     Parameters
     ----------
     at_once : int
-        Most values that a process is sent: what is begun is finished, also when it is cancelled.
+        Largest number of values sent to a process, which finishes them even after a cancellation.
 
     Raises
     ------
     LispacError
-        From the mapper: a process of the pool was lost.
+        If a process of the pool was lost; raised by the mapper.
     """
     if workers <= 1:
         yield map
@@ -86,5 +86,5 @@ def process_pool_mapper(workers: int, *, at_once: int = MAX_CHUNK) -> Iterator[M
 
 
 def chunk_size(values: int, workers: int) -> int:
-    """Number of values that a process is sent at once."""
+    """Number of values that are sent to a process at once."""
     return max(1, min(MAX_CHUNK, values // (CHUNKS_PER_PROCESS * max(workers, 1))))

@@ -60,7 +60,7 @@ def simulate_surveys(
     Raises
     ------
     RankDeficient
-        Targets that all face one way, too.
+        Also if all targets have the same orientation.
     """
     if have_targets_one_orientation(plan):
         raise RankDeficient(ONE_WAY)
@@ -112,7 +112,7 @@ def write_design(
     Raises
     ------
     LispacError
-        The folder cannot be made.
+        If the folder cannot be created.
     """
     from lispac.report.design_figures import pareto_front_figure
 
@@ -142,7 +142,7 @@ def write_scenarios(folder: Path, outcomes: Sequence[ScenarioOutcome]) -> None:
     Raises
     ------
     LispacError
-        The folder cannot be made.
+        If the folder cannot be created.
     """
     from lispac.report.design_figures import scenario_figure
 

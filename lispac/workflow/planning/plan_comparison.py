@@ -1,4 +1,4 @@
-"""Comparison of a survey with its plan: predicted and obtained precision, deviations."""
+"""Comparison of a survey with its plan: predicted and obtained precision, and deviations."""
 
 from dataclasses import dataclass, replace
 
@@ -19,10 +19,11 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 SAME_HEADING = 22.5
-"""Degrees by which a line may be sailed off its planned heading and still be that line."""
+"""Largest difference of the heading of a line from that of the planned line, degrees."""
 
 OFF_METRES, OFF_SHARE = 2.0, 0.2
-"""A line that was sailed farther or nearer by more, metres and share of its distance, is named."""
+"""Largest difference from the planned distance of a line that is not reported, in metres and as a
+share of the distance."""
 
 
 ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
@@ -41,15 +42,15 @@ class PlanComparison:
     as_flat : ndarray of shape (3,), radians
         The same with the targets as flat as the survey found them.
     obtained : ndarray of shape (3,), radians
-        From the adjustment.
+        Sigmas from the adjustment.
     flatness : tuple of float, metres
-        Of the targets, as planned and as found.
+        Flatness of the targets as planned and as found.
     missing_targets : tuple of str
     missing_lines : tuple of Line
     off_plan : tuple of LazyText
         Lines that were surveyed at another distance.
     costs : tuple of LazyText
-        Loss of precision by each line or target that is missing.
+        Loss of precision due to each missing line or target.
     """
 
     planned: Array
@@ -102,14 +103,13 @@ class PlanComparison:
 def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> PlanComparison:
     """Compare the precision of a survey with the precision predicted for its plan.
 
-    Targets are those of the same name. Of the lines of the same heading each planned one is that
-    whose targets were measured at the distance nearest to the planned; sailed lines are predicted
-    with the distances that were sailed.
+    Targets are matched by name. Planned lines are matched with sailed lines by heading and by the
+    distance of the targets. The precision of sailed lines is predicted with their actual distances.
 
     Raises
     ------
     ProjectError
-        The project has no result, or none of the plan's targets or lines.
+        If the project has no result, or none of the plan's targets or lines.
     """
     result, plan = project.result, titled.plan
     if result is None:
@@ -169,7 +169,7 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
 
 
 def _angle_cells(values: Array, decimals: int) -> tuple[str, str, str]:
-    """Roll, pitch and yaw as texts; a dash for what is not determined."""
+    """Roll, pitch and yaw as texts, with a dash for an angle that is not determined."""
     a, b, c = (number(float(v), decimals) if np.isfinite(v) else "–" for v in values)
     return a, b, c
 
@@ -199,7 +199,7 @@ def _sailed_lines(plan: Plan, project: Project, survey: Survey) -> dict[int, Lin
                 cost[k, j] = off + abs(moved[k, j])
     from scipy.optimize import linear_sum_assignment
 
-    # What can be no pair costs more than all pairs together
+    # An impossible pair costs more than all possible pairs together
     never = 1.0 + 2.0 * np.where(np.isfinite(cost), cost, 0.0).sum()
     rows, columns = linear_sum_assignment(np.where(np.isfinite(cost), cost, never))
     return {
@@ -210,7 +210,7 @@ def _sailed_lines(plan: Plan, project: Project, survey: Survey) -> dict[int, Lin
 
 
 def _median_ranges(project: Project, survey: Survey) -> dict[tuple[str, str], float]:
-    """Usual range (metres) at which each target was measured on each line."""
+    """Median range (metres) at which each target was measured on each line."""
     observations = observations_of(project, survey)
     ranges = np.linalg.norm(observations.points_lidar, axis=1)
     return {

@@ -20,17 +20,17 @@ from lispac.untrusted_values import InvalidContentError, toml_values
 from lispac.workflow.planning.simulated_setup import SimulatedSetup, setup_file
 
 ORIGIN = (float(np.radians(46.8)), float(np.radians(-71.2)), 0.0)
-"""Latitude, longitude (radians) and height (metres) of the middle of the site: a plan has none."""
+"""Latitude, longitude (radians) and height (metres) of the site, because a plan has no position."""
 
 WHITE = 0.85
 MARGIN = 3.0
 """Metres recorded before and after the straight part of a line."""
 
 WINDOW = (float(np.radians(-60.0)), float(np.radians(80.0)))
-"""Elevations recorded on the side of the site: a plan knows no window."""
+"""Range of elevations recorded on the side of the site, radians; a plan does not specify it."""
 
 SHORTEST_TURN = 15.0
-"""Seconds from one line to the next at least."""
+"""Smallest time from one line to the next, seconds."""
 
 
 def is_plan(path: Path) -> bool:
@@ -51,13 +51,13 @@ def simulation_of_plan(
 ) -> SimulatedSetup:
     """Simulation setup of a plan, whose scene contains only its targets.
 
-    Lever arm, POS and scanner are the plan's; how the vessel moves and by how much the mounting
-    is off are the vessel's.
+    Lever arm, POS and scanner are those of the plan; the motion and the mounting errors are those
+    of the vessel.
 
     Parameters
     ----------
     vessel : str, optional
-        A name that comes with the program, or a file; the launch where it is not given.
+        Name of a vessel supplied with the program, or a file; the launch by default.
     points_per_second : float, optional
         Pulses per second of the scanner, instead of the plan's.
     errors : mapping, optional

@@ -1,6 +1,6 @@
-"""The library of sensors: what comes with the program, and the user's own.
+"""Library of sensors supplied with the program and defined by the user.
 
-A file of the user's with the name of one that comes with the program takes its place.
+A file of the user replaces the supplied file with the same name.
 """
 
 import re
@@ -60,13 +60,13 @@ SOURCES = (
     ),
     N_("Shahraji's thesis, section 1.2.2, table 1.2, after iXblue (2019); base station at 10 km"),
 )
-"""Sources of the sensors that come with the program, for their translation."""
+"""Sources of the sensors supplied with the program, for translation."""
 LONGEST = 200
-"""Letters of a title or a source."""
+"""Largest number of characters of a title or a source."""
 SIMULATED_SCANNERS = ("profiler",)
 """Scanners that exist in the simulator only."""
 LEAST_NOISE = 0.001
-"""Metres: the LiDAR noise on each axis, from which search distances follow, is no smaller."""
+"""Smallest LiDAR noise on each axis, metres; search distances are derived from it."""
 
 F = TypeVar("F", ScannerSpecification, PosSpecification)
 
@@ -77,7 +77,7 @@ class Sensor(Generic[F]):
 
     Attributes
     ----------
-    name : what it is called on the command line: the name of its file
+    name : name of its file, used on the command line
     is_user_defined : whether the user added it
     """
 
@@ -88,29 +88,29 @@ class Sensor(Generic[F]):
 
 @dataclass(frozen=True)
 class SensorLibrary:
-    """All sensors by their titles, and what is wrong with files of the user's."""
+    """All sensors by their titles, and errors in the files of the user."""
 
     scanners: tuple[Sensor[ScannerSpecification], ...]
     pos: tuple[Sensor[PosSpecification], ...]
     messages: tuple[Message, ...] = ()
 
     def scanner(self, name: str) -> ScannerSpecification:
-        """The scanner of a name.
+        """Scanner with a given name.
 
         Raises
         ------
         InputError
-            Where there is none.
+            If there is none.
         """
         return _find_sensor("sensor.no_scanner", self.scanners, name).figures
 
     def find_pos(self, word: str) -> tuple[PosSpecification, PosAccuracy]:
-        """The POS of a name, and its sigmas with a GNSS solution: ``apogee:ppk``.
+        """POS with a given name, and its sigmas for a GNSS solution: ``apogee:ppk``.
 
         Raises
         ------
         InputError
-            Where there is none, or the solution is not given and there are several.
+            If there is none, or the solution is not given and there are several.
         """
         name, _, solution = word.partition(":")
         figures = _find_sensor("sensor.no_pos", self.pos, name).figures
@@ -130,12 +130,12 @@ def user_sensors_folder() -> Path:
 
 
 def read_library(folder: Path) -> SensorLibrary:
-    """Read the sensors that come with the program and those in a folder of the user's.
+    """Read the sensors supplied with the program and those in a folder of the user.
 
     Parameters
     ----------
     folder : Path
-        Holds ``scanners`` and ``pos``; it need not exist.
+        Folder with subfolders ``scanners`` and ``pos``; it need not exist.
     """
     messages: list[Message] = []
     return SensorLibrary(
@@ -181,12 +181,12 @@ def store_sensor(folder: Path, figures: Figures, name: str = "") -> str:
     Parameters
     ----------
     name : str
-        Of the user's sensor that it replaces; empty for a new one.
+        Name of the user's sensor to replace; empty for a new one.
 
     Raises
     ------
     InputError
-        Where the figures cannot be used, another is called so, or nothing can be written.
+        If the values are not valid, the name is taken, or the file cannot be written.
     """
     require_storable(folder, figures, name)
     word = name or _file_stem(figures.title)
@@ -220,12 +220,12 @@ def require_storable(folder: Path, figures: Figures, name: str = "") -> None:
 def remove_sensor(
     folder: Path, sensor: Sensor[ScannerSpecification] | Sensor[PosSpecification]
 ) -> None:
-    """Take a sensor of the user's out of the library.
+    """Remove a sensor of the user from the library.
 
     Raises
     ------
     InputError
-        Where it comes with the program, or cannot be removed.
+        If it is supplied with the program, or cannot be removed.
     """
     if not sensor.is_user_defined:
         raise InputError(error("sensor.supplied", title=sensor.figures.title))
@@ -251,7 +251,7 @@ def _file_stem(title: str) -> str:
 
 
 def noise_settings(scanner: ScannerSpecification) -> dict[str, Any]:
-    """LiDAR noise, by the names of `Settings`: along the beam and in its direction."""
+    """LiDAR noise along the beam and in beam direction, by the names of `Settings`."""
     return {
         "lidar_sigma": max(scanner.range_sigma, LEAST_NOISE),
         "lidar_sigma_xyz": None,
@@ -260,7 +260,7 @@ def noise_settings(scanner: ScannerSpecification) -> dict[str, Any]:
 
 
 def sigma_settings(state: PosAccuracy) -> dict[str, Any]:
-    """Sigmas of the POS where there is no accuracy file, by the names of `Settings`."""
+    """Sigmas of the POS for use without an accuracy file, by the names of `Settings`."""
     return {
         "position_sigma": state.position_sigma,
         "attitude_sigma_deg": state.attitude_sigma_deg,

@@ -1,4 +1,4 @@
-"""Simulated surveys as projects: the files a surveyor would have, and the truth beside them."""
+"""Simulated surveys as projects: the files of a real survey, and the true values beside them."""
 
 import json
 import re
@@ -38,7 +38,7 @@ TRAJECTORY, ACCURACY = "trajectory.sbet", "smrmsg.out"
 TARGETS = "targets.csv"
 """List of coordinates that ``lispac pick --seeds`` reads."""
 BALLS = "balls.csv"
-"""The same of balls, for ``--shape sphere``."""
+"""List of coordinates of spheres, for ``--shape sphere``."""
 _UNFINISHED = re.compile(r"\.survey-\w{8}\.part")
 
 
@@ -51,22 +51,22 @@ def simulate(
     pos_errors: bool = True,
     progress: Progress = no_progress,
 ) -> tuple[Project, dict[str, int]]:
-    """Simulate a survey and write it as a new project: raw files, nothing picked.
+    """Simulate a survey and write it as a new project with raw files but no targets.
 
-    An earlier simulation in the folder is replaced, once the new one is made.
+    An earlier simulation in the folder is replaced when the new one is complete.
 
     Returns
     -------
     project : Project
     points : dict of str to int
-        How many there are in each line.
+        Number of points of each line.
 
     Raises
     ------
     ProjectError
-        Where the folder holds anything but a simulation.
+        If the folder contains anything other than a simulation.
     InputError
-        Where nothing was seen by a line, or a file cannot be written.
+        If a line has no points, or a file cannot be written.
     """
     folder = Path(folder).absolute()
     require_replaceable(folder, MARKER)
@@ -115,7 +115,7 @@ def create_simulated_project(
 
 
 def require_replaceable(folder: Path, marker: str) -> None:
-    """Refuse a folder that holds anything but an earlier survey of this kind.
+    """Refuse a folder that contains anything other than an earlier survey of this kind.
 
     Raises
     ------
@@ -136,8 +136,8 @@ def replaced_survey(
 ) -> Iterator[Path]:
     """Yield an empty folder for the files of a new survey, which replace those of the earlier one.
 
-    The files are moved into ``folder`` when all are written. Where that fails, what was there
-    before stays as it was.
+    The files are moved into ``folder`` when all have been written. After an error, the earlier
+    survey remains unchanged.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ def replaced_survey(
     Raises
     ------
     InputError
-        Where a file cannot be written.
+        If a file cannot be written.
     """  # noqa: DOC501 - `write_error` makes an InputError
     present = [each for each in (folder, *folder.parents) if each.exists()]
     made = [each for each in (folder, *folder.parents) if each not in present]
@@ -160,7 +160,7 @@ def replaced_survey(
         folder.mkdir(parents=True, exist_ok=True)
         for path in folder.iterdir():
             if _UNFINISHED.fullmatch(path.name) and path.is_dir() and not path.is_symlink():
-                shutil.rmtree(path, ignore_errors=True)  # of a run that was killed
+                shutil.rmtree(path, ignore_errors=True)  # left by a run that was killed
         new = Path(mkdtemp(prefix=".survey-", suffix=".part", dir=folder))
     except ValueError as failure:
         raise bad_name_error(folder) from failure

@@ -22,9 +22,9 @@ from lispac.survey.trajectory import LocalTrajectory
 
 KINDS = ("scene", "vessel", "scanner")
 MAX_DISTANCE = 20_000.0
-"""Metres: a scene whose origin is farther from the trajectory lies elsewhere."""
+"""Largest distance of the origin of a scene from the trajectory, metres."""
 MAX_DURATION = 12 * 3600.0
-"""Seconds: a survey that takes longer has a figure wrong, and would not fit into memory."""
+"""Longest simulated survey, seconds; a longer one is an input error and would not fit in memory."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,11 +35,11 @@ class SimulatedSetup:
     ----------
     setup : SurveySetup
     lever_arm : three of float, metres, body
-        As the surveyor has it; the true one is in the setup.
+        Lever arm given by the surveyor; the true one is in the setup.
     titles : dict of str to str
-        What scene, vessel and scanner are.
+        Titles of scene, vessel and scanner.
     files : dict of str to Path
-        Where they are written down.
+        Files of scene, vessel and scanner.
     """
 
     setup: SurveySetup
@@ -72,8 +72,8 @@ def read_simulation(
     Parameters
     ----------
     scene, vessel, scanner : str
-        A name that comes with the program, or a file; vessel and scanner as the scene says where
-        they are not given.
+        Name supplied with the program, or a file; vessel and scanner are by default those specified
+        in the scene.
     trajectory : Path, optional
         SBET used as the truth, instead of that of the scene.
     points_per_second : float, optional
@@ -116,12 +116,12 @@ _UNKNOWN = {
 
 
 def setup_file(kind: str, word: str, beside: Path | None) -> Path:
-    """The file of a name or path; paths in a scene count from where it lies.
+    """File with a name or path; paths in a scene are relative to its folder.
 
     Raises
     ------
     InputError
-        Where there is none of that name.
+        If there is none of that name.
     """
     path = Path(word)
     if path.suffix.lower() != ".toml":

@@ -33,12 +33,12 @@ def write_visibility(
     Returns
     -------
     list of Path
-        What was written.
+        Written files.
 
     Raises
     ------
     InputError
-        Where a file cannot be written.
+        If a file cannot be written.
     """
     tables = [("values", values_table(study, errors))]
     if study.beams == "aimed":  # those of the thesis

@@ -1,1 +1,1 @@
-"""Projects: making, opening, saving and copying them, and their survey."""
+"""Projects: creation, opening, saving and copying, and their survey."""

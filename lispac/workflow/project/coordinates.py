@@ -1,4 +1,4 @@
-"""Coordinates that are typed or listed: in the local frame, or in a coordinate system."""
+"""Typed or listed coordinates, in the local frame or in a coordinate system."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,7 @@ from lispac.survey.trajectory import LocalTrajectory
 Array = NDArray[np.float64]
 
 MAX_DISTANCE = 5_000.0
-"""Metres from the trajectory beyond which no LiDAR on a vessel sees: a slip, not a target."""
+"""Largest distance of a target from the trajectory, metres; beyond it a typing error is assumed."""
 MAX_STATES = 5_000
 """States of the trajectory used for distances: about one a second for an hour."""
 
@@ -30,7 +30,7 @@ def axis_names(system: CoordinateSystem | None) -> tuple[str, str, str]:
 def to_local_frame(
     points: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory
 ) -> Array:
-    """Places in the local frame, from coordinates in a system.
+    """Convert coordinates in a coordinate system to the local frame.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def to_local_frame(
 
     Returns
     -------
-    ndarray of shape (n, 3), metres, local frame; not finite where the system does not reach
+    ndarray of shape (n, 3), metres, local frame; not finite outside the coordinate system
     """
     points = np.asarray(points, dtype=float).reshape(-1, 3)
     if system is None:
@@ -67,9 +67,9 @@ def too_far_message(
     Parameters
     ----------
     point : ndarray of shape (3,), local frame
-        As one of `to_local_frame`.
+        A position returned by `to_local_frame`.
     name : str or Message
-        Of the target, file or row that has the coordinates.
+        Name of the target, file or row with the coordinates.
     """
     distance = float(
         distances_from_trajectory(to_local_frame(point, system, trajectory), trajectory)[0]
@@ -106,19 +106,19 @@ SWAPPED = {
 def require_near_trajectory(
     point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory, name: str | Message
 ) -> Array:
-    """Place of coordinates in the local frame, shape (3,), metres; refused if too far away.
+    """Convert coordinates to the local frame, shape (3,), metres; refuse them if too far away.
 
     Parameters
     ----------
     point : ndarray of shape (3,)
-        In ``system``; north, west, up in metres where that is None.
+        In ``system``; north, west, up in metres if that is None.
     name : str or Message
-        Of the target, file or row that has them.
+        Name of the target, file or row with the coordinates.
 
     Raises
     ------
     InputError
-        Where it is too far away.
+        If it is too far away.
     """
     if refusal := too_far_message(point, system, trajectory, name):
         raise InputError(refusal)

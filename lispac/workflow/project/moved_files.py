@@ -1,9 +1,8 @@
-"""Files of a project that was moved: found beside it, or in a folder the user gives.
+"""Search for the files of a moved project beside it or in a folder given by the user.
 
-A project points at its files from its own folder. Where only one of both is moved, to another disk
-or computer, the files are found by the ends of their paths: what lay in ``raw/line1.laz`` is the
-same in another place. Whether a line is the one that targets were picked on is checked by its
-points when the survey is read.
+A project refers to its files by paths. If the project or the files are moved, the files are found
+by the ends of their paths, for example ``raw/line1.laz``. When the survey is read, the points of a
+line are checked to make sure that targets were picked in the same file.
 """
 
 import os
@@ -19,15 +18,15 @@ from lispac.survey.store.layout import has_complete_import
 from lispac.workflow.importing.line_import import line_folder
 
 MAX_LISTED = 3
-"""Missing files that a message names."""
+"""Largest number of missing files named in a message."""
 MAX_SEARCHED = 20_000
-"""Files and folders; the search of a whole disk would take minutes."""
+"""Largest number of files and folders searched; a search of a whole disk would take minutes."""
 
 
 def missing_files(project: Project) -> tuple[Path, ...]:
     """Missing files of the project that are needed to read its survey.
 
-    A line that was imported needs its file no more.
+    An imported line no longer needs its file.
     """
     lines = (
         line.path for line in project.lines if not has_complete_import(line_folder(project, line))
@@ -38,12 +37,12 @@ def missing_files(project: Project) -> tuple[Path, ...]:
 
 
 def with_files_in(project: Project, folder: Path) -> Project:
-    """Point a project at those of its missing files that are in a folder, or in one below it.
+    """Update the paths of missing files of a project that are in a folder or below it.
 
     Raises
     ------
     InputError
-        Where none of them is there.
+        If none of the missing files is found.
     """
     missing = missing_files(project)
     ends = {path: _find_by_path_end(path, folder) for path in missing}
@@ -62,7 +61,7 @@ def with_files_in(project: Project, folder: Path) -> Project:
 
 
 def with_files_beside(project: Project) -> tuple[Project, tuple[Message, ...]]:
-    """Point a project at missing files in its folder or beside it, and return which."""
+    """Update the paths of missing files found in or beside the project's folder; returns these."""
     found: dict[Path, Path] = {}
     for path in missing_files(project):
         for place in (project.folder, project.folder.parent):
@@ -79,7 +78,7 @@ def file_moved_note(path: Path) -> Message:
 
 
 def with_files_of(project: Project, other: Project) -> Project:
-    """Point a project at the files of another state of it, by line, where its own are missing."""
+    """Replace the paths of missing files by those in another state of the project, by line."""
     missing = missing_files(project)
     if not missing:
         return project
@@ -93,7 +92,7 @@ def with_files_of(project: Project, other: Project) -> Project:
 
 
 def require_files(project: Project) -> None:
-    """Refuse a project whose files are not there.
+    """Refuse a project with missing files.
 
     Raises
     ------

@@ -42,23 +42,23 @@ def save_project_as(
 ) -> tuple[Project, Survey]:
     """Save a project in another folder; the original remains unchanged.
 
-    The survey's files stay where they are; lines that were imported into the project are copied, so
-    that they are there where their files are gone.
+    The files of the survey stay in their place. Imported lines are copied, so that they are
+    available even if their files are missing.
 
     Returns
     -------
     project : Project
-        In that folder.
+        Project in the new folder.
     survey : Survey
-        That reads its lines from there.
+        Survey that reads its lines from the new folder.
 
     Raises
     ------
     ProjectError
-        Where the folder holds a project already or is a file, or a line is damaged or was imported
+        If the folder holds a project already or is a file, or a line is damaged or was imported
         again since it was opened.
     InputError
-        Where it cannot be written; nothing is left there then.
+        If it cannot be written; nothing is left there then.
     """  # noqa: DOC501 - `_not_writable_error` makes an InputError
     folder = Path(folder).absolute()
     try:
@@ -117,13 +117,13 @@ def _remove_points_on_failure(folder: Path) -> Iterator[None]:
 def _marked_unfinished(folder: Path) -> Iterator[None]:
     """Mark the lines copied into a folder as unfinished until the project is written.
 
-    What a save that was ended by force has left so is removed first: the program's own files in
-    the folders it has marked, nothing else.
+    The remains of an earlier save that was terminated are removed first: only files of the program
+    in folders with the mark.
 
     Raises
     ------
     ProjectError
-        Where another save into the folder runs.
+        If another save into the folder is in progress.
     """
     lines = folder / LINES
     require_no_link(lines)
@@ -141,7 +141,7 @@ def _marked_unfinished(folder: Path) -> Iterator[None]:
             raise
         for mark in lines.glob(f"*/{MARK}"):
             mark.unlink(missing_ok=True)
-    with suppress(OSError):  # where the system lets no open file be removed, it is left behind
+    with suppress(OSError):  # left behind on systems that cannot remove open files
         (lines / LOCK).unlink(missing_ok=True)
 
 
@@ -177,7 +177,7 @@ def _copy_line(
     Raises
     ------
     ProjectError
-        Where the line was imported again meanwhile, or is damaged.
+        If the line has been imported again, or is damaged.
     """
     manifest = stored.manifest
     require_no_link(destination.parent, destination)

@@ -1,4 +1,4 @@
-"""Making, opening and saving projects."""
+"""Creation, opening and saving of projects."""
 
 import shutil
 from collections.abc import Callable, Iterator, Sequence
@@ -47,14 +47,14 @@ def create_project(
     identity: Identity = BLANK,
     messages: tuple[Message, ...] = (),
 ) -> Project:
-    """Make a project folder that points at the survey's files.
+    """Create a project folder that refers to the files of the survey.
 
     Raises
     ------
     ProjectError
-        Where the folder already holds a project.
+        If the folder already holds a project.
     InputError
-        Where a file is missing or a setting makes no sense.
+        If a file is missing or a setting makes no sense.
     """
     folder = Path(folder).absolute()
     require_file(trajectory, "trajectory")
@@ -118,9 +118,9 @@ def new_project(
     Parameters
     ----------
     truth_deg : degrees, optional
-        Boresight put into a simulated survey.
+        True boresight of a simulated survey.
     resolved : bool
-        Whether the readings are those of a project, where this was done before.
+        Whether the reading options are already complete, as in an existing project.
     split_by : str
         Attribute, or ``gap``, by which files are split into lines; see `split_line`.
 
@@ -129,7 +129,7 @@ def new_project(
     ProjectError
         If the folder contains a project already.
     InputError
-        As `create_project` and `load_survey`; no folder is left then.
+        As for `create_project` and `load_survey`; the folder is then removed.
     """
     settings.require_sound()
     draft = Project(Path(folder).absolute(), trajectory, tuple(lines), settings, accuracy)
@@ -164,7 +164,7 @@ def complete_readings(
     accuracy: Path | None,
     accuracy_reading: Reading,
 ) -> tuple[tuple[LineSource, ...], Reading, Reading, tuple[Message, ...]]:
-    """Complete the options of all files of a new project by detected ones.
+    """Complete the reading options of all files of a new project by detected ones.
 
     Returns
     -------
@@ -174,7 +174,7 @@ def complete_readings(
     Raises
     ------
     InputError
-        Where a file cannot be read, or is not what is given.
+        If a file cannot be read, or does not agree with the given options.
     """
     base_given = bool(dict(trajectory_reading.options).get("time"))
     trajectory_reading, notes = usual_or_detected_reading(
@@ -204,8 +204,8 @@ def with_lines_added(
     ProjectError
         If a line is in the project already.
     InputError
-        Where a line has the name or the file of one that is there, or cannot be read; nothing
-        that was imported for it is left then.
+        If a line has the name or the file of an existing line, or cannot be read; data imported
+        for it are then removed.
     """
     for line in lines:
         for known in project.lines:
@@ -234,7 +234,7 @@ def with_lines_added(
 def _lines_with_readings(
     lines: Sequence[LineSource],
 ) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
-    """Lines with how each is read, and messages about their files."""
+    """Lines with complete reading options, and messages about their files."""
     known: list[LineSource] = []
     notes: tuple[Message, ...] = ()
     for line in lines:
@@ -250,7 +250,7 @@ def _lines_with_readings(
 def removed_on_failure(project: Project) -> Iterator[None]:
     """Remove the imported lines of a new project if its creation fails.
 
-    What was there before, whatever it is and whoever put it there, stays.
+    Files that were in the folder before are kept.
     """
     stores = [line_folder(project, line) for line in project.lines]
     new = [store for store in stores if not store.exists()]
@@ -269,7 +269,7 @@ def removed_on_failure(project: Project) -> Iterator[None]:
 def open_project(folder: Path) -> Project:
     """Open a project by its folder, its ``project.json`` or the file that opens it.
 
-    Files that are gone from where they were are found in its folder and beside it.
+    Missing files are searched for in the folder of the project and beside it.
 
     Raises
     ------
@@ -285,19 +285,19 @@ def locked_project(
 ) -> Iterator[Project]:
     """Open a project, locked against changes by other programs until the block ends.
 
-    Another program that is changing it is waited for.
+    If another program is changing the project, the function waits.
 
     Parameters
     ----------
     waiting : callable
-        Called once when it has to wait.
+        Called once if it has to wait.
 
     Raises
     ------
     ProjectError
         If there is no valid project, or another program has locked it.
     InputError
-        Where the folder cannot be written.
+        If the folder cannot be written.
     """
     place = project_folder(folder)
     with project_lock(place, wait=FOREVER, waiting=waiting):
@@ -335,7 +335,7 @@ def read_unsaved_project(folder: Path) -> UnsavedProject | None:
     Raises
     ------
     ProjectError
-        Where it is damaged.
+        If it is damaged.
     """
     project = read_unsaved(folder)
     if project is None:
@@ -348,12 +348,12 @@ def read_unsaved_project(folder: Path) -> UnsavedProject | None:
 def require_folder(project: Project) -> None:
     """Refuse if the folder of an open project is no longer at its place.
 
-    Saving would make it anew at the old place, without the lines and the trajectory.
+    Saving would create a new folder at the old place, without the lines and the trajectory.
 
     Raises
     ------
     InputError
-        Where it was moved, renamed or removed meanwhile.
+        If it was moved, renamed or removed meanwhile.
     """
     if not project.folder.is_dir():
         raise InputError(error("project_folder.gone", folder=str(project.folder)))

@@ -8,13 +8,13 @@ from lispac.project import Project
 
 
 def shared_lines(first: Project, second: Project) -> list[str]:
-    """Names of the lines of the second project that are lines of the first, too."""
+    """Names of the lines of the second project that are also lines of the first."""
     sizes: dict[int, list[Path]] = {}
     for line in first.lines:
         size = _file_size(line.path)
         if size is not None:
             sizes.setdefault(size, []).append(line.path)
-    # Only files of one size can be the same: hardly ever is one read for nothing.
+    # Only files of the same size can be equal, so that hardly any file is read without need.
     return [
         line.name
         for line in second.lines

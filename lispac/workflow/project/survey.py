@@ -1,4 +1,4 @@
-"""Opening a project's survey: trajectory and lines read, checked and georeferenced."""
+"""Loading of a project's survey: trajectory and lines are read, checked and georeferenced."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -42,15 +42,17 @@ from lispac.workflow.importing.line_points import LineFindings, read_line
 from lispac.workflow.project.moved_files import require_files
 
 LARGEST_SIGMA_M, LARGEST_SIGMA_RAD = 1e4, np.pi
-"""Standard deviations that no POS has; exporters write such values where they have no solution."""
+"""Largest plausible standard deviations of a POS, metres and radians; exporters write larger values
+where there is no solution."""
 DATA = Cause.of_step("Data")
 LARGE_LINE = 4_000_000
-"""Points; lines with more are imported into the project's store, smaller ones are read into memory
-whenever the project is opened, with 64 bytes a point."""
+"""Number of points above which a line is imported into the project's store. Smaller lines are read
+into memory when the project is opened, with 64 bytes per point."""
 RUNS, RUN = 64, 16
-"""Places of a line, and neighbouring points at each, whose times are compared with the states."""
+"""Number of places of a line, and of consecutive points at each, whose times are compared with the
+states of the trajectory."""
 AUDIT_TIMES = 1001
-"""Times of a line at which the motion of the vessel is evaluated for the audit."""
+"""Number of times of a line at which the motion of the vessel is evaluated for the audit."""
 TEXT_POINT = 40
 """Approximate bytes of a point in a file without a point count."""
 
@@ -65,7 +67,7 @@ class Survey:
     clouds : lines in the local frame, placed with the prior mounting, by name
     heading : median heading of the vessel on each line, radians
     notes : tuple of Message
-        What was assumed or excluded while reading.
+        Notes on assumptions and excluded data from the reading of the files.
     messages : tuple of Message
         Warnings and notes about the content of the files.
     """
@@ -135,18 +137,18 @@ def data_key(project: Project) -> tuple[object, ...]:
 
 
 def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey:
-    """Read everything the project points at.
+    """Read all files to which the project refers.
 
-    A line that has been imported is opened where it lies; where that import was interrupted, or
-    its file or what it was made with has changed since, it is imported again. A line with a large
-    file is imported now.
+    Imported lines are opened from their store. A line is imported again if its import was
+    interrupted, or if its file or the settings and data of the import have changed. Lines with
+    large files are imported.
 
     Raises
     ------
     InputError
-        Where a file is missing, damaged, or does not fit the others.
+        If a file is missing, damaged, or does not fit the others.
     ProjectError
-        Where a line has to be imported and its store cannot be written.
+        If a line has to be imported and its store cannot be written.
     """
     require_files(project)
     progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
@@ -218,14 +220,14 @@ def _file_messages(project: Project) -> tuple[Message, ...]:
         format = format_of(reading.format or USUAL[kind])
         try:
             messages = format.preview(path, dict(reading.options)).messages
-        except InputError:  # the reader itself refuses the file where that matters
+        except InputError:  # if it matters, the reader itself refuses the file
             continue
         found += [replace(each, subject=each.subject or subject) for each in messages]
     return tuple(dict.fromkeys(found))
 
 
 def _with_shift_notes(project: Project, assumed: tuple[Message, ...]) -> tuple[Message, ...]:
-    """The assumptions, and the time shifts of lines, where there are any."""
+    """Assumptions, and notes on the time shifts of lines, if there are any."""
     shifted = [line for line in project.lines if line.reading.time_shift]
     if not shifted:
         return assumed
@@ -274,12 +276,12 @@ def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[
 def _open_line(
     project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
 ) -> tuple[Line, Cloud, tuple[Message, ...], LineFindings | None]:
-    """A line from its store or its file, placed, notes on its reading, and its audit.
+    """Open a line from its store or file: placed line, notes on its reading, and audit.
 
     Raises
     ------
     ProjectError
-        Where the audit of the store is damaged.
+        If the audit of the store is damaged.
     """
     mounting = project.mounting("prior")
     if _belongs_on_disk(project, line):
@@ -352,7 +354,7 @@ def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, 
 
 
 def _sample_times(scan: Line) -> NDArray[np.float64]:
-    """Times of some points all over a line, shape (n,), seconds; neighbours are read at once."""
+    """Times of points spread over a line, shape (n,), seconds; consecutive ones read at once."""
     starts = np.linspace(0, max(0, len(scan) - RUN), RUNS).astype(np.int64)
     numbers = np.unique(starts[:, None] + np.arange(min(RUN, len(scan))))
     return scan.take(numbers)[1]

@@ -23,8 +23,7 @@ def survey_dates(project: Project, survey: Survey | None = None) -> str:
     Parameters
     ----------
     survey : Survey, optional
-        Where it is at hand, its times are taken; else the files are examined, long ones here
-        and there.
+        Loaded survey, whose times are used; if None, the files are examined, large ones by samples.
     """
     days: set[str] = set()
     for line in project.lines:
