@@ -1,1 +1,1 @@
-"""The command line: arguments in, workflow calls, numbers out."""
+"""The command line: parses arguments, calls the workflow and prints the results."""

@@ -11,7 +11,7 @@ from lispac.untrusted_values import LARGEST_AMOUNT, LEAST_AMOUNT, is_possible_am
 
 
 def without_exponents(words: Sequence[str]) -> list[str]:
-    """Replace ``-1e-3`` by ``-0.001``, which argparse does not take for an option."""
+    """Replace ``-1e-3`` by ``-0.001``, since argparse would interpret it as an option."""
     return [
         f"{Decimal(word):f}" if re.fullmatch(r"-\d*\.?\d+[eE][+-]?\d{1,3}", word) else word
         for word in words
@@ -19,12 +19,12 @@ def without_exponents(words: Sequence[str]) -> list[str]:
 
 
 def split_named_value(text: str) -> tuple[str, str]:
-    """Split ``NAME=VALUE``.
+    """Split ``NAME=VALUE`` into name and value.
 
     Raises
     ------
     ArgumentTypeError
-        Where it is none.
+        If the text does not have this form.
     """
     name, separator, value = text.partition("=")
     if not (name and separator):
@@ -33,12 +33,12 @@ def split_named_value(text: str) -> tuple[str, str]:
 
 
 def picture_file(text: str) -> Path:
-    """Path of a picture with a supported ending.
+    """Parse the path of a picture with a supported suffix.
 
     Raises
     ------
     ArgumentTypeError
-        Where it ends otherwise.
+        If the suffix is not supported.
     """
     path = Path(text)
     if path.suffix.lower() not in (".png", ".svg", ".pdf"):
@@ -94,12 +94,12 @@ def add_crs_options(parser: argparse.ArgumentParser, default: str) -> None:
 
 
 def finite_number(text: str) -> float:
-    """Finite number within the possible range.
+    """Parse a finite number within the possible range.
 
     Raises
     ------
     ArgumentTypeError
-        Where it is none.
+        If the text is not such a number.
     """
     value = _parse_number(text)
     if not is_possible_amount(value):
@@ -120,12 +120,12 @@ def _parse_number(text: str) -> float:
 
 
 def positive_number(text: str) -> float:
-    """A number over zero.
+    """Parse a number greater than zero.
 
     Raises
     ------
     ArgumentTypeError
-        Where it is none.
+        If the text is not such a number.
     """
     value = finite_number(text)
     if not value > 0:
@@ -134,7 +134,7 @@ def positive_number(text: str) -> float:
 
 
 def number_within(low: float, high: float) -> Callable[[str], float]:
-    """Function that reads a number from ``low`` to ``high``."""
+    """Return a function that parses a number between ``low`` and ``high``."""
 
     def number(text: str) -> float:
         value = _parse_number(text)
@@ -148,7 +148,7 @@ def number_within(low: float, high: float) -> Callable[[str], float]:
 
 
 def whole_number_from(low: int) -> Callable[[str], int]:
-    """Function that reads a whole number, not less than ``low``."""
+    """Return a function that parses an integer that is at least ``low``."""
 
     def number(text: str) -> int:
         try:
@@ -163,12 +163,12 @@ def whole_number_from(low: int) -> Callable[[str], int]:
 
 
 def non_negative_number(text: str) -> float:
-    """A number that is zero or more.
+    """Parse a number that is zero or greater.
 
     Raises
     ------
     ArgumentTypeError
-        Where it is none.
+        If the text is not such a number.
     """
     value = finite_number(text)
     if not value >= 0:

@@ -1,4 +1,4 @@
-"""The terminal: progress as one line on stderr, rewritten in place, and wrong usage."""
+"""Terminal output: progress line on stderr, JSON and tables; opening of projects."""
 
 import json
 import os
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 
 class UsageError(Exception):
-    """Options that do not go together: exit 2, as argparse does for the others."""
+    """Error for options that cannot be combined; the exit code is 2, as of argparse."""
 
 
 class ConsoleProgress:
-    """A progress that draws on stderr where that is a terminal, and is silent elsewhere."""
+    """Progress on one line of stderr, rewritten in place; silent if stderr is no terminal."""
 
     def __init__(self) -> None:
         self._shown = 0.0
@@ -60,7 +60,7 @@ def opened_project(path: Path, *, change: bool) -> "Iterator[Project]":
     ProjectError
         If the folder contains no valid project, or another program has locked it.
     InputError
-        Where it is to be changed and its folder cannot be written.
+        If the project is to be changed and its folder is not writable.
     """
     from lispac.workflow.project.projects import locked_project, open_project
 
@@ -88,7 +88,7 @@ def print_json(content: dict[str, Any]) -> None:
 
 
 def print_table(table: "Table[Row]", rows: "Sequence[Row]") -> None:
-    """Print a table of results as text: title, heads with units, rows, and a blank line."""
+    """Print a table of results as text: title, headings with units, rows, and a blank line."""
     from lispac.language import to_plain_text
     from lispac.present.tables import cell_text, title_text, unit_text
 

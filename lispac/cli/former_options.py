@@ -9,7 +9,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Message, note
 
 FORMER_COMMANDS = {"look": "inspect", "replay": "compare-plan"}
-"""New names of commands by the former ones."""
+"""New name of each former command."""
 FORMER_OPTIONS = {
     "angles": {"--lever": "--lever-arm"},
     "budget": {"--lever-sigma": "--lever-arm-sigma"},
@@ -24,11 +24,11 @@ FORMER_OPTIONS = {
     "targetless": {"--keep": "--save"},
     "visibility": {"--struck": "--hit-beams"},
 }
-"""New names of options by the former ones, by command."""
+"""New name of each former option, by command."""
 
 
 def with_new_names(words: Sequence[str]) -> list[str]:
-    """Words of a command line with former names replaced; a note on stderr names each."""
+    """Replace former names in the words of a command line, with a note on stderr for each."""
     if not words:
         return []
     former = FORMER_OPTIONS.get(words[0], {})
@@ -41,7 +41,7 @@ def split_reading_option(text: str) -> tuple[str, str]:
     Raises
     ------
     ArgumentTypeError
-        Where it is none.
+        If the text does not have the form ``NAME=VALUE``.
     """
     name, value = split_named_value(text)
     if name not in READING_OPTIONS:

@@ -1,6 +1,7 @@
-"""Entry point of ``lispac``: exit 0 done, 1 refused with one plain line, 2 wrong usage.
+"""Entry point of ``lispac``.
 
-A list of seeds of which some led to no target ends with 1 too; the others are saved.
+Exit codes: 0 success; 1 error, with one line on stderr; 2 wrong usage. The exit code is also 1 if
+no target was found for some seeds of a list; the targets of the other seeds are saved.
 """
 
 import os
@@ -19,7 +20,7 @@ from lispac.errors import Cancelled, LispacError
 from lispac.message_texts import message_text
 
 CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
-"""Control characters besides tab and end of line, and those that change the writing direction."""
+"""Control characters other than tab and end of line, and those that set the writing direction."""
 
 
 def run(argv: Sequence[str] | None = None) -> None:
@@ -28,20 +29,20 @@ def run(argv: Sequence[str] | None = None) -> None:
     Raises
     ------
     LispacError
-        What stops the command, with its message.
+        If the command fails; the exception contains the message.
     UsageError
-        Where options contradict each other.
+        If options contradict each other.
     """
     words = without_exponents(with_new_names(sys.argv[1:] if argv is None else argv))
     arguments = build_parser(words).parse_args(words)
-    # Before the command imports what it needs: the variables are read by Numba.
+    # Set before the command imports Numba, which reads these environment variables.
     if (message := caches.set_cache_variables(os.environ)) is not None:
         print(f"note: {message_text(message)}", file=sys.stderr)
     arguments.run(arguments)
 
 
 def _escape_control_characters(stream: TextIOWrapper) -> None:
-    """Escape those of names of files and columns, which could steer the terminal."""
+    """Escape control characters in the output, since names of files could control the terminal."""
     write = stream.write
     stream.write = lambda text: write(CONTROL.sub(_escape_match, text))  # type: ignore[method-assign]
 
@@ -51,9 +52,9 @@ def _escape_match(match: re.Match[str]) -> str:
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command; errors the user can act on become one line on stderr."""
+    """Run one command; print an expected error as one line on stderr."""
     for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, TextIOWrapper):  # a terminal may lack letters of a name
+        if isinstance(stream, TextIOWrapper):  # the terminal may not be able to print all letters
             stream.reconfigure(errors="backslashreplace")
             if stream.isatty():
                 _escape_control_characters(stream)

@@ -1,4 +1,4 @@
-"""Messages at the command line, as text with the options that act on them, and as JSON."""
+"""Messages on the command line, as text with the options that act on them, and as JSON."""
 
 import sys
 from collections.abc import Iterable
@@ -26,11 +26,11 @@ OPTIONS = {
     "project_files.several_missing": "lispac locate PROJECT FOLDER",
     "simulate.no_trajectory": "--trajectory",
 }
-"""Option or command by the code of a message, whose text also is for the window and scripts."""
+"""Suggested option or command by message code; the text of the message itself names none."""
 
 
 def option_hint(message: Message | None) -> str:
-    """Option that a message or a part of it suggests; empty if there is none."""
+    """Suggested option for a message or for a message within it; empty if there is none."""
     if message is None:
         return ""
     if message.code in OPTIONS:

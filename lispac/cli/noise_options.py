@@ -69,7 +69,7 @@ def noise_and_offset_settings(arguments: Namespace) -> Mapping[str, Any]:
         "lidar_beam_sigma": arguments.lidar_beam_sigma and tuple(arguments.lidar_beam_sigma),
     }
     if any(value is not None for value in noise.values()):
-        # One way of stating it takes the place of another.
+        # One form of the LiDAR noise replaces another.
         changes = {"lidar_sigma_xyz": None, "lidar_beam_sigma": None}
         changes |= {name: value for name, value in noise.items() if value is not None}
     for setting, value in (

@@ -1,4 +1,4 @@
-"""The commands; the module of each has its options and runs it."""
+"""The commands; the module of each command defines its options and runs it."""
 
 from argparse import ArgumentParser
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ class Command(NamedTuple):
     ----------
     module : str
         Module in this package with ``add_arguments(parser)`` and ``run(arguments)``. It imports
-        NumPy and what needs it in its functions only, so that ``--help`` is quick.
+        NumPy, and modules that need NumPy, inside its functions only, so that ``--help`` is fast.
     help : str
         What the command does, in one line.
     """
@@ -152,13 +152,13 @@ COMMANDS = (
 
 
 def build_parser(words: Sequence[str] | None = None) -> ArgumentParser:
-    """Parser of all commands; imports nothing heavy.
+    """Build the parser of all commands without importing NumPy.
 
     Parameters
     ----------
     words : sequence of str, optional
-        Words of the command line. The options of the command among them are added, those of all
-        commands by default.
+        Words of the command line. Only the options of the command that they contain are added; by
+        default those of all commands.
     """
     names = {each.name for each in COMMANDS}
     if words is not None:

@@ -1,1 +1,1 @@
-"""The window: the only place that knows Qt."""
+"""The graphical user interface: the only package that uses Qt."""

@@ -1,8 +1,8 @@
-"""Texts of messages: English by code here, translations in the catalogues of ``resources/i18n``.
+"""English texts of messages by code; translations are in the catalogues of ``resources/i18n``.
 
-A text has at most two short sentences: what is wrong (with the number and the object) with what it
-means for the result, and what to do. A module holds the texts of one topic; `lispac.language`
-explains the placeholders.
+A text has at most two short sentences. They name the problem (with the number and the object), its
+effect on the result, and the action to take. Each module contains the texts of one topic;
+`lispac.language` describes the placeholders.
 """
 
 from collections.abc import Mapping
@@ -40,7 +40,7 @@ from lispac.message_texts import (
 from lispac.messages import Action, Message, Value
 
 CONTROL = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], " ")
-"""Characters of Unicode's category Cc, with what replaces them."""
+"""Replacement of control characters (Unicode category Cc) by spaces."""
 
 TOPICS = (
     adjustment,
@@ -115,13 +115,13 @@ def message_text(message: Message) -> str:
 
 
 def english_text(message: Message) -> str:
-    """Text of a message in English, as JSON has it."""
+    """Text of a message in English, as in JSON output."""
     with in_language("en"):
         return message_text(message)
 
 
 def fact_text(fact: str | int | Message) -> str:
-    """Text of a fact about a file in the language in use; a text of the file is unchanged."""
+    """Text of a fact about a file in the language in use; texts from the file are unchanged."""
     if isinstance(fact, Message):
         return message_text(fact)
     return number(fact, 0) if isinstance(fact, int) else fact
@@ -142,13 +142,13 @@ def action_text(action: Action) -> str:
 
 
 def action_tip(action: Action) -> str:
-    """Tooltip of an action in the language in use; empty where it has none."""
+    """Tooltip of an action in the language in use; empty if it has none."""
     template = ACTION_TIPS.get(action.code)
     return _one_line(format_text(template, _params_as_text(action.params))) if template else ""
 
 
 def _params_as_text(params: Mapping[str, Value]) -> dict[str, Any]:
-    """The parameters with messages among them as texts."""
+    """Parameters of a message, with nested messages converted to texts."""
     return {name: _value_as_text(value) for name, value in params.items()}
 
 
@@ -161,5 +161,5 @@ def _value_as_text(value: Value) -> Any:
 
 
 def _one_line(text: str) -> str:
-    """The text with control characters, as names of files may have them, replaced by spaces."""
+    """Replace control characters, which names of files may contain, by spaces."""
     return text.translate(CONTROL)

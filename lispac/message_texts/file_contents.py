@@ -1,4 +1,4 @@
-"""Texts about the contents of files, and about what their readers assume."""
+"""Texts about the contents of files, and about assumptions of the file readers."""
 
 from collections.abc import Mapping
 

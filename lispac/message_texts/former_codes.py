@@ -1,11 +1,11 @@
-"""Codes that warnings had before they were typed messages, for scripts that read JSON."""
+"""Codes of warnings in versions before typed messages, for scripts that read JSON."""
 
 from collections.abc import Mapping
 
 from lispac.messages import Message
 
 TOPICS = ("adjustment.", "report.", "targets.")
-"""Topics of messages that had a code without a topic."""
+"""Topics of messages whose former code was without a topic."""
 
 CODES: Mapping[str, str] = {
     "large_sigma_unseen": "large_sigma",
@@ -42,11 +42,11 @@ CODES: Mapping[str, str] = {
     "absolute_line_off_by_chance": "absolute_line_off",
     "absolute_point_off_by_chance": "absolute_point_off",
 }
-"""Former code by the name of the new one, where they differ."""
+"""Former code by the name of the new code, if they differ."""
 
 
 def former_code(message: Message) -> str:
-    """The code that a message had before; its present one where it is new."""
+    """Return the former code of a message, or its present code if it had none."""
     reason = message.params.get("reason")
     if message.code == "data.same_on_lines" and isinstance(reason, Message):
         return reason.code

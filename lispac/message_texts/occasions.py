@@ -1,6 +1,7 @@
-"""When messages appear: a short phrase for each first word of their codes, for the manual.
+"""Occasions on which messages appear, by the first word of their codes, for the manual.
 
-``las.header`` has the phrase of ``las``. The tables of messages in the manual have it in a column.
+For example, ``las.header`` has the phrase of ``las``. The phrases are a column of the tables of
+messages in the manual.
 """
 
 from collections.abc import Mapping

@@ -18,7 +18,7 @@ from lispac.validation.absolute_messages import absolute_check_messages
 
 @dataclass(frozen=True)
 class UncertaintyBySource:
-    """Standard deviations by source; that of the prior boresight is unknown."""
+    """Standard deviations by source of error; ``boresight_m`` is None for the prior boresight."""
 
     reference_m: float
     pos_position_m: float
@@ -38,7 +38,7 @@ class UncertaintyBySource:
 
 @dataclass(frozen=True)
 class ReferenceDistances:
-    """Lines against the reference with one boresight; see `AbsoluteState`."""
+    """Distances of the lines from the reference with one boresight; see `AbsoluteState`."""
 
     distances: DistanceValues
     signed: SignedDistances
@@ -64,7 +64,7 @@ class ReferenceDistances:
 
 @dataclass(frozen=True)
 class LineReferenceDistances:
-    """A line, or all of them, before and after at the same places."""
+    """Distances of one line, or of all lines, before and after, measured at the same places."""
 
     line: str
     before: ReferenceDistances
@@ -78,7 +78,7 @@ class LineReferenceDistances:
 
 @dataclass(frozen=True)
 class SurveyedPoint:
-    """A check point, or a plane through several, on the mean of the lines that saw it."""
+    """Mean distance of the lines from a surveyed point, or from a plane through several points."""
 
     name: str
     lines: int
@@ -89,14 +89,17 @@ class SurveyedPoint:
 
     @property
     def significant(self) -> bool:
-        """True if the lines differ from it at 95 %; False if the interval is unknown."""
+        """Whether the lines differ from the point at 95 %; False if the interval is unknown."""
         half = self.after_interval95_m
         return half is not None and abs(self.after_m) > half
 
 
 @dataclass(frozen=True)
 class AbsoluteCheckValues:
-    """Lines against a static scan or surveyed points; the end bins hold what lies beyond."""
+    """Comparison of the lines with a static scan or with surveyed points.
+
+    The first and the last bin of the histogram include all distances beyond them.
+    """
 
     reference: str
     kind: str
@@ -140,7 +143,7 @@ class AbsoluteCheckValues:
 
 @dataclass(frozen=True)
 class LineState:
-    """A line, or all of them, with one boresight."""
+    """Distances of one line, or of all lines, with one boresight."""
 
     line: str
     state: str
@@ -152,12 +155,12 @@ def _line_name(row: "LineState | LineReferenceDistances") -> str:
 
 
 def lines_and_all(check: AbsoluteCheckValues) -> tuple[LineReferenceDistances, ...]:
-    """Each line, then all together."""
+    """Values of each line, then of all lines together."""
     return (*check.lines, check.all_lines)
 
 
 def line_states(check: AbsoluteCheckValues) -> list[LineState]:
-    """Each line, then all together, before and after the calibration."""
+    """Values of each line, then of all lines together, before and after the calibration."""
     return [
         LineState(line.line, state, getattr(line, state))
         for line in lines_and_all(check)

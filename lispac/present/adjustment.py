@@ -65,7 +65,7 @@ class ObservabilityValues:
     """Observability of the angles by lines and targets.
 
     The directions are combinations of roll, pitch and yaw, the weakest first. The sigmas without a
-    line are None where the other lines do not determine the angles.
+    line are None if the other lines do not determine the angles.
     """
 
     direction_sigma_deg: tuple[float, ...]
@@ -165,11 +165,11 @@ def _contradiction_values(found: ContradictedParameter) -> ContradictionValues:
 
 @dataclass(frozen=True)
 class CauseValues:
-    """An error that may cause residuals that contradict the model.
+    """Possible cause of residuals that contradict the model.
 
-    ``size`` and ``sigma`` are in ``unit``: of a line's position north, west, up, of its boresight
-    roll, pitch, yaw, of a surface two tilts and the offset. ``evidence`` is twice the logarithm of
-    the Bayes factor.
+    ``size`` and ``sigma`` are in ``unit``. Their components are north, west and up for the position
+    of a line; roll, pitch and yaw for its boresight; two tilts and the offset for a surface.
+    ``evidence`` is twice the logarithm of the Bayes factor.
     """
 
     kind: str
@@ -199,9 +199,10 @@ def _cause_values(cause: PossibleCause) -> CauseValues:
 class AdjustmentValues:
     """Boresight, fit, reliability and all other results of an adjustment.
 
-    ``sigma_about``: the standard deviations are those of roll, pitch, yaw, or, where the pitch is
-    steep, of small rotations about the body axes; ``rotation_text`` is empty otherwise.
-    ``correlation`` is that of the three angles, ``correlation_all`` that of all ``estimated``.
+    ``sigma_about``: the standard deviations are those of roll, pitch, yaw, or, if the pitch is
+    steep, of small rotations about the body axes; ``rotation_text`` is empty unless the pitch is
+    steep. ``correlation`` is the correlation matrix of the three angles, ``correlation_all`` that
+    of all ``estimated`` values.
     ``critical_w`` is the test value beyond which a sighting disagrees. ``single_orientation``: all
     targets are planes with the same normal.
     """
@@ -304,7 +305,7 @@ SIGMAS_WITHOUT_LINE = Table[AnglesRow](
 
 
 def sigma_without_line_rows(result: "AdjustmentValues") -> list[AnglesRow]:
-    """Standard deviations with all lines, and without each."""
+    """Standard deviations with all lines, and with each line omitted in turn."""
     without = {} if result.observability is None else result.observability.sigma_without_line_deg
     return [
         AnglesRow(gettext("All lines"), result.sigma_deg),
@@ -317,7 +318,7 @@ def sigma_without_line_rows(result: "AdjustmentValues") -> list[AnglesRow]:
 
 @dataclass(frozen=True)
 class AngleValues:
-    """One boresight angle in degrees; None where it is not known."""
+    """One boresight angle in degrees; None if it is not known."""
 
     name: str
     prior_deg: float
@@ -369,7 +370,7 @@ _ERROR = Column[AngleValues]("error_deg", N_("Error"), DEGREES.signed)
 
 
 def boresight_table(*, calibrated: bool, simulated: bool) -> Table[AngleValues]:
-    """Columns of what is known of the boresight."""
+    """Table of the boresight, with columns for the values that are available."""
     columns = [_NAME, _PRIOR]
     if calibrated:
         columns += _ESTIMATED

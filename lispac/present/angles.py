@@ -41,38 +41,38 @@ class Angles:
 
 
 def angles(values: ArrayLike) -> Angles:
-    """Numbers of roll, pitch and yaw, shape (3,), as they are."""
+    """Convert three values, shape (3,), to `Angles` without changing their unit."""
     return Angles(*floats(np.asarray(values, dtype=float)))
 
 
 def degrees(values: ArrayLike) -> Angles:
-    """Angles in radians, shape (3,), in degrees."""
+    """Convert angles in radians, shape (3,), to `Angles` in degrees."""
     return angles(np.degrees(values))
 
 
 def degrees_or_none(values: ArrayLike | None) -> Angles | None:
-    """`degrees` of what may be unknown."""
+    """Convert as `degrees`; return None for None."""
     return None if values is None else degrees(values)
 
 
 def finite_or_none(value: float) -> float | None:
-    """The value, or None if it is not a number: JSON has no NaN."""
+    """Return the value, or None if it is NaN or infinite, which JSON cannot represent."""
     return float(value) if math.isfinite(value) else None
 
 
 def floats(values: Iterable[float]) -> tuple[float, ...]:
-    """Numbers of Python, which `json` writes."""
+    """Convert to Python floats, since `json` cannot write those of NumPy."""
     return tuple(float(value) for value in values)
 
 
 def matrix(rows: Iterable[Iterable[float]]) -> tuple[tuple[float, ...], ...]:
-    """Rows of `floats`."""
+    """Convert the rows of a matrix to tuples of Python floats."""
     return tuple(map(floats, rows))
 
 
 @dataclass(frozen=True)
 class AnglesRow:
-    """A value for each angle, of one of several results."""
+    """Table row with the name of a result and its value for each angle."""
 
     name: str
     values: Angles | None

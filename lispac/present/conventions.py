@@ -21,12 +21,12 @@ from lispac.survey.conventions.systems import (
 )
 
 MATRIX_OF = "pdal"
-"""The program whose matrix is in every report: any point cloud software can apply it."""
+"""Program whose matrix is in every report, since any point cloud software can apply it."""
 
 
 @dataclass(frozen=True)
 class ConventionAngle:
-    """One angle as the other program names it; its sigma is None where it has no meaning."""
+    """Angle with its name in the other program; its sigma is None if it has no meaning."""
 
     name: LazyText
     meaning: LazyText
@@ -39,7 +39,8 @@ class ConventionValues:
     """Boresight and lever arm in the convention of another program, and its verification.
 
     ``transform`` is the 4x4 matrix from scanner to body coordinates of that program, metres;
-    ``angles`` are in the order in which they are typed, none where it takes a matrix only.
+    ``angles`` are in the order in which they are entered, and empty if the program accepts a matrix
+    only.
     """
 
     system: str
@@ -73,12 +74,12 @@ class ScannerToBodyMatrix:
 
 
 def convention_values(project: Project, key: str) -> ConventionValues | None:
-    """Values to enter in the other program; None where nothing is estimated yet.
+    """Values to enter in the other program; None if nothing is estimated yet.
 
     Raises
     ------
     InputError
-        Where there is no such program.
+        If the key of the convention is unknown.
     """
     setup = ConventionSetup(convention_of_key(key))
     converted = _mounting_in_convention(project, setup)
@@ -108,7 +109,7 @@ def convention_values(project: Project, key: str) -> ConventionValues | None:
 
 
 def scanner_to_body_matrix(project: Project) -> ScannerToBodyMatrix | None:
-    """The matrix for PDAL; None where nothing is estimated yet."""
+    """The matrix for PDAL; None if nothing is estimated yet."""
     setup = ConventionSetup(convention_of_key(MATRIX_OF))
     converted = _mounting_in_convention(project, setup)
     if converted is None:

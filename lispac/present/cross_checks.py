@@ -21,10 +21,10 @@ from lispac.present.tables import (
 
 @dataclass(frozen=True)
 class SubsetValues:
-    """Result of a subset of the data; None where the subset does not determine the angles.
+    """Result of a subset of the data; None if the subset does not determine the angles.
 
-    The difference is this subset minus what it is compared with: a half minus the other half, any
-    other subset minus the result of all points.
+    A half is compared with the other half, any other subset with the result of all points; the
+    difference is this subset minus that result.
     """
 
     kind: str
@@ -39,7 +39,7 @@ class SubsetValues:
 
 @dataclass(frozen=True)
 class CrossCheckValues:
-    """Results of subsets of the data, and their spread beside the sigmas of the adjustment."""
+    """Results of subsets of the data, and their scatter beside the sigmas of the adjustment."""
 
     sigma_deg: Angles
     spread_lines_deg: Angles | None
@@ -147,4 +147,4 @@ WINDOW_SUBSETS = replace(
         Column("subset.reason", N_("Reason"), tip=N_("Why there is no result")),
     ),
 )
-"""With the reasons, which the report lists below the table."""
+"""Table of the window, with a column of reasons; the report lists them below its table."""

@@ -16,7 +16,7 @@ EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
 
 ONE_95 = 1.96
 TWO_95 = 2.45
-"""Standard deviations that make 95 % of a quantity in one and in two dimensions (IHO S-44)."""
+"""Factors from one sigma to the 95 % level in one and in two dimensions (IHO S-44)."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class DisplacementByAngle:
 class S44Contribution:
     """Contribution of the boresight to the uncertainty of a point, for the worst beam.
 
-    Horizontal (THU) and vertical (TVU), at 95 % as IHO S-44 has it, for a level vessel.
+    Horizontal (THU) and vertical (TVU), at the 95 % level of IHO S-44, for a level vessel.
     """
 
     distance_m: float
@@ -42,8 +42,8 @@ class S44Contribution:
 def angle_displacements(result: AdjustmentResult) -> tuple[DisplacementByAngle, ...]:
     """Displacements by the sigma of each angle, and by all together in the worst direction.
 
-    The mean square length of the displacement is d^2 (trace W - u' W u): largest along the
-    eigenvector of W's smallest eigenvalue.
+    The mean square length of the displacement is d^2 (trace W - u' W u). It is largest if u is the
+    eigenvector of the smallest eigenvalue of W.
     """
     eigenvalues = np.linalg.eigvalsh(_turn_covariance(result))
     rates = [*result.sigma, math.sqrt(eigenvalues[1] + eigenvalues[2])]
@@ -56,10 +56,10 @@ def angle_displacements(result: AdjustmentResult) -> tuple[DisplacementByAngle, 
 def s44_contributions(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
     """Contribution to the horizontal and vertical uncertainty, for a level vessel.
 
-    The variance of the displacement along a unit vector e is d^2 (u x e)' W (u x e). Upwards, the
-    vectors u x e are the horizontal ones, so the worst beam has the largest eigenvalue of the
-    horizontal part of W; along all horizontal e together they are all there are, so the longest
-    axis of the worst horizontal ellipse has the largest eigenvalue of W itself.
+    The variance of the displacement along a unit vector e is d^2 (u x e)' W (u x e). If e points
+    upwards, u x e is horizontal, so the largest vertical variance is d^2 times the largest
+    eigenvalue of the horizontal part of W. If e may be any horizontal direction, u x e may be any
+    unit vector, so the largest horizontal variance is d^2 times the largest eigenvalue of W.
     """
     turns = _turn_covariance(result)
     horizontal = TWO_95 * math.sqrt(np.linalg.eigvalsh(turns)[-1])

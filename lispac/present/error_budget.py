@@ -16,7 +16,7 @@ from lispac.present.tables import PLAIN_CENTIMETRES, Column, Table
 
 @dataclass(frozen=True)
 class PointError:
-    """1 sigma of a point; see `lispac.adjustment.diagnostics.error_budget.PointSigma`."""
+    """Standard deviations of a point; see `PointSigma` of the error budget."""
 
     horizontal_m: float
     vertical_m: float
@@ -25,13 +25,13 @@ class PointError:
 
     @classmethod
     def of(cls, values: PointSigma) -> "PointError":
-        """Values of the spread of a point."""
+        """Values of the standard deviations of a point."""
         return cls(values.horizontal, values.vertical, values.across, values.total)
 
 
 @dataclass(frozen=True)
 class ErrorSource:
-    """One source, or all together, at each distance; None where it is not known."""
+    """Effect of one source, or of all together, at each distance; None if it is unknown."""
 
     source: LazyText
     at_distance: tuple[PointError, ...] | None

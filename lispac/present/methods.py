@@ -21,10 +21,10 @@ METHODS: Mapping[str, str] = {
 
 @dataclass(frozen=True)
 class MethodValues:
-    """Result of a method; the differences are this method minus the first, which has none.
+    """Result of a method, and its differences from the first method (this minus the first).
 
-    ``significance``: differences over their sigmas; ``probability``: chance of differences as large
-    where both are right.
+    ``significance``: the differences divided by their sigmas; ``probability``: the probability of
+    differences at least as large if both results are correct. The first method has no differences.
     """
 
     method: str
@@ -94,7 +94,7 @@ WINDOW_METHODS = Table[M](
         ),
     ),
 )  # fmt: skip
-"""With the significance of the differences, which the report has in a table of its own."""
+"""Table of the window, with the significance of the differences; the report has it separately."""
 
 
 def method_differences(methods: Sequence[M]) -> tuple[Table[M], list[M]]:

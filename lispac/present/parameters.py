@@ -32,8 +32,9 @@ from lispac.present.text_format import TITLES
 class ParameterValues:
     """An estimated value of the mounting, or the reason why it was not estimated.
 
-    ``prior``, ``prior_sigma``, ``value`` and ``sigma`` are in its own unit. ``significance`` is
-    the change from the prior over its standard deviation; ``significant`` at 95 %.
+    ``prior``, ``prior_sigma``, ``value`` and ``sigma`` are in the parameter's own unit.
+    ``significance`` is the change from the prior divided by its standard deviation;
+    ``significant``: whether the change is significant at 95 %.
     """
 
     name: str
@@ -48,7 +49,7 @@ class ParameterValues:
 
 
 def parameter_values(result: AdjustmentResult) -> tuple[ParameterValues, ...]:
-    """Values that were selected for estimation besides the boresight."""
+    """Parameters that were selected for estimation besides the boresight."""
     return tuple(_parameter_values(each) for each in result.parameters)
 
 
@@ -148,7 +149,7 @@ WINDOW_PARAMETERS = replace(
         *PARAMETERS.columns, Column("reason", N_("Reason"), tip=N_("Why there is no value")),
     ),
 )  # fmt: skip
-"""With the reasons, which the report lists below the table."""
+"""Table of the window, with a column of reasons; the report lists them below its table."""
 
 COMPONENTS: Mapping[str, str] = {
     "LiDAR": N_("LiDAR"),
@@ -159,9 +160,9 @@ COMPONENTS: Mapping[str, str] = {
 
 @dataclass(frozen=True)
 class VarianceComponentValues:
-    """Variance component: ``factor`` on the given sigma of a group of errors, 95 % interval.
+    """Variance component of a group of errors, with its 95 % interval.
 
-    ``applied``: whether the sigmas were changed by it.
+    ``factor`` multiplies the given sigma; ``applied`` is True if the sigmas were multiplied by it.
     """
 
     name: str

@@ -21,10 +21,10 @@ RATINGS: Mapping[str, str] = {
 
 @dataclass(frozen=True)
 class SightingQualityValues:
-    """Quality of a sighting; None where a value does not apply or is not known.
+    """Quality of a sighting; None if a value does not apply or is not known.
 
     ``boresight_error_rms_m`` is the RMS that an error of the boresight can explain. Curvature and
-    roughness are judged without it.
+    roughness are rated after it was removed.
     """
 
     target: str

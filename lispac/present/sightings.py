@@ -36,7 +36,7 @@ from lispac.present.tables import (
 )
 
 MANY_OUTLIERS = 0.05
-"""Share of the points of a sighting from which its outliers are mentioned."""
+"""Smallest share of outliers among the points of a sighting that is mentioned."""
 
 SightingStatus = Literal[
     "rejected", "not tested", "not checked", "disagrees", "many outliers", "agrees"
@@ -55,7 +55,7 @@ STATUS: Mapping[SightingStatus, str] = {
 class PosErrorValues:
     """Estimated POS error at a sighting, and its sigmas before and after the adjustment.
 
-    Metres are north, west, up, degrees roll, pitch, heading.
+    The values in metres are north, west, up; those in degrees are roll, pitch, heading.
     """
 
     error_m: tuple[float, ...]
@@ -70,9 +70,10 @@ class PosErrorValues:
 class SightingValues:
     """Fit of a sighting to the surface of its target, and its test against all other sightings.
 
-    The values of the test are None with uncorrelated POS errors; shift, w, detectable shift and its
-    effect also where no other data check the sighting. ``largest_w`` is the largest test value of a
-    point, at ``largest_w_time_s``; that is None in results of earlier versions.
+    The values of the test are None with uncorrelated POS errors. Shift, w, detectable shift and its
+    effect are also None if no other data check the sighting. ``largest_w`` is the largest test
+    value of a point, measured at ``largest_w_time_s``, which is None in results of earlier
+    versions.
     """
 
     target: str
@@ -97,12 +98,12 @@ class SightingValues:
 
     @property
     def is_tested(self) -> bool:
-        """Whether the stochastic model tests sightings."""
+        """Whether the sighting was tested; uncorrelated POS errors allow no test."""
         return self.status != "not tested"
 
     @property
     def is_marked(self) -> bool:
-        """Whether the sighting should be looked at."""
+        """Whether the sighting needs attention: rejected, or in disagreement with the others."""
         return self.status in ("rejected", "disagrees")
 
 
@@ -167,7 +168,7 @@ def _sighting_values(
 
 
 def _pos_length(sighting: SightingValues, name: str) -> float | None:
-    """Length of the vector of that name in the POS error."""
+    """Length of a vector of the POS error, given by the name of its field."""
     error = sighting.pos_error
     return None if error is None else math.hypot(*getattr(error, name))
 
@@ -244,7 +245,7 @@ SIGHTINGS = Table[S](
         LARGEST_W, LARGEST_W_TIME, REDUNDANCY, POS_POSITION, POS_ATTITUDE, FINDING,
     ),
 )  # fmt: skip
-"""All of a sighting, as the window shows it; the report has a table for each topic."""
+"""All values of a sighting, for the window; the report has a table for each topic."""
 SIGHTING_FIT = Table[S](
     N_("Fit of each sighting to the surface of its target"),
     (
@@ -262,7 +263,7 @@ POINT_TESTS = Table[S](
 POS_COMPONENTS = (
     N_("North"), N_("West"), N_("Up"), N_("Roll"), N_("Pitch"), N_("Heading")
 )  # fmt: skip
-"""In the order of `SightingReliability.pos_error`."""
+"""Titles of the components, in the order of `SightingReliability.pos_error`."""
 
 
 def _pos_error_component(k: int) -> Callable[[S], float | None]:

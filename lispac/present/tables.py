@@ -22,16 +22,16 @@ Unit = Literal["", "m", "mm", "deg", "mdeg", "ms", "s", "%"]
 
 @dataclass(frozen=True)
 class Format:
-    """How a number is written.
+    """Format of a number.
 
     Attributes
     ----------
-    unit : as displayed
-    decimals : in this unit
-    factor : of these units to one of the value
-    is_signed : whether a plus sign is written
+    unit : displayed unit
+    decimals : number of decimals in the displayed unit
+    factor : number of displayed units in one unit of the value
+    is_signed : whether positive numbers have a plus sign
     is_grouped : whether groups of three digits are separated
-    is_half_interval : whether a plus-minus sign is written
+    is_half_interval : whether a plus-minus sign precedes the number
     """
 
     unit: Unit = ""
@@ -67,7 +67,7 @@ COUNT = Format()
 MILLIMETRES = Format("mm", 1, 1e3)
 PLAIN_CENTIMETRES = Format("", 2, 1e2, is_grouped=False)
 PLAIN_MILLIMETRES = Format("", 1, 1e3)
-"""Of tables that have the unit in their title."""
+"""Format without a unit, for tables whose title contains it."""
 DEGREES = Format("deg", 4)
 MILLIDEGREES = Format("mdeg", 1, 1e3)
 PERCENT = Format("%", 0, 100.0)
@@ -86,26 +86,26 @@ class Column(Generic[Row]):
     Attributes
     ----------
     value : str or callable
-        Path of the field of a row, also of one of its parts: ``effect_deg.roll``; or a function of
-        the row. Numbers, texts, messages, or None where it is not known.
+        Path of a field of the row, possibly nested as in ``effect_deg.roll``, or a function of the
+        row. The values are numbers, texts or messages, or None if they are unknown.
     title : str or LazyText
-        In English or translated later, without the unit.
+        Title without the unit, in English or translated when it is shown.
     format : Format, callable or None
-        Of its numbers, where each row has its own as a function of the row; None for texts.
+        Format of the numbers, or a function of the row if the rows differ; None for texts.
     tip : str
         Explanation in English, for the window.
     texts : mapping
-        English text of each value, where the values are names.
+        English text of each value, for values that are names.
     sigma : str, callable or None
-        Standard deviation that is written beside the value.
+        Standard deviation written beside the value, as a path or a function of the row.
     half_interval : str or None
-        Path of half the width of its 95 % interval, which is written behind the value.
+        Path of half the width of the 95 % interval, which is written after the value.
     has_unit_in_cells : bool
-        Whether the unit is written in each cell and not below the title.
+        Whether the unit is written in each cell instead of below the title.
     is_wide : bool
-        Whether its texts are sentences.
+        Whether the texts are sentences.
     unknown : str
-        English text of an unknown value; a dash if empty.
+        English text for an unknown value; a dash if empty.
     """
 
     value: str | Callable[[Row], Any]
@@ -121,18 +121,18 @@ class Column(Generic[Row]):
 
     @property
     def is_text(self) -> bool:
-        """Whether its cells are texts."""
+        """Whether the cells are texts."""
         return self.format is None
 
     @property
     def unit(self) -> Unit:
-        """Unit below the title; empty where it is in the cells, or where there is none."""
+        """Unit below the title; empty if it is in the cells, or where there is none."""
         if isinstance(self.format, Format) and not self.has_unit_in_cells:
             return self.format.unit
         return ""
 
     def value_of(self, row: Row) -> Any:
-        """Value in a row; a message or a named value as text in the language in use."""
+        """Value in a row; messages and named values as text in the language in use."""
         value = _part_of(row, self.value)
         if value is not None and self.texts is not None:
             return gettext(self.texts[value])
@@ -147,7 +147,7 @@ class Column(Generic[Row]):
         return self.format(row) if callable(self.format) else self.format
 
     def unknown_text(self) -> str:
-        """Text of a value that is not known."""
+        """Text of an unknown value."""
         return gettext(self.unknown) if self.unknown else UNKNOWN
 
     def with_title(self, title: str | LazyText) -> "Column[Row]":
@@ -157,7 +157,7 @@ class Column(Generic[Row]):
 
 @dataclass(frozen=True)
 class Table(Generic[Row]):
-    """Columns over rows of one kind, with a title in English or one that is translated later."""
+    """Table of rows of one kind: columns, and a title in English or translated when shown."""
 
     title: str | LazyText
     columns: tuple[Column[Row], ...]

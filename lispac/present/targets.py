@@ -21,8 +21,8 @@ from lispac.present.tables import (
 class TargetValues:
     """Fit of one target's points, over all lines, to their joint surface.
 
-    ``noise_factor`` is the LiDAR noise found in the residuals over the given one, at least 1, and
-    None with uncorrelated POS errors; then there are no tests either.
+    ``noise_factor`` is the ratio of the LiDAR noise found in the residuals to the given one, at
+    least 1. It is None with uncorrelated POS errors, for which there are no tests either.
     """
 
     target: str

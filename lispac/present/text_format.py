@@ -13,7 +13,7 @@ from lispac.messages import Message
 UNKNOWN = "\u2013"
 MINUS = "\u2212"
 HYPHEN = re.compile(r"(?<![^\s(])-(?=\d)")
-"""A hyphen before a number."""
+"""Pattern of a hyphen that is the minus sign of a number."""
 
 TITLES: Mapping[str, str] = {
     "roll": N_("Roll"),
@@ -26,7 +26,7 @@ TITLES: Mapping[str, str] = {
     "scan_angle_offset": N_("Scan-angle offset"),
     "latency": N_("Latency"),
 }
-"""Names of the estimated values, as they begin a row of a table."""
+"""Titles of the estimated values, for the first cell of a table row."""
 
 
 def format_known(
@@ -58,8 +58,7 @@ def shortest_number(value: float) -> str:
 
 def localised_number(text: str) -> str:
     """A number, as Python writes it, with the signs of the language in use."""
-    # Not by `number`: it rounds the shortest decimals of a number, and so the last digit of a
-    # number halfway between two may differ.
+    # `number` would round the shortest decimal form, which may change the last digit of a tie.
     whole, point, decimals = text.partition(".")
     signs = decimal_sign() if point else ""
     return f"{whole.replace(',', group_sign())}{signs}{decimals}".replace("-", MINUS)
@@ -122,12 +121,12 @@ def title_with_unit(title: str, unit: str) -> str:
 
 
 def degrees_unit() -> str:
-    """The unit of angles, as it stands below the title of a column or beside an axis."""
+    """Unit of angles, as written below the title of a column or beside an axis."""
     return gettext("deg")
 
 
 def sentence_text(message: Message) -> str:
-    """Text of a message with true minus signs, as the tables have them."""
+    """Text of a message with true minus signs, as in the tables."""
     return with_minus_signs(message_text(message))
 
 
@@ -162,7 +161,7 @@ def origin_text(origin: Sequence[float] | None) -> str:
 
 
 def quantity_text(name: str, value: float, *, sign: bool = False) -> str:
-    """A value of the mounting, in metres, degrees or seconds, with the unit it is shown in."""
+    """Text of a mounting value (metres, degrees or seconds) with the unit that is shown."""
     shown, (shown_factor, _) = QUANTITIES[name], OUTPUT_UNITS[name]
     number = fixed_number(shown.factor / shown_factor * value, shown.decimals, sign=sign)
     return with_unit(number, shown.unit)

@@ -77,7 +77,7 @@ class SignedDistances:
 
 @dataclass(frozen=True)
 class PlaneOffsetValues:
-    """The first line's plane from the second's; see `PlaneOffset`."""
+    """Offset and rotation of the first line's plane from the second's; see `PlaneOffset`."""
 
     offset_m: float
     offset_interval95_m: float
@@ -105,7 +105,7 @@ class PlaneOffsetValues:
 
 @dataclass(frozen=True)
 class PairStateValues:
-    """Two lines with one boresight; what could not be measured is None."""
+    """Comparison of two lines with one boresight; None for values that could not be measured."""
 
     distances: DistanceValues
     signed: SignedDistances | None
@@ -145,7 +145,7 @@ class PairValues:
 
 @dataclass(frozen=True)
 class DistancesBySteps:
-    """Distances in steps of height or range; None where a step holds too few."""
+    """Distances by intervals of height or range; None for an interval with too few points."""
 
     edges_m: tuple[float, ...]
     n: tuple[int, ...]
@@ -191,7 +191,7 @@ class DistanceMapValues:
 
 @dataclass(frozen=True)
 class LocalModelValues:
-    """Local surface to which distances are measured; its size is the one or the other."""
+    """Local surface model for distances; its size is a number of neighbours or a radius."""
 
     kind: str
     neighbours: int | None
@@ -202,7 +202,7 @@ class LocalModelValues:
 class ValidationPlane:
     """Distances between the lines on one validation plane, with their histogram.
 
-    The last bin also holds the distances beyond it.
+    The last bin includes all distances beyond it.
     """
 
     name: str
@@ -245,7 +245,8 @@ class ValidationPlane:
 class SwathDifference:
     """Root mean square of the signed distances between the lines that overlap on a plane.
 
-    ``plane`` is empty where all planes are taken together; ``places`` are those after.
+    ``plane`` is empty for all planes together; ``places`` is the number of places with a distance
+    after the calibration.
     """
 
     plane: str
@@ -256,7 +257,7 @@ class SwathDifference:
 
 
 def swath_overlap(planes: Sequence[PlaneComparison]) -> tuple[SwathDifference, ...]:
-    """Swath overlap differences of each plane, then of all; empty without normal distances."""
+    """Swath overlap differences of each plane, then of all; empty without signed distances."""
     per_plane = [(plane.name, _measured_pairs(plane)) for plane in planes]
     known = [(name, pairs) for name, pairs in per_plane if pairs]
     if not known:
@@ -266,7 +267,7 @@ def swath_overlap(planes: Sequence[PlaneComparison]) -> tuple[SwathDifference, .
 
 
 _Measured = tuple[SignedStatistics, SignedStatistics]
-"""The signed distances of a pair of lines, before and after."""
+"""Signed distances of a pair of lines, before and after the calibration."""
 
 
 def _measured_pairs(plane: PlaneComparison) -> list[_Measured]:
@@ -302,7 +303,7 @@ class PooledDistances:
 
 @dataclass(frozen=True)
 class PairOnPlane:
-    """Two lines on a plane."""
+    """Table row with a pair of lines on a validation plane."""
 
     plane: ValidationPlane
     pair: PairValues
@@ -314,7 +315,7 @@ class PairOnPlane:
 
 
 def pooled_rows(planes: Sequence[ValidationPlane]) -> list[PooledDistances]:
-    """Two rows for each plane."""
+    """Two rows for each plane: before and after the calibration."""
     return [
         PooledDistances(plane.name, state, getattr(plane, state))
         for plane in planes
@@ -328,7 +329,7 @@ def pair_rows(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
 
 
 def pairs_that_show_the_boresight(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
-    """Reciprocal pairs; of a plane without any, all."""
+    """Reciprocal pairs of each plane, or all its pairs if it has no reciprocal ones."""
     return [
         each
         for each in pair_rows(planes)
@@ -357,7 +358,7 @@ POOLED_DISTANCES = Table[PooledDistances](
 
 
 def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
-    """Points, median, RMS and 95 % of distances, at these paths before and after."""
+    """Columns of points, median, RMS and 95 % of distances, found at these paths of a row."""
     return (
         Column(f"{before}.n", N_("Points"), COUNT),
         Column(f"{before}.median_m", N_("Median\nbefore"), PLAIN_MILLIMETRES),

@@ -1,4 +1,4 @@
-"""The histogram of signed distances from a reference, before and after over each other."""
+"""Histogram of the signed distances from a reference, before and after overlaid."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -15,7 +15,7 @@ _AFTER = N_("after: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p9
 
 
 def reference_distance_figure(check: AbsoluteCheckValues, figure: Figure | None = None) -> Figure:
-    """All lines together; the bins at both ends hold all beyond."""
+    """Histogram of all lines together; the first and last bins include all larger distances."""
     figure = blank_figure(figure, (6.3, 2.5))
     axes = figure.subplots(gridspec_kw=AXES_POSITION)
     edges = 1000 * np.asarray(check.bin_edges_m)

@@ -23,7 +23,7 @@ from lispac.report.document_blocks import (
 from lispac.report.report_values import ReportContent
 
 LOCAL = "the local frame"
-"""Coordinate system of a reference in the local frame, as the content calls it."""
+"""Name in the report content of the coordinate system of a reference in the local frame."""
 
 DISTANCES = N_(
     "Distances between the lines and the reference along the normal of the surface, positive "

@@ -10,16 +10,17 @@ from lispac.warning_causes import Cause
 
 NORMAL_95 = NormalDist().inv_cdf(0.975)
 RMS_RATIOS, TOO_LARGE = 2.0, 3.0
-"""Ratios of the RMS to the expected one for a note and for a warning. Errors common to the lines
-make an RMS vary about as much as a single error."""
+"""Ratios of the RMS to its expected value for a note and for a warning. Errors common to the lines
+make the RMS vary about as much as a single error."""
 VALIDATE = Cause.of_step("Validate")
 
 
 def absolute_check_warnings(values: AbsoluteCheckValues | None) -> Iterator[Message]:
-    """Significant means of all lines, single lines, surveyed points and planes, and the RMS.
+    """Warnings about significant mean distances and a large RMS.
 
-    Of many good lines some are off at 95 %. It is a warning where one is off by more than the
-    largest of as many is in 95 of 100 checks.
+    The means tested are those of all lines, of single lines, and of surveyed points and planes.
+    Among many correct lines, some differ significantly at 95 % by chance. The message is a warning
+    only if the largest offset exceeds the 95 % limit for the largest of so many lines.
     """
     if values is None:
         return
@@ -45,7 +46,7 @@ def absolute_check_warnings(values: AbsoluteCheckValues | None) -> Iterator[Mess
 
 
 def _line_warnings(each: Sequence[Off]) -> Iterator[Message]:
-    """Lines that are off; the subject is the one that is farthest off."""
+    """Message about lines with a significant offset; its subject is the line farthest off."""
     if off := _significant_offsets(each):
         farthest = max(off, key=lambda one: abs(one[1]))
         beyond = _is_beyond_chance(each)
@@ -59,7 +60,7 @@ def _line_warnings(each: Sequence[Off]) -> Iterator[Message]:
 
 
 def _point_warnings(each: Sequence[Off]) -> Iterator[Message]:
-    """Surveyed points and planes that are off."""
+    """Message about surveyed points and planes from which the lines differ significantly."""
     if off := _significant_offsets(each):
         beyond = _is_beyond_chance(each)
         yield (warning if beyond else note)(

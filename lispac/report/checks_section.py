@@ -123,7 +123,7 @@ def _pos_error_blocks(sightings: Sequence[SightingValues]) -> list[Block]:
 
 
 def cross_check_blocks(content: ReportContent) -> list[Block]:
-    """Blocks on the results of parts of the data."""
+    """Blocks on the results of subsets of the data."""
     if content.adjustment is None:
         return []
     checks = content.cross_checks

@@ -70,22 +70,22 @@ def report_content(
         Course of the vessel, coarse.
     notes : assumptions of the import
     generated : datetime
-        Taken as UTC where it has no time zone.
-    qualities : by the names of target and line
+        Interpreted as UTC if it has no time zone.
+    qualities : quality of each sighting, by the names of target and line
     convention : key of another program in whose convention the boresight is given; empty for none
-    budget : of the system, where something was estimated
+    budget : error budget of the system, if the boresight was estimated
     trajectory : motion and precision on each line
-    refused : reason why a later estimate than that of the project was refused
-    digests : whether to read the input files for their digests; without, no files are listed
+    refused : reason why an estimate after the result of the project was refused
+    digests : whether to read the input files and compute their digests; if not, no files are listed
 
     Raises
     ------
     InputError
-        Where there is no such program.
+        If the key of the convention is unknown.
 
     Notes
     -----
-    The input files are read once to state their digests.
+    The input files are read once to compute their digests.
     """
     stamp = generated if generated.tzinfo else generated.replace(tzinfo=UTC)
     lines = tuple(
@@ -100,7 +100,7 @@ def report_content(
     )
     edited = {(t.name, s.line) for t in project.targets for s in t.sightings if s.by_hand}
     adjustment = adjustment_values(project.result, headings_deg) if project.result else None
-    # The prior the adjustment started from, which is the one its residuals "before" belong to.
+    # The prior at the start of the adjustment: the residuals "before" refer to it.
     prior = adjustment.prior_boresight_deg if adjustment else angles(project.settings.boresight_deg)
     true = None if project.truth_deg is None else angles(project.truth_deg)
     error = None if adjustment is None or true is None else angle_errors(adjustment, true)
@@ -151,7 +151,7 @@ def _input_files(project: Project, progress: Progress) -> tuple[InputFile, ...]:
     for k, (role, path) in enumerate(inputs):
         step = sub_progress(progress, k / len(inputs), (k + 1) / len(inputs))
         files.append(_input_file(role, path, step))
-    if (check := project.absolute) is not None:  # as it was when the lines were compared with it
+    if (check := project.absolute) is not None:  # size and digest at the time of the comparison
         files.append(InputFile("Reference", check.reference, check.size_bytes, check.sha256))
     return tuple(files)
 
@@ -170,7 +170,7 @@ def _input_file(role: str, path: Path, progress: Progress) -> InputFile:
                     gettext_lazy("Computing the checksum of {file}", file=path.name),
                 )
     except OSError:
-        # The report says so in a warning; what was computed still stands.
+        # The report contains a warning about the missing file; the results remain valid.
         return InputFile(role, printable(path.name), None, None)
     return InputFile(role, printable(path.name), size, digest.hexdigest())
 

@@ -27,9 +27,9 @@ AXES: Mapping[str, str] = {
 }  # fmt: skip
 LIMITS = "#dbe4ee"
 HALF_WIDTH = 0.35
-"""Share of the time between two calibrations that limits extend to either side."""
+"""Width of the band of limits to either side, as a share of the time to the next calibration."""
 DAYS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
-"""Formats of a date beside the axis, from years to seconds: the same in every language."""
+"""Formats of a date beside the axis, from years to seconds, the same in every language."""
 
 
 def control_chart_figure(
@@ -37,19 +37,19 @@ def control_chart_figure(
     charted: Sequence[ChartedCalibration],
     figure: Figure | None = None,
 ) -> Figure:
-    """Each angle with its 95 % interval, and the limits from the earlier calibrations.
+    """Control chart of each angle, with 95 % intervals and the limits from earlier calibrations.
 
     Parameters
     ----------
-    days : of the calibrations, the earliest first
+    days : dates of the calibrations, the earliest first
     """
     figure = blank_figure(figure, (6.3, 4.6))
     panels = figure.subplots(3, 1, sharex=True)
-    # Calibrations of one day stand side by side.
+    # Calibrations of the same day are drawn side by side.
     at = np.array(date2num(list(days)), dtype=np.float64)  # type: ignore[no-untyped-call]
     for k in range(1, len(at)):
         at[k] = max(at[k], at[k - 1] + 0.03 * max(at[-1] - at[0], 1.0))
-    # At the ends there is as much room as between two on the mean, and some days at least.
+    # Margin at both ends: the mean interval between two calibrations, at least three days.
     between = max(3.0, (at[-1] - at[0]) / max(len(at) - 1, 1))
     spacing = np.diff(at, prepend=at[0] - between, append=at[-1] + between)
     has_moved = np.array([each.has_moved for each in charted])

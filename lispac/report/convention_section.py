@@ -21,7 +21,7 @@ DIRECTIONS: Mapping[str, str] = {
     "body to LiDAR": N_("{formula}, body to LiDAR"),
 }
 EXACT = 8
-"""Decimals of angles that change much for a small rotation."""
+"""Decimals of angles, degrees, if they change much for a small rotation."""
 
 
 def convention_blocks(content: ReportContent) -> list[Block]:
@@ -105,7 +105,7 @@ def _angle_table(convention: ConventionValues) -> Table:
 
 
 def _program_name(name: str) -> str:
-    """Name of a program: some of them have words to translate."""
+    """Name of a program in the language in use, since some names contain words to translate."""
     return gettext(name)
 
 

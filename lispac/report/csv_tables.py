@@ -1,8 +1,8 @@
 """Every table of the report as CSV, in one ZIP file, for a spreadsheet or a script.
 
-The texts are those of the report, so each number is the one that was signed. A cell with a number
-only is written as a number: decimal point, no thousands separators, a plain minus, no plus-minus
-sign before half an interval.
+The texts are those of the report, so the numbers agree with the signed report. A cell that contains
+only a number is written with a decimal point, a plain minus and no thousands separators; the
+plus-minus sign before half the width of an interval is omitted.
 """
 
 import csv
@@ -22,13 +22,13 @@ from lispac.report.report_values import ReportContent
 from lispac.untrusted_values import as_csv_cell
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)
-"""Time of every file within: the same report gives the same bytes."""
+"""Fixed time of every file in the archive, so that the same report gives the same bytes."""
 
 
 def write_tables(content: ReportContent, path: Path, options: ReportOptions = USUAL) -> None:
     """Write one ZIP file with a CSV file (UTF-8) for each table, in the report's order.
 
-    The values that the figures of the validation planes are drawn from come last.
+    The last files contain the values drawn in the figures of the validation planes.
     """
     document = report_document(content, {}, options)
     blocks: list[Block] = [document.identity, *document.summary]
@@ -44,7 +44,7 @@ def write_tables(content: ReportContent, path: Path, options: ReportOptions = US
 
 
 def histogram_tables(content: ReportContent) -> list[Table]:
-    """The bins of every histogram, and the distances by height and range."""
+    """Tables of the bins of every histogram, and of the distances by height and range."""
     made = []
     for plane in content.validation:
         edges = [1000 * edge for edge in plane.bin_edges_m]
@@ -97,7 +97,7 @@ def _profile_table(title: str, profile: DistancesBySteps) -> Table:
 
 
 def map_tables(content: ReportContent) -> list[Table]:
-    """The cells of every map of distances, which the report shows as pictures only."""
+    """Tables of the cells of every map of distances, which the report shows as pictures only."""
     heads = (N_("Horizontal (m)"), N_("Up (m)"), N_("Before (mm)"), N_("After (mm)"))
     columns = tuple(Column(gettext(each)) for each in heads)
     return [
@@ -120,12 +120,12 @@ def map_tables(content: ReportContent) -> list[Table]:
 
 
 def csv_text(table: Table) -> str:
-    """One table as CSV; the first row holds the titles of the columns where there are any.
+    """Convert a table to CSV; the first row contains the titles of the columns, if there are any.
 
-    Numbers are read with the signs of the language in use, and those of Python.
+    Numbers are recognised in the notation of the language in use and in that of Python.
     """
     stream = StringIO()
-    # A spreadsheet takes the file for UTF-8 by its mark.
+    # The byte order mark makes a spreadsheet read the file as UTF-8.
     stream.write("\ufeff")
     writer = csv.writer(stream)
     heads = [column.title.replace("\n", " ") for column in table.columns]
@@ -141,7 +141,7 @@ def csv_text(table: Table) -> str:
 
 
 def _number_pattern() -> re.Pattern[str]:
-    """A number alone, maybe half an interval: sign, whole part and decimals."""
+    """Pattern of a cell with one number or half an interval: sign, whole part and decimals."""
     groups, decimal = re.escape(group_sign()), re.escape(decimal_sign())
     return re.compile(
         rf"(?:\u00b1 ?)?([+-]?)(\d{{1,3}}(?:{groups}\d{{3}})+|\d+)(?:[{decimal}.](\d+))?"

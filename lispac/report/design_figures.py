@@ -16,7 +16,7 @@ from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank_figure,
 from lispac.report.stochastic_model_names import NAMES
 
 MAX_SIGMAS = 4.0
-"""Predicted sigmas to either side that errors are drawn to; larger ones count at the border."""
+"""Limit of the drawn errors, in predicted sigmas; larger errors are counted in the outer bins."""
 
 EXPECTED = N_(
     "Above each plot: standard deviation of the errors / predicted sigma, ± 1 sigma. Curve: "
@@ -27,7 +27,7 @@ RATIOS: Mapping[str, str] = {
     "pitch": N_("pitch: {ratio} ± {interval}"),
     "yaw": N_("yaw: {ratio} ± {interval}"),
 }
-"""Scatter over predicted sigma, with what it varies by chance."""
+"""Titles with the ratio of the scatter to the predicted sigma, and its random variation."""
 
 COLOURS = (BEFORE, AFTER, "#228833")
 """Colours of roll, pitch and yaw; distinguishable with any colour vision."""
@@ -67,7 +67,7 @@ def scenario_figure(outcomes: Sequence[ScenarioOutcome], figure: Figure | None =
 def pareto_front_figure(
     front: Sequence[ReductionStep], label: str, figure: Figure | None = None
 ) -> Figure:
-    """The objective by the minutes on site of each plan.
+    """Objective of each plan over its time on site, minutes.
 
     Parameters
     ----------

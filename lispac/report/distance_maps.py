@@ -26,27 +26,27 @@ Array = NDArray[np.float64]
 
 STATES = N_("before"), N_("after"), N_("after, separate scale")
 COLOURS = "RdBu_r"
-"""Red where the first line is nearer to the vessel, white where the two coincide."""
+"""Colour map: red where the first line is nearer to the vessel, white where both coincide."""
 SCALE_PERCENTILE = 98.0
-"""Percentile of the distances at the end of the colour scale."""
+"""Percentile of the absolute distances at the ends of the colour scale."""
 LEAST = 1e-4
 PIXELS = 10
-"""Pixels along the side of a cell; viewers blur single pixels of an image."""
+"""Pixels along the side of a cell, since viewers blur single pixels of an image."""
 WIDTH, TALLEST, LOWEST = 6.3, 3.2, 0.5
-"""Width of the figure, largest and smallest height of a picture; inches."""
+"""Width of the figure, and largest and smallest height of a panel, inches."""
 LEFT, RIGHT, BETWEEN = 0.8, 0.12, 0.34
 TOP, TOP_TALL, BELOW, BOTTOM = 0.4, 0.8, 0.26, 0.85
-"""Inches around and between the pictures."""
+"""Margins around and between the panels, inches."""
 MAX_TEXT_SHARE = 0.95
 """Largest share of the distance between panels that a text may fill."""
 BESIDE = 1.4
-"""Height over width of a plane beyond which its pairs are drawn beside each other."""
+"""Ratio of height to width above which all pairs of a plane are drawn in one row."""
 
 
 def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
-    """Signed distances over the plane for each pair mapped.
+    """Maps of the signed distances over the plane, for each mapped pair of lines.
 
-    Before and after on one scale, and after on its own.
+    Three panels a pair: before and after with a common colour scale, and after with its own.
     """
     return _draw_maps(
         figure, comparison.name, [DistanceMapValues.of(each) for each in comparison.maps]
@@ -54,7 +54,7 @@ def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Fig
 
 
 def map_figure_of(plane: ValidationPlane) -> Figure:
-    """`map_figure` of a report's content."""
+    """Draw `map_figure` from the values of a report."""
     return _draw_maps(None, plane.name, plane.maps)
 
 
@@ -105,7 +105,7 @@ def _draw_maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValue
 def _fitted_pair_names(
     maps: Sequence[DistanceMapValues], tall: bool, figure: Figure, panel: Axes
 ) -> tuple[list[str], float]:
-    """Name of each pair, and the size of the letters, so that none meets its neighbour."""
+    """Name of each pair, and the font size at which no name overlaps its neighbour."""
     box, inches = panel.get_position(original=True), figure.get_size_inches()
     available = box.width * inches[0] + BETWEEN if tall else box.height * inches[1] + BELOW
     available *= MAX_TEXT_SHARE
@@ -131,14 +131,14 @@ def _break_after_commas(text: str) -> str:
 def _map_panels(
     figure: Figure | None, pairs: int, sides: Array, tall: bool
 ) -> tuple[Figure, list[list[Axes]]]:
-    """Three panels a pair: in a row of their own, or, where the plane is tall, all in one row."""
+    """Three panels for each pair: one row a pair, or a single row if the plane is tall."""
     down, along = (1, 3 * pairs) if tall else (pairs, 3)
     wide = (WIDTH - LEFT - RIGHT - (along - 1) * BETWEEN) / along
     high = float(np.clip(sides[1] / sides[0] * wide, LOWEST, TALLEST))
     top = TOP_TALL if tall else TOP
     size = WIDTH, top + down * high + (down - 1) * BELOW + BOTTOM
     figure = blank_figure(figure, size)
-    # Placed by hand: to measure every text of so many panels takes a second a figure
+    # Positions are computed here: a layout engine takes a second to measure all texts.
     figure.set_layout_engine("none")
 
     def panel(row: int, column: int) -> Axes:
@@ -149,13 +149,13 @@ def _map_panels(
     panels = [[panel(row, column) for column in range(along)] for row in range(down)]
     if not tall:
         return figure, panels
-    # Those on one scale beside each other, so that its bar belongs to them
+    # The panels with the common scale are adjacent, above their colour bar.
     (one,) = panels
     return figure, [[one[2 * k], one[2 * k + 1], one[2 * pairs + k]] for k in range(pairs)]
 
 
 def _draw_colour_bar(figure: Figure, panels: Sequence[Axes]) -> None:
-    """Colour scale of some panels below them, in millimetres."""
+    """Draw the common colour bar of some panels below them, in millimetres."""
     boxes = [axes.get_position(original=True) for axes in panels]
     left, right = min(box.x0 for box in boxes), max(box.x1 for box in boxes)
     inch = 1 / figure.get_size_inches()[1]
@@ -183,7 +183,7 @@ def _draw_map(axes: Axes, values: Array, end: float, cell: float) -> None:
 
 
 def _cell_grids(pair: DistanceMapValues) -> tuple[Array, Array]:
-    """The cells before and after as pictures (up, across), NaN where there is no distance."""
+    """Distances of the cells before and after as grids (up, across), NaN for empty cells."""
     columns, rows = (
         np.floor(np.array(v) / pair.cell_m).astype(int) for v in _cell_coordinates(pair)
     )
@@ -200,7 +200,7 @@ def _cell_coordinates(pair: DistanceMapValues) -> tuple[tuple[float, ...], tuple
 
 
 def _map_size(pair: DistanceMapValues) -> Array:
-    """Width and height of what is drawn, metres."""
+    """Width and height of the drawn area, metres."""
     return np.array([max(values) + pair.cell_m / 2 for values in _cell_coordinates(pair)])
 
 

@@ -26,7 +26,7 @@ CURVES: Mapping[tuple[str, str], str] = {
     ("median", "after"): N_("median after"),
     ("p95", "after"): N_("95 % after"),
 }
-"""Text of the legend by statistic and state."""
+"""Texts of the legend, by statistic and state."""
 COLOURS = {"before": BEFORE, "after": AFTER}
 STYLES = {"median": "-", "p95": "--"}
 
@@ -41,7 +41,7 @@ def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) ->
 
 
 def profile_figure_of(plane: ValidationPlane) -> Figure:
-    """`profile_figure` of a report's content."""
+    """Draw `profile_figure` from the values of a report."""
     return _draw_profiles(None, plane.name, (plane.by_height, plane.by_range))
 
 

@@ -35,7 +35,7 @@ from lispac.report.standards_section import standards_blocks
 from lispac.report.validation_section import validation_blocks
 
 TWO_ON_A_PAGE = 92.0
-"""Height of a picture, mm, of which two with their captions fit on the smaller page."""
+"""Largest height of a picture, mm, at which two with captions fit on the smaller page size."""
 
 
 def report_document(
@@ -46,12 +46,12 @@ def report_document(
     Parameters
     ----------
     pictures : file of a PNG or SVG picture by its caption
-    options : its language, page and letterhead; the convention is part of the content
+    options : language, page and letterhead; the convention is already part of the content
 
     Raises
     ------
     InputError
-        Where a picture or the logo cannot be read, or there is no report in this language.
+        If a picture or the logo cannot be read, or if no report exists in this language.
     """
     with in_language(options.language):
         return drawn_document(undrawn_document(content, pictures, options))
@@ -62,7 +62,7 @@ def undrawn_document(
     pictures: Mapping[str, Path],
     options: ReportOptions = USUAL,
 ) -> Document:
-    """The report in the language in use, its figures not drawn yet."""
+    """Report in the language in use, with figures that are still to be drawn."""
     serious, notes = (_warning_texts(content, serious=is_serious) for is_serious in (True, False))
     status, verdict = _status_text(content, bool(serious))
     parts = [

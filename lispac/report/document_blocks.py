@@ -42,8 +42,8 @@ class Column:
 class Table:
     """Table of texts with titled columns.
 
-    A ``form`` has names and values, two beside each other; where there is no value, there is a line
-    to be filled in by hand.
+    A ``form`` has names and values in two columns side by side; a missing value is printed as a
+    line to be filled in by hand.
     """
 
     title: str
@@ -54,14 +54,14 @@ class Table:
 
 
 def as_rows(cells: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
-    """Rows as a table holds them."""
+    """Convert rows to the tuples that a `Table` contains."""
     return tuple(tuple(row) for row in cells)
 
 
 def report_table(
     table: ResultTable[Row], rows: Iterable[Row], further_rows: Iterable[Sequence[str]] = ()
 ) -> Table:
-    """Table of results in the language in use; ``further_rows`` are texts below it."""
+    """Table of results in the language in use; ``further_rows`` are appended as texts."""
     columns = []
     for each in table.columns:
         title = title_text(each.title)
@@ -91,8 +91,8 @@ class Picture:
     Attributes
     ----------
     caption, data, suffix
-    width : share of the text's width
-    tallest : millimetres, the most of the page's height that it takes
+    width : share of the width of the text
+    tallest : largest height on the page, millimetres
     """
 
     caption: str
@@ -114,11 +114,11 @@ class SignatureLines:
 
 @dataclass(frozen=True)
 class UndrawnPictures:
-    """Pictures that ``draw`` makes of ``values`` later, in the language in use.
+    """Pictures that ``draw`` creates from ``values`` later, in the language in use.
 
     Attributes
     ----------
-    width : share of the text's width
+    width : share of the width of the text
     """
 
     caption: str
@@ -152,7 +152,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Letterhead:
-    """Letterhead of a company on page one: logo and name above the title, a text below it."""
+    """Letterhead of a company on page one: logo and name above the title, text below the title."""
 
     logo: Picture | None = None
     company: str = ""
@@ -166,7 +166,7 @@ NO_LETTERHEAD = Letterhead()
 class Document:
     """The whole report.
 
-    ``identity`` and ``summary`` stand on page one, above and below the warnings.
+    ``identity`` and ``summary`` are on page one, above and below the warnings.
     """
 
     title: str

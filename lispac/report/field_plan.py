@@ -24,7 +24,7 @@ from lispac.simulation.closed_form_survey import Ball, Board
 Array = NDArray[np.float64]
 
 PAGE = (8.27, 11.69)
-"""Inches: A4."""
+"""Width and height of an A4 page, inches."""
 
 WALL, WRONG = "#8a8f98", "#b3261e"
 ASSUMED = N_(
@@ -37,13 +37,13 @@ ASSUMED = N_(
     "boards flat and firmly: the predicted sigmas assume that they do not move."
 )
 PITCH, MIN_PITCH, SPACE, LIFT = 0.019, 0.0115, 0.24, 0.26
-"""Shares of the page: height of a row, its smallest value, height of the rows below drawings of
-usual height, and the most that drawings lose where there are many rows."""
+"""Shares of the page height: row, smallest row, space for the rows below drawings of the usual
+height, and largest reduction of the drawings if there are many rows."""
 MAX_WARNINGS, LINE_LENGTH = 3, 140
-"""Warnings that are printed, and letters in a line."""
+"""Largest number of printed warnings, and of letters in a line."""
 OMITTED = Plural("{count:n} more warning is not shown.", "{count:n} more warnings are not shown.")
 BARS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
-"""Metres: lengths of the scale."""
+"""Possible lengths of the scale bar, metres."""
 
 
 def field_plan_figure(
@@ -54,7 +54,7 @@ def field_plan_figure(
     Parameters
     ----------
     wall : Wall
-        On the water.
+        Wall seen from the water.
     notes : sequence of str
         Printed below: assumptions of the plan.
     warnings : sequence of str
@@ -119,9 +119,9 @@ def _triple_text(numbers: Sequence[str]) -> str:
 
 
 def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
-    """East to the right, north up; the wall, the targets and the lines with their numbers."""
+    """Draw wall, targets and numbered lines from above, east to the right and north up."""
     middle = np.array(plan.middle[:2])
-    offset = 0.02 * max(line.distance for line in plan.lines)  # opposite lines beside each other
+    offset = 0.02 * max(line.distance for line in plan.lines)  # opposite lines side by side
     begins: dict[tuple[float, float], list[int]] = {}
     reach = max(line.distance for line in plan.lines) + 5.0
     ends = middle + np.outer([-reach, reach], wall.rightward)
@@ -148,7 +148,7 @@ def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
         east, north = -target.centre[1], target.centre[0]
         axes.plot(east, north, "s" if isinstance(target, Board) else "o", color=AFTER, ms=5)
         places.setdefault((round(east, 1), round(north, 1)), []).append(target.name)
-    for place, names in places.items():  # boards above each other are one mark from above
+    for place, names in places.items():  # boards above each other share one mark
         axes.annotate(", ".join(names), place, xytext=(5, 4), textcoords="offset points",
                       fontsize=SMALL, color=INK)  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
@@ -171,7 +171,7 @@ def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
 
 
 def _draw_north_and_scale(axes: Axes) -> None:
-    """An arrow to the north, which is up, and a scale bar."""
+    """Draw a north arrow, which points up, and a scale bar."""
     axes.apply_aspect()
     axes.autoscale(False)
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
@@ -196,7 +196,7 @@ def _draw_north_and_scale(axes: Axes) -> None:
 
 
 def _draw_front_view(axes: Axes, plan: Plan, wall: Wall) -> None:
-    """The wall as seen from the water."""
+    """Draw the wall as seen from the water."""
     for target in plan.targets:
         along = wall.wall_coordinates(target.centre)[0]
         up = target.centre[2]
@@ -228,7 +228,7 @@ TARGET_HEADS = (
     N_("inclination (deg)"), N_("azimuth (deg)"),
 )  # fmt: skip
 AT = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
-"""Left ends of the columns, as shares of the width of the page."""
+"""Left edges of the columns, as shares of the page width."""
 LINE_HEADS = (
     N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("side facing site"),
     N_("clearance (m)"), N_("speed (m/s)"), N_("straight part (m)"),
@@ -256,7 +256,7 @@ def _signed_metres(metres: float) -> str:
 
 
 def _inclination_text(degrees: float) -> str:
-    """Inclination from level, and to which side; 90 is upright."""
+    """Text of an inclination from the horizontal, degrees, and its side; 90 is upright."""
     if abs(degrees - 90.0) < 0.5:
         return gettext("90, vertical")
     if degrees < 90.0:

@@ -1,7 +1,7 @@
 """Plots as matplotlib Figures, for the report and the window.
 
-Each function draws into the figure given, or into a new one. Style is set on the artists and
-never in matplotlib's global settings, so that a worker can draw at the same time.
+Each function draws into the given figure, or into a new one. Styles are set on the artists and not
+in the global settings of matplotlib, so that several threads can draw at the same time.
 """
 
 import pickle
@@ -44,12 +44,12 @@ LINE_COLOURS = (
 
 TEXT, SMALL = 8.0, 7.0
 PER_RESIDUAL_FIGURE = 28
-"""Sightings that fit on a page of bars."""
+"""Largest number of sightings in a bar chart that fills one page."""
 
 LONGEST_LABEL = 24
 
 LABEL_DISTANCE = 0.05, 0.09
-"""Distance of marks on the site plan whose names would overlap; shares of the drawn extent."""
+"""Distance below which the names of two marks would overlap, as shares of the drawn extent."""
 
 
 def correlation_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
@@ -62,7 +62,7 @@ def correlation_figure_of(
     correlation: ArrayLike,
     figure: Figure | None = None,
 ) -> Figure:
-    """`correlation_figure` of a report's content; names as in `AdjustmentResult.estimated`."""
+    """Draw `correlation_figure` from report values; names as in `AdjustmentResult.estimated`."""
     matrix = np.asarray(correlation)
     side = max(2.8, 0.9 + 0.42 * len(names))
     figure = blank_figure(figure, (side + 0.6, side))
@@ -103,8 +103,8 @@ def site_figure(
 
     Parameters
     ----------
-    tracks : (k, 2) by name of the line, metres; north and west
-    targets, validation : seed by name, metres; north and west, and up, which is not drawn
+    tracks : north and west, shape (k, 2), metres, by name of the line
+    targets, validation : seeds (north, west, up), metres, by name; up is not drawn
     """
     figure = blank_figure(figure, (6.3, 4.4))
     axes = figure.add_subplot()
@@ -122,7 +122,7 @@ def site_figure(
     _label_seeds(axes, marks, tracks.values())
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.08)
-    axes.invert_xaxis()  # west is positive in the local frame, and lies on the left
+    axes.invert_xaxis()  # west is positive in the local frame, but drawn to the left
     style_axes(axes, gettext("West (m)"), gettext("North (m)"))
     if tracks or targets or validation:
         figure.legend(loc="outside right upper", fontsize=SMALL, frameon=False, labelcolor=INK)
@@ -130,7 +130,7 @@ def site_figure(
 
 
 def site_figure_of(lines: Sequence[LineValues], planes: Sequence[PickedPlane]) -> Figure:
-    """`site_figure` of a report's content."""
+    """Draw `site_figure` from the values of a report."""
     return site_figure(
         {line.name: line.track_local_m for line in lines if len(line.track_local_m) > 0},
         {plane.name: plane.seed_local_m for plane in planes if plane.role == "target"},
@@ -152,7 +152,7 @@ def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> F
 
 
 def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
-    """`residual_figure` of a report's content, in as many figures as fill a page each."""
+    """Draw `residual_figure` from the values of a report, divided into figures of one page."""
     figures = []
     for start in range(0, len(sightings), PER_RESIDUAL_FIGURE):
         some = sightings[start : start + PER_RESIDUAL_FIGURE]
@@ -163,7 +163,7 @@ def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
 
 
 def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
-    """Estimated POS errors with their prior, in as many figures as fill a page each."""
+    """Draw the estimated POS errors with their prior, divided into figures of one page."""
     return [
         _pos_error_figure(sightings[start : start + PER_RESIDUAL_FIGURE])
         for start in range(0, len(sightings), PER_RESIDUAL_FIGURE)
@@ -171,7 +171,7 @@ def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
 
 
 def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
-    """A row for each sighting, a panel for each component: error, 2 sigma, prior 2 sigma."""
+    """Draw error, 2 sigma and prior 2 sigma: a row for each sighting, a panel a component."""
     figure = blank_figure(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
     errors = [each.pos_error for each in sightings if each.pos_error is not None]
@@ -210,10 +210,10 @@ def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
 
 
 def svg_of(figure: Figure) -> bytes:
-    """The figure as SVG, the same bytes every time; letters are outlines and need no font."""
+    """Convert a figure to reproducible SVG, with letters as outlines that need no font."""
     stream = BytesIO()
     with rc_context({"svg.hashsalt": "lispac", "svg.fonttype": "path"}):
-        # Drawn once: savefig first draws all of it for nothing, which takes half of its time
+        # `savefig` would draw the figure twice and take twice the time.
         FigureCanvasSVG(figure).print_svg(  # type: ignore[no-untyped-call]
             stream, metadata={"Date": None, "Creator": None}
         )
@@ -223,15 +223,15 @@ def svg_of(figure: Figure) -> bytes:
 def svg_pictures(
     draw: Callable[..., Figure | Sequence[Figure]], *values: object
 ) -> tuple[bytes, ...]:
-    """The figures that ``draw`` makes of a report's values, as SVG, in the language in use.
+    """Figures that ``draw`` creates from values of a report, as SVG, in the language in use.
 
-    Nearly all of a report's time goes into them, and its three forms have the same ones, as does
-    the next report with a plane that did not change: the last ones are kept.
+    Drawing takes nearly all of the time of a report. The last figures are cached, since all formats
+    of a report use the same figures, and so does the next report if a plane did not change.
     """
     return render_pictures(draw, pickle.dumps(values), current_language())
 
 
-@lru_cache(maxsize=64)  # those of a few reports, some megabytes
+@lru_cache(maxsize=64)  # the figures of a few reports, some megabytes
 def render_pictures(
     draw: Callable[..., Figure | Sequence[Figure]], values: bytes, language: str
 ) -> tuple[bytes, ...]:
@@ -247,7 +247,7 @@ def blank_figure(figure: Figure | None, size: tuple[float, float]) -> Figure:
     if figure is None:
         return Figure(figsize=size, layout="constrained")
     figure.clear()
-    figure.set_layout_engine("constrained")  # legends outside the axes need it
+    figure.set_layout_engine("constrained")  # required for legends outside the axes
     return figure
 
 
@@ -266,7 +266,7 @@ def style_axes(axes: Axes, x_label: str, y_label: str) -> None:
 
 
 class LocalisedFormatter(ScalarFormatter):
-    """Numbers beside an axis with the decimal sign and the minus sign of the language in use."""
+    """Formatter of tick labels with the decimal sign and the minus sign of the language in use."""
 
     def __call__(self, x: float, pos: int | None = None) -> str:
         """Text of one number."""
@@ -279,19 +279,19 @@ class LocalisedFormatter(ScalarFormatter):
 
 @cache
 def drawable_characters() -> frozenset[int]:
-    """Code points of the font that comes with matplotlib."""
+    """Code points of the letters in the font that is supplied with matplotlib."""
     path = Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"
     return frozenset(FT2Font(str(path)).get_charmap())
 
 
 def _drawable_text(text: str) -> str:
-    """The text without mathematics and without letters that the font does not have."""
+    """Text with mathematical markup escaped and letters missing in the font replaced."""
     shown = "".join(letter if ord(letter) in drawable_characters() else "\u25a1" for letter in text)
     return shown.replace("$", r"\$")
 
 
 def short_name(name: str) -> str:
-    """A name of the user, cut to a length that leaves space for the plot."""
+    """User-defined name, shortened to leave space for the plot."""
     return _drawable_text(
         name if len(name) <= LONGEST_LABEL else name[: LONGEST_LABEL - 1] + "\u2026"
     )
@@ -334,7 +334,7 @@ def _draw_track(axes: Axes, name: str, points: Array, colour: str) -> None:
         "", xy=(west[-1], north[-1]), xytext=(west[-2], north[-2]),
         arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.4, "mutation_scale": 12},
     )  # fmt: skip
-    # Beyond the start, clear of the arrow of a line that ends there; west runs to the left.
+    # Placed before the start, clear of the arrow of a line that ends there; west is left.
     back = np.array([west[1] - west[0], north[0] - north[1]])
     back *= 9 / max(float(np.hypot(*back)), 1e-9)
     axes.annotate(
@@ -355,7 +355,7 @@ def _draw_seeds(
 def _label_seeds(
     axes: Axes, marks: Sequence[tuple[str, Sequence[float], str]], tracks: Iterable[ArrayLike]
 ) -> None:
-    """Names beside their marks; those of near marks are stacked, with a line to each.
+    """Draw names beside their marks; names of close marks are stacked, with a line to each.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Histograms of the distances on a validation plane, before and after over each other."""
+"""Histograms of the distances on a validation plane, before and after overlaid."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -30,10 +30,10 @@ from lispac.validation.distance_bins import merge_bins
 Array = NDArray[np.float64]
 
 BARS = 60
-"""Largest number of bars in a picture."""
+"""Largest number of bars in a histogram."""
 ENLARGED_WIDTH, MAX_ENLARGED_SHARE = 1.6, 0.4
-"""The distances after are enlarged beside the whole: width in their 95th percentiles, and the share
-of the whole below which that is done."""
+"""Width of the enlarged view of the distances after, in their 95th percentiles, and the largest
+share of the whole range for which an enlarged view is drawn."""
 COLOURS = (BEFORE, AFTER)
 _WHOLE = N_("Distance between lines (mm); last bin includes larger values")
 _NEAR = N_("Enlarged view (mm)")
@@ -41,12 +41,12 @@ _POOLED: Mapping[str, str] = {
     "reciprocal pairs": N_("{plane}, reciprocal pairs of lines, {model}"),
     "all pairs": N_("{plane}, all pairs of lines, {model}"),
 }
-"""Title by the pairs of lines that a plane's distances are from."""
+"""Titles, by the pairs of lines whose distances are pooled on a plane."""
 
 
 @dataclass(frozen=True, eq=False)
 class _BinnedDistances:
-    """Distances before and after calibration in fine bins, each with its text for the legend."""
+    """Distances before and after calibration in fine bins, with a legend text for each."""
 
     edges: ArrayLike
     counts: Sequence[ArrayLike]
@@ -61,7 +61,7 @@ def histogram_figure(
     *,
     share: bool = False,
 ) -> Figure:
-    """Distances between lines on one validation plane, before and after over each other.
+    """Histogram of the distances between lines on one validation plane, before and after.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def histogram_figure(
 
 
 def validation_figure(plane: ValidationPlane) -> Figure:
-    """`histogram_figure` of a report's content."""
+    """Draw `histogram_figure` from the values of a report."""
     before, after = plane.before, plane.after
     counted = _BinnedDistances(
         plane.bin_edges_m,
@@ -141,7 +141,7 @@ def _draw_histogram(
 
 
 def _count_text(value: float) -> str:
-    """A number of points, or a share, with as many decimals as it needs."""
+    """Text of a number of points or a share, with as many decimals as necessary."""
     whole, _, decimals = f"{value:.12g}".partition(".")
     return (
         grouped_number(value, len(decimals))
@@ -151,7 +151,7 @@ def _count_text(value: float) -> str:
 
 
 class _HistogramBars:
-    """Both states in one set of axes, with bins that suit the visible part."""
+    """Histogram bars of both states in one set of axes, with bins that fit the visible range."""
 
     def __init__(
         self, axes: Axes, counted: _BinnedDistances, share: bool, legend: Sequence[str], size: float
@@ -171,7 +171,7 @@ class _HistogramBars:
         axes.callbacks.connect("xlim_changed", lambda _axes: self._follow())
 
     def show(self, reach: float) -> None:
-        """The distances from 0 to ``reach``, metres."""
+        """Show the distances from 0 to ``reach``, metres."""
         self._axes.set_xlim(0.0, 1000.0 * reach)
 
     def _follow(self) -> None:

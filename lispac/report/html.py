@@ -16,7 +16,7 @@ _MEDIA = {".png": "image/png", ".svg": "image/svg+xml"}
 def html_text(
     content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = USUAL
 ) -> str:
-    """The report as HTML; every text in it is escaped, every picture is inside."""
+    """Report as HTML, with escaped texts and embedded pictures."""
     from jinja2 import Environment, StrictUndefined
 
     environment = Environment(

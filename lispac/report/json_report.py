@@ -22,7 +22,7 @@ SCHEMA_FILE = "report.schema.json"
 class JsonWarning:
     """A typed message in English; ``code`` names the condition.
 
-    ``former_code`` is what versions before typed messages called it.
+    ``former_code`` is its code in versions before typed messages.
     """
 
     code: str
@@ -33,7 +33,7 @@ class JsonWarning:
 
 
 def json_text(content: ReportContent) -> str:
-    """The content as one JSON object in English; what is not known is null."""
+    """Report content as one JSON object in English; unknown values are null."""
     values = {
         "schema": NAME,
         "schema_version": SCHEMA_VERSION,

@@ -11,27 +11,27 @@ from lispac.report.text_width import POINTS_PER_INCH, text_width
 Array = NDArray[np.float64]
 
 HANDLE, ROW, AROUND = 4.5, 1.35, 2.5
-"""In font sizes: width of a legend besides its text, height of a line, and margins."""
+"""Width of a legend besides its text, height of a line, and margins, in font sizes."""
 AXES_POSITION = {"left": 0.09, "right": 0.99, "bottom": 0.17, "top": 0.9}
-"""Expected position of the axes, which is needed before the figure is laid out."""
+"""Expected position of the axes, needed before the figure is laid out."""
 HEADROOM = 1.08
-"""Top of the axes over the highest bar."""
+"""Ratio of the upper limit of the axes to the highest bar."""
 MAX_HEIGHT_SHARE = 0.6
-"""Largest share of the height of the axes that is kept free; a larger legend covers bars."""
+"""Largest share of the height of the axes that is kept free; a taller legend covers bars."""
 
 
 def top_below_legend(
     axes: Axes, edges: Array, heights: Array, words: Sequence[str], size: float
 ) -> float:
-    """Upper limit of the axes, so that bars keep clear of a legend at the upper right.
+    """Upper limit of the axes at which no bar reaches a legend at the upper right.
 
     Parameters
     ----------
-    axes : with its limits across as they are shown
+    axes : axes with their final horizontal limits
     edges, heights : ndarrays of shape (k + 1,) and (k,)
-        Of the bars; of several histograms the highest.
-    words : of the legend, one text for each histogram
-    size : of its letters, points
+        Edges and heights of the bars; the highest bars of several histograms.
+    words : texts of the legend, one for each histogram
+    size : font size of the legend, points
     """
     low, high = sorted(axes.get_xlim())
     seen = (edges[:-1] < high) & (edges[1:] > low)

@@ -11,19 +11,19 @@ from lispac.report.figures import INK, SMALL, TEXT, LocalisedFormatter, blank_fi
 from lispac.validation.line_differences import LineDifference
 
 COLOURS = "viridis_r"
-"""Light where lines coincide, dark where they are far apart; for any colour vision."""
+"""Colour map: light where lines coincide, dark where they differ; suits any colour vision."""
 SCALE_PERCENTILE = 95.0
 """Percentile of the differences at the end of the colour scale."""
 
 
 def line_difference_map(pairs: Sequence[LineDifference], figure: Figure | None = None) -> Figure:
-    """Places of some pairs of lines, coloured by how far the lines are apart there.
+    """Map of places of some pairs of lines, coloured by the distance of the lines.
 
-    Where several lie above each other, on a wall say, the largest difference is seen.
+    If several places lie above each other, as on a wall, the largest difference is visible.
 
     Parameters
     ----------
-    pairs : one at least, with a place at least
+    pairs : at least one pair, with at least one place
     """
     figure = blank_figure(figure, (6.3, 5.6))
     axes = figure.subplots()

@@ -14,7 +14,7 @@ EXPLAINED = N_(
 
 
 def method_blocks(content: ReportContent) -> list[Block]:
-    """Blocks on the results of the methods side by side, and their differences."""
+    """Blocks on the results of all methods and their differences."""
     found = content.methods
     if len(found) < 2:
         return []

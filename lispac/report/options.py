@@ -20,7 +20,7 @@ class ReportOptions:
     convention : key of another program in whose convention the boresight is also given; empty for
         none
     logo : PNG or SVG file at the top of page one
-    company : line or lines beside it
+    company : text beside the logo, one or more lines
     heading : text under the title
     closing : text above the signature
     language : code of one of `LANGUAGES`

@@ -1,7 +1,7 @@
 """The report as PDF, typeset by typst.
 
-Typst comes as one wheel with its fonts inside: no browser, no TeX, no network, and the same bytes
-on every machine.
+Typst is installed as one wheel that includes its fonts. It needs no browser, no TeX and no network,
+and produces the same bytes on every machine.
 """
 
 import json
@@ -22,7 +22,7 @@ from lispac.report.options import USUAL, ReportOptions
 from lispac.report.report_values import ReportContent
 
 LONGEST_WORD = 24
-"""Letters after which a word may break: file names have no blanks."""
+"""Longest word, letters, that is not broken; file names have no blanks to break at."""
 
 
 def write_pdf(
@@ -40,7 +40,7 @@ def write_pdf(
     Raises
     ------
     LispacError
-        Where a picture cannot be read or drawn.
+        If a picture cannot be read or drawn.
     """
     with _typesetter(content, pictures, options) as set_as:
         path.write_bytes(set_as("pdf"))
@@ -71,7 +71,7 @@ def preview_of(
     Raises
     ------
     LispacError
-        Where a picture cannot be read or drawn.
+        If a picture cannot be read or drawn.
     """
     with _typesetter(content, pictures, options) as set_as:
         pages = set_as("png", ppi)
@@ -82,12 +82,12 @@ def preview_of(
 def _typesetter(
     content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions
 ) -> Iterator[Callable[..., Any]]:
-    """Function that typesets the report as ``pdf`` or ``png`` with pixels per inch.
+    """Context with a function that typesets the report as ``pdf``, or as ``png`` with a resolution.
 
     Raises
     ------
     LispacError
-        Where typst refuses it.
+        If typst cannot typeset the report.
     """
     import typst
 
@@ -102,8 +102,8 @@ def _typesetter(
             main,
             root=folder,
             font_paths=[_matplotlib_fonts()],
-            # A letter that neither typst nor matplotlib brings may come from the system;
-            # without it in the text, the PDF is the same on every machine.
+            # System fonts are used only for letters that typst and matplotlib lack; otherwise the
+            # PDF is the same on every machine.
             ignore_system_fonts=_has_fonts_for(text),
         )
         made = datetime.fromisoformat(content.generated)
@@ -141,8 +141,8 @@ def _require_readable_pictures(pictures: Iterable[Path], folder: Path) -> None:
 def _write_template_input(document: Document, folder: Path) -> str:
     """Write text and pictures for the template into ``folder`` and return the text.
 
-    The template reads strings from JSON, which typst shows as they are: nothing in a name of the
-    user's can be taken for a command.
+    The template reads the texts from JSON, and typst prints them literally: no part of a
+    user-defined name is interpreted as a command.
     """
     values = _with_break_points(asdict(document))
     pictures = 0
@@ -173,7 +173,7 @@ def _with_break_points(value: Any, key: str = "") -> Any:
 
 def _break_word(word: str) -> str:
     if len(word) == 64 and word.isalnum():
-        return word  # digests stay whole: their column is made for them
+        return word  # digests are not broken: their column is wide enough
     return "\u200b".join(_word_pieces(word))
 
 

@@ -21,7 +21,7 @@ BEFORE_CALIBRATION = N_(
 
 
 def quality_blocks(content: ReportContent) -> list[Block]:
-    """Every sighting with its statistics and its judgement; nothing where none was judged."""
+    """Table of all sightings with statistics and rating; empty if no sighting was rated."""
     if not content.qualities:
         return []
     explained = [COLUMNS]

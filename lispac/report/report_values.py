@@ -1,8 +1,8 @@
 """Values of a report, not formatted.
 
-Names end with the unit of their values and are also the keys of the JSON report, so that every
-document shows the same numbers. Texts are messages and labels, which
-`lispac.report.document` writes in the language of the report.
+Names end with the unit of their values and are also the keys of the JSON report, so that all
+formats contain the same numbers. Texts are messages and labels, which `lispac.report.document`
+translates into the language of the report.
 """
 
 from collections.abc import Mapping
@@ -24,7 +24,7 @@ from lispac.present.validation import SwathDifference, ValidationPlane
 
 @dataclass(frozen=True)
 class InputFile:
-    """An input file of the result; size and digest are None where it could not be found."""
+    """Input file of the result; size and digest are None if the file was not found."""
 
     role: str
     name: str
@@ -34,12 +34,12 @@ class InputFile:
 
 @dataclass(frozen=True)
 class SettingsUsed:
-    """Settings; the POS sigmas are None where an accuracy file was given.
+    """Settings of a result; the POS sigmas are None if an accuracy file was given.
 
-    The LiDAR noise is that along x, y, z, or of range and angle, where one of these is known, and
-    ``lidar_sigma_m`` on each axis otherwise. The surface sigma is the value used. It is None
-    where it is still to be estimated and with uncorrelated POS errors; so is its source. The offset
-    sigma is None where it is the same.
+    The LiDAR noise is given along x, y, z, or for range and angle; if both are None,
+    ``lidar_sigma_m`` applies to each axis. ``surface_sigma_m`` is the value used; it is None before
+    it is estimated and with uncorrelated POS errors. ``surface_from_data`` is None with
+    uncorrelated POS errors. ``offset_sigma_m`` is None if it equals the surface sigma.
     """
 
     lever_arm_m: tuple[float, ...]
@@ -70,7 +70,7 @@ class SettingsUsed:
 
 @dataclass(frozen=True)
 class PickedPlane:
-    """A target or validation plane as picked; a sphere's radius is None where it is unknown."""
+    """Picked target or validation plane; the radius of a sphere is None if it is unknown."""
 
     name: str
     role: str
@@ -100,7 +100,8 @@ class LineValues:
 class ReportContent:
     """Content of a report.
 
-    The truth is that of a simulated survey; ``error_deg`` is the estimated boresight minus it.
+    The true boresight is known for a simulated survey only; ``error_deg`` is the estimated
+    boresight minus the true one.
     """
 
     program: str

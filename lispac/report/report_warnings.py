@@ -1,7 +1,7 @@
 """Warnings on the first page of a report, before the figures.
 
-Warnings about the result are those of the window and the command line. The rules here use the
-content only. There is one function for each rule.
+Warnings about the result are the same as in the window and on the command line. The rules in this
+module use the report content only, with one function for each rule.
 """
 
 from collections.abc import Iterator, Sequence
@@ -26,7 +26,7 @@ LARGER_RESIDUALS = {
     "adjustment.noise", "adjustment.not_flat", "adjustment.cause_not_located",
     "adjustment.cause_not_identified",
 }  # fmt: skip
-"""Codes of larger residuals; with one of them, a small chi-square is not reported."""
+"""Codes of messages on large residuals; with one of them, a small chi-square is not reported."""
 
 
 def report_warnings(
@@ -143,7 +143,7 @@ def _single_target_warnings(target: PickedPlane, total: int) -> Iterator[Message
         return
     if seen == 0:
         yield warning("report.target_on_no_line", target=target.name, total=total, subject=where)
-    elif 1 < seen < total / 2:  # those on a single line are named in a warning of the project
+    elif 1 < seen < total / 2:  # planes on a single line have a warning of the project
         yield note(
             "report.target_on_few_lines",
             target=target.name, count=seen, total=total, lines=target.lines, subject=where,
@@ -180,7 +180,7 @@ def _validation_plane_warnings(plane: PickedPlane, total: int) -> Iterator[Messa
 
 
 def _not_found_warnings(content: ReportContent) -> Iterator[Message]:
-    """One message for all planes that are missing on the same lines."""
+    """Messages on planes that were not found, one for all planes missing on the same lines."""
     together: dict[tuple[str, tuple[str, ...]], list[str]] = {}
     for plane in content.planes:
         if plane.used and plane.missing:
@@ -193,7 +193,7 @@ def _not_found_warnings(content: ReportContent) -> Iterator[Message]:
 
 
 def _sighting_warnings(content: ReportContent) -> Iterator[Message]:
-    """Number of used sightings that are not good, and the worst; targets come first."""
+    """Warnings with the number of used sightings that are not good, and the worst of them."""
     target = {plane.name: plane.role == "target" for plane in content.planes}
     used = {(p.name, line) for p in content.planes if p.used for line in p.lines}
     judged = [each for each in content.qualities if (each.target, each.line) in used]
@@ -231,7 +231,7 @@ def _validation_warnings(content: ReportContent) -> Iterator[Message]:
 
 
 def _method_warnings(content: ReportContent) -> Iterator[Message]:
-    """Methods that differ; the first sentences are on each method except the first."""
+    """Notes on methods that differ from the first; ``method_messages`` omits the first method."""
     for each, words in zip(content.methods[1:], content.method_messages, strict=False):
         if each.differ:
             yield note("report.methods_differ", reason=words, subject=ADJUST)

@@ -1,4 +1,4 @@
-"""The first page's results, and the sections on targets and residuals, site and lines.
+"""Results of the first page, and the sections on targets, residuals, site and lines.
 
 Angles have four decimals in degrees, distances one in millimetres.
 """
@@ -86,7 +86,7 @@ def summary_blocks(content: ReportContent) -> list[Block]:
             "Checked against {reference}: {finding}", reference=against.reference, finding=finding
         )
         blocks.append(Paragraph(checked))
-    # The formula breaks between its factors alone
+    # The formula may be broken between its factors only
     convention = gettext(content.settings.convention).replace(" = ", "\u00a0=\u00a0")
     blocks.append(Paragraph(convention.replace("·", "·\u200b")))
     return blocks
@@ -179,7 +179,7 @@ def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
 
 
 def site_blocks(content: ReportContent) -> list[Block]:
-    """Blocks on the site plan, its lines, and the trajectory on each."""
+    """Blocks on the site plan, the lines, and the trajectory of each line."""
     from lispac.report.figures import site_figure_of
 
     blocks: list[Block] = []

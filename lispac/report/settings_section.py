@@ -31,7 +31,7 @@ from lispac.report.report_values import ReportContent, SettingsUsed
 from lispac.report.settings_used import FILE_ROLES, role_of_line
 
 NOTEWORTHY_NOISE = 1.05
-"""Smallest factor on the given LiDAR noise that is written as more than 1.0."""
+"""Smallest ratio of the LiDAR noise of a target to the given one that is reported."""
 
 POS_ERRORS: Mapping[str, str] = {
     "correlated": N_("Correlated."),
@@ -48,7 +48,6 @@ OFFSETS: Mapping[str, str] = {
     "latency": N_("Given latency"),
 }
 """Titles of the offsets, by the name of the value."""
-"""Groups of errors, by the name of the variance component."""
 
 CORRELATION_TIMES = N_(
     "{position} s and {attitude} s: time over which a POS error persists. Use the values of the "

@@ -1,4 +1,4 @@
-"""The settings of a result, as values of a report; texts are English and translated later."""
+"""Settings of a result as report values, with English texts that are translated later."""
 
 from lispac.language import N_
 from lispac.project import Project
@@ -35,16 +35,16 @@ LOSS_WORDS = {
 }
 
 FILE_ROLES = (N_("Trajectory"), N_("Trajectory accuracy"), N_("Reference"))
-"""Uses of the input files besides those of the lines."""
+"""Roles of the input files other than those of the lines."""
 
 
 def role_of_line(name: str) -> str:
-    """Use of the file of a line."""
+    """Role of the file of a line."""
     return f"Line {name}"
 
 
 def settings_used(project: Project) -> SettingsUsed:
-    """Settings of the result, or of the project where there is none yet."""
+    """Settings of the result, or of the project if it has no result yet."""
     settings, result = project.settings, project.result
     typed = project.accuracy is None
     model = result.model if result else settings.stochastic_model

@@ -1,4 +1,4 @@
-"""The section on uncertainty in the terms of published standards, as far as they apply."""
+"""The section on uncertainty in the terms of the published standards that apply."""
 
 from lispac.language import N_, Plural, gettext
 from lispac.present.displacement import S44Contribution

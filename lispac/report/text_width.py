@@ -1,4 +1,4 @@
-"""Width of a text from the advances of its letters, without drawing it.
+"""Width of a text from the advance widths of its letters, without drawing it.
 
 matplotlib measures a text by drawing it, which takes a second for a figure with many panels.
 """
@@ -16,13 +16,13 @@ POINTS_PER_INCH = 72.0
 
 
 def text_width(text: str, size: float) -> float:
-    """Width of the widest line of a text in the usual font of that size in points, inches."""
+    """Width of the widest line of a text, inches, in the default font; ``size`` in points."""
     longest = max(sum(map(_letter_advance, line)) for line in text.split("\n"))
     return size / POINTS_PER_INCH * longest
 
 
 def largest_fitting_font_size(texts: Sequence[str], width: float, size: float) -> float:
-    """Largest font size, points, at which all texts fit in ``width``: `LEAST` to ``size``.
+    """Largest font size, points, from `LEAST` to ``size``, at which all texts fit in ``width``.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def largest_fitting_font_size(texts: Sequence[str], width: float, size: float) -
 
 
 def cut_to_width(text: str, width: float) -> str:
-    """The text without line breaks, cut at the end to fit at the smallest font size.
+    """Text without line breaks, cut at its end to fit in ``width`` at the smallest font size.
 
     Parameters
     ----------
@@ -50,12 +50,12 @@ def cut_to_width(text: str, width: float) -> str:
 
 @cache
 def _letter_advance(letter: str) -> float:
-    """Advance of a letter as a share of the font size."""
+    """Advance width of a letter, as a share of the font size."""
     font = _font()
     font.set_size(64.0, POINTS_PER_INCH)
     return float(font.load_char(ord(letter)).linearHoriAdvance) / 65536 / 64.0
 
 
 def _font() -> FT2Font:
-    # One each: a font is not to be used by two threads at once.
+    # A new object for each use, since a font must not be shared by two threads.
     return FT2Font(str(Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"))

@@ -27,7 +27,7 @@ POOLED: Mapping[str, str] = {
     "reciprocal pairs": N_("Histograms and totals use the reciprocal pairs of lines only."),
     "all pairs": N_("Histograms and totals use all pairs of lines."),
 }
-"""Line pairs that the statistics of a plane are from, by what the content calls them."""
+"""Texts on the pairs of lines used in the statistics of a plane, by their name in the content."""
 
 DISTANCES = N_(
     "Distances from each point of one line to the surface of the other, in both directions, only "
@@ -117,7 +117,7 @@ def _profile_caption(plane: ValidationPlane) -> str:
 
 
 def _signed_tables(planes: Sequence[ValidationPlane]) -> list[Block]:
-    """Offsets and rotations with their intervals, of the pairs where the boresight shows most."""
+    """Tables of offsets and rotations of the pairs in which a boresight error is largest."""
     rows = pairs_that_show_the_boresight(planes)
     blocks: list[Block] = []
     if any(row.pair.after.signed is not None for row in rows):

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 KEPT, BEST = "#e3ebf3", "#555555"
 WIDTHS = (6.0, 2.0, 6.0, 4.2, 2.6, 1.0)
-"""Widths of the curves, points; different, so that coincident curves are both visible."""
+"""Widths of the curves, points; they differ so that coincident curves are all visible."""
 
 
 @dataclass(frozen=True)
@@ -84,15 +84,16 @@ def visibility_figure(
     criterion: str,
     figure: Figure | None = None,
 ) -> Figure:
-    """One criterion of one error: six lines over the inclination of the board.
+    """One criterion of one error for six lines, over the inclination of the board.
 
-    Shaded are the inclinations accepted by the type I criterion, dashed is the best of them. The
-    axis covers the values at these: where beams graze the board, points may lie anywhere.
+    The inclinations accepted by the type I criterion are shaded; the best of them has a dashed
+    line. The vertical axis is scaled to the accepted inclinations, since at others the beams may
+    graze the board and give meaningless points.
 
     Parameters
     ----------
     criterion : str
-        Of `CRITERIA`.
+        Key of `CRITERIA`.
     """
     figure = blank_figure(figure, (6.3, 3.4))
     axes = figure.add_subplot()

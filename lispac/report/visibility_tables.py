@@ -1,4 +1,4 @@
-"""Visibility of errors: tables of all values, and of the best configurations and the thesis."""
+"""Visibility of errors: tables of all values, and best configurations beside the thesis."""
 
 from collections.abc import Mapping, Sequence
 
@@ -37,11 +37,11 @@ COMPARISON = (
     N_("Best incl., Shahraji"), N_("Required lines"), N_("Required lines, Shahraji"),
     N_("Inclination (vs. thesis)"), N_("Lines (vs. thesis)"), N_("Reason"),
 )  # fmt: skip
-"""Titles of the columns; Shahraji's inclinations are in degrees."""
+"""Titles of the columns; the inclinations of Shahraji's thesis are in degrees."""
 
 
 def values_table(study: VisibilityStudy, errors: Sequence[str]) -> Table:
-    """A row for each error, line and inclination; without points there are no values."""
+    """Table with a row for each error, line and inclination; values are empty without points."""
     made = []
     for error in errors:
         e, kept = study.site.errors.index(error), study.kept_inclinations(error)
@@ -120,7 +120,7 @@ def _table_columns(titles: Sequence[str]) -> tuple[Column, ...]:
 
 
 def all_errors_text(study: VisibilityStudy) -> str:
-    """Text on the lines that show every error, beside table 3.3 of the thesis."""
+    """Text on the smallest sets of lines that reveal all errors, beside table 3.3 of the thesis."""
     sets = fewest_sufficient_lines([study.best_configuration(error) for error in study.site.errors])
     if study.site.name != "terrestrial":
         template = N_("Smallest sets of lines that reveal all errors: {lines}.")
@@ -151,7 +151,7 @@ def _comparison_row(each: ThesisComparison) -> tuple[str, ...]:
         _range_text(*thesis_value.suitable_inclinations_deg),
         not_seen if best.inclination is None else f"{np.degrees(best.inclination):.0f}",
         not_seen if thesis is None else _inclination_text(*thesis),
-        # Lines that show the same stand together; one of each group is enough.
+        # Lines that reveal the error equally are grouped; one of each group is sufficient.
         ", ".join("/".join(map(str, group)) for group in best.groups) if best.lines else not_seen,
         _headings_text(thesis_value.lines) or not_seen,
         _agreement_text(each.inclination_agrees),

@@ -52,12 +52,12 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Compare calibrations with the first and combine them; for one project, its methods.
+    """Compare and combine calibrations; for a single project, compare its methods.
 
     Raises
     ------
     UsageError
-        Where options do not go together.
+        If options cannot be combined.
     """
     from lispac.validation.repeatability import (
         combine_calibrations,
@@ -195,7 +195,7 @@ def _compare_methods(arguments: Namespace) -> None:
     Raises
     ------
     ProjectError
-        Where no method has a result.
+        If no method has a result.
     """
     from lispac.method_comparison import comparison_messages, method_results, missing_methods
     from lispac.present.json_values import json_values

@@ -113,7 +113,7 @@ def run(arguments: Namespace) -> None:
     Raises
     ------
     UsageError
-        Where options do not go together.
+        If options cannot be combined.
     """
     from lispac.cli.calibration.result_output import (
         print_result,
@@ -147,7 +147,7 @@ def run(arguments: Namespace) -> None:
         with ConsoleProgress() as progress:
             settings = _settings_with_options(project.settings, arguments)
             settings.require_sound()
-            if settings != project.settings:  # an offset moves the points that are loaded
+            if settings != project.settings:  # an offset changes the loaded points
                 project = project.with_settings(settings)
             survey = load_survey(project, progress=progress)
             project = calibration.estimate(
@@ -188,7 +188,7 @@ def _settings_with_options(settings: Settings, arguments: Namespace) -> Settings
 
 
 def parse_parameters(named: Iterable[str] | None) -> tuple[Parameter, ...] | None:
-    """Parameters from ``NAME`` or ``NAME=SIGMA``; none at all from ``none``.
+    """Parse parameters given as ``NAME`` or ``NAME=SIGMA``; ``none`` gives an empty result.
 
     Raises
     ------
@@ -266,5 +266,5 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
 
 
 def _surface_sigma(text: str) -> float | str:
-    """Sigma of a surface in metres, or ``auto``."""
+    """Parse the sigma of a surface, metres, or ``auto``."""
     return text if text == "auto" else non_negative_number(text)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 NUMBERS = (6, 7)
-"""Numbers that define a box: without and with its rotation."""
+"""Count of the numbers that define a box, without and with a rotation."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -61,7 +61,7 @@ def run(arguments: Namespace) -> None:
     Raises
     ------
     UsageError
-        Where a box or a line is not one.
+        If a box is invalid or a line is unknown.
     """
     from lispac.patchtest.object_proposal import OBJECT_COUNT
     from lispac.progress import sub_progress

@@ -1,4 +1,4 @@
-"""The command that picks a target."""
+"""``lispac pick``: search for a target in all lines, or for all targets of a list."""
 
 from __future__ import annotations
 
@@ -182,7 +182,7 @@ def _shared_points_values(project: Project, target: Target) -> dict[str, Any] | 
 
 
 def _require_matching_options(arguments: Namespace) -> None:
-    """Refuse options that do not go together.
+    """Raise an error if options cannot be combined.
 
     Raises
     ------
@@ -209,7 +209,7 @@ def _require_matching_options(arguments: Namespace) -> None:
 
 
 def _search_arguments(arguments: Namespace) -> dict[str, Any]:
-    """Search arguments for `lispac.workflow.calibration.picking.find_target`, from the options."""
+    """Convert the options to arguments of `lispac.workflow.calibration.picking.find_target`."""
     from lispac.targets.expected_target import ExpectedTarget
 
     expected = None
@@ -226,7 +226,7 @@ def _search_arguments(arguments: Namespace) -> dict[str, Any]:
 
 
 def search_notes(target: Target, radius: float | None) -> tuple[Message, ...]:
-    """Notes on how a target was searched for; ``radius``, metres, is the one given."""
+    """Notes on the search for a target; ``radius`` is the given radius, metres, or None."""
     from lispac.workflow.calibration import picking
     from lispac.workflow.calibration.target_search import thinned_notes
 
@@ -242,7 +242,7 @@ def search_notes(target: Target, radius: float | None) -> tuple[Message, ...]:
 def _target_values(
     target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
 ) -> dict[str, Any]:
-    """A target with its sightings as ``pick --json`` prints it; lengths in metres."""
+    """Values of a target and its sightings for ``pick --json``, lengths in metres."""
     from lispac.present.json_values import json_values
     from lispac.present.sighting_quality import sighting_quality_values
 
@@ -306,12 +306,12 @@ def _pick_list(
     system: CoordinateSystem | None,
     how: dict[str, Any],
 ) -> None:
-    """Pick all seeds of a list, save what was found, and print a table of it.
+    """Search for the targets of a list of seeds, save the targets found and print a table.
 
     Raises
     ------
     TargetNotFound
-        Where a seed led to no target; the others are saved all the same.
+        If no target was found for a seed; the other targets are saved nevertheless.
     """
     from lispac.workflow.calibration.seed_lists import (
         pick_seeds,
@@ -341,7 +341,7 @@ def _pick_list(
         print_json({"seeds": [_outcome_values(project, survey, outcome) for outcome in outcomes]})
     else:
         _print_outcomes(outcomes, len(survey.lines))
-    sys.stdout.flush()  # the table comes before the messages about it
+    sys.stdout.flush()  # print the table before the messages on stderr
     require_all_found(seeds, outcomes)
 
 
@@ -375,7 +375,7 @@ def _message_text(outcome: SeedOutcome) -> str:
 
 
 def _print_outcomes(outcomes: tuple[SeedOutcome, ...], lines: int) -> None:
-    """Print one row per seed: lines, points and RMS, or the reason why it was not found."""
+    """Print a row for each seed: lines, points and RMS, or why no target was found."""
     width = max(len("name"), *(len(outcome.seed.name) for outcome in outcomes))
     print(f"{'row':>4}  {'name':{width}}  {'role':10}  {'lines':>7}  {'points':>9}  RMS (mm)")
     for outcome in outcomes:

@@ -1,4 +1,4 @@
-"""The command that proposes targets and validation planes."""
+"""``lispac propose``: proposed targets and validation planes."""
 
 import sys
 from argparse import ArgumentParser, Namespace
@@ -27,7 +27,7 @@ def run(arguments: Namespace) -> None:
     Raises
     ------
     ProjectError
-        Where the project has targets and more are to be added.
+        If targets are to be added to a project that already has some.
     """
     import numpy as np
 

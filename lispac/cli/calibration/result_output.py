@@ -46,7 +46,7 @@ def print_result(
     *,
     truth_deg: Sequence[float] | None = None,
 ) -> None:
-    """Print the result of an adjustment as text, of a simulated survey beside the truth."""
+    """Print the result of an adjustment as text, with the true values of a simulated survey."""
     values = adjustment_values(result)
     chi_square = result.chi_square
     size = "large" if chi_square.statistic < chi_square.lower else "small"

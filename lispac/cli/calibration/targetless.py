@@ -39,7 +39,7 @@ def run(arguments: Namespace) -> None:
     Raises
     ------
     UsageError
-        Where options do not go together.
+        If options cannot be combined.
     """
     from lispac.cli.calibration.result_output import print_result, result_values
     from lispac.progress import sub_progress
@@ -84,7 +84,7 @@ def run(arguments: Namespace) -> None:
 
 
 def _kept_note(project: Project, found: TargetlessResult) -> Message:
-    """Where the result was saved."""
+    """Text that says where the result was saved."""
     if project.is_targetless:
         return note("targetless.kept", count=len(found.project.targets))
     return note("targetless.kept_beside")

@@ -1,4 +1,4 @@
-"""``lispac batch``: many projects calibrated into a table."""
+"""``lispac batch``: calibration of many projects, with a table of the results."""
 
 from __future__ import annotations
 
@@ -55,14 +55,14 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Calibrate all projects, print and write the table, and end with 1 if one was refused.
+    """Calibrate all projects, then print and write the table of results.
 
     Raises
     ------
     UsageError
-        Where options do not go together.
+        If options cannot be combined.
     ProjectError
-        Where a project was refused.
+        If a project could not be calibrated; the exit code is then 1.
     """
     from lispac.workflow.checking.batch import calibrate_each, write_table
     from lispac.workflow.output.report_options import report_options
@@ -77,7 +77,7 @@ def run(arguments: Namespace) -> None:
             form=arguments.report_format or "pdf", options=options, progress=progress,
         ):  # fmt: skip
             rows.append(row)
-            if arguments.output is not None:  # what is done is there, whatever ends the rest
+            if arguments.output is not None:  # keeps finished rows after an interruption
                 write_table(rows, arguments.output)
     if arguments.json:
         print_json({"projects": [_row_values(row) for row in rows]})

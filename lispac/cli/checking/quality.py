@@ -49,7 +49,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print the differences of each two lines, by how the surface faces; draw and list them."""
+    """Print the differences of each two lines by surface orientation; draw and list them."""
     from lispac.progress import sub_progress
     from lispac.workflow.checking.line_quality import line_quality
     from lispac.workflow.project.projects import open_project

@@ -1,4 +1,4 @@
-"""``lispac subsample``: boresight angles for several subsampling distances."""
+"""``lispac subsample``: boresight angles for several point spacings."""
 
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
@@ -18,7 +18,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print one row for each distance."""
+    """Print one row for each point spacing."""
     import numpy as np
 
     from lispac.adjustment.result import ANGLES

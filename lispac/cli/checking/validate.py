@@ -46,7 +46,7 @@ def run(arguments: Namespace) -> None:
     Raises
     ------
     UsageError
-        Where options do not go together.
+        If options cannot be combined.
     """
     from lispac.duplicate_targets import project_warnings
     from lispac.present.json_values import json_values
@@ -99,7 +99,7 @@ def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
 
 
 def print_validation(project: Project, true: Mapping[str, float]) -> None:
-    """The distances between the lines on each plane, one row a plane."""
+    """Print the distances between the lines, one row for each plane."""
     from lispac.duplicate_targets import project_warnings
     from lispac.language import to_plain_text
     from lispac.present.tables import PLAIN_MILLIMETRES, Column

@@ -1,1 +1,1 @@
-"""Commands that write files for people and other programs."""
+"""Commands that write reports and files for other programs."""

@@ -97,7 +97,7 @@ def run(arguments: Namespace) -> None:
     Raises
     ------
     UsageError
-        Where options do not go together.
+        If options cannot be combined.
     """
     from lispac.cli.output.angles_output import conversion_values, list_systems, print_conversion
     from lispac.survey.conventions.mounting_replacement import replace_mounting
@@ -153,7 +153,7 @@ def _conversion_input(arguments: Namespace) -> ConversionInput:
         if shift is not None and has_lever_arm:
             raise UsageError("angles: the 4x4 matrix contains the lever arm; omit --lever-arm.")
         lever_arm = lever_arm if shift is None else shift
-        # Read as it is printed.
+        # Interpreted in the same way as the printed matrix.
         mounting = convert_from_system(setup, angle_product_of_matrix(setup, rotation), lever_arm)
         return ConversionInput(
             setup, mounting, has_lever_arm or shift is not None, name="from matrix"
@@ -190,7 +190,7 @@ def _input_of_project(folder: Path, setup: ConventionSetup) -> ConversionInput:
     project = open_project(folder)
     mounting = project.mounting("estimated")
     result = project.result
-    assert result is not None  # mounting() has refused otherwise
+    assert result is not None  # else mounting() has raised an error
     independent = result.model.pos_errors == "independent"
     return ConversionInput(
         setup,
@@ -216,7 +216,7 @@ def _current_settings(
     Raises
     ------
     UsageError
-        Where they are given twice.
+        If they are given both as angles and as a matrix.
     """
     import numpy as np
 

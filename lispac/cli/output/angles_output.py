@@ -36,7 +36,7 @@ _NEW: dict[Status, str] = {
     "partly": "CHECK FIRST",
     "unverified": "CHECK FIRST",
 }
-"""Title of the new angles by the status of the convention: an assumption has to be read first."""
+"""Title of the new angles, by status: assumptions of a convention must be checked first."""
 OF_PROJECT = "estimated"
 
 
@@ -47,9 +47,9 @@ class ConversionInput:
     Attributes
     ----------
     covariance : ndarray of shape (3, 3), radians squared, or None
-        Where an adjustment gave one.
+        Covariance of the angles from an adjustment.
     typed : ndarray of shape (3,), radians, or None
-        The angles as they were typed.
+        The angles as entered by the user.
     """
 
     setup: ConventionSetup
@@ -73,7 +73,7 @@ def print_conversion(
         and convention.key == "lispac"
         and new.correction is None
     ):
-        _print_lever_arm(new)  # the rest stands above
+        _print_lever_arm(new)  # the angles were printed above
     else:
         _print_converted(conversion_input, new)
     if matrices or not convention.has_angles or new.transform is not None:
@@ -81,7 +81,7 @@ def print_conversion(
 
 
 def list_systems(as_json: bool) -> None:
-    """Print every system with its rules."""
+    """Print all conventions with their rules."""
     if as_json:
         print(json.dumps([_system_values(ConventionSetup(each)) for each in SYSTEMS], indent=1))
         return
@@ -140,7 +140,7 @@ def _print_input(conversion_input: ConversionInput) -> None:
         own = convert_to_system(mounting, setup, conversion_input.covariance)
         assert own.angles is not None
         print(_angle_heads(setup))
-        # What was typed is shown as typed; another triple may stand for the same rotation.
+        # Print the entered angles: a different triple may describe the same rotation.
         print(
             _angle_row(
                 conversion_input.name,
@@ -303,7 +303,7 @@ def _mounting_values(mounting: MountingInSystem, has_lever_arm: bool) -> dict[st
 def conversion_values(
     conversion_input: ConversionInput, new: MountingReplacement
 ) -> dict[str, Any]:
-    """Result of the conversion as JSON values."""
+    """Result of the conversion as values for JSON."""
     own = convert_to_system(
         conversion_input.mounting, conversion_input.setup, conversion_input.covariance
     )

@@ -11,7 +11,7 @@ from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 
 FORMATS = {"targets": ("laz", "las", "csv"), "trajectory": ("sbet", "text"), "planes": ("text",)}
-"""Formats of each kind of export, the usual one first."""
+"""Formats of each kind of export, the default first."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -54,7 +54,7 @@ def run(arguments: Namespace) -> None:
     Raises
     ------
     UsageError
-        Where options do not go together.
+        If options cannot be combined.
     """
     from lispac.workflow.output.data_export import (
         SBET_ZEROS,

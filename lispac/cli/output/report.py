@@ -44,7 +44,7 @@ def run(arguments: Namespace) -> None:
     Raises
     ------
     UsageError
-        Where options do not go together.
+        If options cannot be combined.
     """
     from lispac.report.json_report import schema_text
     from lispac.workflow.output.export import write_report

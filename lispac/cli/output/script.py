@@ -1,4 +1,4 @@
-"""``lispac script``: a project's steps as Python."""
+"""``lispac script``: the steps of a project as a Python script."""
 
 import sys
 from argparse import ArgumentParser, Namespace
@@ -19,7 +19,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print or write the script, and report where it differs from the project."""
+    """Print or write the script, and report how it differs from the project."""
     from lispac.workflow.output.script import save_script, script_of
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey

@@ -39,7 +39,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print the scatter of the simulated results beside the formal and the predicted sigmas."""
+    """Print the scatter of the simulated results, and the formal and predicted sigmas."""
     import numpy as np
 
     from lispac.io.config.plan_file import read_plan
@@ -81,7 +81,7 @@ def run(arguments: Namespace) -> None:
 
 
 def scatter_table(result: MonteCarloResult) -> str:
-    """Table of sigmas and hits, one row each, with a column for each angle."""
+    """Rows of sigmas and of true values within the intervals, with a column for each angle."""
     from lispac.adjustment.result import ANGLES
 
     lines = [f"{name:22s}" + "".join(f"{cell:>9s}" for cell in row) for name, *row in result.rows]

@@ -1,4 +1,4 @@
-"""``lispac demo``: a simulated survey, from the lines to the report."""
+"""``lispac demo``: calibration of a simulated survey, from the lines to the report."""
 
 import subprocess
 import sys
@@ -23,7 +23,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Simulate, calibrate, validate, report; then open the window where there is a screen."""
+    """Simulate, calibrate, validate and report; then open the window if there is a display."""
     from lispac.adjustment.result import ANGLES
     from lispac.cli.calibration.result_output import print_result, project_result_values
     from lispac.duplicate_targets import project_warnings

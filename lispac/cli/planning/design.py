@@ -1,4 +1,4 @@
-"""``lispac design``: the best boards and lines that a site allows."""
+"""``lispac design``: the best boards and lines for a site."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print the best plan, the contribution of each part and the effect of less time."""
+    """Print the best plan, the contribution of each part and the effect of less time on site."""
     import numpy as np
 
     from lispac.adjustment.result import ANGLES

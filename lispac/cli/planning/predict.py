@@ -1,4 +1,4 @@
-"""``lispac predict``: the sigmas that a plan would give."""
+"""``lispac predict``: predicted standard deviations of a survey plan."""
 
 import math
 from argparse import ArgumentParser, Namespace
@@ -72,10 +72,10 @@ def run(arguments: Namespace) -> None:
 
 
 def sigma_text(radians: float) -> str:
-    """Sigma in degrees, or "not determined", from ``radians``."""
+    """Text of a sigma, given in radians: degrees, or "not determined"."""
     return f"{math.degrees(radians):.4f}" if math.isfinite(radians) else "not determined"
 
 
 def sigma_degrees(radians: float) -> float | None:
-    """Sigma in degrees from ``radians``; None if an angle is not determined."""
+    """Convert a sigma from radians to degrees; None if the angle is not determined."""
     return math.degrees(radians) if math.isfinite(radians) else None

@@ -1,4 +1,4 @@
-"""``lispac sensors``: the library of scanners and INS/GNSS, with sources."""
+"""``lispac sensors``: list of the scanners and INS/GNSS in the library, with sources."""
 
 import sys
 from argparse import ArgumentParser, Namespace

@@ -1,4 +1,4 @@
-"""``lispac simulate``: a survey of a scene with known truth."""
+"""``lispac simulate``: simulated survey of a scene, with known true values."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def run(arguments: Namespace) -> None:
     Raises
     ------
     UsageError
-        Where options do not go together.
+        If options cannot be combined.
     """
     from lispac.workflow.planning import simulate as simulated
     from lispac.workflow.planning.plan_simulation import is_plan

@@ -47,12 +47,12 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Simulate a site, write what is seen, and print the best configurations.
+    """Simulate a site, write tables and figures, and print the best configurations.
 
     Raises
     ------
     UsageError
-        Where an error is not among those of the site.
+        If an error is not one of those of the site.
     """
     from lispac.report.visibility_tables import all_errors_text, comparison_table
     from lispac.simulation.thesis_comparison import compare_with_thesis
@@ -117,7 +117,7 @@ def _thesis_values(each: ThesisComparison) -> dict[str, Any]:
 
 
 def _print_table(table: Table) -> None:
-    """A table as text; the reasons, which are sentences, come below it."""
+    """Print a table as text, with the reasons, which are sentences, below it."""
     *heads, _why = [column.title for column in table.columns]
     lines = [heads, *(row[:-1] for row in table.rows)]
     widths = [max(len(line[k]) for line in lines) for k in range(len(heads))]

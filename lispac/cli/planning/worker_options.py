@@ -47,9 +47,9 @@ def cluster_access(arguments: Namespace) -> ClusterAccess | None:
     Raises
     ------
     UsageError
-        Where an option goes with ``--cluster`` and that is missing.
+        If an option that requires ``--cluster`` is given without it.
     LispacError
-        Where its address cannot be used.
+        If the address of the scheduler cannot be used.
     """
     from lispac.workflow.planning.cluster_access import ClusterAccess
 

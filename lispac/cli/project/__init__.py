@@ -1,1 +1,1 @@
-"""Commands that make a project and manage its files."""
+"""Commands that create a project and manage its files."""

@@ -32,7 +32,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Set the fields that are given, and show all of them."""
+    """Set the given fields, and print all fields."""
     from lispac.workflow.checking.calibration_history import first_date_in
     from lispac.workflow.project.projects import save_project
 

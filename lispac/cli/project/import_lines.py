@@ -1,4 +1,4 @@
-"""``lispac import``: store the lines in the project's folder."""
+"""``lispac import``: store the points of the lines in the project folder."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ def run(arguments: Namespace) -> None:
     Raises
     ------
     KeyboardInterrupt
-        If the user interrupts the import; the state reached is kept.
+        If the user interrupts the import; the points read so far are kept.
     Cancelled
-        Where it is interrupted; what is read so far is kept.
+        If the import is cancelled; the points read so far are kept.
     """
     from lispac.workflow.importing.line_import import assumptions_of
     from lispac.workflow.importing.line_import import import_lines as imported_lines

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from lispac.workflow.importing.file_reading import FileCheck
 
 OPTION_PREFIX = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
-CELL_WIDTH = 14  # characters of a cell of the preview
+CELL_WIDTH = 14  # characters in a cell of the preview
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -43,7 +43,7 @@ def run(arguments: Namespace) -> None:
         return
     print(arguments.file)
     for item in found:
-        if item.finding is not None or found[0].finding is None:  # one that fits was found first
+        if item.finding is not None or found[0].finding is None:  # matching formats come first
             _print_check(item)
 
 

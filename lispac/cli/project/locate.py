@@ -27,12 +27,12 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Point the project at the files that are found, and save it.
+    """Set the paths of the files that are found in the folder, and save the project.
 
     Raises
     ------
     InputError
-        Where none is there, or others are still missing; what was found is saved all the same.
+        If the folder does not exist or files are still missing; the files found are saved.
     """
     from lispac.workflow.project.moved_files import file_moved_note, missing_files, with_files_in
     from lispac.workflow.project.projects import open_project_with_notes, save_project

@@ -1,4 +1,4 @@
-"""``lispac new``: a project of a trajectory and lines."""
+"""``lispac new``: create a project from a trajectory and lines."""
 
 from __future__ import annotations
 
@@ -181,7 +181,7 @@ def run(arguments: Namespace) -> None:
 
 
 def _pos_settings(word: str | None) -> dict[str, Any]:
-    """Sigmas of a POS of the library, by the names of the settings; none where none is named."""
+    """Sigmas of a POS of the library, by name of the setting; empty if no POS is named."""
     from lispac.workflow.planning.sensors import read_library, sigma_settings, user_sensors_folder
 
     if word is None:
@@ -190,7 +190,7 @@ def _pos_settings(word: str | None) -> dict[str, Any]:
 
 
 def _sensor_titles(scanner: str | None, pos: str | None) -> dict[str, str]:
-    """Titles of the named sensors, by the fields of the identity."""
+    """Titles of the named sensors, by field of the identity."""
     from lispac.workflow.planning.sensors import read_library, user_sensors_folder
 
     found = {}

@@ -1,4 +1,4 @@
-"""Actions of a window: one record each, from which menus, toolbar and shortcuts are made."""
+"""Actions of a window: records from which menus, toolbar and shortcuts are created."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -16,20 +16,21 @@ Key = str | QKeySequence.StandardKey
 
 @dataclass(frozen=True)
 class ActionRecord:
-    """One action. Its function is connected by `Actions.connect_slots`.
+    """Description of one action; `Actions.connect_slots` connects its function.
 
     Attributes
     ----------
     name : name of the action
     text, tip : menu text and tip, marked with `N_`
     menu : name of the menu, number of the group in it and position in the group
-    toolbar : number of the group in the toolbar and position in it; None where it is not there
+    toolbar : number of the group in the toolbar and position in it; None if it is not in the
+        toolbar
     short : text in the toolbar
     icon : name of a Material icon
     keys : shortcut, or several
-    toggles : whether it is on or off by itself
-    choice : name of a choice, one action of which is on; the first at first
-    number : of a step of the workflow, in the tip
+    toggles : whether it can be switched on and off, independently of others
+    choice : name of a group of exclusive actions, of which the first is on initially
+    number : number of the workflow step, shown in the tip
     """
 
     name: str
@@ -75,7 +76,7 @@ def dialog_title(record: ActionRecord) -> str:
 def menu_groups(
     menu: str, records: Mapping[str, ActionRecord], menus: Mapping[str, Menu]
 ) -> list[list[str]]:
-    """Names of the actions and submenus of a menu, in the groups that lines divide."""
+    """Names of the actions and submenus of a menu, in groups divided by separators."""
     places = [(*each.menu[1:], name) for name, each in records.items() if each.menu[0] == menu]
     places += [
         (each.group, each.position, name) for name, each in menus.items() if each.menu == menu
@@ -126,7 +127,7 @@ class Actions(QObject):
         stack.undoTextChanged.connect(self._set_undo_text)
         stack.redoTextChanged.connect(self._set_redo_text)
         self.connect_slots({"undo": stack.undo, "redo": stack.redo})
-        # A window made anew begins with the steps of the former one
+        # A rebuilt window keeps the undo steps of the former one
         self["undo"].setEnabled(stack.canUndo())
         self["redo"].setEnabled(stack.canRedo())
         self._set_undo_text(stack.undoText())

@@ -14,12 +14,12 @@ Docks = dict[str, QDockWidget]
 
 WORKFLOW, RESULTS, SIGHTINGS = N_("Workflow"), N_("Results"), N_("Targets by line")
 HISTOGRAMS, LOG = N_("Histograms"), N_("Log")
-"""Titles of docks in English: keys of `Docks`, from which the names in a saved layout are made."""
+"""English titles of docks: keys of `Docks`, and basis of the names in a saved layout."""
 
 
 def create_docks(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]) -> Docks:
-    """Create the docks of the panels by title; those of one side are tabs, the first in front."""
-    # Otherwise Qt leaves the first tab bars behind.
+    """Create the docks of the panels by title; docks on one side are tabs, the first in front."""
+    # Without this, Qt leaves tab bars without docks.
     window.layout().setEnabled(False)
     docks: Docks = {}
     last: dict[Area, QDockWidget] = {}
@@ -47,7 +47,7 @@ def create_docks(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]
 def dock_actions(docks: Mapping[str, QDockWidget]) -> list[QAction]:
     """Actions that bring each panel to the front, or close the panel that is in front.
 
-    Those of Qt would close one that lies behind another, which is not what was asked for.
+    The actions of Qt would close a dock that is hidden behind another, instead of showing it.
     """
     return [_dock_action(dock) for dock in docks.values()]
 
@@ -55,7 +55,7 @@ def dock_actions(docks: Mapping[str, QDockWidget]) -> list[QAction]:
 def _dock_action(dock: QDockWidget) -> QAction:
     made = QAction(dock.windowTitle(), dock)
     made.setCheckable(True)
-    dock.visibilityChanged.connect(made.setChecked)  # false for one behind another, too
+    dock.visibilityChanged.connect(made.setChecked)  # also False for a dock hidden behind another
     made.triggered.connect(lambda visible: focus_dock(dock) if visible else dock.close())
     return made
 
@@ -63,7 +63,7 @@ def _dock_action(dock: QDockWidget) -> QAction:
 def focus_dock(dock: QDockWidget) -> None:
     """Bring a panel to the front and give it the focus."""
     raise_panel(dock.widget())
-    # It has its place when Qt has laid the tabs out
+    # The dock is visible only after Qt has laid out the tabs
     QTimer.singleShot(0, dock, lambda: focus_dock_content(dock))
 
 
@@ -93,7 +93,7 @@ def restore_default_layout(
     at_first : state of the window when the panels were laid out
     """
     window.restoreState(at_first)
-    set_initial_sizes(window, docks)  # the state is older than the size of the window
+    set_initial_sizes(window, docks)  # the saved state predates the size of the window
 
 
 def show_window_and_docks(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:

@@ -1,8 +1,8 @@
 """Garbage collection on the thread of the window only.
 
-Python collects cycles in whatever thread happens to make the object too many. A worker that finds a
-widget or graphics of a window that has gone would delete them there, which Qt and OpenGL do not
-survive. What lies in no cycle goes at once, as ever.
+Python collects reference cycles in the thread that happens to exceed the number of new objects. If
+a worker thread deleted a widget or graphics of a closed window in this way, Qt or OpenGL would
+crash. Objects that are in no cycle are deleted immediately, as usual.
 """
 
 import ctypes
@@ -20,16 +20,16 @@ COLLECT_INTERVAL_MS = 100
 MIN_YOUNG, MIN_MIDDLE = 700, 10
 """Numbers of objects that start a collection of the first and second generation, as in Python."""
 FULL_INTERVAL_S = 15.0
-"""Interval of full collections, which take 0.06 s with all libraries loaded. A closed dialogue
-lies in cycles with the lines it was opened for: by counts alone that came to 1.2 GB."""
+"""Interval of full collections, which take 0.06 s with all libraries loaded. Closed dialogues form
+cycles with the lines they used: with collections by counts alone, 1.2 GB accumulated."""
 
 MIN_NEW_MODULES = 30
-"""New modules after which they are examined once and then frozen. While a library is imported,
-every tenth of a second brings some: all of them at once take a quarter of a second."""
+"""Number of new modules after which their objects are examined once and then frozen. A library
+adds modules continuously during its import; examining all objects takes a quarter of a second."""
 
 M_TRIM_THRESHOLD, M_MMAP_THRESHOLD, MMAP_BYTES = -1, -3, 2_000_000
-"""Options of malloc.h, and the size, bytes, from which an array has pages of its own and free
-memory at the end of the heap is returned."""
+"""Options of malloc.h, and the size, bytes, above which an array gets separate memory pages and
+free memory at the end of the heap is returned to the system."""
 
 TRIM_INTERVAL_S = 5.0
 """Interval of memory trimming, which takes 0.01 to 0.04 s."""
@@ -38,14 +38,14 @@ TRIM_INTERVAL_S = 5.0
 class GuiThreadGarbageCollector(QObject):
     """Runs Python's garbage collector in the thread of the window only, until it is ended.
 
-    Imported modules are not examined again: they are never freed, and examining them takes 0.16 s.
-    Other objects of that time are examined after a window is closed.
+    Objects of imported modules are not examined again, since they are never freed and examining
+    them takes 0.16 s. Other objects frozen with them are examined after a window is closed.
     """
 
     frozen_modules = 0
-    """Modules that are not examined."""
+    """Number of modules whose objects are not examined."""
     with_window = False
-    """Whether a window was there when they were counted, and is not examined either."""
+    """Whether a window existed when the objects were frozen, and was frozen with them."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -63,7 +63,7 @@ class GuiThreadGarbageCollector(QObject):
         if young <= MIN_YOUNG or IdleTask.turn_used:
             return
         new = len(sys.modules) - GuiThreadGarbageCollector.frozen_modules
-        # A dialogue that is open will go, with the lines it was opened for
+        # Not while a dialogue is open: it must be freed with its lines after it is closed
         imported = new > MIN_NEW_MODULES and QApplication.activeModalWidget() is None
         due = imported or time.monotonic() > self._last_full + FULL_INTERVAL_S
         gc.collect(2 if due else 1 if middle > MIN_MIDDLE else 0)
@@ -75,7 +75,7 @@ class GuiThreadGarbageCollector(QObject):
             gc.freeze()
 
     def end(self) -> None:
-        """Return garbage collection to Python."""
+        """Stop the collections and enable the automatic garbage collection of Python."""
         self._timer.stop()
         gc.enable()
 
@@ -92,15 +92,15 @@ def collect_all() -> None:
 class MemoryTrimming:
     """Returns freed memory of the C library to the system.
 
-    The C library of Linux keeps them for later: after four minutes of changing projects and
-    languages the program held 2.7 GB of which it used 1.7. And once an array of 32 MB has gone it
-    lays all that are smaller between other things, where holes stay: with `MMAP_BYTES` the program
-    held 0.9 GB after work with which it had 1.1. Libraries of other systems give them back.
+    The C library of Linux keeps freed memory for later use: after four minutes of changing projects
+    and languages, the program held 2.7 GB and used 1.7 GB. After an array of 32 MB was freed, it
+    also places smaller arrays in the heap, which becomes fragmented; `MMAP_BYTES` prevents this and
+    reduced the memory from 1.1 to 0.9 GB. The libraries of other systems return freed memory.
     """
 
     def __init__(self) -> None:
         library = ctypes.CDLL(None) if sys.platform.startswith("linux") else None
-        # musl has neither and needs neither
+        # musl lacks both functions and does not need them
         self._trim = getattr(library, "malloc_trim", None)
         if (choose := getattr(library, "mallopt", None)) is not None and self._trim is not None:
             choose(M_MMAP_THRESHOLD, MMAP_BYTES)

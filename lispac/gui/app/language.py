@@ -1,6 +1,6 @@
-"""Language of the window: that of the catalogues, of Qt's own texts and of numbers typed in.
+"""Language of the window: of the message catalogues, of the texts of Qt and of typed numbers.
 
-The language can change while the program runs; the window is then made again around the same
+The language can be changed while the program runs; the window is then rebuilt with the same
 document.
 """
 
@@ -19,7 +19,7 @@ LACKING = {
         N_("Drive"), N_("Folder"), N_("File Folder"), N_("Shortcut"), N_("Alias"), N_("Unknown"),
     ),
 }  # fmt: skip
-"""Texts of Qt's file dialogue that its own translation has not, by their contexts."""
+"""Texts of the file dialogue of Qt that are missing in its translation, by context."""
 
 
 class _MissingTexts(QTranslator):
@@ -42,10 +42,10 @@ def set_language(code: str) -> None:
     Raises
     ------
     ValueError
-        Where the language is not known.
+        If the language is not known.
     """
     use_language(code)
-    # English as numbers are written in files and reports, with a point and no grouping by habit
+    # For English, numbers as in files and reports: decimal point, no grouping
     QLocale.setDefault(QLocale(code) if code != "en" else QLocale.c())
     application = QApplication.instance()
     if application is None:
@@ -57,7 +57,7 @@ def set_language(code: str) -> None:
     qtbase, folder = QTranslator(application), QLibraryInfo.LibraryPath.TranslationsPath
     qtbase.load(f"qtbase_{code}", QLibraryInfo.path(folder))
     _qt.extend((_MissingTexts(application), qtbase))
-    for each in _qt:  # the last is asked first
+    for each in _qt:  # Qt searches the last one first
         application.installTranslator(each)
 
 

@@ -1,7 +1,7 @@
-"""Log file of the program, for messages and errors that nobody has seen.
+"""Log file of the program, for messages and errors that the window does not show.
 
-A program without a console has nowhere to print to. Notes, errors with their origin, exceptions of
-threads, warnings of libraries and of Qt, and where the process stood when it died all go there.
+A program without a console cannot print. The log file contains notes, errors with their traceback,
+exceptions of threads, warnings of libraries and of Qt, and the traceback of a crash.
 """
 
 import faulthandler
@@ -19,7 +19,7 @@ from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
 LOG = logging.getLogger("lispac")
 LOG_NAME, CRASH_LOG_NAME = "lispac.log", "lispac-crash.log"
 MAX_BYTES, BACKUPS = 1_000_000, 3
-"""Bytes of a file, and how many older ones stay."""
+"""Largest size of the log file, bytes, and number of older files that are kept."""
 _LEVELS = {
     QtMsgType.QtDebugMsg: logging.DEBUG, QtMsgType.QtInfoMsg: logging.INFO,
     QtMsgType.QtWarningMsg: logging.WARNING, QtMsgType.QtCriticalMsg: logging.ERROR,
@@ -32,8 +32,8 @@ class LogFile:
 
     Parameters
     ----------
-    folder : where the files go
-    on_uncaught : shows the user an exception that nothing else has caught
+    folder : folder of the log files
+    on_uncaught : function that shows an uncaught exception to the user
     """
 
     def __init__(self, folder: Path, on_uncaught: Callable[[BaseException], None]) -> None:

@@ -1,4 +1,4 @@
-"""Assignment of the left mouse button to one tool, started by its action, ended by Esc."""
+"""Assignment of the left mouse button to a tool, which is started by an action and ended by Esc."""
 
 from collections.abc import Callable
 
@@ -13,7 +13,7 @@ from lispac.language import gettext
 class MouseTool(QObject):
     """Assigns the left mouse button to one tool at a time.
 
-    Esc belongs to the running tool; without one it rejects the plane found, as ever.
+    Esc ends the active tool; without an active tool, it rejects the detected plane.
     """
 
     def __init__(self, viewport: Viewport, actions: Actions) -> None:
@@ -46,9 +46,9 @@ class MouseTool(QObject):
 
         Parameters
         ----------
-        hint : what a click does, to be read above the picture
-        pointed, outlined : takes each point, or each outline in pixels (n, 2)
-        ended : called once, when the tool loses the mouse
+        hint : effect of a click, shown above the view
+        pointed, outlined : called with each point, or with each outline in pixels, shape (n, 2)
+        ended : called once when the tool is ended
         """
         self.end()
         self._tool, self._ended = tool, ended

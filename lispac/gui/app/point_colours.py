@@ -1,6 +1,6 @@
 """Colours of the points: by line, or by a value of each point.
 
-What was left after the adjustment at the points of targets is coloured in `residuals`.
+Module `residuals` computes the colours of residuals at the points of targets.
 """
 
 from collections.abc import Mapping
@@ -22,15 +22,15 @@ Scale = Literal["viridis", "cividis", "gray", "turbo"]
 SCALES: Mapping[Scale, tuple[float, float]] = MappingProxyType(
     {"viridis": (0.0, 0.94), "cividis": (0.0, 0.94), "gray": (0.30, 0.74), "turbo": (0.03, 0.97)}
 )
-"""Scales of colours for what was measured, and what is used of each from 0 to 1.
+"""Colour scales of measured values, and the range that is used of each, between 0 and 1.
 
-The first is even in lightness, so that it is read without distinguishing colours; the ends of
-some would be lost on the bright or the dark ground.
+The first scale varies uniformly in lightness, so that it can be read with any colour vision. The
+ends of the scales are omitted where they have too little contrast with a light or dark background.
 """
 OUTER_PERCENT = 2.0
-"""Percent at either end with the last colour, so that outliers do not determine the scale."""
+"""Percent of the points at either end that get the end colour, so that outliers have no effect."""
 MAX_SAMPLE = 100_000
-"""Points of a line that determine the ends of the scale."""
+"""Largest number of points of a line that determine the ends of the scale."""
 
 TITLES: dict[Colouring, str] = {
     "height": N_("Height (m)"),
@@ -44,13 +44,13 @@ _scale: Scale = "viridis"
 
 
 def set_colour_scale(scale: Scale) -> None:
-    """Set the colour scale; the window is made again then."""
+    """Set the colour scale for the next window that is created."""
     global _scale
     _scale = scale
 
 
 def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointColouring | None:
-    """Colours of the lines' samples; None where each line has its own colour.
+    """Colours of the displayed points by a value; None if each line has its own colour.
 
     Raises
     ------

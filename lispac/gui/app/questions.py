@@ -16,7 +16,7 @@ SaveChoice = Literal["save", "discard", "cancel"]
 CandidateChoice = Literal["accept", "reject", "cancel"]
 DropChoice = Literal["add", "new", "cancel"]
 MAX_NAMED_FILES = 8
-"""Missing files that are listed by name."""
+"""Largest number of missing files that are listed by name."""
 
 
 def run_dialog(dialog: QDialog) -> bool:
@@ -34,7 +34,7 @@ class Questions:
         self._error_open = False
 
     def ask_to_add(self, name: str) -> DropChoice:
-        """Ask whether dropped files are added to the open project or make a new one."""
+        """Ask whether dropped files are added to the open project or form a new project."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
             gettext("Add the files to {project}?", project=name),

@@ -1,4 +1,4 @@
-"""Settings that the window stores between runs, and folders that it proposes."""
+"""Settings that are stored between runs of the program, and proposed folders."""
 
 import json
 from pathlib import Path
@@ -29,19 +29,19 @@ class AppSettings:
     Parameters
     ----------
     file : Path or None
-        An INI file to use instead.
+        INI file to use instead of the default one.
     """
 
     def __init__(self, file: Path | None = None) -> None:
-        # The cache folder is the one place outside the project folders the program writes to;
-        # what is kept here is convenient but can be lost.
+        # The program writes only to project folders and to the cache folder; these settings are
+        # convenient, but their loss is harmless.
         cache = QStandardPaths.writableLocation(
             QStandardPaths.StandardLocation.GenericCacheLocation
         )
         place = caches.cache_folder_in(Path(cache))
         path = caches.writable_or_temporary_folder(place) / "window.ini" if file is None else file
         self.folder = path.parent
-        # One's own sensors are work, so they are kept where nothing is thrown away.
+        # User-defined sensors must not be lost, so they are stored outside the cache.
         self._config = None if file is None else path.parent
         self._sensors = user_sensors_folder() if file is None else path.parent / "sensors"
         self._store = QSettings(str(path), QSettings.Format.IniFormat)
@@ -122,7 +122,7 @@ class AppSettings:
 
     @property
     def language_chosen(self) -> str:
-        """Code of the chosen language; empty for that of the system."""
+        """Code of the chosen language; empty for the language of the system."""
         chosen = str(self._store.value("language", ""))
         return chosen if chosen in LANGUAGES else ""
 
@@ -159,12 +159,12 @@ class AppSettings:
 
     @property
     def sensors(self) -> Path:
-        """Folder of the user's own sensors."""
+        """Folder of the user-defined sensors."""
         return self._sensors
 
     @property
     def usual_sensors(self) -> tuple[str, str]:
-        """Names of scanner and INS/GNSS that new projects begin with; empty for none."""
+        """Names of the default scanner and INS/GNSS of new projects; empty for none."""
         return str(self._store.value("scanner", "")), str(self._store.value("pos", ""))
 
     @usual_sensors.setter
@@ -188,7 +188,7 @@ class AppSettings:
 
     @property
     def cache_folder(self) -> Path | None:
-        """Folder that contains the cache; None for the system's."""
+        """Folder that contains the cache; None for the default folder of the system."""
         return caches.chosen_folder(self._config)
 
     @cache_folder.setter
@@ -196,7 +196,7 @@ class AppSettings:
         caches.choose_folder(folder, self._config)
 
     def report_choice(self) -> tuple[str, str, str, str]:
-        """Last template, page, convention and language of the report."""
+        """Template, page, convention and language that were last used for a report."""
         a, b, c, d = (str(self._store.value(f"report_{k}", "")) for k in REPORT_KEYS)
         return a, b, c, d
 
@@ -211,7 +211,7 @@ class AppSettings:
 
 
 def folder_outside_cache(folder: Path) -> Path:
-    """The folder, or the user's documents if it lies in the cache, which may be emptied."""
+    """Return the folder, or the documents folder if it is in the cache, which may be emptied."""
     if not folder.is_relative_to(usable_cache_folder()):
         return folder
     documents = QStandardPaths.StandardLocation.DocumentsLocation

@@ -11,7 +11,7 @@ from lispac.language import duration_text, gettext
 from lispac.progress import PointProgress
 
 SHOW_DELAY_S = 0.3
-"""Seconds a quiet task may take before it is shown."""
+"""Seconds after which a quiet task is shown."""
 
 
 class TaskStatusBar(QStatusBar):

@@ -1,10 +1,10 @@
 """Background tasks: one runner on the GUI thread, one worker, one cancel flag per task.
 
-The worker runs a function that takes `progress` and returns a value. It only sets numbers of the
-task and checks the cancel flag; the GUI thread reads them twenty times a second, and it alone
-processes the value. A cancelled or failed task changes nothing; a task that has already written its
-files when it is cancelled is reported as completed. A task whose value is shown in a dialogue ends
-before the dialogue opens, and waits until one that is already open is closed.
+The worker runs a function that takes `progress` and returns a value. The worker only sets the
+progress of the task and checks its cancel flag. The GUI thread reads the progress twenty times a
+second, and only the GUI thread processes the value. A cancelled or failed task changes nothing; a
+task that has already written its files when it is cancelled is reported as completed. A task whose
+value is shown in a dialogue ends before its dialogue opens, and waits while another one is open.
 """
 
 import queue
@@ -27,17 +27,17 @@ REFRESH_MS = 50
 
 @dataclass(eq=False)
 class Task:
-    """Task that runs in the worker or waits.
+    """Task that runs in the worker or is queued.
 
     Attributes
     ----------
-    work : takes a Progress, returns a value; runs in the worker
-    done : takes the value; runs on the GUI thread
-    quiet : nobody waits for it, and it gives way to work that somebody waits for
-    key : a later quiet task of the same key takes its place
-    persistent : what it does is on the disk once it has ended, and no longer to be cancelled
-    modal : its value is shown in a dialogue
-    superseded : it was cancelled for other work, not because the user wanted it to stop
+    work : function that takes a Progress and returns a value; runs in the worker
+    done : function that takes the value; runs on the GUI thread
+    quiet : the user does not wait for the task, and other tasks take precedence
+    key : a later quiet task with the same key replaces the task
+    persistent : the task writes files, and cannot be cancelled after they are written
+    modal : the value is shown in a dialogue
+    superseded : the task was cancelled in favour of another task, not by the user
     """
 
     title: str
@@ -67,7 +67,7 @@ class Task:
         """Release the data of an ended task; how it ended is kept."""
         self.work, self.done, self.value = _ignore, _ignore, None
         if self.error is not None:
-            self.error.__traceback__ = None  # its frames hold them as well
+            self.error.__traceback__ = None  # its traceback refers to the data as well
 
     def seconds_left(self) -> float | None:
         """Estimated seconds left at the mean rate; None while too little is known."""
@@ -85,13 +85,13 @@ class TaskRunner(QObject):
     progress_changed = Signal()
     """A task started, progressed or ended: see the progress of `current`."""
     failed = Signal(object)
-    """The exception a task ended with."""
+    """Exception that ended a task."""
     stopped = Signal(str)
     """Title of a cancelled task."""
     cancelled_too_late = Signal(str)
-    """Text that a task was completed before it could be cancelled."""
+    """Text that says that a task was completed before it could be cancelled."""
     idle = Signal()
-    """Nothing runs and nothing waits."""
+    """No task is running or queued."""
     _ended = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -109,12 +109,12 @@ class TaskRunner(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether a task runs or waits that the user waits for."""
+        """Whether a task is running or queued that the user waits for."""
         return any(not task.quiet for task in self._unfinished_tasks())
 
     @property
     def active(self) -> bool:
-        """Whether any task runs or waits."""
+        """Whether any task is running or queued."""
         return bool(self._unfinished_tasks())
 
     def run(
@@ -128,7 +128,7 @@ class TaskRunner(QObject):
         persistent: bool = False,
         modal: bool = False,
     ) -> Task:
-        """Add a task for the worker; ``done`` gets its value on the GUI thread."""
+        """Queue a task for the worker; ``done`` receives its value on the GUI thread."""
         task = Task(title, work, done, quiet, key, persistent, modal)
         for other in self._unfinished_tasks():
             replaced = key and other.key == key
@@ -142,7 +142,7 @@ class TaskRunner(QObject):
         return task
 
     def cancel(self) -> None:
-        """Cancel the running and the waiting tasks."""
+        """Cancel the running and the queued tasks."""
         for task in self._unfinished_tasks():
             task.cancel.set()
         self._waiting = []

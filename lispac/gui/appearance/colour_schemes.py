@@ -10,25 +10,25 @@ Lines = tuple[Colour, ...]
 class ColourScheme:
     """Colours of a scheme as ``#rrggbb``.
 
-    A name gives the purpose of a colour. Text on its own background has three colours: text,
+    The name of a colour states its purpose. Messages with a background have three colours: text,
     background and border.
 
     Attributes
     ----------
-    window, paper, bar, alternate : grounds
-        Of the window, of fields and drawings, of toolbars and headers of steps, of every other row.
-    text, muted, placeholder : words on each of these grounds
+    window, paper, bar, alternate : backgrounds
+        Of the window, of fields and drawings, of toolbars and step headers, of every other row.
+    text, muted, placeholder : text on each of these backgrounds
     disabled, disabled_ground, disabled_fill, disabled_icon
-        What cannot be used now; it need not stand out.
-    accent, on_accent : what is chosen, active or in focus, as a line or as words
-    fill, fill_hover, on_fill : the main button and selected text
-    done, warning, error, doubtful : judgements; each comes with a shape or a word as well
-    before, after : of a calibration
-    frame : round what is ticked or typed into
-    border, edge, edge_strong, grid : lines that part
+        Disabled widgets, with less contrast.
+    accent, on_accent : selected, active or focused items, as lines or text
+    fill, fill_hover, on_fill : main button and selected text
+    done, warning, error, doubtful : ratings, always shown with a symbol or a word as well
+    before, after : before and after the calibration
+    frame : frames of check boxes and input fields
+    border, edge, edge_strong, grid : separating lines
     hover, pressed, chosen, chosen_edge, on_chosen, current : buttons, tabs and rows
-    series, on_series : of a figure, and words on them
-    lines : RGB of each line in turn
+    series, on_series : data series of a figure, and text on them
+    lines : RGB of the survey lines, in their order
     """
 
     name: str
@@ -177,11 +177,11 @@ LIGHT = ColourScheme(
     note="#ffecaa",
     sky="#fcfeff",
     ground="#dbe2e7",
-    # Okabe and Ito's blue, vermilion and green.
+    # Blue, vermilion and green of Okabe and Ito.
     series=("#0072b2", "#d55e00", "#009e73"),
     on_series="#ffffff",
     # Okabe and Ito's colours without black and yellow, then dark ones of Tol's muted set: any two
-    # neighbours in the list are distinguished with every common kind of colour blindness.
+    # neighbours in the list can be distinguished with every common kind of colour blindness.
     lines=(
         (0, 114, 178),
         (230, 159, 0),
@@ -262,7 +262,7 @@ DARK = ColourScheme(
     ground="#12161b",
     series=("#56a8e0", "#f08a45", "#35c096"),
     on_series="#0e1317",
-    # The same order of hues; the dark ones are lighter, to stand out from a dark ground.
+    # The same order of hues; dark colours are lighter, for contrast with the dark background.
     lines=(
         (51, 148, 214),
         (240, 175, 30),

@@ -15,9 +15,9 @@ def figure(value: float, base: Base, decimals: int, *, sign: bool = False) -> st
     Parameters
     ----------
     value : float
-        In the base: metres, millimetres or degrees.
+        Value in the base unit: metres, millimetres or degrees.
     decimals : int
-        In the base; in another unit their number follows the unit.
+        Decimals in the base unit; their number is adapted to the unit shown.
     """
     return units.local_figure(value, base, f"{'+' if sign else ''}.{decimals}f")
 
@@ -28,7 +28,7 @@ def amount(value: float, base: Base, decimals: int, *, sign: bool = False) -> st
 
 
 def unit_suffix(base: Base) -> str:
-    """Sign of a unit with the space before it."""
+    """Sign of the unit shown, preceded by a space if one is usual."""
     shown = units.local_sign(base)
     return shown if shown in _ANGLE_SIGNS else f"\N{NO-BREAK SPACE}{shown}"
 

@@ -45,15 +45,15 @@ def palette(scheme: ColourScheme) -> QPalette:
 
 FRAMED = ("QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboBox",
           "QAbstractItemView")  # fmt: skip
-"""Classes of what is ticked or typed into."""
+"""Classes of check boxes and input widgets."""
 
 
 def framed_palette(scheme: ColourScheme) -> QPalette:
     """Palette of the widgets named in `FRAMED`.
 
-    Fusion draws their frames darker than the window by 1.4, and darker than the highlight by 1.25
-    where they have the focus, which nobody sees on a dark window. They do not paint the window's
-    colour otherwise.
+    The Fusion style draws their frames 1.4 times darker than the colour of the window, or 1.25
+    times darker than the highlight if they have the focus; both would be invisible in a dark
+    window. These widgets use the colour of the window for nothing else, so it is changed here.
     """
     made = palette(scheme)
     group, role = QPalette.ColorGroup, QPalette.ColorRole

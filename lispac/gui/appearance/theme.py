@@ -1,8 +1,8 @@
 """Colours, fonts and icons of the window, light or dark.
 
 ``theme.TEXT``, ``theme.MUTED`` and so on are the colours of the scheme in use (`ColourScheme.text`,
-`ColourScheme.muted`). They are looked up whenever they are read, so a module reads them where it
-paints and never keeps one under a name of its own.
+`ColourScheme.muted`). They change with the scheme, so modules must read them when they paint and
+must not store or import them by name.
 """
 
 from collections.abc import Iterator, Sequence
@@ -24,7 +24,7 @@ UNUSED_COLOUR: Colour = (130, 138, 146)
 """Colour of unused points in the view, on light and dark backgrounds."""
 
 SPACING = 8
-"""Pixels between neighbours; margins of a panel are twice that."""
+"""Spacing between neighbouring widgets, pixels; the margins of a panel are twice as wide."""
 
 _scheme: ColourScheme = LIGHT
 
@@ -85,7 +85,7 @@ QUALITY_ICONS = {
 }  # fmt: skip
 """Symbols of quality; they differ in shape too, for colour-blind users."""
 ICON_SIZES_PX = (16, 20, 24, 28, 32, 48, 64)
-"""Sizes of icons for each scaling of the screen."""
+"""Sizes of icons for the various scale factors of screens, pixels."""
 
 
 def quality_icon(which: str) -> QIcon:
@@ -125,7 +125,7 @@ def is_system_dark(application: QApplication) -> bool:
 
 
 def choose_scheme(application: QApplication, choice: str) -> ColourScheme:
-    """Colour scheme of a theme choice, which may be that of the system."""
+    """Colour scheme of a chosen theme; "system" gives the scheme of the system."""
     if choice == "system":
         return SCHEMES["dark" if is_system_dark(application) else "light"]
     return SCHEMES[choice]
@@ -140,7 +140,7 @@ def apply_theme(application: QApplication, choice: str = "light") -> None:
     """
     global _scheme
     scheme_of_theme = {"light": Qt.ColorScheme.Light, "dark": Qt.ColorScheme.Dark}
-    # The frame of the window and the system's own dialogues follow.
+    # Also applies to the frame of the window and to dialogues of the system.
     application.styleHints().setColorScheme(scheme_of_theme.get(choice, Qt.ColorScheme.Unknown))
     _scheme = choose_scheme(application, choice)
     if application.styleSheet() == style_sheet(_scheme):
@@ -157,7 +157,8 @@ def apply_theme(application: QApplication, choice: str = "light") -> None:
 def without_style_sheet() -> Iterator[None]:
     """Context without style sheet while a window is built; it is applied once at the end.
 
-    Qt would apply them anew to all that a widget holds whenever it is put into another one.
+    Otherwise, Qt applies the style sheet to all children of a widget again each time the widget
+    gets a new parent.
     """
     application = QApplication.instance()
     assert isinstance(application, QApplication)

@@ -1,8 +1,8 @@
-"""Units of the numbers in the window; files, reports and scripts have their own.
+"""Units of the numbers in the window; units of files, reports and scripts are independent.
 
-Values are in a base unit: metres, millimetres, degrees, thousandths of a degree. Only numbers as
-text, signs of units and fields convert them to the unit chosen. Azimuths and inclinations are in
-degrees whatever the choice.
+Values are in a base unit: metres, millimetres, degrees, thousandths of a degree. Only texts, unit
+signs and input fields convert them to the chosen unit. Azimuths and inclinations are always in
+degrees.
 """
 
 import re
@@ -24,9 +24,9 @@ class Unit:
 
     Attributes
     ----------
-    sign : as it follows a figure
-    factor : of these to one of the base
-    finer : decimals more than in the base
+    sign : symbol written after a number
+    factor : number of these units in one base unit
+    finer : number of decimals in addition to those in the base unit
     """
 
     sign: str
@@ -47,7 +47,7 @@ LENGTHS: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
         "survey feet": _feet_units("ftUS", 1200 / 3937),
     }
 )
-"""Units of lengths by their stored key; small lengths are also in feet, as in practice."""
+"""Units of lengths by their stored key; small lengths are also given in feet, as usual."""
 ANGLES: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
     {
         "degrees": DEGREES,
@@ -59,7 +59,7 @@ ANGLES: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
     }
 )
 ROUNDING_TOLERANCE = 1e-3
-"""Share by which four digits may be off."""
+"""Relative error of a limit that is shown with four digits."""
 _units: dict[Base, Unit] = {**METRES, **DEGREES}
 
 _SIGNS: Mapping[Base, str] = {
@@ -72,7 +72,7 @@ _FORM = re.compile(r"(?P<before>[+,]*)\.(?P<decimals>\d+)f")
 
 
 def set_units(angles: str, lengths: str) -> None:
-    """Set the units by their keys; the window is made again then."""
+    """Set the units, given by their keys, for the next window that is created."""
     _units.update({**ANGLES[angles], **LENGTHS[lengths]})
 
 
@@ -98,7 +98,7 @@ def figure(value: float, base: Base, form: str) -> str:
     Parameters
     ----------
     form : str
-        Of the figure in the base, as in ``f"{value:{form}}"``; its decimals follow the unit.
+        Format in the base unit, as in ``f"{value:{form}}"``; its decimals are adapted to the unit.
     """
     shown = _units[base]
     fixed = _FORM.fullmatch(form)
@@ -122,7 +122,7 @@ def localised(text: str) -> str:
 
 
 def local_figure(value: float, base: Base, form: str) -> str:
-    """Text of `figure` in the user's language."""
+    """Text as of `figure`, in the user's language."""
     return localised(figure(value, base, form))
 
 
@@ -140,13 +140,13 @@ def local_amount(value: float, base: Base, form: str) -> str:
 
 
 def limit_text(value: float, base: Base) -> str:
-    """Text of the end of a range, to four digits if it is converted."""
+    """Text of a limit of a range, with four digits if it is converted."""
     shown = float(f"{value * _units[base].factor:.4g}") if is_converted(base) else value
     return f"{shown:,.10g}"
 
 
 def snap_to_limits(value: float, base: Base | None, low: float, high: float) -> float:
-    """Value in the base unit, set to the end of the range if only rounding exceeds it."""
+    """Value in the base unit, set to the limit if it exceeds the limit by a rounding error only."""
     if not is_converted(base):
         return value
     if low - ROUNDING_TOLERANCE * abs(low) <= value < low:
@@ -182,7 +182,8 @@ def convert_unit_signs(text: str, *bases: Base, figures: bool = True) -> str:
     Parameters
     ----------
     figures : bool
-        Whether those in the text are of `figure`; others stay, with the unit they are in.
+        Whether the numbers in the text were converted by `figure`; if not, unit signs after
+        numbers are kept.
     """
 
     def replaced(match: re.Match[str]) -> str:

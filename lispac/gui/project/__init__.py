@@ -1,1 +1,1 @@
-"""The open project: document and undo history, computations and what the view shows."""
+"""The open project: document, undo history, computations, and content of the 3D view."""

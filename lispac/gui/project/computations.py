@@ -34,8 +34,8 @@ class PointCount:
 
     Attributes
     ----------
-    kept : None while they are counted, and where they cannot be
-    reason : why they cannot be counted, in the language of the window
+    kept : number of points; None while they are counted, and if they cannot be counted
+    reason : reason why they cannot be counted, in the language of the window
     """
 
     kept: int | None
@@ -50,11 +50,11 @@ class Computations(QObject):
     Attributes
     ----------
     distance_to : LocalModel
-        What a validation measures distances to.
+        Surface model to which the next validation measures distances.
     """
 
     counted = Signal(object)
-    """A PointCount."""
+    """`PointCount` of the current settings."""
     validated = Signal()
 
     def __init__(
@@ -86,7 +86,7 @@ class Computations(QObject):
         self._outdated_count = True
         self.counted.emit(PointCount(None, total, len(sightings)))
         if self._runner.busy or self._document.awaits_result:
-            return  # counted when the runner is idle
+            return  # counted later, when the runner is idle
 
         def work(_progress: Progress) -> int | str:
             from lispac.workflow.calibration.estimation import count_points
@@ -155,7 +155,7 @@ class Computations(QObject):
     ) -> None:
         """Call ``then`` once the lines are placed with the prior and the estimated boresight.
 
-        An edit meanwhile ends it.
+        An edit of the project cancels the placement.
         """
         if project.result is None or self._scene.has_estimated:
             then()
@@ -192,7 +192,7 @@ def _used_sightings(project: Project | None):
 
 
 def _validation_edit_name(model: LocalModel) -> Template:
-    """Name of the edit by the surface that distances are measured to."""
+    """Name of the undo step of a validation, by its surface model."""
     if model.kind == "point":
         return N_("validation with distances to the nearest point")
     if model.radius is not None:

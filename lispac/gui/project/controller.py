@@ -56,7 +56,7 @@ class Controller(QObject):
         self.candidate: Target | None = None
         self.may_save: Callable[[Project], bool] = lambda _project: True
         self.may_overwrite: Callable[[Project], bool] = lambda _project: False
-        """Whether a project that another program wrote meanwhile is overwritten."""
+        """Function that decides whether to overwrite a project that another program has changed."""
         document.changed.connect(self._on_document_changed)
 
     @property
@@ -64,7 +64,7 @@ class Controller(QObject):
         """Whether a task is running that the user waits for."""
         return self._runner.busy
 
-    # -- the project's life ------------------------------------------------------------------
+    # -- open and save -----------------------------------------------------------------------
 
     def open(self, path: Path) -> None:
         """Open a project from its folder, its project.json or its .lispac file."""
@@ -146,7 +146,7 @@ class Controller(QObject):
 
         def done(added: OpenedProject) -> None:
             edited, survey = added
-            self._discard_candidate()  # it was searched for in the lines of that time
+            self._discard_candidate()  # it was found without the added lines
             edit = N_("addition of {line}") if count == 1 else N_("addition of {count:n} lines")
             self._document.edit(edit, edited, survey=survey, count=count, line=name)
             for note in survey.notes:
@@ -168,7 +168,7 @@ class Controller(QObject):
     ) -> None:
         """Open the demo survey, which is simulated on its first use.
 
-        ``first`` is called when it has been read and is about to be shown, and never otherwise.
+        ``first`` is called only after the demo was read, immediately before it is shown.
         """
         place = folder or demo_folder()
 
@@ -245,7 +245,7 @@ class Controller(QObject):
         self._discard_candidate()
         self._document.open(project, survey)
         self._settings.add_recent(project.folder)
-        if self._document.project is None:  # closed again: another window has it
+        if self._document.project is None:  # not opened, since another window has locked it
             return
         for note in survey.notes:
             self.logged.emit(message_text(note))

@@ -22,8 +22,8 @@ class _ProjectState:
     Attributes
     ----------
     recompute : whether its result is computed automatically
-    refusal : why there is no such result
-    refused_since : why an estimate after the result was refused
+    refusal : reason why the automatic computation gave no result
+    refused_since : reason why an estimate after the result was refused
     """
 
     project: Project
@@ -61,16 +61,16 @@ class Document(QObject):
     """Project, changed by edits, and the survey loaded for it."""
 
     changed = Signal()
-    """The project is another value, or other data are at hand for it."""
+    """The project was replaced by an edited one, or its data were loaded or released."""
     about_to_open = Signal()
     """Another project replaces the current one; `opened` follows."""
     survey_changed = Signal()
     """Data were loaded or released; `changed` follows."""
     opened = Signal()
-    """Another project, or none, is in the document."""
+    """Another project was opened, or the project was closed."""
     modified = Signal(bool)
     saved = Signal()
-    """The project on disk is the one in memory."""
+    """The project was saved."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -172,7 +172,7 @@ class Document(QObject):
         name : Template
             Name of the edit as the undo menu shows it, marked with `N_`; ``params`` fill it.
         survey : Survey, optional
-            The data as the edited project places them, where they are at hand already.
+            Data placed as in the edited project, if they are already available.
         recompute : bool
             Whether a result that the edit removes is computed again automatically:
             `complete_last_edit` adds it, and one undo reverts the edit and its result.
@@ -195,7 +195,7 @@ class Document(QObject):
         assert self._state is not None
         self._state.project = self._with_current_folder(project)
         if self.undo_stack.isClean():
-            self.undo_stack.resetClean()  # what was saved lacks it
+            self.undo_stack.resetClean()  # the saved project lacks the result
         self.changed.emit()
 
     def refuse(self, reason: Message | str) -> None:
@@ -230,7 +230,7 @@ class Document(QObject):
         self.set_survey(project, survey)
 
     def copy_for_new_window(self, parent: QObject | None = None) -> "Document":
-        """Copy of the document with its undo steps, for a window that is made again."""
+        """Copy of the document with its undo steps, for a rebuilt window."""
         copy = Document(parent)
         copy._reported = self._reported
         copy._folder, copy.file_digest = self._folder, self.file_digest
@@ -251,7 +251,7 @@ class Document(QObject):
         return copy
 
     def _with_current_folder(self, project: Project) -> Project:
-        """Project with the current folder; earlier states may hold the former folder."""
+        """Project with the current folder; earlier states may contain a former folder."""
         if self._folder is None or project.folder == self._folder:
             return project
         return replace(project, folder=self._folder)

@@ -1,8 +1,8 @@
 """Recovery copies of unsaved changes, and the lock of the open project.
 
-After every edit the project is written beside its saved state, in a thread of its own so that it is
-on the disk also while an adjustment runs. Saving or discarding the changes removes the copy; one
-that is found when a project is opened was left by a crash, and is offered for recovery.
+After every edit, a copy of the project is written beside its saved state, in a separate thread so
+that it is also written while an adjustment runs. Saving or discarding the changes removes the copy.
+A copy that is found when a project is opened was left by a crash and is offered for recovery.
 """
 
 from collections.abc import Callable
@@ -56,18 +56,18 @@ class RecoveryCopies(QObject):
         self._lock: QLockFile | None = None
         self._writes_copies = False
         self.problem: Message | None = None
-        """Why no recovery copy is written; None if it is."""
+        """Reason why no recovery copy is written; None if it is written."""
         controller.may_save = self._may_save
         controller.may_overwrite = lambda project: self._questions.ask_to_overwrite(project.name)
         document.opened.connect(self._on_project_opened)
         document.changed.connect(self._write_copy)
-        # An edit is announced before the stack knows that it is no longer clean
+        # `changed` is emitted before the undo stack is marked as modified
         document.modified.connect(
             lambda modified: self._write_copy() if modified else self.discard()
         )
         document.saved.connect(self._on_saved)
 
-    # -- a project comes and goes ----------------------------------------------------------------
+    # -- opening and closing ---------------------------------------------------------------------
 
     def _on_project_opened(self) -> None:
         """Lock the project that was opened, and offer unsaved changes for recovery."""
@@ -89,9 +89,12 @@ class RecoveryCopies(QObject):
             self._ask_recovery(project)
 
     def _lock_project(self, project: Project) -> bool:
-        """Lock the project; False if another window has it. True where nothing can be written."""
+        """Lock the project; return False if another window has locked it.
+
+        Return True if the lock cannot be written, as in a read-only folder.
+        """
         lock = QLockFile(str(project.folder / LOCK_NAME))
-        lock.setStaleLockTime(0)  # one whose program has ended is stale, however young
+        lock.setStaleLockTime(0)  # a lock of an ended program is stale at any age
         self._lock = lock
         return lock.tryLock(0) or lock.error() != QLockFile.LockError.LockFailedError
 
@@ -135,13 +138,13 @@ class RecoveryCopies(QObject):
         self._writer.shutdown(wait=True)
         self.release_lock()
 
-    # -- an edit, a save -------------------------------------------------------------------------
+    # -- editing and saving ----------------------------------------------------------------------
 
     def _write_copy(self) -> None:
         project = self._document.project
         if project is None:
             return
-        if project.folder != self._folder:  # saved as another
+        if project.folder != self._folder:  # saved in another folder
             self._folder = project.folder
             self._settings.last_project = project.folder
             self._writes_copies = self._lock_project(project)
@@ -150,7 +153,7 @@ class RecoveryCopies(QObject):
             self._run_in_worker(self._write_latest_copy, project)
 
     def _write_latest_copy(self, project: Project) -> None:
-        if project is self._latest:  # else there was another edit meanwhile
+        if project is self._latest:  # else superseded by a later edit
             require_folder(project)
             write_unsaved(project)
             self._written.emit()
@@ -167,7 +170,7 @@ class RecoveryCopies(QObject):
         self._set_problem(None if self._writes_copies else LOCKED_ELSEWHERE)
 
     def _may_save(self, project: Project) -> bool:
-        """Whether the folder of the project still exists; shows an error otherwise."""
+        """Whether the folder of the project still exists; if not, show an error."""
         try:
             require_folder(project)
         except InputError as failure:
@@ -176,7 +179,7 @@ class RecoveryCopies(QObject):
         return True
 
     def _on_write_failed(self, failure: BaseException) -> None:
-        # The next edit tries again: the disk may have space then, or the drive may be back.
+        # The next edit tries again, since the disk or the drive may be available then.
         reason = failure.reason if isinstance(failure, LispacError) else str(failure)
         problem = error("window.unsaved_work_not_kept", reason=reason)
         if problem != self.problem:

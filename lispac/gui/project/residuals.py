@@ -1,8 +1,8 @@
 """Colours of the points of sightings by their distance from the surface.
 
-Of a target it is the adjusted one. Of a validation plane, which was not used in the adjustment, it
-is the plane through all lines as they are shown: before the calibration its lines differ in colour,
-after it they share one.
+The surface of a target is the adjusted one. The surface of a validation plane, which is not used in
+the adjustment, is the plane fitted to all lines as displayed: before the calibration, its lines
+have different colours, after it, the same colour.
 """
 
 from collections.abc import Iterable, Mapping
@@ -23,7 +23,7 @@ TITLE = N_("Distance from the surface (mm)")
 GREY = (188, 194, 200)
 """Colour of points that belong to no target."""
 OUTER_PERCENT = 2.0
-"""Percent of the points, half at either end, that share the last colour."""
+"""Percent of the points, half of them at either end, that get the end colour."""
 
 Key = tuple[str, str]
 
@@ -33,7 +33,8 @@ def residuals(project: Project, survey: Survey) -> dict[Key, Array]:
 
     Returns
     -------
-    ndarray of shape (n,), metres, by target and line; after the adjustment
+    ndarray of shape (n,), metres, by target and line
+        Distances after the adjustment.
 
     Raises
     ------
@@ -63,7 +64,7 @@ def validation_distances(project: Project, clouds: Mapping[str, Cloud]) -> dict[
 
     Parameters
     ----------
-    clouds : of each line, as it is shown
+    clouds : points of each line, as displayed
 
     Returns
     -------
@@ -85,7 +86,7 @@ def validation_distances(project: Project, clouds: Mapping[str, Cloud]) -> dict[
 def residual_colour_limit(
     project: Project, survey: Survey, states: Iterable[Mapping[str, Cloud]]
 ) -> float:
-    """Distance, metres, at which the colour scale ends: the largest of several states.
+    """Distance, metres, at the end of a colour scale that is common to several states.
 
     Raises
     ------
@@ -110,9 +111,9 @@ def residual_shading(
 
     Parameters
     ----------
-    clouds : of each line, as it is shown
+    clouds : points of each line, as displayed
     reach : float, metres
-        Where the colours end; None: as it suits these clouds.
+        Distance at the end of the colour scale; None for a scale derived from these clouds.
 
     Raises
     ------

@@ -29,12 +29,12 @@ class Scene(QObject):
 
     which_changed = Signal(str)
     focused = Signal(object, str)
-    """Points (n, 3) that the view moves to, and the name of their target or line."""
+    """Points (n, 3) to which the view moves, and the name of their target or line."""
     selection_changed = Signal()
     drawn = Signal()
-    """The lines are drawn anew."""
+    """The lines were drawn again."""
     placement_requested = Signal()
-    """The lines after are shown, and the project has another result by now."""
+    """The lines are shown after the adjustment, but are not placed with the present result."""
 
     def __init__(self, document: Document, viewport: Viewport, parent: QObject) -> None:
         super().__init__(parent)
@@ -48,8 +48,8 @@ class Scene(QObject):
         self._residuals: Residuals = {}
         self._reach: float | None = None
         self._shaded: ColouredPoints | None = None
-        """Colours that wait to be drawn."""
-        # Once for all that changes in one: a new project has enough to show.
+        """Colours that were computed but not yet drawn; None if there are none."""
+        # One task for several changes in a row, as when a project is opened.
         self._lines_due = IdleTask(self._draw_due_lines, self)
         self._targets_due = IdleTask(self._draw_due_targets, self)
         document.about_to_open.connect(self._clear)
@@ -90,7 +90,7 @@ class Scene(QObject):
     def prior_position_finder(self, point: PickedPoint) -> Callable[[], Triple]:
         """Function that finds the prior position of a clicked point, for any thread.
 
-        Targets are searched for in those lines.
+        Targets are searched for in the lines placed with the prior boresight.
         """
         survey = self._document.survey
         if survey is None or self.which == "prior":
@@ -110,7 +110,7 @@ class Scene(QObject):
         Raises
         ------
         ValueError
-            Where a line has nothing to colour by; nothing changes then.
+            If a line lacks the values; the colours are then unchanged.
         """
         shaded = self._point_colours(colouring)
         self.colouring = colouring
@@ -178,7 +178,7 @@ class Scene(QObject):
         coloured = self.colouring == "residual" and self.has_estimated
         if coloured and project and survey and estimated:
             self._reach = residual_colour_limit(project, survey, (survey.clouds, estimated[1]))
-            self._drawn = {}  # drawn anew, with the other colours
+            self._drawn = {}  # forces a redraw with the common scale
         try:
             yield
         finally:
@@ -188,7 +188,7 @@ class Scene(QObject):
 
     def _clear(self) -> None:
         self.candidate = self.selected = None
-        self._viewport.clear()  # nothing of it is drawn once more on the way to another
+        self._viewport.clear()  # not redrawn before the next project
         self._drawn = {}
 
     def _reload(self) -> None:
@@ -199,7 +199,7 @@ class Scene(QObject):
             self._viewport.clear()
             self._drawn = {}
         else:
-            # Standard views look from the water, where the vessel was while it scanned.
+            # Standard views look from the water, where the vessel was during the scans.
             self._viewport.set_station(_mean_vessel_position(survey))
         self._schedule_lines()
         self.which_changed.emit(self.which)
@@ -208,7 +208,7 @@ class Scene(QObject):
         project = self._document.project
         if self.which == "estimated" and not self.has_estimated:
             if project is not None and project.result is not None:
-                self.placement_requested.emit()  # the lines drawn stay until then
+                self.placement_requested.emit()  # drawn lines are kept until then
             elif not self._document.awaits_result:
                 self.which = "prior"
                 self.which_changed.emit(self.which)
@@ -242,7 +242,7 @@ class Scene(QObject):
         self._lines_due.stop()
         if self._document.survey is not None:
             if self.colouring != "line" and self._shaded is None:
-                self._shaded = self._available_colours()  # in a turn of its own
+                self._shaded = self._available_colours()  # drawn in the next turn
                 self._lines_due.start()
                 return
             self._draw_clouds(self._shaded)
@@ -259,12 +259,12 @@ class Scene(QObject):
     def _available_colours(self) -> ColouredPoints:
         try:
             return self._point_colours(self.colouring)
-        except ValueError:  # another survey, without intensities or a result
+        except ValueError:  # no intensities or no result
             self.colouring = "line"
             return None, {}
 
     def _point_colours(self, colouring: Colouring) -> ColouredPoints:
-        """Colours of the points of the lines, and of sightings with their own colours."""
+        """Colours of the points of the lines, and of sightings that have separate colours."""
         if colouring != "residual":
             return point_shading(colouring, self.clouds), {}
         project, survey = self._document.project, self._document.survey
@@ -273,7 +273,7 @@ class Scene(QObject):
         return residual_shading(project, survey, self.clouds, reach=self._reach)
 
     def _schedule_targets(self) -> None:
-        if not self._lines_due.isActive():  # which they follow
+        if not self._lines_due.isActive():  # drawn after the lines
             self._targets_due.start()
 
     def _draw_due_targets(self) -> None:
@@ -327,7 +327,7 @@ def _label_position(target: Target, groups: dict[str, Array]) -> tuple[float, fl
 
 
 def _mean_vessel_position(survey) -> tuple[float, float, float]:
-    """Mean position of the vessel during the scans, from which standard views look."""
+    """Mean position of the vessel during the scans: the station of the standard views."""
     times = np.concatenate(
         [np.linspace(scan.first_time, scan.last_time, 21) for scan in survey.scans.values()]
     )

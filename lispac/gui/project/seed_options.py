@@ -14,9 +14,9 @@ class SeedOptions:
 
     Attributes
     ----------
-    line : the only line to search, or None for all
-    selected : name of the selected target; with ``line`` it gets the sighting
-    threshold, radius : metres, None for the usual ones
+    line : the only line to search, or None for all lines
+    selected : name of the selected target, to which the sighting is added if ``line`` is given
+    threshold, radius : metres; None for the default
     """
 
     role: Role = "target"

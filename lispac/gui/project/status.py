@@ -31,8 +31,8 @@ class StepStatus:
 
     Attributes
     ----------
-    sentence : short, for the step's header
-    advice : what to do next, for the step's panel
+    sentence : short status for the header of the step
+    advice : next action, for the panel of the step
     ready : whether the step can be run
     """
 
@@ -74,11 +74,11 @@ def step_statuses(
     survey : Survey or None
         None while data are not loaded.
     waiting : bool
-        Whether a result is to follow from the last edit by itself.
+        Whether a result is computed automatically after the last edit.
     refusal : Message or str
-        Why none follows.
+        Reason why the automatic computation gave no result.
     reported : str
-        Name of the file a report of the project as it stands was written to.
+        Name of the report file of the current project; empty if there is none.
     """
     if project is None:
         nothing = StepStatus(

@@ -1,1 +1,1 @@
-"""3D view of the lines; only a few of its modules depend on VTK."""
+"""3D view of the lines; only some of its modules depend on VTK."""

@@ -21,9 +21,9 @@ def point_polydata(points: Array, shades: NDArray[np.uint8] | None = None) -> vt
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3), metres, from an origin near them
+    points : ndarray of shape (n, 3), metres, relative to an origin near them
     shades : uint8 ndarray of shape (n, 3), optional
-        Their colours, for actors that are `shaded`.
+        Colour of each point, for `shaded` actors.
     """
     count = len(points)
     coordinates = vtkPoints()
@@ -42,7 +42,7 @@ def point_polydata(points: Array, shades: NDArray[np.uint8] | None = None) -> vt
 
 
 def half_space() -> vtkPlane:
-    """Clipping plane that keeps the side its normal points to."""
+    """Clipping plane that keeps the side to which its normal points."""
     return vtkPlane()
 
 
@@ -62,7 +62,7 @@ def clip_actors(actors: Iterable[vtkActor], half: vtkPlane | None) -> None:
 
 
 def point_actor(data: vtkPolyData, colour: Colour, *, shaded: bool = False) -> vtkActor:
-    """Actor of unlit points in one colour or in their own colours."""
+    """Actor of unlit points in one colour, or with a colour for each point."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(data)
     if shaded:
@@ -95,9 +95,10 @@ def set_point_pixels(actors: Iterable[vtkActor], pixels: float) -> None:
 
 
 def shift_depth(actor: vtkActor, camera: Camera, origin: Array, part: float) -> None:
-    """Draw an actor deeper by a part of its distance, at the same pixels.
+    """Increase the depth of an actor by a share of its distance, without moving its pixels.
 
-    Scaled about the eye nothing else moves; in a parallel projection it is pushed along the view.
+    In perspective, the actor is scaled about the eye; in a parallel projection, it is shifted along
+    the direction of view.
     """
     if camera.parallel:
         actor.SetScale(1.0)

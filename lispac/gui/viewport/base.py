@@ -44,17 +44,17 @@ class Highlight:
 
 @dataclass(frozen=True, eq=False)
 class PointColouring:
-    """Colours of the points that replace those of their lines, with a legend.
+    """Colours of points that replace the colours of their lines, with a legend.
 
     Attributes
     ----------
     colours : mapping of line name to uint8 ndarray of shape (n, 3)
-    title : what is shown, with its unit
+    title : name of the coloured quantity, with its unit
     low, high : texts at the ends of the scale
     scale : uint8 ndarray of shape (m, 3)
         Colours from low to high.
-    metric : texts at the ends in metres or millimetres, as the title says, where those are in
-        another unit, for a picture that is a file
+    metric : texts at the ends in the metric unit of the title, for pictures in files, if ``low``
+        and ``high`` are in another unit
     """
 
     colours: Mapping[str, NDArray[np.uint8]]
@@ -76,7 +76,7 @@ class Marker:
 
 @dataclass(frozen=True)
 class DragHandle:
-    """Dot that the mouse moves along an axis, shape (3,), a unit vector."""
+    """Dot that the mouse moves along an axis, a unit vector of shape (3,)."""
 
     position: tuple[float, float, float]
     axis: tuple[float, float, float]
@@ -89,10 +89,10 @@ class Sketch:
     Attributes
     ----------
     points : metres, local frame
-    edges : pairs of places in ``points``
+    edges : pairs of indices of ``points``, joined by a line
     dots : whether the points are marked
-    label, at : text, and the point beside it
-    metric : the text in metres where those are in another unit, for a picture that is a file
+    label, at : text, and the point beside which it is placed
+    metric : label in metres, for pictures in files, if ``label`` is in another unit
     """
 
     points: tuple[tuple[float, float, float], ...]
@@ -106,12 +106,12 @@ class Sketch:
 
 
 MouseMode = Literal["navigate", "point", "outline"]
-"""Action of the left button: turn the view; turn it and pick points; draw an outline."""
+"""Action of the left button: rotate the view; rotate it and pick points; draw an outline."""
 
 SELECTED_COLOUR: Colour = (60, 255, 30)
-"""Bright green: no line, target or validation plane has it."""
+"""Colour of the selected sighting: bright green, which nothing else has."""
 UNSELECTED_COLOUR: Colour = (165, 171, 178)
-"""The other sightings of the target whose one sighting is chosen."""
+"""Colour of the other sightings of the target of a selected sighting."""
 
 
 @dataclass(frozen=True)
@@ -120,9 +120,9 @@ class SightingStyle:
 
     Attributes
     ----------
-    larger : pixels its points are larger than those of the lines
+    larger : size of its points in addition to that of the lines, pixels
     outlined : whether its points have a dark edge
-    above : whether it lies over the other sightings
+    above : whether it is drawn over the other sightings
     """
 
     colour: Colour
@@ -147,10 +147,10 @@ class ViewportSignals(QObject):
 
     seed_clicked = Signal(object)  # PickedPoint, on Ctrl+click on a point
     missed = Signal()  # Ctrl+click in empty space
-    pointed = Signal(object)  # PickedPoint, on a click while pointing; None in empty space
+    pointed = Signal(object)  # PickedPoint, on a click in the mode "point"; None in empty space
     outlined = Signal(object)  # pixels (n, 2) of the outline that was drawn
     hovered = Signal(object)  # PickedPoint under the mouse, or None, while hovering
-    handle_moved = Signal(str, int, float)  # sketch, place of the handle, metres since the last
+    handle_moved = Signal(str, int, float)  # sketch, index of the handle, metres moved
     handle_released = Signal(str)  # sketch
 
 
@@ -172,7 +172,7 @@ class Viewport(Protocol):
         colours: Mapping[str, Colour],
         shading: PointColouring | None = None,
     ) -> None:
-        """Draw the lines, each in its colour or shaded; replaces those shown, keeps the camera."""
+        """Draw the lines, each in its colour or shaded, instead of those shown; keep the camera."""
 
     def set_line_visible(self, line: str, visible: bool) -> None:
         """Show or hide one line."""
@@ -181,18 +181,18 @@ class Viewport(Protocol):
         """Whether a line is hidden."""
 
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:
-        """Draw sightings over the clouds; replaces those shown."""
+        """Draw sightings over the lines, instead of those shown."""
 
     def show_markers(self, markers: Sequence[Marker]) -> None:
-        """Draw seeds and labels; replaces those shown."""
+        """Draw seeds and labels, instead of those shown."""
 
     def clip(self, box: Box | None) -> None:
         """Draw only the points in a box; None for all points."""
 
     def show_wipe(self, clouds: Mapping[str, Array] | None) -> None:
-        """Draw the lines placed otherwise on the left of a movable dividing line; None ends it.
+        """Draw another placement of the lines to the left of a movable line; None ends it.
 
-        They are the same points in the same order, and have the same colours; None ends it.
+        The points must be the same, in the same order; they keep their colours.
         """
 
     def select(self, key: tuple[str, str] | None) -> None:
@@ -204,8 +204,8 @@ class Viewport(Protocol):
     def set_station(self, position: tuple[float, float, float]) -> None:
         """Set the position of the observer, usually the middle of the trajectory.
 
-        "front" looks from there at the lines, the other standard views follow; the origin of the
-        local frame until it is set.
+        The view "front" looks from this position at the lines; the other standard views are
+        relative to "front". The default is the origin of the local frame.
         """
 
     def fit(self, points: Array | None = None) -> None:
@@ -224,7 +224,7 @@ class Viewport(Protocol):
         """Set the mode of the left mouse button and the hint above the picture."""
 
     def set_hovering(self, hovering: bool) -> None:
-        """Emit what is under the resting mouse, or stop doing so."""
+        """Start or stop emitting the point under the resting mouse."""
 
     def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""
@@ -245,7 +245,7 @@ class Viewport(Protocol):
         """Load all detail of a picture, so that it only needs to be drawn."""
 
     def picture(self) -> QImage:
-        """Picture of the view with all detail and labels, without the help on the mouse."""
+        """Picture of the view with all detail and labels, without the help text."""
 
     def clear(self) -> None:
         """Remove all content."""

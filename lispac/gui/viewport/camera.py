@@ -1,7 +1,7 @@
 """Camera of the viewport: position, movement by the mouse, and projection.
 
-Local frame, metres: North, West, Up; up stays up on the screen, as a surveyor reads terrain. Pixels
-are those of the widget, from its upper left corner, x to the right and y down.
+Coordinates are in the local frame (north, west, up), metres; up is always upwards on the screen.
+Pixels are counted from the upper left corner of the widget, x to the right and y downwards.
 """
 
 from dataclasses import dataclass, replace
@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 VIEW_ANGLE = float(np.radians(30.0))
-"""Height of the field of view."""
+"""Vertical angle of the field of view, radians."""
 
 ORBIT_RATE = float(np.radians(0.35))
-"""Turn per pixel of mouse movement, radians."""
+"""Rotation per pixel of mouse movement, radians."""
 
 MIN_DISTANCE = 0.02
 """Shortest distance from the eye to the focal point, metres."""
@@ -46,10 +46,10 @@ class Camera:
     focal : ndarray of shape (3,), metres, local frame
         Point in the middle of the picture.
     azimuth : direction of view, radians clockwise from north
-    elevation : how far above the focal point the eye is, radians; pi/2 looks straight down
-    distance : metres from the eye to the focal point
-        In a parallel projection it only says how large everything is drawn: as large as
-        perspective draws the focal point.
+    elevation : angle of the eye above the focal point, radians; pi/2 looks straight down
+    distance : distance from the eye to the focal point, metres
+        In a parallel projection, it only determines the scale, which is that of the focal point in
+        perspective.
     parallel : whether the projection is parallel (orthographic)
     """
 
@@ -84,7 +84,7 @@ class Camera:
         return self.distance + (PARALLEL_OFFSET if self.parallel else 0.0)
 
     def scale_depth(self, depth: Array | float) -> Array | float:
-        """Depth that determines sizes; in a parallel projection the same everywhere."""
+        """Depth that determines the scale; constant in a parallel projection."""
         return self.distance if self.parallel else depth
 
     def project(self, points: Array, size: ViewportSize) -> Array:
@@ -174,9 +174,9 @@ class Camera:
         aspect = max(size.width, 1.0) / max(size.height, 1.0)
         tangent = np.tan(0.5 * VIEW_ANGLE) * np.array([aspect, 1.0])
         rotated = points @ self.axes.T
-        # Perspective shifts the middle of the picture, so the centre is found by iteration.
+        # Perspective shifts the centre of the picture, so it is found by iteration.
         centre = 0.5 * (rotated.min(axis=0) + rotated.max(axis=0))
-        # What limits it is linear in the points, so one pass is enough.
+        # The limits are linear in the points, so one iteration is enough.
         ahead = 0.0 if self.parallel else rotated[:, 2]
         extremes = [
             [float((sign * rotated[:, k] / tangent[k] - ahead).max()) for k in (0, 1)]

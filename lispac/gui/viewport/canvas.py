@@ -7,22 +7,22 @@ from pyvistaqt import QtInteractor
 class VtkCanvas(QtInteractor):
     """`QtInteractor` that shows its last frame again if nothing has changed.
 
-    Qt paints a widget whenever a menu over it closes or the text over it changes, and the library
-    renders the scene each time: 0.2 s with software OpenGL, which remote desktops have.
+    Qt paints a widget whenever a menu above it closes or the overlay changes. `QtInteractor` would
+    render the scene each time, which takes 0.2 s with software OpenGL, as on remote desktops.
 
     Attributes
     ----------
-    frames : how many were rendered
+    frames : number of rendered frames
     """
 
     def __init__(self, parent: QWidget) -> None:
         self._changed = True
         self.frames = 0
-        # No multisampling: it has no effect on single pixels and costs software OpenGL dearly.
+        # No multisampling: it has no effect on points and is slow with software OpenGL.
         super().__init__(parent, auto_update=False, multi_samples=0)
 
     def redraw(self) -> None:
-        """Render the scene when Qt next paints; requests are joined."""
+        """Render the scene when Qt next paints; several requests cause one rendering."""
         self._changed = True
         self.update()
 
@@ -43,7 +43,7 @@ class VtkCanvas(QtInteractor):
             super().paintGL()
             self._changed = not self.ren_win.GetReadyForRendering()
             return
-        self._in_paint = True  # the base class takes it that the frame is being rendered already
+        self._in_paint = True  # makes the base class skip the rendering
         try:
             super().paintGL()
         finally:

@@ -10,7 +10,7 @@ from lispac.gui.viewport.camera import Camera, ViewportSize
 Array = NDArray[np.float64]
 
 CHUNK = 1 << 14
-"""Points at a time; what is computed of them stays in the processor's cache."""
+"""Number of points processed at a time, whose intermediate results fit in the processor cache."""
 
 MIN_SIDE = 0.05
 """Smallest side of a box, metres."""
@@ -49,7 +49,7 @@ class Box:
         shift, found = self.axes @ self.centre, []
         for start in range(0, len(points), CHUNK):
             near = np.abs(points[start : start + CHUNK] @ self.axes.T - shift) <= self.half
-            # Column by column: `np.all` along rows of three takes three times as long
+            # Column by column, since `np.all` along rows of three takes three times as long
             found.append(np.flatnonzero(near[:, 0] & near[:, 1] & near[:, 2]) + start)
         return np.concatenate(found) if found else np.empty(0, np.int64)
 
@@ -89,13 +89,13 @@ EDGES = (
     *((a + 4, b + 4) for a, b in _RING_EDGES),
     *((k, k + 4) for k in range(4)),
 )
-"""Pairs of corners of a box that an edge joins."""
+"""Pairs of corners of a box that are joined by an edge."""
 
 
 def dividing_plane(camera: Camera, x: float, size: ViewportSize) -> tuple[Array, Array]:
-    """Point and normal, shape (3,), of the plane that appears as the upright line at ``x``.
+    """Point and normal, shape (3,), of the plane that appears as the vertical line at ``x``.
 
-    The normal points to what is seen on the right of it.
+    The normal points to the right side of the picture.
     """
     right, _ = camera.ray_slopes(x, 0.0, size)
     if camera.parallel:

@@ -1,7 +1,7 @@
-"""Selection of the drawn points of large lines: an evenly thinned share of a budget each.
+"""Selection of the drawn points of large lines, thinned evenly to a budget of points.
 
-While the camera moves a coarse sample of each line is drawn; where it rests, the points in view, so
-that a close look shows every point.
+While the camera moves, a coarse sample of each line is drawn. At rest, the points in view are drawn
+from all points, so that a close view shows every point.
 """
 
 from collections.abc import Mapping
@@ -15,12 +15,12 @@ from lispac.gui.viewport.camera import Camera, ViewportSize
 Array = NDArray[np.float64]
 
 CHUNK = 1 << 14
-"""Points at a time; what is computed of them stays in the processor's cache."""
+"""Number of points processed at a time, whose intermediate results fit in the processor cache."""
 
 
 @dataclass(frozen=True)
 class Budget:
-    """Largest number of points drawn in all; fewer are drawn if they take too long."""
+    """Largest total number of drawn points; fewer are drawn if drawing takes too long."""
 
     resting: int = 1_000_000
     moving: int = 250_000
@@ -29,7 +29,7 @@ class Budget:
 def line_budgets(counts: Mapping[str, int], budget: int) -> dict[str, int]:
     """Number of points for each line, in proportion to its size, at least one.
 
-    A line with points always shows; where all fit, all are drawn.
+    All points are drawn if their total is within the budget.
     """
     total = sum(counts.values())
     if total <= budget:
@@ -40,8 +40,8 @@ def line_budgets(counts: Mapping[str, int], budget: int) -> dict[str, int]:
 def random_ranks(count: int) -> NDArray[np.float32]:
     """Random ranks from 0 to 1 of ``count`` points.
 
-    The same for the same number, so that before and after show the same points. At random rather
-    than every n-th: a stride beats against the profiles of the scanner and draws stripes.
+    The ranks depend on the number only, so that the same points are drawn before and after. Points
+    are selected at random, since every n-th point would form stripes with the scanner profiles.
     """
     return np.random.default_rng(count).random(count, dtype=np.float32)
 
@@ -51,7 +51,7 @@ def lowest_ranked(ranks: NDArray[np.float32], number: int) -> NDArray[np.int64]:
     count = len(ranks)
     if number >= count:
         return np.arange(count)
-    # Ranks are even, so that nearly all points are excluded without being compared.
+    # Ranks are uniformly distributed, so a threshold excludes nearly all points at once.
     chosen = np.flatnonzero(ranks < (number + 6.0 * np.sqrt(number) + 6.0) / count)
     if len(chosen) < number:
         chosen = np.arange(count)

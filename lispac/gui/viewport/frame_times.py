@@ -1,7 +1,7 @@
 """Number of points per frame on this computer, from the times of the last frames.
 
-A graphics card draws the whole budget in no time. Software OpenGL draws one to three million points
-a second, fewer where the processor has other work, so that a fixed number is too many or too few.
+A graphics card draws the whole budget immediately. Software OpenGL draws one to three million
+points a second, or fewer if the processor is busy, so that no fixed number would be suitable.
 """
 
 from collections import deque
@@ -12,26 +12,26 @@ from lispac.gui.viewport.decimation import Budget
 Kind = Literal["moving", "resting"]
 
 TARGET_FRAME_S: dict[Kind, float] = {"moving": 0.07, "resting": 0.14}
-"""Target time of a frame; selecting the points and Qt take a third as long again. Above 0.2 s the
-window seems to hang each time the view comes to rest."""
+"""Target time of a frame, without the selection of points and Qt, which add a third. With more than
+0.2 s in total, the window seems to hang each time the view comes to rest."""
 
 MAX_PICTURE_S = 1.0
 """Longest time to draw a picture for a file."""
 
 MIN_POINTS: dict[Kind, int] = {"moving": 20_000, "resting": 100_000}
-"""Smallest number of points, drawn however long it takes: fewer show no shape."""
+"""Smallest number of drawn points, independent of the time: fewer points show no shapes."""
 
 MIN_TIMED_POINTS = 10_000
-"""Frames with fewer points are not timed: their time depends on other work."""
+"""Smallest number of points of a frame that is timed; that of others depends on other work."""
 
 FRAMES_KEPT = 3
-"""Number of stored frames; the fastest counts, as other work slows some of them."""
+"""Number of stored frame times; the fastest is used, since other work slows some frames."""
 
 SLICE_FRACTIONS = (0.0625, 0.125, 0.25, 0.5, 1.0)
 """Shares of the points drawn while the camera moves, ascending."""
 
 SLICE_HYSTERESIS = 0.7
-"""Share of the time limit that a larger slice must meet: prevents switching back and forth."""
+"""Share of the limit that a larger slice must meet, which prevents repeated switching."""
 
 
 class FrameTimes:
@@ -39,7 +39,7 @@ class FrameTimes:
 
     Attributes
     ----------
-    slice : how many of `SLICE_FRACTIONS` are drawn while the camera moves, less one
+    slice : index of the fraction in `SLICE_FRACTIONS` that is drawn while the camera moves
     """
 
     def __init__(self, budget: Budget) -> None:
@@ -62,7 +62,7 @@ class FrameTimes:
 
     def _points_within(self, seconds: float) -> int:
         rates = self._rates["resting"]
-        # At rest each point is drawn twice, with its rim.
+        # At rest, each point is drawn twice: with its rim.
         rate = max(rates) if rates else 0.5 * max(self._rates["moving"], default=float("inf"))
         fitting = min(rate * seconds, self._budget.resting)
         return max(int(fitting), min(MIN_POINTS["resting"], self._budget.resting))
@@ -72,8 +72,8 @@ class FrameTimes:
 
         Parameters
         ----------
-        points : drawn in it
-        whole : points drawn while the camera moves where all slices are
+        points : number of points drawn in the frame
+        whole : number of points in all slices that can be drawn while the camera moves
         """
         if points < MIN_TIMED_POINTS or seconds <= 0.0:
             return

@@ -1,6 +1,6 @@
 """Highlighted sightings, drawn over the lines.
 
-Knows no 3D library but by the functions of `actors`.
+The 3D library is used only through the functions of `actors`.
 """
 
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.clipping import Box
 
 DEPTH_SHIFT = 0.004
-"""Shift of a sighting towards the eye, as a share of its distance, to cover its line."""
+"""Shift of a sighting towards the eye, as a share of its distance, so that it covers its line."""
 
 
 class HighlightLayer:
@@ -29,8 +29,8 @@ class HighlightLayer:
 
     Attributes
     ----------
-    highlights : the sightings set last
-    selected : (target, line) of what is emphasised
+    highlights : sightings that were set last
+    selected : target and line of the emphasised sighting
     """
 
     def __init__(self, renderer: Any) -> None:
@@ -47,8 +47,8 @@ class HighlightLayer:
         Parameters
         ----------
         origin : ndarray of shape (3,), metres, local frame
-            What the coordinates that are drawn count from.
-        box, half : only what lies in both is drawn; None for everything
+            Origin of the drawn coordinates.
+        box, half : box and half space to which the drawing is limited; None for no limit
         """
         self.remove()
         self.highlights = tuple(highlights)
@@ -66,7 +66,7 @@ class HighlightLayer:
             self._renderer.AddActor(actor)
 
     def style(self, pixels: int, scale: float, hidden: set[str]) -> None:
-        """Set size and colour of the points by the selection; hide those on hidden lines."""
+        """Set size and colour of the points by selection, and hide sightings of hidden lines."""
         for highlight, actor, outline in self._drawn:
             drawn = highlight_emphasis(highlight, self.selected)
             size = pixels + drawn.larger

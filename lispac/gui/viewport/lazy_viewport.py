@@ -1,7 +1,7 @@
-"""Viewport that is created when there is first something to show.
+"""Viewport that is created when it first has content.
 
-Importing the 3D library takes longer than all else at the start of the program, and the start page
-needs none of it.
+Importing the 3D library is the slowest part of the start of the program, and the start page does
+not need it.
 """
 
 from collections.abc import Callable, Mapping
@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from lispac.gui.viewport.base import Array, Colour, PointColouring, Viewport, ViewportSignals
 
 CALLS_BY_NAME = {"set_line_visible", "show_sketch"}
-"""The first argument names the line or sketch; of the other calls, the last one applies."""
+"""Calls stored by the name of a line or sketch; of other calls, only the last is stored."""
 CALLS_WITH_VALUE = {"hides", "drawn_near", "to_pixels", "picture"}
 """Calls that return a value and therefore need the real viewport."""
 
@@ -24,7 +24,7 @@ class LazyViewport:
 
     Parameters
     ----------
-    make : makes the real one
+    make : function that creates the real viewport
     """
 
     def __init__(self, make: Callable[[], Viewport], parent: QWidget | None = None) -> None:
@@ -52,7 +52,7 @@ class LazyViewport:
         self._real_viewport().show_clouds(clouds, colours, shading)
 
     def create_empty_viewport(self) -> "LazyViewport":
-        """New empty viewport, which is also created when it is needed."""
+        """New empty lazy viewport."""
         return LazyViewport(self._make)
 
     def close(self) -> None:
@@ -70,7 +70,7 @@ class LazyViewport:
 
     def _store_call(self, name: str, *arguments: object, **named: object) -> None:
         key = (name, str(arguments[0])) if name in CALLS_BY_NAME else (name,)
-        self._stored_calls.pop(key, None)  # in the order of the last calls
+        self._stored_calls.pop(key, None)  # keeps the order of the last calls
         self._stored_calls[key] = lambda view: getattr(view, name)(*arguments, **named)
 
     def _real_viewport(self) -> Viewport:
@@ -97,8 +97,8 @@ class _Placeholder(QWidget):
         super().__init__(parent)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        # With the first widget that draws by OpenGL, Qt makes the native window anew: it flickers
-        # and is no longer the active one. So there is one from the start, never shown.
+        # With the first OpenGL widget, Qt recreates the native window, which flickers and becomes
+        # inactive. A hidden OpenGL widget from the start avoids this.
         QOpenGLWidget(self).hide()
 
     def showEvent(self, event: QShowEvent) -> None:

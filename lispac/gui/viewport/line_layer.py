@@ -1,6 +1,6 @@
 """Drawn lines of one placement: coarse during camera movements, detailed at rest.
 
-Knows no 3D library but by the functions of `actors`.
+The 3D library is used only through the functions of `actors`.
 """
 
 from collections.abc import Iterator, Mapping
@@ -25,10 +25,10 @@ from lispac.gui.viewport.decimation import line_budgets, lowest_ranked, points_i
 from lispac.gui.viewport.frame_times import SLICE_FRACTIONS
 
 MAX_COORDINATE = 1e4
-"""Coordinates beyond it, metres, are reduced by a common origin: float32 resolves a millimetre."""
+"""Largest coordinate, metres, without a common origin: float32 then resolves a millimetre."""
 
 RIM_DEPTH = 0.006
-"""Depth of the rims of points behind them, as a share of their distance."""
+"""Shift of the rims behind their points, as a share of the distance."""
 
 
 class LineLayer:
@@ -36,13 +36,13 @@ class LineLayer:
 
     Attributes
     ----------
-    colours, shading : of each line, and of each point where that is not its line's
+    colours, shading : colour of each line, and colours of single points, which have priority
     visible : all points (n, 3) of the lines that are shown, metres, local frame
-    sparse : those that are drawn while the camera moves
-    detail : those drawn when it rested last, of what is in view; empty while there is none
+    sparse : points drawn while the camera moves
+    detail : points in view drawn when the camera last rested; empty if there are none
     origin : ndarray of shape (3,), metres, local frame
-        What the coordinates that are drawn count from.
-    half : what is drawn, where that is only what lies in a half space
+        Origin of the drawn coordinates.
+    half : half space to which the drawing is limited; None for no limit
     """
 
     def __init__(self, renderer: Any) -> None:
@@ -95,7 +95,7 @@ class LineLayer:
 
         Parameters
         ----------
-        budget : points drawn in all
+        budget : largest total number of drawn points
         """
         self.remove()
         shown = {line: p for line, p in self._clouds.items() if line not in hidden}
@@ -126,9 +126,9 @@ class LineLayer:
             self._renderer.AddActor(actor)
 
     def refinement_steps(self, camera: Camera, size: ViewportSize, budget: int) -> Iterator[None]:
-        """Draw the points in view with rims, at most ``budget`` in all, step by step.
+        """Draw the points in view with rims, at most ``budget`` in total, step by step.
 
-        Works from step to step, a line in each, and changes what is drawn in the last.
+        Each step processes one line; the last step replaces the drawn points.
         """
         if self._fine_id is not None and self._fine_id[0] is camera and self._fine_id[1] == budget:
             return
@@ -148,8 +148,8 @@ class LineLayer:
             detail[line] = self.visible[line].take(chosen, axis=0)
             data = point_polydata(detail[line] - self.origin, self._point_colours(line, chosen))
             fine.append(point_actor(data, self.colours[line], shaded=shaded))
-            # The same points larger, darker and a little behind: they draw an edge where something
-            # near stands before something far, and vanish inside a surface.
+            # The same points, larger, darker and slightly deeper: they form an edge where a near
+            # object is in front of a far one, and are hidden within a surface.
             rims.append(point_actor(data, EDGE if shaded else darker_colour(self.colours[line])))
             yield
         self._remove_detail()
@@ -164,7 +164,7 @@ class LineLayer:
 
         Parameters
         ----------
-        coarse : the last of `SLICE_FRACTIONS` that is shown; None for none
+        coarse : index of the last shown slice in `SLICE_FRACTIONS`; None for no slice
         """
         for k, actor in self._coarse:
             actor.SetVisibility(coarse is not None and k <= coarse)
@@ -230,7 +230,7 @@ class LineLayer:
 
 
 def common_origin(clouds: Mapping[str, Array]) -> Array:
-    """Zero, or a round point near the clouds if they are far from the frame's origin."""
+    """Origin of drawn coordinates: zero, or a rounded point near lines far from zero."""
     if not clouds:
         return np.zeros(3)
     middle = np.median([np.median(points[:: max(1, len(points) // 1000)], axis=0)

@@ -1,10 +1,10 @@
 """Mouse and keys of the viewport, converted to signals.
 
-Left drag rotates, middle or Shift+left or right drag moves, the wheel zooms, Ctrl+click picks and a
-double click looks at a point. A Ctrl+drag does nothing, so that a slip of the hand picks nothing.
-While pointing a click points and a drag still rotates; while outlining a left drag draws. A press
-that `try_grab` accepts moves a handle. Arrows rotate, Shift+arrows move, Page up and Page down
-zoom at the middle.
+Left drag: rotate. Middle, right or Shift+left drag: pan. Wheel: zoom. Ctrl+click: pick. Double
+click: centre the view on a point. Arrows: rotate. Shift+arrows: pan. Page up and Page down: zoom at
+the centre. A Ctrl+drag is ignored, so that a click with an unsteady hand picks nothing. In the mode
+"point", a click emits a point and a drag still rotates; in the mode "outline", a left drag draws.
+If `try_grab` accepts a press, the drag moves a handle.
 """
 
 from collections.abc import Callable
@@ -17,11 +17,11 @@ from PySide6.QtWidgets import QApplication, QWidget
 from lispac.gui.viewport.base import MouseMode
 
 WHEEL_STEP = 120.0
-"""Units of one notch of a wheel; touch pads send less at a time."""
+"""Angle units of one notch of a wheel; touch pads send smaller amounts."""
 
 
 KEY_STEP = 24.0
-"""Pixels of a drag that equal one arrow key press."""
+"""Length of a drag, pixels, that is equivalent to one press of an arrow key."""
 
 _ARROWS = {
     Qt.Key.Key_Left: (-KEY_STEP, 0.0),
@@ -45,20 +45,20 @@ class ViewportMouse(QObject):
     """Converts mouse and key events of a widget to signals; positions are in its pixels."""
 
     drag_started = Signal(float, float)
-    rotated = Signal(float, float)  # dx, dy since the last
+    rotated = Signal(float, float)  # dx, dy since the last signal
     panned = Signal(float, float)
     drag_ended = Signal()
-    zoomed = Signal(float, float, float)  # notches (positive comes closer), x, y
+    zoomed = Signal(float, float, float)  # notches (positive zooms in), x, y
     picked = Signal(float, float)
     centred = Signal(float, float)
     pointed = Signal(float, float)
     outlining = Signal(float, float)
     outlined = Signal()
-    handle_dragged = Signal(float, float)  # where it is moved to
+    handle_dragged = Signal(float, float)  # new position of the mouse
     handle_released = Signal()
-    mouse_moved = Signal(float, float)  # moved there without a button
+    mouse_moved = Signal(float, float)  # position, without a button pressed
     mouse_left = Signal()
-    nudged = Signal(float)  # pixels to the right, by Ctrl and an arrow
+    nudged = Signal(float)  # pixels to the right, by Ctrl+arrow
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -105,7 +105,7 @@ class ViewportMouse(QObject):
             elif kind == QEvent.Type.KeyPress and self._handle_key(event):
                 event.accept()
                 return True
-            # VTK's own keys (q ends, w draws wires) would surprise; the window may have the key.
+            # Keep keys from VTK (q quits, w shows wireframes); the window may use them.
             event.ignore()
             return True
         if kind == QEvent.Type.Leave:

@@ -1,4 +1,4 @@
-"""Camera movements by the mouse: turn, pan, zoom, fit, standard views, picks."""
+"""Camera movements by the mouse: rotate, pan, zoom, fit, standard views; picking of points."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -14,13 +14,13 @@ from lispac.gui.viewport.mouse import ViewportMouse
 from lispac.gui.viewport.point_picker import pick_point
 
 WHEEL_FACTOR = 0.85
-"""Distance left after one notch."""
+"""Factor on the distance for one notch of the wheel."""
 
 SNAP_PX = (3.0, 8.0, 20.0)
-"""Pixels within which a drag or the wheel finds the surface it turns about or comes closer to."""
+"""Search radii, pixels, for the surface point about which a drag rotates or the wheel zooms."""
 
 MAX_FIT_POINTS = 60_000
-"""Points that determine the extent; any first part of the coarse points is a fair sample."""
+"""Largest number of points that determine the extent; the first coarse points are a sample."""
 
 VIEWS_DEG = {
     "front": (0.0, 0.0),
@@ -29,7 +29,7 @@ VIEWS_DEG = {
     "right": (-90.0, 0.0),
     "isometric": (30.0, 26.0),
 }
-"""Azimuth from the front and elevation; "top" is not among them, as north is up in it."""
+"""Azimuth from the front, and elevation, degrees; "top" is omitted, since it has north up."""
 
 
 class Navigator(QObject):
@@ -37,16 +37,16 @@ class Navigator(QObject):
 
     Attributes
     ----------
-    camera : where the eye is
-    clouds : all points (n, 3) of the visible lines, which are picked
-    coarse : the thinned points (n, 3) of them, which are navigated by
-    drawn : gives the points (n, 3) of them that are on the screen now, which hovering searches
+    camera : the present camera
+    clouds : all points (n, 3) of the visible lines, which can be picked
+    coarse : thinned points (n, 3) of the visible lines, used for navigation
+    drawn : function that returns the points (n, 3) on the screen, which hovering searches
     station : ndarray of shape (3,), metres, local frame
-        Station of the view "front".
+        Position from which the view "front" looks.
     """
 
     moved = Signal()  # the user moves the camera
-    move_ended = Signal()  # and pauses
+    move_ended = Signal()  # the user has stopped moving it
     picked = Signal(object)  # PickedPoint
     missed = Signal()
     pointed = Signal(object)  # PickedPoint or None
@@ -80,7 +80,7 @@ class Navigator(QObject):
     def fit(self, points: Array | None = None) -> None:
         """Bring everything, or points of shape (n, 3), into view.
 
-        It stays in view when the widget changes its size, until the user moves the camera.
+        The points remain in view when the size of the widget changes, until the camera is moved.
         """
         target = self._extent_points() if points is None else np.asarray(points, dtype=np.float64)
         if len(target):
@@ -93,7 +93,7 @@ class Navigator(QObject):
             self.camera = self.camera.fitted(self._fitted_points, self.size)
 
     def clear_fit(self) -> None:
-        """Stop keeping points in view."""
+        """Stop keeping the fitted points in view."""
         self._fitted_points = self._extent_sample = None
 
     def view(self, name: str) -> None:

@@ -1,7 +1,7 @@
 """Overlay of the 3D picture: labels, axes, scale bar and hints.
 
-Painted by Qt rather than by the 3D library: the fonts are those of the window, sharp on every
-screen, and nothing in the scene can hide them.
+The overlay is painted by Qt instead of the 3D library, so that it has the fonts of the window, is
+sharp on every screen and is never hidden by the scene.
 """
 
 from collections.abc import Callable, Sequence
@@ -31,17 +31,17 @@ EMPTY_HINT = N_("Open or create a project to see its lines here")
 HELP = N_("Drag: rotate   ·   Shift+drag: pan   ·   Wheel: zoom   ·   Ctrl+click: pick a target")
 
 AXES = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
-"""Their colours in the scheme."""
+"""Letters of the axes, with the names of their colours in the scheme."""
 
 MARGIN = 14.0
 NEIGHBOUR_RADIUS_PX = 40.0
-"""Pixels within which the labels of two spots get into each other's way."""
+"""Distance of two spots below which their labels would overlap, pixels."""
 
 
 def scale_bar_length(metres_per_pixel: float, longest: float = 150.0) -> float:
     """Length, metres, of the longest scale bar of at most ``longest`` pixels.
 
-    It is 1, 2 or 5 times a power of ten in the unit shown.
+    The length is 1, 2 or 5 times a power of ten in the unit shown.
     """
     factor = units.shown_unit("m").factor
     limit = metres_per_pixel * longest * factor
@@ -74,19 +74,19 @@ def length_text(metres: float) -> str:
 
 
 class Overlay(QWidget):
-    """Transparent widget over the picture that ignores the mouse."""
+    """Transparent widget over the picture, which ignores the mouse."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.camera: Camera | None = None
-        """None paints the hint of an empty view."""
+        """Camera of the picture; None for an empty view, which shows a hint."""
         self.markers: Sequence[Marker] = ()
         self.shading: PointColouring | None = None
         self.hint = ""
-        """What the mouse does now, where it is not the usual."""
+        """Text on the action of the mouse, if it differs from the usual one."""
         self.paint_hooks: list[Callable[[QPainter, Camera, ViewportSize], None]] = []
-        """Paint between the markers and the frame of axes, scale and help."""
+        """Functions that paint after the markers and before axes, scale and help."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint on the screen."""
@@ -99,7 +99,7 @@ class Overlay(QWidget):
     def paint(self, painter: QPainter) -> None:
         """Paint on any device of the size of this widget, such as a picture to save.
 
-        What the mouse does is of use on the screen alone.
+        The help text on the mouse is painted on the screen only.
         """
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(self.font())
@@ -136,7 +136,7 @@ class Overlay(QWidget):
         painter.setFont(font)
         metrics = QFontMetricsF(font)
         spots = camera.project(np.array([m.position for m in self.markers]), size)
-        # Near ones choose their place first, and are painted last.
+        # Near markers are placed first and painted last.
         placed: list[tuple[QPointF, QRectF, Marker]] = []
         occupied = self.occupied()
         for k in np.argsort(spots[:, 2]):
@@ -157,15 +157,15 @@ class Overlay(QWidget):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.8))
         painter.drawEllipse(centre, 44.0, 44.0)
-        seen = camera.axes  # columns: how north, west and up look
+        seen = camera.axes  # columns: directions of north, west and up on the screen
         font = _scaled_font(self.font(), 0.95)
         font.setBold(True)
         painter.setFont(font)
-        for k in np.argsort(-seen[2]):  # those pointing away first
+        for k in np.argsort(-seen[2]):  # axes that point away are painted first
             name, colour = AXES[k]
             way = QPointF(seen[0, k], -seen[1, k])
             tip = centre + way * 28.0
-            # As far beyond the tip of an axis that is seen short: it went through its letter
+            # Always beyond the tip, also of an axis that is seen foreshortened
             letter = tip + way * (9.0 / max(float(np.hypot(way.x(), way.y())), 1e-3))
             pen = QPen(theme.colour(colour), 2.4)
             pen.setCapStyle(Qt.PenCapStyle.RoundCap)
@@ -232,8 +232,8 @@ class Overlay(QWidget):
     def _paint_help(self, painter: QPainter) -> None:
         font = _scaled_font(self.font(), 0.9)
         painter.setFont(font)
-        # Between the axes and the scale bar, omitted where the window is too narrow for it; a hint
-        # is written above, where nothing else is.
+        # The help is between axes and scale bar, and omitted in a narrow window; a hint is at the
+        # top.
         left, right = MARGIN + 100.0, self.width() - MARGIN - 180.0
         if self.hint:
             left, right = 0.0, float(self.width())
@@ -281,13 +281,13 @@ class OverlaidView(QWidget):
 def has_right_neighbour(spots: Array, k: int) -> bool:
     """Whether another spot is close on the right, and none on the left.
 
-    There a label stands on the left: else the lines to the labels of the two would cross.
+    In this case the label is placed on the left; otherwise the lines to both labels would cross.
 
     Parameters
     ----------
     spots : ndarray of shape (n, 2), pixels right and down
     """
-    with np.errstate(invalid="ignore"):  # what lies behind the camera is nowhere
+    with np.errstate(invalid="ignore"):  # NaN behind the camera
         right, down = (spots - spots[k]).T
     near = (np.hypot(right, down) < NEIGHBOUR_RADIUS_PX) & (right != 0.0)
     return bool((near & (right > 0.0)).any() and not (near & (right < 0.0)).any())
@@ -305,7 +305,7 @@ def free_label_place(
 
     Parameters
     ----------
-    leftwards : at the upper left rather
+    leftwards : whether the upper left is preferred instead
     """
     width, height = metrics.horizontalAdvance(label) + 14.0, metrics.height() + 4.0
     right, left = spot.x() + 12.0, spot.x() - 12.0 - width

@@ -11,14 +11,14 @@ from lispac.gui.viewport.camera import Camera, ViewportSize
 Array = NDArray[np.float64]
 
 PICK_RADII_PX = (2.0, 4.0, 8.0)
-"""Pixels about the cursor, tried in turn.
+"""Search radii around the cursor, pixels, tried in turn.
 
-What is exactly under the cursor wins over the edge of something in front of it a few pixels away;
-the wider circles serve thin clouds, where the eye closes gaps that the pixels leave open.
+A point exactly under the cursor takes precedence over the edge of a nearer object some pixels away.
+The larger radii are for sparse clouds, in which the cursor may be between the points of a surface.
 """
 
 CHUNK = 1 << 14
-"""Points at a time; what is computed of them stays in the processor's cache, twice as fast."""
+"""Number of points processed at a time; the intermediate results fit in the processor cache."""
 
 
 @dataclass(frozen=True)
@@ -56,8 +56,8 @@ def pick_point(
         if not inside.any():
             continue
         front = depth[inside].min()
-        # A surface seen at a slant is deeper on one side of the circle than on the other: of the
-        # front surface the point nearest to the cursor is taken.
+        # An oblique surface varies in depth within the circle; of the front surface, the point
+        # nearest to the cursor is chosen.
         slack = 4.0 * radius * camera.scale_depth(front) / size.pixels_per_tangent
         candidates = np.flatnonzero(inside & (depth <= front + slack))
         best = candidates[np.argmin(distance[candidates])]
@@ -71,8 +71,8 @@ def _points_near_pixel(
     """Index, distance in pixels and depth of the points within ``radius`` pixels."""
     position, axes, focal = camera.position, camera.axes, size.pixels_per_tangent
     right, up = camera.ray_slopes(x, y, size)
-    # Signed offsets from the ray, each a linear function of the point: two products per point
-    # discard nearly all of them.
+    # Signed offsets from the ray are linear functions of a point, so that two products exclude
+    # nearly all points.
     if camera.parallel:
         across, lateral = axes.T, np.array([right, up, 0.0]) * camera.distance
     else:

@@ -31,7 +31,7 @@ class RecordingViewport:
         All calls, in order.
     clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
     mouse_mode, hint, hovering, sketches, box, wiped
-        What a real viewport would show now.
+        Content and state that a real viewport would show.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -142,7 +142,7 @@ class RecordingViewport:
         self.parallel = parallel
 
     def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
-        """Remember what the left button does."""
+        """Remember the mode of the left button and the hint."""
         self._record("set_mouse", mode, hint)
         self.mouse_mode, self.hint = mode, hint
 
@@ -180,7 +180,7 @@ class RecordingViewport:
         self.point_size = pixels
 
     def set_point_budget(self, points: int) -> None:
-        """Remember how many."""
+        """Remember the budget."""
         self._record("set_point_budget", points)
         self.point_budget = points
 
@@ -193,7 +193,7 @@ class RecordingViewport:
         return self._widget.grab().toImage()
 
     def clear(self) -> None:
-        """Clear what is shown."""
+        """Clear the content."""
         self._record("clear")
         self.clouds, self.colours, self.hidden = {}, {}, set()
         self.highlights, self.markers, self.selected = [], [], None

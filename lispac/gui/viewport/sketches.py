@@ -16,15 +16,15 @@ from lispac.gui.viewport.point_picker import pick_point
 from lispac.language import gettext
 
 GRAB_RADIUS_PX = 9.0
-"""Pixels about a handle within which a press grabs it."""
+"""Largest distance of the mouse from a handle at which it can be dragged, pixels."""
 HOVER_MS = 40
-"""Time at rest after which the point under the mouse is searched for."""
+"""Time for which the mouse must rest before the point under it is searched for."""
 MAX_HOVER_POINTS = 250_000
 """Largest number of drawn points that are searched for the one under the mouse."""
 LABEL_TOP_PX = 42.0
-"""Pixels from the top below which labels are not hidden by the hint on the mouse."""
+"""Smallest distance of a label from the top, pixels, so that the hint does not hide it."""
 MIN_AXIS_SINE = 0.25
-"""Sine between a handle's axis and the view below which the mouse cannot move it."""
+"""Sine of the angle between axis and view below which a handle cannot be moved."""
 
 
 @dataclass(eq=False)
@@ -44,7 +44,7 @@ class SketchLayer(QObject):
     Attributes
     ----------
     hovering : whether the point under the mouse is emitted
-    share : of the picture's width that is on the left of the dividing line
+    share : share of the width of the picture to the left of the dividing line
     """
 
     divider_moved = Signal()
@@ -119,7 +119,7 @@ class SketchLayer(QObject):
         away[~(away <= GRAB_RADIUS_PX)] = np.inf
         if not np.isfinite(away).any():
             return False
-        # Of handles above each other the one in front.
+        # Of overlapping handles, the one in front.
         nearest = int(np.argmin(np.where(np.isfinite(away), spots[:, 2], np.inf)))
         name, k, handle = handles[nearest]
         place, axis = np.array(handle.position), np.array(handle.axis)
@@ -288,7 +288,7 @@ def _label_box(
 
     Parameters
     ----------
-    leftwards : on the left rather than on the right
+    leftwards : whether the left is preferred to the right
     """
     metrics = QFontMetricsF(painter.font())
     lines = words.split("\n")

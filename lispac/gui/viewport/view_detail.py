@@ -8,10 +8,10 @@ from PySide6.QtCore import QObject
 from lispac.gui.widgets.idle_tasks import IdleTask
 
 DETAIL_DELAY_MS = 180
-"""Rest of the view after which the detail is drawn."""
+"""Time for which the view must rest before the detail is drawn."""
 
 MAX_STEP_S = 0.04
-"""Longest time of the selection without events of keyboard and mouse."""
+"""Longest time of the selection before events of keyboard and mouse are processed."""
 
 
 class ViewDetail:
@@ -19,8 +19,8 @@ class ViewDetail:
 
     Parameters
     ----------
-    steps : returns an iterator that selects a part at each step
-    show : shows the selected detail
+    steps : function that returns an iterator, which selects a part of the points at each step
+    show : function that shows the selected detail
     """
 
     def __init__(

@@ -1,6 +1,6 @@
 """Viewport drawn with OpenGL by VTK.
 
-Every change of the scene requests a repaint (`VtkCanvas.redraw`), never a rendering of VTK: Qt
+Changes of the scene request a repaint (`VtkCanvas.redraw`) and do not render directly, since Qt
 combines requests and paints when the event loop is free.
 """
 
@@ -37,7 +37,7 @@ from lispac.gui.viewport.view_detail import ViewDetail
 from lispac.language import gettext
 
 MAX_MOVING_DETAIL_S = 0.03
-"""Detail that renders in less than this is also shown while the camera moves."""
+"""Longest rendering time of detail that is also shown while the camera moves."""
 
 
 class VtkViewport:
@@ -45,17 +45,17 @@ class VtkViewport:
 
     Attributes
     ----------
-    canvas : the widget that is drawn on; mouse events go to it
+    canvas : widget that shows the scene and receives the mouse events
     """
 
     def __init__(self, parent: QWidget | None = None, budget: Budget | None = None) -> None:
         self._budget = budget or Budget()
         self._times = FrameTimes(self._budget)
         self._view = OverlaidView(parent)
-        # Goes with the widget, and with it what a window has joined: it would hold the window.
+        # Deleted with the widget; otherwise its connections would keep the window alive.
         self.signals = ViewportSignals(self._view)
         self.canvas = VtkCanvas(self._view)
-        self.canvas.setAcceptDrops(False)  # the window opens what is dropped, not the 3D library
+        self.canvas.setAcceptDrops(False)  # the window handles dropped files
         self.canvas.setAccessibleName(gettext("Lines in 3D"))
         self._view.set_canvas(self.canvas)
         self._overlay = self._view.overlay
@@ -118,7 +118,7 @@ class VtkViewport:
         colours: Mapping[str, Colour],
         shading: PointColouring | None = None,
     ) -> None:
-        """Draw the lines, each in its colour or shaded; replaces those shown, keeps the camera."""
+        """Draw the lines, each in its colour or shaded, instead of those shown; keep the camera."""
         first = not self._layer.clouds
         self._overlay.shading = shading
         self._layer.set_lines(clouds, colours, shading)
@@ -126,11 +126,11 @@ class VtkViewport:
             self._layer.origin = common_origin(self._layer.clouds)
         self._draw_clouds()
         if first:
-            self.show_highlights(self._highlight_layer.highlights)  # from the new origin
+            self.show_highlights(self._highlight_layer.highlights)  # relative to the new origin
             self.view("isometric")
 
     def set_line_visible(self, line: str, visible: bool) -> None:
-        """Show or hide one line; the lines left share the budget."""
+        """Show or hide one line; the visible lines share the budget."""
         if visible == (line not in self._hidden):
             return
         (self._hidden.discard if visible else self._hidden.add)(line)
@@ -141,13 +141,13 @@ class VtkViewport:
         return line in self._hidden
 
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:
-        """Draw sightings over the clouds; replaces those shown."""
+        """Draw sightings over the lines, instead of those shown."""
         layer = self._layer
         self._highlight_layer.set_highlights(highlights, layer.origin, self._box, layer.half)
         self._style_points()
 
     def show_markers(self, markers: Sequence[Marker]) -> None:
-        """Draw seeds and labels; replaces those shown."""
+        """Draw seeds and labels, instead of those shown."""
         self._overlay.markers = tuple(markers)
         self._overlay.update()
 
@@ -158,9 +158,9 @@ class VtkViewport:
         self.show_highlights(self._highlight_layer.highlights)
 
     def show_wipe(self, clouds: Mapping[str, Array] | None) -> None:
-        """Draw the lines placed otherwise on the left of a movable dividing line; None ends it.
+        """Draw another placement of the lines to the left of a movable line; None ends it.
 
-        They are the same points in the same order, and have the same colours; None ends it.
+        The points must be the same, in the same order; they keep their colours.
         """
         if self._wipe_layer is None and clouds is None:
             return
@@ -213,7 +213,7 @@ class VtkViewport:
         self._overlay.update()
 
     def set_hovering(self, hovering: bool) -> None:
-        """Emit what is under the resting mouse, or stop doing so."""
+        """Start or stop emitting the point under the resting mouse."""
         if not hovering:
             self._sketch_layer.stop_hovering()
         self._sketch_layer.hovering = hovering
@@ -221,7 +221,7 @@ class VtkViewport:
     def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""
         points = self._navigator.drawn().get(line, np.empty((0, 3)))
-        off = points - centre  # few, and nothing that would first be compiled while the mouse waits
+        off = points - centre  # plain NumPy needs no compilation
         return points[np.einsum("ij,ij->i", off, off) <= radius**2]
 
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:
@@ -246,13 +246,13 @@ class VtkViewport:
         self._view_detail.compute_now(self._refinement_steps(self._times.picture_points))
 
     def picture(self) -> QImage:
-        """Picture of the view with all detail and labels, without the help on the mouse."""
+        """Picture of the view with all detail and labels, without the help text."""
         self.prepare()
         image: QImage = self.canvas.grabFramebuffer()
         painter = QPainter(image)
         self._overlay.paint(painter)
         painter.end()
-        self._view_detail.schedule()  # with as many points as can be drawn again and again
+        self._view_detail.schedule()  # back to the number of points for the screen
         return image
 
     def clear(self) -> None:
@@ -274,7 +274,7 @@ class VtkViewport:
         return VtkViewport()
 
     def close(self) -> None:
-        """Release the graphics; called before the window closes, and harmless when repeated."""
+        """Release the graphics before the window closes; may be called repeatedly."""
         if self._closed:
             return
         self._closed = True
@@ -292,7 +292,7 @@ class VtkViewport:
     # Drawing
 
     def _draw_clouds(self) -> None:
-        """Draw the visible lines coarsely; their detail follows."""
+        """Draw the visible lines coarsely; the detail is drawn later."""
         for layer in self._layers:
             layer.draw(self._hidden, self._budget.moving // len(self._layers), self._box)
             layer.show_detail(fine=False, coarse=self._times.slice)
@@ -353,7 +353,7 @@ class VtkViewport:
         if self._detail_s > MAX_MOVING_DETAIL_S:
             self._detailed = False
         for layer in self._layers:
-            # The detail is only that of where the camera rested.
+            # The detail was selected for the last position at rest.
             layer.show_detail(fine=self._detailed, coarse=self._times.slice)
         self._camera_moved()
 
@@ -376,7 +376,7 @@ class VtkViewport:
             self._refine_later()
 
     def _refine_later(self) -> None:
-        """Show a coarse picture at once and the detail in a moment."""
+        """Show a coarse picture immediately and schedule the detail."""
         self._on_moved()
         self._view_detail.schedule()
 

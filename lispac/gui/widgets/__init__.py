@@ -33,12 +33,12 @@ from lispac.language import N_, gettext
 def label(
     text: str = "", role: str = "", *, wrap: bool = False, name: str = "", rich: bool = False
 ) -> QLabel:
-    """Label; ``role`` is one of the style sheet: muted, heading, error, hint.
+    """Create a label; ``role`` is muted, heading, error or hint, as in the style sheet.
 
     Parameters
     ----------
     rich : bool
-        Whether its texts are HTML; names in them have to be escaped.
+        Whether the text is HTML, in which names must be escaped.
     """
     made = QLabel(text)
     made.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
@@ -72,7 +72,7 @@ def plain_tip(text: str) -> str:
 class Button(QPushButton):
     """Push button that regains the focus after it was disabled for a while.
 
-    Enter presses it where it has the focus, also in a dialogue that has another for Enter.
+    Enter presses the focused button, also in a dialogue with another default button.
     """
 
     def __init__(self, text: str) -> None:
@@ -80,13 +80,13 @@ class Button(QPushButton):
         self._focus_went_to: QWidget | None = None
 
     def update_enabled(self, enabled: bool) -> None:
-        """Enable or disable."""
+        """Enable or disable the button."""
         had_focus = self.hasFocus()
         self.setEnabled(enabled)
         if had_focus and not enabled:
             self._focus_went_to = QApplication.focusWidget()
         elif enabled and self._focus_went_to is not None:
-            # Where the user has gone elsewhere meanwhile, the focus stays there.
+            # The focus is not moved if the user has changed it meanwhile.
             if QApplication.focusWidget() is self._focus_went_to:
                 self.setFocus()
             self._focus_went_to = None
@@ -100,7 +100,7 @@ class Button(QPushButton):
 
 
 def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool = False) -> Button:
-    """A push button."""
+    """Create a push button."""
     made = Button(text)
     made.setObjectName(name)
     made.setToolTip(tip)
@@ -113,7 +113,7 @@ def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool
 
 
 def in_platform_order(accept: QPushButton, reject: QPushButton) -> tuple[QPushButton, QPushButton]:
-    """Two buttons from left to right, in the order of the system's dialogues."""
+    """Return two buttons from left to right, in the order used by dialogues of the system."""
     layouts = QDialogButtonBox.ButtonLayout
     how = QApplication.style().styleHint(QStyle.StyleHint.SH_DialogButtonLayout)
     accept_first = how in (layouts.WinLayout.value, layouts.KdeLayout.value)
@@ -132,15 +132,15 @@ def number(
     ranged: bool = False,
     fixed: bool = False,
 ) -> NumberField:
-    """Number field with a unit; the mouse wheel changes it only if it has the focus.
+    """Create a number field with a unit; the mouse wheel changes it only if it has the focus.
 
     Parameters
     ----------
-    suffix, decimals, low, high, step : in the unit that `value` has
+    suffix, decimals, low, high, step : unit and properties of the value, in its own unit
     ranged : bool
-        Add the range and the unit to the tip.
+        Whether the range and the unit are added to the tip.
     fixed : bool
-        Show and take this very unit, whatever the user has chosen.
+        Whether this unit is always used, independent of the unit chosen by the user.
     """
     base = None if fixed else BASES.get(suffix)
     bases = () if base is None else (base,)
@@ -163,7 +163,7 @@ def number(
 
 
 def convert_tip_units(made: QWidget, *bases: Base) -> None:
-    """Tooltip with the signs of the units shown, for numbers from `lispac.gui.appearance.units`."""
+    """Replace the signs of base units in the tooltip of a widget by those of the units shown."""
     made.setToolTip(units.convert_unit_signs(made.toolTip(), *bases))
     made.setAccessibleName(units.convert_unit_signs(made.accessibleName(), *bases))
 
@@ -186,7 +186,7 @@ class ChoiceBox(QComboBox):
         self.addItems(list(items))
         self.setToolTip(tip)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        # Long items are to be cut off rather than to widen the panel.
+        # Long items are cut off, so that they do not widen the panel.
         if max(len(item) for item in items) > 12:
             self.setSizeAdjustPolicy(self.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
             self.setMinimumContentsLength(12)

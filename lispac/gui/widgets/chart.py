@@ -18,11 +18,11 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.widgets.ticks import localise_ticks
 
 SLICE_S = 0.03
-"""Seconds after which the calculation pauses where it allows it."""
+"""Seconds after which a calculation pauses at the next possible point."""
 
 
 class _CalculationAbandoned(BaseException):
-    """Ends a calculation that was abandoned."""
+    """Exception that ends an abandoned calculation."""
 
 
 class SlicedCalculation:
@@ -41,7 +41,7 @@ class SlicedCalculation:
         return self._thread is not None
 
     def begin(self, work: Callable[[], object]) -> None:
-        """Set a calculation, which calls `pause` where it may pause; `resume` starts it."""
+        """Set a calculation, which must call `pause` where it may pause; `resume` starts it."""
         self.abandon()
         self._done = self._abandoned = False
         self._error = None
@@ -92,7 +92,7 @@ class SlicedCalculation:
 
 
 LUMA = (77, 150, 29)
-"""Shares of red, green and blue in 256, after ITU-R BT.601."""
+"""Weights of red, green and blue in the luma, in 1/256 (ITU-R BT.601)."""
 
 
 def with_inverted_lightness(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -114,20 +114,20 @@ def with_inverted_lightness(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 DRAW_DELAY_MS = 20
-"""Delay before drawing. A plot takes 0.2 to 0.5 s, half of it for the layout of its texts: other
-changes are painted first, and keys are handled between its parts."""
+"""Delay before drawing. A plot takes 0.2 to 0.5 s, half of it for the layout of its texts, so other
+changes are painted first, and keys are handled between the parts of a plot."""
 
 
 WHITE = "white"
 
 
 class _Renderer(RendererAgg):
-    """The Agg renderer, which can be interrupted during the layout of texts."""
+    """Agg renderer that can be interrupted during the layout of texts."""
 
     pause: Callable[[], None] | None = None
 
     def points_to_pixels(self, points: float) -> float:
-        """Convert a length; Matplotlib calls this for every text and tick."""
+        """Convert a length, and pause if it is time; Matplotlib calls this for every text."""
         if self.pause is not None:
             self.pause()
         pixels: float = super().points_to_pixels(points)
@@ -137,22 +137,23 @@ class _Renderer(RendererAgg):
 class Chart(FigureCanvasQTAgg):
     """Matplotlib canvas that is drawn when visible, once for all pending changes.
 
-    A plot on white ground is dimmed in a dark window, and copied as it is drawn.
+    In the dark theme, a plot with a white background is shown with inverted lightness, but copied
+    with its original colours.
     """
 
     def __init__(self, width: int, height: int, ground: str = WHITE) -> None:
-        """Set the minimum size in pixels, and the colour of the ground."""
+        """Set the minimum size in pixels and the background colour."""
         self._dims = ground == WHITE and theme.current_scheme().is_dark
         self._due: IdleTask | None = None
         self._outdated = True
         self._layout = SlicedCalculation()
-        """The layout of texts in progress."""
+        """Layout of the texts, possibly in progress."""
         self._hurried = False
         """Whether the plot changed before the layout was complete."""
         self._left: list[Artist] = []
-        """Parts of a started picture that are still to be drawn."""
+        """Parts of an incomplete picture that are still to be drawn."""
         self._last: QImage | None = None
-        """The last complete picture, as it was shown."""
+        """Last complete picture as shown; None if there is none."""
         self._drawn_with: tuple[float, float, float] | None = None
         super().__init__(Figure(layout="constrained", facecolor=ground))
         self.destroyed.connect(self._layout.abandon)
@@ -161,12 +162,12 @@ class Chart(FigureCanvasQTAgg):
         self.setMinimumSize(width, height)
 
     def draw_idle(self) -> None:
-        """Draw soon after Qt paints the widget: never while it is hidden."""
+        """Schedule a drawing for when Qt next paints the widget, hence not while it is hidden."""
         self._outdated = True
         self.update()
 
     def draw(self) -> None:
-        """Draw now."""
+        """Draw immediately."""
         self._abandon_drawing()
         self._outdated = False
         localise_ticks(self.figure)
@@ -174,7 +175,7 @@ class Chart(FigureCanvasQTAgg):
         self._last = self._rendered_image(dims=self._dims)
 
     def get_renderer(self) -> _Renderer:
-        """Renderer of the present size."""
+        """Renderer for the present size."""
         width, height = self.get_width_height(physical=True)
         key = width, height, self.figure.dpi
         if key != self._drawn_with:
@@ -184,7 +185,7 @@ class Chart(FigureCanvasQTAgg):
         return self.renderer
 
     def _abandon_drawing(self) -> None:
-        """Abandon a started picture."""
+        """Abandon an incomplete picture."""
         self._left = []
         self._layout.abandon()
 
@@ -198,7 +199,7 @@ class Chart(FigureCanvasQTAgg):
         figure, layout = self.figure, self.figure.get_layout_engine()
         if not figure.axes:  # still empty
             self._begin_parts()
-        elif self._hurried:  # otherwise a plot that keeps changing would never be drawn
+        elif self._hurried:  # else a changing plot would never be drawn
             layout.execute(figure)
             self._begin_parts()
         else:
@@ -216,7 +217,7 @@ class Chart(FigureCanvasQTAgg):
             self._show_finished()
 
     def _artists(self) -> list[Artist]:
-        """The artists on the ground, in drawing order."""
+        """Artists in front of the background, in drawing order."""
         parts = [each for each in self.figure.get_children() if each is not self.figure.patch]
         return sorted(parts, key=lambda each: each.get_zorder())
 
@@ -232,7 +233,7 @@ class Chart(FigureCanvasQTAgg):
             else:
                 self._next.start()
             return
-        if not self._left:  # started again in another size
+        if not self._left:  # restarted with another size
             return
         if self._left[0] not in self.figure.get_children():  # removed with the rest
             self._left, self._outdated = [], True
@@ -265,7 +266,7 @@ class Chart(FigureCanvasQTAgg):
         return image
 
     def picture(self) -> QPixmap:
-        """The picture that is shown or is due, without dimming."""
+        """Up-to-date picture with the original colours."""
         if (self._outdated or self.is_drawing) and self.width() > 0 and self.height() > 0:
             self.draw()
         return QPixmap.fromImage(self._rendered_image()) if self._dims else self.grab()
@@ -276,7 +277,7 @@ class Chart(FigureCanvasQTAgg):
         super().resizeEvent(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the picture; the last one until a new one is complete."""
+        """Paint the picture, or the last one until a new one is complete."""
         drawn = not self._outdated and not self.is_drawing
         if drawn and not self._dims:
             super().paintEvent(event)

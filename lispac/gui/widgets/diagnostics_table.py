@@ -24,9 +24,9 @@ class Column:
     title: str
     tip: str
     is_text: bool = False
-    """Whether it holds texts rather than numbers."""
+    """Whether the column contains texts instead of numbers."""
     base: Base | None = None
-    """Unit of its numbers, where the user can choose another."""
+    """Base unit of the numbers, if the user can choose another unit."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Cell:
     text: str
     value: float | None = None
     figure: tuple[str, float] | None = None
-    """Form of a number, and units of the column's base to one of its value."""
+    """Format of the number, and factor from the unit of ``value`` to the column's base unit."""
     shown: str = ""
     """Text shown instead of `text`, by which the cell is sorted."""
 
@@ -47,8 +47,8 @@ class Row:
 
     Attributes
     ----------
-    key : its target and line; line "" for the whole target, None where it leads nowhere
-    marked : whether it is highlighted for a check
+    key : target and line of the row; line "" for the whole target; None without a link
+    marked : whether the row is highlighted because it should be checked
     """
 
     cells: Sequence[Cell]
@@ -58,7 +58,7 @@ class Row:
 
 
 class _SortedItem(QTableWidgetItem):
-    """Item sorted by its value, unknown ones last; texts alphabetically."""
+    """Item that is sorted by its value, with unknown values last; texts alphabetically."""
 
     def __init__(self, cell: Cell, base: Base | None) -> None:
         if cell.figure is not None and cell.value is not None:
@@ -93,7 +93,7 @@ class DiagnosticsTable(QTableWidget):
         self.setAccessibleName(title)
         self._columns = tuple(columns)
         self._rows: list[Row] = []
-        # Units in a second line: the columns stay narrow enough to be seen together.
+        # Units in a second line, so that the columns are narrow enough to be visible together.
         self.setHorizontalHeaderLabels(
             [_column_title(column).replace(" (", "\n(") for column in columns]
         )
@@ -106,7 +106,7 @@ class DiagnosticsTable(QTableWidget):
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
         self.setShowGrid(False)
-        self.setProperty("rows", True)  # no frame about one cell: it looked like a button
+        self.setProperty("rows", True)  # no frame around a cell, like a button
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -123,10 +123,10 @@ class DiagnosticsTable(QTableWidget):
         self.activated.connect(lambda index: self._emit_row_activated(index.row()))
 
     def show_rows(self, rows: Sequence[Row]) -> None:
-        """Show other rows, sorted as before."""
+        """Show rows, sorted as before."""
         selected, header = self.key(self.currentRow()), self.horizontalHeader()
         self.setSortingEnabled(False)
-        # Else Qt measures a whole column again with each cell that is put into it
+        # Else Qt measures the whole column again for each added cell
         header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self._rows = list(rows)
         self.setRowCount(len(rows))

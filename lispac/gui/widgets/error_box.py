@@ -18,7 +18,7 @@ def exception_text(error: LispacError) -> str:
 
 
 def error_text_and_details(error: BaseException) -> tuple[str, str]:
-    """Text of an error in the language of the user, and the traceback where it is needed."""
+    """Text of an error in the user's language, and the traceback of an unexpected error."""
     if isinstance(error, LispacError):
         foreign = error.__cause__ is not None and not isinstance(error.__cause__, LispacError)
         return exception_text(error), "".join(traceback.format_exception(error)) if foreign else ""
@@ -41,7 +41,7 @@ def error_text_and_details(error: BaseException) -> tuple[str, str]:
 
 
 def error_box(parent: QWidget | None, error: BaseException) -> QMessageBox:
-    """Message box for an error, not yet shown."""
+    """Create the message box for an error without showing it."""
     text, details = error_text_and_details(error)
     box = widgets.MessageBox(QMessageBox.Icon.Warning, "LISPAC", text, parent=parent)
     box.setObjectName("error_dialog")
@@ -52,7 +52,7 @@ def error_box(parent: QWidget | None, error: BaseException) -> QMessageBox:
         box.setDetailedText(details)
         copy = box.addButton(gettext("Copy details"), QMessageBox.ButtonRole.ActionRole)
         copy.setObjectName("copy_details")
-        # A message box closes with any of its buttons; this one leaves it open.
+        # Any button closes a message box; disconnected, so that this one does not.
         copy.clicked.disconnect()
         copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(details))
     buttons = box.findChild(QDialogButtonBox)

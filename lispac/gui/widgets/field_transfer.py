@@ -14,7 +14,7 @@ W = TypeVar("W", bound=QWidget)
 def copy_fields(before: QWidget, after: QWidget) -> None:
     """Copy choices and numbers between the fields that have the same names.
 
-    Choices first: they may set the unit of a number.
+    Choices are copied first, since they may set the unit of a number.
     """
     _copy_choices(before, after)
     _copy_numbers(before, after)
@@ -25,7 +25,7 @@ def _copy_choices(before: QWidget, after: QWidget) -> None:
         if list_.count() == own.count():
             own.setCurrentIndex(list_.currentIndex())
     for button, own in _matching_fields(QAbstractButton, before, after):
-        # A radio button cannot be switched off, only another one on.
+        # A radio button is switched off only by switching on another one.
         if button.isCheckable() and (button.isChecked() or not own.autoExclusive()):
             own.setChecked(button.isChecked())
 

@@ -15,7 +15,7 @@ class FileDrops(QObject):
     """Accepts dropped files anywhere on a widget."""
 
     dropped = Signal(list)
-    """Paths. Comes after the drag has ended, so that a dialogue does not hold up its source."""
+    """Paths, emitted after the drag has ended, so that a dialogue does not block its source."""
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)

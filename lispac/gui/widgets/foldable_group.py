@@ -48,7 +48,7 @@ class FoldableGroup(QWidget):
         self.head.setToolTip(widgets.plain_tip(self.head.text()))
 
     def open(self, unfolded: bool = True) -> None:
-        """Fold, or unfold."""
+        """Unfold or fold the group."""
         self.head.setChecked(unfolded)
 
     def _show(self, unfolded: bool) -> None:

@@ -1,7 +1,7 @@
 """Short tasks of the event loop, run one per turn so that the window stays responsive.
 
-Timers that are due together have one turn in Qt, and the window would hear of keys and the mouse
-only after the last of them.
+Qt runs all due timers in one turn of the event loop, and events of keyboard and mouse would be
+processed only after the last of them.
 """
 
 from collections.abc import Callable
@@ -14,13 +14,13 @@ class IdleTask(QTimer):
 
     Parameters
     ----------
-    function : what it runs
+    function : function that is run
     delay_ms : int
-        Shortest delay.
+        Smallest delay, milliseconds.
     """
 
     turn_used = False
-    """Whether one of them has run in the current turn of the event loop."""
+    """Whether an `IdleTask` has run in the current turn of the event loop."""
 
     def __init__(self, function: Callable[[], object], parent: QObject, delay_ms: int = 0) -> None:
         super().__init__(parent, singleShot=True, interval=delay_ms)

@@ -1,6 +1,6 @@
 """Mounting of the scanner on the vessel, drawn to scale from above and from starboard, and as text.
 
-A wrong sign of the lever arm puts the scanner on the wrong side, which the sketch shows at once.
+A wrong sign of the lever arm is obvious in the sketch: the scanner is on the wrong side.
 """
 
 from collections.abc import Sequence
@@ -39,18 +39,18 @@ _ONTO: dict[View, np.ndarray] = {
     "above": np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]]),
     "starboard": np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
 }
-"""Right and up of the picture along the body's axes (forward, left, up)."""
+"""Right and up directions of each view in the body frame (forward, left, up)."""
 _SIDES: dict[View, tuple[str, str, str, str]] = {
     "above": (N_("bow +X"), N_("stern"), N_("port +Y"), N_("starboard")),
     "starboard": (N_("up +Z"), N_("down"), N_("stern"), N_("bow +X")),
 }
-"""Labels at the top, the bottom, the left and the right of the picture, with the positive axes."""
+"""Labels at the top, bottom, left and right of each view, with the positive axes."""
 _HULLS: dict[View, tuple[tuple[float, float], ...]] = {
     "above": ((0.0, 0.86), (0.3, 0.45), (0.34, 0.1), (0.32, -0.84), (-0.32, -0.84), (-0.34, 0.1),
               (-0.3, 0.45)),
     "starboard": ((0.9, 0.14), (0.62, -0.4), (-0.8, -0.4), (-0.86, 0.06), (0.3, 0.06)),
 }  # fmt: skip
-"""Outline of a vessel, not to scale: right and up, in halves of the picture."""
+"""Outline of a vessel, not to scale: right and up, in units of half the view."""
 
 EXTENTS = (
     0.5,
@@ -70,20 +70,21 @@ EXTENTS = (
     100.0,
     150.0,
 )
-"""Metres from the POS centre to the edge, in steps: typing a value rarely changes the scale."""
+"""Possible distances from the POS centre to the edge, metres; typing rarely changes the scale."""
 _BARS = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
-"""Lengths of the scale bar, in the unit shown."""
+"""Possible lengths of the scale bar, in the unit shown."""
 HEIGHT = 220
-"""Pixels."""
+"""Height of the sketch, pixels."""
 _MAX_ARM_SHARE = 0.66
-"""Largest part of a lever arm, as a share of the distance to the edge."""
+"""Largest component of a lever arm, as a share of the distance to the edge."""
 _AXIS, _BODY_AXIS, _DOT, _MIN_LABEL = 22.0, 20.0, 5.0, 24.0
-"""Pixels: axes of the scanner, axes of the body, dot of the scanner, and shortest distance that
-gets a label. The axes of the body are shorter, so that they cross no letter of the scanner's."""
+"""Lengths of the scanner axes and of the body axes, radius of the scanner dot, and shortest length
+with a label, pixels. The body axes are shorter, so that they do not cross the scanner letters."""
 _SIDE_LABEL_Y = 0.86
-"""Place of the labels at the left and the right, as a share of the way down: below the hull."""
+"""Vertical position of the labels at the left and right, as a share of the height; below the hull.
+"""
 _MIN_AXIS_SHARE = 0.25
-"""Smallest share of its length with which an axis is drawn: a shorter one points at the eye."""
+"""Smallest visible share of the length of a drawn axis; a shorter one points at the viewer."""
 
 
 class MountingSketch(QWidget):
@@ -120,7 +121,7 @@ class MountingSketch(QWidget):
         self.has_warning = bool(lever_arm_warnings(lever_arm))
         self.update()
 
-    # -- where things are ------------------------------------------------------------------------
+    # -- geometry -------------------------------------------------------------------------------
 
     @property
     def extent(self) -> float:
@@ -221,7 +222,7 @@ class MountingSketch(QWidget):
         painter.setBrush(QColor(theme.MUTED))
         painter.drawRect(QRectF(centre.x() - 3, centre.y() - 3, 6, 6))
         painter.setPen(QColor(theme.TEXT))
-        # Away from the scanner, which lies on one of the other sides.
+        # On the side of the POS centre that is away from the scanner.
         away, metrics = centre - self.at(view, self.lever_arm), painter.fontMetrics()
         x = 7.0 if away.x() > 0 else -7.0 - metrics.horizontalAdvance(gettext("POS"))
         y = 4.0 + metrics.ascent() if away.y() >= 0 else -7.0
@@ -230,7 +231,7 @@ class MountingSketch(QWidget):
     def _paint_lever_arm(self, painter: QPainter, view: View) -> None:
         """Paint the lever arm along the axes of the view, with its components."""
         onto = _ONTO[view]
-        along_up = np.abs(onto[1]) * self.lever_arm  # first up or down the picture, then across
+        along_up = np.abs(onto[1]) * self.lever_arm  # first vertically, then horizontally
         across = np.abs(onto[0]) * self.lever_arm
         corner, end = self.at(view, along_up), self.at(view, self.lever_arm)
         pen = QPen(self._colour, 1.2, Qt.PenStyle.DashLine)
@@ -244,10 +245,10 @@ class MountingSketch(QWidget):
             (np.abs(across).max(), (corner + end) / 2),
         ):
             if amount * self.pixels_per_metre < _MIN_LABEL:
-                continue  # the text below the sketch has it
+                continue  # included in the text below the sketch
             label = length_with_unit(amount, ".2f")
             width, high = painter.fontMetrics().horizontalAdvance(label), 12.0
-            if place.x() == corner.x() == self._centre(view).x():  # beside the upright part
+            if place.x() == corner.x() == self._centre(view).x():  # beside the vertical part
                 x = place.x() + 5 if leftwards else place.x() - 5 - width
                 box = QRectF(x, place.y() - high / 2, width, high)
             else:
@@ -275,7 +276,7 @@ class MountingSketch(QWidget):
         return QColor(theme.WARNING if self.has_warning else theme.ACCENT)
 
     def _paint_scale(self, painter: QPainter) -> None:
-        metres = 1 / units.shown_unit("m").factor  # of one of the unit shown
+        metres = 1 / units.shown_unit("m").factor  # metres in one unit shown
         length = metres * max(
             (bar for bar in _BARS if metres * bar <= self.extent / 2), default=_BARS[0]
         )
@@ -294,7 +295,7 @@ class MountingSketch(QWidget):
 class MountingView(QWidget):
     """The sketch with a description below it and warnings above it.
 
-    Above the sketch the warnings are visible beside the fields, on a low screen too.
+    Warnings are above the sketch, where they are visible beside the fields on a small screen.
     """
 
     def __init__(self, prefix: str) -> None:

@@ -1,4 +1,4 @@
-"""Lever arm, boresight and their convention in sentences, in the user's language and units."""
+"""Lever arm, boresight and their convention as sentences, in the user's language and units."""
 
 from collections.abc import Sequence
 
@@ -19,12 +19,12 @@ _SIGNS = N_(
 
 
 def lever_arm_sentence(lever_arm: Sequence[float] | NDArray[np.float64]) -> str:
-    """Text on the optical centre; metres, body frame (forward, left, up)."""
+    """Text on the position of the optical centre, metres, body frame (forward, left, up)."""
     return str(lever_arm_text(lever_arm, lambda values: _amount_texts(values, "m")))
 
 
 def boresight_sentence(boresight: NDArray[np.float64]) -> str:
-    """Text on the orientation of the scanner; radians, roll, pitch, yaw."""
+    """Text on the orientation of the scanner: roll, pitch, yaw, radians."""
     return str(orientation_text(boresight, lambda values: _amount_texts(np.degrees(values), "°")))
 
 

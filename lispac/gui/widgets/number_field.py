@@ -1,4 +1,4 @@
-"""A field for a number in the unit and the language of the user."""
+"""Field for a number in the unit and language of the user."""
 
 from collections.abc import Mapping
 
@@ -11,17 +11,17 @@ from lispac.gui.appearance.units import Base
 from lispac.language import gettext
 
 BASES: Mapping[str, Base] = {" m": "m", " mm": "mm", " °": "°"}
-"""Base of a field by its suffix; other units are never converted."""
+"""Base unit of a field by its suffix; other units are never converted."""
 EQUAL_TOLERANCE = 1e-9
-"""Relative difference below which a converted value is the same."""
+"""Relative difference below which a converted value is considered unchanged."""
 STORED_DECIMALS = 12
-"""Decimals of the value: enough for a value typed in another unit."""
+"""Decimals of the stored value, sufficient for a value typed in another unit."""
 TIP_DELAY_MS = 300
-"""Delay of the tip after the field was left: Qt hides every tip when the focus moves."""
+"""Delay of the tip after the field loses the focus, since Qt then hides all tips."""
 
 
 class NumberField(QDoubleSpinBox):
-    """Number field that keeps all digits of its value in the base and shows some of them.
+    """Number field that keeps all digits of its value in the base unit and shows some of them.
 
     A value that is shown or confirmed without a change keeps all its digits. A decimal comma and a
     decimal point are both accepted in every language. A number outside the range can be typed; it
@@ -31,14 +31,14 @@ class NumberField(QDoubleSpinBox):
     Parameters
     ----------
     base : Base or None
-        Unit of the value; None where no other is ever shown.
+        Unit of the value; None if it is never converted.
     """
 
     def __init__(self, base: Base | None = None) -> None:
         super().__init__()
         self._base = base
         self._factor = 1.0 if base is None else units.shown_unit(base).factor
-        # A hidden field in the unit shown, which validates and formats.
+        # A hidden field in the unit shown validates and formats texts.
         self._face = QDoubleSpinBox()
         self._before: float | None = None
         super().setDecimals(STORED_DECIMALS)
@@ -47,7 +47,7 @@ class NumberField(QDoubleSpinBox):
         line.textChanged.connect(self._mark_invalid)
 
     def setDecimals(self, decimals: int) -> None:
-        """Set the number of decimals in the base."""
+        """Set the number of decimals in the base unit."""
         self._face.setDecimals(
             decimals if self._base is None else units.shown_decimals(decimals, self._base)
         )
@@ -58,7 +58,7 @@ class NumberField(QDoubleSpinBox):
         return self._face.decimals()
 
     def setRange(self, low: float, high: float) -> None:
-        """Set the range, in the base."""
+        """Set the range, in the base unit."""
         self._face.setRange(low * self._factor, high * self._factor)
         super().setRange(low, high)
 
@@ -68,7 +68,7 @@ class NumberField(QDoubleSpinBox):
         super().setSuffix(suffix)
 
     def setSpecialValueText(self, text: str) -> None:
-        """Set the text that stands for the lowest value."""
+        """Set the text that is shown for the lowest value."""
         self._face.setSpecialValueText(text)
         super().setSpecialValueText(text)
 
@@ -88,13 +88,13 @@ class NumberField(QDoubleSpinBox):
         return found
 
     def valueFromText(self, text: str) -> float:
-        """Value of a text in the unit shown; the present value if its text is the same."""
+        """Value of a text in the unit shown; the present value if the text is unchanged."""
         typed = self._face.valueFromText(self._with_local_decimal_sign(text))
         shown = self._face.valueFromText(self.textFromValue(self.value()))
         return self.value() if typed == shown else typed / self._factor
 
     def stepBy(self, steps: int) -> None:
-        """Step from the typed value, or from the former one if that is outside the range."""
+        """Step from the typed value, or from the former one if the typed one is out of range."""
         self._finish_typing()
         super().stepBy(steps)
 
@@ -131,13 +131,13 @@ class NumberField(QDoubleSpinBox):
         typed = self.cleanText()
         self.setValue(before)
         self._reformat_text()
-        self._mark_invalid(self.text())  # Qt announces typed texts only
+        self._mark_invalid(self.text())  # Qt emits a signal for typed texts only
         if typed and self._is_out_of_range(typed):
             QTimer.singleShot(TIP_DELAY_MS, self, lambda: self._show_range(typed))
 
     def _show_range(self, typed: str) -> None:
-        """Show the range in a tip, and that a typed number was not accepted."""
-        if not self.isVisible():  # the tip is delayed
+        """Show the range in a tip, with a note if a typed number was not accepted."""
+        if not self.isVisible():  # the tip is shown after a delay
             return
         low = self._face.textFromValue(self._face.minimum())
         high = f"{self._face.textFromValue(self._face.maximum())}{self.suffix()}"
@@ -172,7 +172,7 @@ class NumberField(QDoubleSpinBox):
         return text.replace(",", point).replace(".", point)
 
     def _reformat_text(self) -> None:
-        """Format the text again, which Qt would not do."""
+        """Format the text again, which Qt does not do by itself."""
         super().setDecimals(STORED_DECIMALS)
 
     def wheelEvent(self, event: QWheelEvent) -> None:

@@ -19,11 +19,11 @@ class OptionalNumber(QLineEdit):
 
     Parameters
     ----------
-    title : name of the field in the user's language, as all texts here
-    unit : sign of the base unit, in which the tooltip and errors name it
-    scale : units to one metre, radian or second
-    empty : what an empty field means, or what belongs into one that is ``needed``
-    description : what the number is, without its unit
+    title : name of the field in the user's language, as all texts of this class
+    unit : sign of the base unit
+    scale : number of base units in one metre, radian or second
+    empty : meaning of an empty field, or the expected content of a ``needed`` field
+    description : description of the number, without its unit
     """
 
     def __init__(
@@ -63,7 +63,7 @@ class OptionalNumber(QLineEdit):
         Raises
         ------
         InputError
-            Where the text is not a number.
+            If the text is not a number.
         """
         if self._shown_value is not None and self.text() == self._shown_value[0]:
             return self._shown_value[1]  # an unchanged value keeps all its digits
@@ -84,7 +84,7 @@ class OptionalNumber(QLineEdit):
         return number / self._scale
 
     def show_value(self, value: float | None) -> None:
-        """Fill in without emitting a signal."""
+        """Fill in a value without emitting a signal."""
         self.blockSignals(True)
         shown = "" if value is None else f"{value * self._scale:.6g}"
         self.setText(shown.replace(".", QLocale().decimalPoint()))
@@ -93,7 +93,7 @@ class OptionalNumber(QLineEdit):
         self._mark_invalid()
 
     def _mark_invalid(self) -> None:
-        """Show by the frame whether the text is a valid standard deviation."""
+        """Set the colour of the frame if the text is not a valid standard deviation."""
         try:
             wrong = (self.value() or 0.0) < 0
         except InputError:

@@ -23,12 +23,12 @@ class PlotZoom:
         canvas.mpl_connect("button_release_event", self._release)
 
     def set_home(self, *, upright: bool = True) -> None:
-        """Store the present limits as those of the whole plot.
+        """Store the present limits as those that show the whole plot.
 
         Parameters
         ----------
         upright : bool
-            Whether the vertical axis is changed too; it is not in bar charts.
+            Whether the vertical axis is also zoomed; False for bar charts.
         """
         self._moved, self._upright = None, upright
         self._whole = [(a.get_xlim(), a.get_ylim()) for a in self._canvas.figure.axes]

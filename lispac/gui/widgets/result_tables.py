@@ -1,4 +1,4 @@
-"""Tables of results in the window: with the units and the language of the user."""
+"""Tables of results in the window, in the units and language of the user."""
 
 from collections.abc import Callable, Iterable, Mapping
 
@@ -39,7 +39,7 @@ def window_rows(
     marked: Callable[[ResultRow], bool] = lambda row: False,
     tip: Callable[[ResultRow], str] = lambda row: "",
 ) -> list[Row]:
-    """Rows of a table of results, with what they lead to, whether they are marked, and tooltips."""
+    """Rows of a table of results, with their target and line, marks and tooltips."""
     return [
         Row([_cell(column, row) for column in table.columns], key(row), marked(row), tip(row))
         for row in rows

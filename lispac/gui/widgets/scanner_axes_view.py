@@ -11,7 +11,7 @@ from lispac.language import N_, gettext
 
 FACTORS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 MAX_SHOWN_DEG = 25.0
-"""The exaggerated turn stays below this, so that the axes keep their places."""
+"""Largest exaggerated rotation, degrees, at which the axes can still be recognised."""
 SCANNER_AXES = (("X", "axis_x"), ("Y", "axis_y"), ("Z", "axis_z"))
 _BODY = (N_("forward"), N_("port"), N_("up"))
 _HULL = np.array([[1.0, 0, 0], [0.55, 0.3, 0], [-0.75, 0.3, 0], [-0.75, -0.3, 0], [0.55, -0.3, 0]])
@@ -100,12 +100,12 @@ class ScannerAxesView(QWidget):
         return self._rotation_body_scanner.T
 
     def reset_view(self) -> None:
-        """Reset the view to the starboard quarter and above."""
+        """Reset the view to a point above the starboard quarter."""
         self.view_deg = _VIEW_DEG
         self.update()
 
     def turn_view(self, azimuth_deg: float, elevation_deg: float) -> None:
-        """Turn the view, not past the zenith."""
+        """Turn the view, at most to the zenith."""
         azimuth, elevation = self.view_deg
         azimuth = (azimuth + azimuth_deg + 180) % 360 - 180
         self.view_deg = (azimuth, float(np.clip(elevation + elevation_deg, -89.0, 89.0)))
@@ -114,7 +114,7 @@ class ScannerAxesView(QWidget):
     def project(self, points_body: np.ndarray) -> np.ndarray:
         """Screen coordinates (right, up, towards the eye) of points, shape (n, 3).
 
-        The eye is at the azimuth of the view, counter-clockwise from ahead.
+        The eye is at the azimuth of the view, counted counter-clockwise from ahead.
         """
         azimuth, elevation = np.radians(self.view_deg)
         ca, sa, ce, se = np.cos(azimuth), np.sin(azimuth), np.cos(elevation), np.sin(elevation)
@@ -124,7 +124,7 @@ class ScannerAxesView(QWidget):
         return np.atleast_2d(points_body) @ np.array([right, above, towards]).T
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the scanner in its frame, and in that of the body."""
+        """Paint the axes of the scanner and of the body."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(theme.PAPER))
@@ -133,7 +133,7 @@ class ScannerAxesView(QWidget):
         painter.setPen(QPen(QColor(theme.EDGE)))
         painter.setBrush(QColor(theme.HULL))
         painter.drawPolygon(QPolygonF([self._pixel(corner) for corner in _HULL]))
-        # What is farther from the eye is drawn first.
+        # Objects farther from the eye are drawn first.
         drawn = [
             (1.2 * axis, "body_axis", gettext(name), 1.5)
             for axis, name in zip(np.eye(3), _BODY, strict=True)

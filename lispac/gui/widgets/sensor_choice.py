@@ -10,7 +10,7 @@ from lispac.workflow.planning.sensors import SensorLibrary, source_text
 
 OTHER = N_("Other (enter specifications)")
 SOLUTIONS = {"rtk": "RTK", "ppk": "PPK", "degraded": N_("degraded GNSS")}
-"""GNSS solutions as they are shown."""
+"""Displayed names of the GNSS solutions."""
 
 
 class SensorChoice(QWidget):
@@ -67,7 +67,7 @@ class SensorChoice(QWidget):
 
     @property
     def names(self) -> tuple[str, str]:
-        """Names of the chosen sensors, as on the command line; empty where none is chosen."""
+        """Names of the chosen sensors, as on the command line; empty if none is chosen."""
         return (
             self._scanners[self.scanner.currentIndex()][0], self._pos[self.pos.currentIndex()][0]
         )  # fmt: skip

@@ -23,7 +23,7 @@ HEIGHTS_TIP = N_("EPSG code of a vertical system, path of a geoid grid (.gtx, .t
 def system_box(
     name: str, project: Project, trajectory: LocalTrajectory, *, local_first: bool = False
 ) -> QComboBox:
-    """Editable list of the likely coordinate systems; their codes are the data of the items."""
+    """Create an editable list of likely coordinate systems, with their codes as item data."""
     found = QComboBox()
     found.setObjectName(name)
     found.setEditable(True)
@@ -44,7 +44,7 @@ def system_box(
 
 
 def system_text(box: QComboBox) -> str:
-    """The code of the chosen item, or the typed text."""
+    """Code of the chosen item, or the typed text."""
     text = box.currentText().strip()
     index = box.findText(text)
     return cast(str, box.itemData(index)) if index >= 0 else text
@@ -58,9 +58,9 @@ class CoordinateSystemFields(QObject):
     system : CoordinateSystem or None
         None for the local frame.
     problem : LispacError or None
-        Why there is no system; None where there is one.
+        Reason why there is no system; None if there is one.
     waiting : bool
-        Whether typed text has not been checked yet.
+        Whether the typed text has not yet been checked.
     """
 
     changed = Signal()

@@ -1,8 +1,8 @@
 """Tab order of the window, limited to visible widgets, and Enter on focused buttons.
 
-Qt keeps a dock that lies behind another visible and only moves it away, so that its fields would
-take keys unseen. An area that scrolls shows no focus, and scrolls by the keys of what is in it.
-Outside dialogues it leaves Enter to nobody, and only Space presses the button with the focus.
+In Qt, a dock hidden behind another one counts as visible, so that its fields would receive the
+focus unseen. A scroll area does not show the focus, and can be scrolled with the keys from the
+widgets in it. Outside dialogues, Qt presses a focused button with Space only and ignores Enter.
 """
 
 from collections.abc import Iterable
@@ -30,7 +30,7 @@ def focus_next(window: QMainWindow, forward: bool) -> bool:
     found = _next_stop(window, forward)
     if found is None:
         return False
-    # Chosen before it is given: a list that is only passed would select its first row
+    # Only the final widget gets the focus: a list would select its first row
     found.setFocus(Reason.TabFocusReason if forward else Reason.BacktabFocusReason)
     _scroll_to(found)
     return True
@@ -78,7 +78,7 @@ def _next_stop(window: QMainWindow, forward: bool) -> QWidget | None:
 
 
 def _is_stop(widget: QWidget, window: QMainWindow) -> bool:
-    """Whether Tab stops at a widget: as in Qt, but not in a hidden dock."""
+    """Whether Tab moves the focus to a widget: as in Qt, but not in a hidden dock."""
     return (
         _takes_tab(widget)
         and widget.isVisible()

@@ -12,7 +12,7 @@ from lispac.gui.appearance.units import Base
 
 
 def convert_axis_units(axis: Axis, base: Base) -> None:
-    """Label an axis with round values of the unit shown instead of its base unit."""
+    """Label an axis with round values in the unit shown instead of its base unit."""
     if not units.is_converted(base):
         return
     factor = units.shown_unit(base).factor
@@ -39,7 +39,7 @@ def _localised_label(text: str) -> str:
 
 
 class _RoundLocator(MaxNLocator):
-    """Ticks at round values of another unit."""
+    """Locator of ticks at round values of another unit."""
 
     def __init__(self, factor: float) -> None:
         super().__init__(nbins="auto", steps=[1, 2, 2.5, 5, 10])
@@ -51,7 +51,7 @@ class _RoundLocator(MaxNLocator):
 
 
 class _LocalFormatter(Formatter):
-    """Labels of another formatter, with the decimal sign of the language."""
+    """Formatter that localises the decimal sign in the labels of another formatter."""
 
     def __init__(self, plain: ScalarFormatter) -> None:
         self._plain = plain

@@ -1,4 +1,4 @@
-"""Menus of the main window, its own actions, and those of all features."""
+"""Menus and actions of the main window, including the actions of all features."""
 
 from PySide6.QtGui import QKeySequence
 

@@ -1,4 +1,4 @@
-"""Way from a warning to its cause: the panel is opened, and the cause selected and focused."""
+"""Navigation from a warning to its cause: opens the panel, selects and focuses the cause."""
 
 from collections.abc import Callable
 
@@ -20,7 +20,7 @@ class CauseNavigation(QObject):
 
     Parameters
     ----------
-    select : selects a target and a line (or "")
+    select : function that selects a target and a line (or "")
     """
 
     def __init__(

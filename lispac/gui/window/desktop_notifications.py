@@ -11,7 +11,7 @@ from lispac.gui.appearance import theme
 from lispac.language import N_, duration_text, gettext
 
 MIN_TASK_S = 10.0
-"""Seconds; shorter tasks are not notified."""
+"""Shortest task, seconds, whose end is notified."""
 
 
 class DesktopNotifications(QObject):
@@ -19,7 +19,7 @@ class DesktopNotifications(QObject):
 
     Parameters
     ----------
-    show : shows a text outside the window; by default as a notification of the desktop
+    show : function that shows a text outside the window; by default a desktop notification
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-"""All dialogues of the window behind one object, which tests replace."""
+"""All dialogues of the window in one class, which tests replace."""
 
 from lispac.gui.features.design.dialogs import DesignDialogs
 from lispac.gui.features.export.dialogs import ExportDialogs

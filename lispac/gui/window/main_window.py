@@ -55,24 +55,24 @@ from lispac.language import gettext
 
 NOTE_MS = 6000
 TITLE_BAR_HEIGHT = 40
-"""Pixels a window needs for it, at most: they are not in the window's size."""
+"""Largest height of a title bar, pixels, which the size of a window does not include."""
 
 
 class MainWindow(QMainWindow):
-    """Assembles document, tasks, viewport and panels.
+    """Main window, assembled from document, tasks, viewport and panels.
 
     Parameters
     ----------
     viewport : Viewport
-        Belongs to the window from now on.
+        View of the lines, which the window owns from then on.
     settings, dialogs
-        Others than the user's own, for tests.
+        Replacements for those of the user, for tests.
     document : Document, optional
-        Shown at once; it belongs to the window from now on.
+        Document to show, which the window owns from then on.
     """
 
     renewal_requested = Signal()
-    """Another language or theme: a new window replaces this one."""
+    """The language or theme was changed, and a new window must replace this one."""
 
     def __init__(
         self,
@@ -202,7 +202,7 @@ class MainWindow(QMainWindow):
         self.actions_.create_toolbar("toolbar")
         self.docks = docks.create_docks(self, self.panels.docks(self.tools.panels))
         self._at_first = self.saveState()
-        # A dock behind another counts as visible; only this signal is reliable.
+        # A dock behind another also counts as visible; only this signal is reliable.
         self.docks[SECTION].visibilityChanged.connect(self.tools.sections.set_panel_visible)
         self.actions_.fill_menus(docks.dock_actions(self.docks))
         screen = self.screen().availableGeometry()
@@ -270,7 +270,7 @@ class MainWindow(QMainWindow):
         )
 
     def _connect_tasks(self) -> None:
-        self.document.changed.connect(self.task_bar.clearMessage)  # it concerned the former state
+        self.document.changed.connect(self.task_bar.clearMessage)  # it referred to the former state
         self.task_bar.cancel_requested.connect(self.runner.cancel)
         self.runner.progress_changed.connect(lambda: self.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self.dialogs.show_error)
@@ -324,7 +324,7 @@ class MainWindow(QMainWindow):
         self.scene.select(name)
         self.table.select(name)
         self.histograms.select(name)
-        if self.targets.line is None:  # else the next seed on that line would be its sighting
+        if self.targets.line is None:  # else the next seed would add to it
             self.targets.select(name)
 
     def _preview_settings(self) -> HoverPreviewSettings:
@@ -338,7 +338,7 @@ class MainWindow(QMainWindow):
 
     def _rename(self, old: str, new: str) -> None:
         self.controller.rename(old, new)
-        if new.strip() in self.targets.names:  # still the one that was chosen
+        if new.strip() in self.targets.names:  # renamed, and still selected
             self._select(new.strip(), "")
 
     def rebuild_window(self) -> None:
@@ -394,7 +394,7 @@ class MainWindow(QMainWindow):
     def stop_and_hide(self) -> None:
         """Hide the window and stop all work without asking.
 
-        Out of sight first: work that was asked to stop may take seconds to hear of it.
+        The window is hidden first, since running work may take seconds to stop.
         """
         docks.hide_floating_docks(self.docks)
         self.hide()

@@ -47,13 +47,13 @@ class LogPanel(QPlainTextEdit):
         self.setPlainText(former.toPlainText())
 
     def note(self, text: str) -> None:
-        """Add a line."""
+        """Add a message with the time."""
         self.appendPlainText(f"{datetime.now():%H:%M:%S}  {text}")
 
 
 @dataclass(eq=False)
 class Panels:
-    """The panels besides those of the tools; the first five are in the panel of the workflow."""
+    """Panels of the window except those of the tools; the first five are workflow steps."""
 
     data: DataPanel = field(default_factory=DataPanel)
     targets: TargetsPanel = field(default_factory=TargetsPanel)
@@ -74,7 +74,7 @@ class Panels:
         self.workflow = WorkflowPanel(steps)
 
     def docks(self, tools: Mapping[str, tuple[QWidget, Area]]) -> dict[str, tuple[QWidget, Area]]:
-        """Panels by title with their sides, in the order of their tabs; ``tools`` are more."""
+        """Panels by title with their sides, in the order of their tabs, including ``tools``."""
         left, right = Area.LeftDockWidgetArea, Area.RightDockWidgetArea
         below = Area.BottomDockWidgetArea
         return {

@@ -1,4 +1,4 @@
-"""The program with a window: ``lispac-gui [PROJECT]``."""
+"""Entry point of the program with a window: ``lispac-gui [PROJECT]``."""
 
 import argparse
 import gc
@@ -24,7 +24,7 @@ IMPORT_AFTER_MS = 300
 
 
 class Application(QApplication):
-    """Qt application that opens the documents that macOS asks it to open."""
+    """Qt application that handles requests of macOS to open a document."""
 
     document_requested = Signal(Path)
 
@@ -59,7 +59,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     application.setDesktopFileName("lispac")
 
     message = caches.set_cache_variables(os.environ)
-    gc.disable()  # `GuiThreadGarbageCollector` takes over; what is imported holds no garbage
+    gc.disable()  # replaced by `GuiThreadGarbageCollector`
     from lispac.gui.app.garbage_collection import GuiThreadGarbageCollector
     from lispac.gui.app.log_file import LogFile
     from lispac.gui.viewport.lazy_viewport import LazyViewport
@@ -68,7 +68,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     collector = GuiThreadGarbageCollector(application)
     session = Session(application, lambda: LazyViewport(_create_viewport))
-    # It is there when the first project has been read, and the window is drawn before
+    # Imported in the background after the window is drawn, while the first project is read
     importing = threading.Thread(target=_import_viewport, name="lispac-import")
     QTimer.singleShot(IMPORT_AFTER_MS, importing.start)
     if isinstance(application, Application):

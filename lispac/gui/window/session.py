@@ -1,7 +1,7 @@
 """Window on the screen, and its replacement when language or theme change.
 
-Widgets are given their texts and colours when they are made. So the window is made anew around the
-same document: the project, its data and every undo step stay.
+Widgets get their texts and colours when they are created. Therefore the window is rebuilt with the
+same document; the project, its data and all undo steps are kept.
 """
 
 from collections.abc import Callable
@@ -30,8 +30,8 @@ class Session(QObject):
 
     Parameters
     ----------
-    viewport : makes the view of a window
-    settings, dialogs : others than the user's own, for tests
+    viewport : function that creates the 3D view of a window
+    settings, dialogs : replacements for those of the user, for tests
     """
 
     _uncaught = Signal(object)
@@ -44,7 +44,7 @@ class Session(QObject):
         dialogs: Dialogs | None = None,
     ) -> None:
         super().__init__(application)
-        # Queued: a thread may not open a dialogue
+        # Queued, since only the GUI thread may open a dialogue
         self._uncaught.connect(self._show_error, Qt.ConnectionType.QueuedConnection)
         self._application, self._viewport = application, viewport
         self._settings, self._dialogs = settings or AppSettings(), dialogs or Dialogs()
@@ -63,7 +63,7 @@ class Session(QObject):
         window = MainWindow(self._viewport(), self._settings, self._dialogs, document)
         if former is not None:
             window.copy_state_from(former)
-        # Queued: the action that asks for it belongs to the window that goes.
+        # Queued, since the action that emits it belongs to the window that is replaced
         window.renewal_requested.connect(self.rebuild_window, Qt.ConnectionType.QueuedConnection)
         show_window_and_docks(window, window.docks)
         window.activateWindow()
@@ -118,10 +118,10 @@ class Session(QObject):
         former.recovery_copies.stop()
         self.window = self._create_window(
             former
-        )  # shown before the other goes: the last one ends Qt
+        )  # shown before the former one is closed, since closing the last window ends Qt
         former.stop_and_hide()
         former.deleteLater()
-        # Its points and graphics: nothing else frees so much, and now everybody waits anyhow
+        # Frees the points and graphics of the former window immediately.
         QCoreApplication.sendPostedEvents(former, QEvent.Type.DeferredDelete)
         del former
         collect_all()

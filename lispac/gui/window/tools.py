@@ -74,7 +74,7 @@ class InspectionTools(QObject):
 
     @property
     def panels(self) -> dict[str, tuple[QWidget, Qt.DockWidgetArea]]:
-        """Panels of the tools by their titles, and the sides they are on."""
+        """Panels of the tools by title, with their sides."""
         below = Qt.DockWidgetArea.BottomDockWidgetArea
         return {
             SECTION: (self.sections.panel, below),

@@ -1,4 +1,4 @@
-"""The five steps, one below the other; the open one shows its panel."""
+"""Panel of the five steps, one below the other; the open step shows its panel."""
 
 from collections.abc import Sequence
 
@@ -29,7 +29,7 @@ _STATE_STYLES: dict[State, tuple[str, str, str]] = {
 
 
 class WorkflowPanel(QWidget):
-    """Five headers with their state; one panel open at a time."""
+    """Headers of the five steps with their state, with one panel open at a time."""
 
     step_opened = Signal(int)
 
@@ -59,7 +59,7 @@ class WorkflowPanel(QWidget):
             self.step_opened.emit(step)
 
     def go_to(self, step: int) -> None:
-        """Open one step, numbered from 0, before other panels, and give its header the focus."""
+        """Open one step, numbered from 0, in front of other panels, and focus its header."""
         raise_panel(self)
         self.open(step)
         self.headers[step].setFocus(Qt.FocusReason.ShortcutFocusReason)

@@ -1,4 +1,4 @@
-"""Inputs of a conversion: the boresight, the present settings, the axes."""
+"""Inputs of a conversion: boresight, current settings of the other program, and IMU axes."""
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
@@ -31,13 +31,13 @@ MEANINGS = (
     N_("Pitch is positive with the bow down"),
     N_("Yaw is positive clockwise seen from above"),
 )
-"""Signs of roll, pitch and yaw."""
+"""Sign conventions of roll, pitch and yaw."""
 TRANSLATED_PROGRAMS = (
     N_("This program (iXblue)"),
     N_("Phoenix SpatialExplorer 6 and later"),
     N_("Phoenix SpatialExplorer 1 to 5"),
 )
-"""Names of programs that differ between languages."""
+"""Names of programs that are translated."""
 
 
 def program_name(convention: Convention) -> str:
@@ -51,7 +51,7 @@ class BoresightInputs(QWidget):
     Attributes
     ----------
     mounting : Mounting
-        With all digits where it is that of the project.
+        Mounting to convert, with all digits if it is that of the project.
     covariance : ndarray of shape (3, 3), radians squared, or None
     sigma_warning : warning about the sigmas, in the user's language, or empty
     has_lever_arm : whether the lever arm is that of a project, or user-defined
@@ -94,7 +94,7 @@ class BoresightInputs(QWidget):
         layout.addWidget(self.use_project, alignment=Qt.AlignmentFlag.AlignLeft)
 
     def show_project(self, project: Project | None) -> None:
-        """Take the boresight of the project where it changed."""
+        """Fill in the boresight of the project if it has changed."""
         self._project_values = None if project is None else _project_boresight(project)
         self.use_project.setEnabled(self._project_values is not None)
         key: tuple[object, ...] = ()
@@ -200,7 +200,7 @@ class CurrentSettingsInputs(QWidget):
         Raises
         ------
         InputError
-            Where the typed text is not a matrix.
+            If the typed text is not a matrix.
         """
         if not self.known.isChecked():
             return None
@@ -215,7 +215,7 @@ class CurrentSettingsInputs(QWidget):
         self.matrix.setVisible(self.as_matrix.isChecked())
 
     def show_convention(self, convention: Convention) -> None:
-        """Name the fields as the program does; one without angles takes a matrix."""
+        """Label the fields as in the program, or show the matrix field if it has no angles."""
         for box in (self.as_matrix, self.matrix):
             box.blockSignals(True)
         self.as_matrix.setChecked(not convention.has_angles)
@@ -268,7 +268,7 @@ class ImuAxes(QWidget):
 
     @property
     def axes(self) -> Axes:
-        """Right-handed axes; `InputError` if X and Y lie on one line."""
+        """Right-handed axes; raises `InputError` if X and Y are parallel."""
         return complete_axes(DIRECTIONS[self.x.currentIndex()], DIRECTIONS[self.y.currentIndex()])
 
     def show_z(self, direction: str) -> None:

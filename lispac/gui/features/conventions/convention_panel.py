@@ -52,7 +52,7 @@ from lispac.survey.georeferencing import Mounting
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _ROW_PX = 25
 Row = tuple[str, np.ndarray, str, bool]
-"""Title in the user's language, angles in radians, format of the sign, bold."""
+"""Title in the user's language, angles in radians, format of the sign, whether bold."""
 
 
 class ConventionAnglesTable(QTableWidget):
@@ -121,7 +121,7 @@ _STATUSES: dict[Status, tuple[str, str]] = {
     "partly": (N_("Convention partly verified"), N_("{program} (partly verified)")),
     "unverified": (N_("Convention not verified"), N_("{program} (not verified)")),
 }
-"""Title of each status, and a program with it."""
+"""Title of each status, and name of a program with its status."""
 _FORMULAS: dict[Direction, str] = {
     "lidar_to_body": N_("Rotation from LiDAR to body: {formula}."),
     "body_to_lidar": N_("Rotation from body to LiDAR: {formula}."),
@@ -134,7 +134,7 @@ _SCANNER_AXES: dict[Scanner, tuple[str, str]] = {
         N_("rotated to the mounting orientation (usual)"),
     ),
 }
-"""Orientation of the scanner axes, and the same where it is the usual one of the program."""
+"""Text of each orientation of the scanner axes, and text if it is usual in the program."""
 
 
 class ConventionPanel(QWidget):
@@ -152,7 +152,7 @@ class ConventionPanel(QWidget):
 
     @property
     def convention(self) -> Convention:
-        """The chosen system."""
+        """Convention of the chosen program."""
         return SYSTEMS[self.system.currentIndex()]
 
     def show_project(self, project: Project | None) -> None:
@@ -223,7 +223,7 @@ class ConventionPanel(QWidget):
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         self.scanner.currentIndexChanged.connect(self._refresh)
-        # One above the other: a French choice is as wide as the panel
+        # One above the other, since French texts are as wide as the panel
         layout.addWidget(widgets.label(gettext("Scanner axes in that program"), "muted"))
         layout.addWidget(self.scanner)
         self.matrix_head = widgets.label("", "heading", wrap=True)
@@ -249,7 +249,7 @@ class ConventionPanel(QWidget):
         layout.addLayout(row)
         return box
 
-    # -- what the user does ------------------------------------------------------------------
+    # -- actions of the user ------------------------------------------------------------------
 
     def _set_program(self, index: int) -> None:
         if self.system.currentIndex() != index:
@@ -268,7 +268,7 @@ class ConventionPanel(QWidget):
         self.current.show_convention(convention)
         self._refresh()
 
-    # -- what is shown -----------------------------------------------------------------------
+    # -- display -----------------------------------------------------------------------------
 
     def _refresh(self) -> None:
         convention, inputs = self.convention, self.inputs
@@ -423,7 +423,7 @@ def _correction_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
 
 
 def _sum_error_text(error: float) -> str:
-    """Warning that the sum of the angles is wrong by so many radians."""
+    """Warning on the error of the sum of two mountings, given in radians."""
     return gettext(
         "<b>Do not add the correction to the current angles.</b> The sum would be wrong by "
         "{angle}, which is {distance} at {range}.",
@@ -439,7 +439,7 @@ def _matrix_html(matrix: np.ndarray) -> str:
 
 
 def _lever_arm_text(axes: Axes, values: np.ndarray) -> str:
-    # Unbreakable, so that a line ends between two axes and never before a number.
+    # Non-breaking spaces, so that lines are broken between two axes only.
     return ", ".join(
         f"{letter} {gettext(axis)} <b>{units.localised(f'{value + 0.0:+.4f}')}</b> m".replace(
             " ", "&nbsp;"

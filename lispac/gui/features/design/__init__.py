@@ -1,1 +1,1 @@
-"""The workspace in which a calibration site is designed."""
+"""The window for the design of a survey."""

@@ -1,4 +1,4 @@
-"""A drawing to scale with objects that can be dragged: base of the plan view and the wall view."""
+"""Drawing to scale with draggable objects: base class of the plan view and the wall view."""
 
 from abc import abstractmethod
 
@@ -16,11 +16,11 @@ from lispac.language import LazyText
 Array = NDArray[np.float64]
 
 MARGIN_PX = 34.0
-"""Pixels around the visible area."""
+"""Margin around the visible area, pixels."""
 GRAB_RADIUS_PX = 9.0
-"""Pixels about an object within which a press grabs it."""
+"""Largest distance of the mouse from an object at which it can be dragged, pixels."""
 GRID_STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
-"""Intervals of the grid in the unit shown; the smallest that is wide enough is used."""
+"""Grid intervals in the unit shown; the smallest one of at least `MIN_GRID_PX` is used."""
 MIN_GRID_PX = 42.0
 
 

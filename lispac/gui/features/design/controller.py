@@ -43,7 +43,7 @@ from lispac.workflow.planning.plan_comparison import PlanComparison, compare_wit
 from lispac.workflow.project.survey import load_survey
 
 MAX_SERIAL_PLANS = 600
-"""Plans that are examined sooner than other processes are started."""
+"""Largest number of plans evaluated in one process, which is then faster than starting others."""
 
 
 class CountingMapper:
@@ -57,7 +57,7 @@ class CountingMapper:
         """Apply a function to values and yield the results in order."""
         for value in self._mapper(function, values):
             self._count += 1
-            if self._count % 10 == 0:  # the cancel flag is read between reports as well
+            if self._count % 10 == 0:  # also checks the cancel flag between reports
                 self._progress(self._fraction)
             yield value
 
@@ -88,7 +88,7 @@ def find_best_plan(
 
 
 def compute_scenarios(plan: Plan, progress: Progress) -> tuple[ScenarioOutcome, ...]:
-    """Outcomes of all scenarios, each of which changes one thing of the plan."""
+    """Compute the outcomes of all scenarios, each of which changes one property of the plan."""
     return predict_scenarios(plan, tuple(SCENARIOS), progress=progress)
 
 
@@ -111,7 +111,7 @@ class SiteDesign(QObject):
     Attributes
     ----------
     window : DesignWindow or None
-        None until it is asked for.
+        None until it is first opened.
     paper : TaskRunner
         Writes field plans, also while a search runs.
     """
@@ -190,7 +190,7 @@ class SiteDesign(QObject):
     # -- files -------------------------------------------------------------------------------
 
     def new(self) -> None:
-        """Start with the plan of the thesis."""
+        """Start a new design with the plan of the thesis."""
         if self._may_discard_plan():
             self._path = None
             self.workspace.start(edits.default_plan())
@@ -222,7 +222,7 @@ class SiteDesign(QObject):
     def _write(self, path: Path) -> bool:
         try:
             self._require_complete_plan()
-            write_plan(path, self.workspace.history.current)  # not what a drag may still give up
+            write_plan(path, self.workspace.history.current)  # without a drag that may be cancelled
         except (LispacError, OSError) as error:
             self._dialogs.show_error(error)
             return False
@@ -273,7 +273,7 @@ class SiteDesign(QObject):
         if self.window is not None:
             self.window.note(text)
 
-    # -- long work ---------------------------------------------------------------------------
+    # -- computations ------------------------------------------------------------------------
 
     def scenarios(self) -> None:
         """Compute the scenarios in the background."""
@@ -346,7 +346,7 @@ class SiteDesign(QObject):
             window.pictures.show_errors(result)
             window.show_figures()
 
-        # Cancelled, it still has a result where enough surveys were finished.
+        # A cancelled simulation has a result if enough surveys were finished.
         self.runner.run(gettext("Simulating surveys"), work, done, persistent=True)
 
     def compare(self) -> None:

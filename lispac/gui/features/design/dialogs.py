@@ -35,6 +35,6 @@ class DesignDialogs(Questions):
         return path if path.suffix or not ending else path.with_name(path.name + ending)
 
     def sensors_of_plan(self, settings: AppSettings) -> Sensors | None:
-        """Sensors of the library for a plan; None where the dialogue is cancelled."""
+        """Sensors of the library for a plan; None if the dialogue is cancelled."""
         dialog = PlanSensorsDialog(settings.sensors, QApplication.activeWindow() or self.parent)
         return dialog.sensors if run_dialog(dialog) else None

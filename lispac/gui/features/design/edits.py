@@ -1,4 +1,4 @@
-"""Edits of a plan by hand: each function returns a changed plan; independent of the window."""
+"""Edits of a plan, independent of the window; each function returns a changed plan."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -15,12 +15,11 @@ from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.simulation.closed_form_survey import Ball, Board
 
 NEAR_M, FAR_M = 1.0, 200.0
-"""Metres: distances a line can be dragged to."""
+"""Smallest and largest distance to which a line can be dragged, metres."""
 SNAP_DEG = 5.0
-"""Headings are dragged in steps of this."""
+"""Step of a heading while a line is turned with the mouse, degrees."""
 MAX_LINES, MAX_TARGETS = 24, 12
-"""More than a day on the water and a lorry can carry; every one of them costs time while dragging.
-"""
+"""Limits of a plan, more than is practicable; each line and target slows down a drag."""
 DEFAULT_TITLE = "Site"
 
 
@@ -31,13 +30,13 @@ class PlacedTarget:
     Attributes
     ----------
     along, off, up : float, metres
-        To the right on the wall, towards the water, above the vessel's POS.
+        Coordinates to the right along the wall, towards the water, and above the POS of the vessel.
     lean, facing : float, degrees
-        From level, and the azimuth a board faces; a ball has none.
+        Inclination of a board from the horizontal, and azimuth that it faces; unused for a ball.
     width, height : float, metres
-        A ball's are its diameter.
+        Both are the diameter of a ball.
     flatness : float or None, metres
-        None is the plan's.
+        Flatness of the board; None for that of the plan.
     """
 
     name: str
@@ -76,7 +75,7 @@ class PlacedTarget:
 
 
 def default_plan(facing_deg: float = 270.0) -> TitledPlan:
-    """Plan with the boards and lines that the thesis recommends, as a start."""
+    """Initial plan, with the boards and lines that the thesis recommends."""
     site = Site((0.0, 0.0, 0.0), facing_deg)
     return TitledPlan(DEFAULT_TITLE, thesis_plan(site), site.wall)
 
@@ -119,13 +118,13 @@ def with_line_moved(titled: TitledPlan, k: int, turn: int) -> TitledPlan:
 
 
 def is_site_to_starboard(wall: Wall, heading_deg: float, otherwise: bool) -> bool:
-    """Whether the site lies to starboard of a vessel that stays on the wall's water side."""
+    """Whether the site is to starboard of a vessel that stays on the water side of the wall."""
     across = float(np.sin(np.radians(heading_deg - wall.facing_deg)))
     return otherwise if abs(across) < 0.01 else across > 0
 
 
 def with_heading(line: Line, wall: Wall, heading_deg: float) -> Line:
-    """Line with another heading that stays on the water side of the wall."""
+    """Line with another heading, kept on the water side of the wall."""
     heading = heading_deg % 360
     return replace(
         line, heading_deg=heading, starboard=is_site_to_starboard(wall, heading, line.starboard)
@@ -138,7 +137,7 @@ def snap_heading(heading_deg: float) -> float:
 
 
 def round_to_step(metres: float, step: float) -> float:
-    """Length rounded to a step of about ``step`` metres that is round in the unit shown."""
+    """Length rounded to a step of about ``step`` metres, a round number in the unit shown."""
     step = units.shown_step(step, "m")
     return round(round(metres / step) * step, 9)
 
@@ -167,7 +166,7 @@ def without_target(titled: TitledPlan, k: int) -> TitledPlan:
 
 
 def free_target_name(titled: TitledPlan, letter: str) -> str:
-    """First of the names T1, T2, … that no target has."""
+    """First unused name of a letter and a number, such as T1."""
     names = {target.name for target in titled.plan.targets}
     return next(name for k in range(1, len(names) + 2) if (name := f"{letter}{k}") not in names)
 
@@ -180,7 +179,7 @@ def with_system(titled: TitledPlan, system: System) -> TitledPlan:
 def with_sensors(
     titled: TitledPlan, figures: ScannerSpecification | None, state: PosAccuracy | None
 ) -> TitledPlan:
-    """Plan with the standard deviations of sensors from the library; None keeps those it has."""
+    """Plan with the standard deviations of sensors of the library; None keeps the present ones."""
     system = titled.plan.system
     if figures is not None:
         scanner = replace(
@@ -201,7 +200,7 @@ def with_sensors(
 
 
 def with_wall_facing(titled: TitledPlan, facing_deg: float) -> TitledPlan:
-    """Plan with the whole site turned: wall, targets and lines."""
+    """Plan with the whole site (wall, targets, lines) turned so that the wall faces an azimuth."""
     by = facing_deg - titled.wall.facing_deg
     wall = replace(titled.wall, facing_deg=facing_deg % 360)
     targets = [replace(t, facing=(t.facing + by) % 360).on(wall) for t in placed_targets(titled)]

@@ -1,4 +1,4 @@
-"""An editable table of numbers that reports invalid input while it is typed."""
+"""Editable table of numbers that reports invalid input during typing."""
 
 import math
 from collections.abc import Sequence
@@ -32,13 +32,13 @@ class TableColumn:
     title, tip : str
         English texts of the catalogue.
     unit : str
-        Unit of the values, below the title; lengths are shown in the user's.
+        Unit of the values, below the title; lengths are shown in the unit chosen by the user.
     low, high : float
         Range of the values.
     choices : tuple of str
-        Values to choose from instead of typing, texts of the catalogue.
+        Values to choose from instead of typing, as texts of the catalogue.
     empty : str
-        Meaning of an empty cell, a text of the catalogue; "" where it may not be empty.
+        Meaning of an empty cell, a text of the catalogue; "" if a cell must not be empty.
     is_text : bool
         Whether the values are names.
     """
@@ -76,7 +76,7 @@ class TableColumn:
         Raises
         ------
         InputError
-            Where it is not a number, or out of range.
+            If it is not a number, or out of range.
         """
         text = text.strip()
         if self.is_text:
@@ -127,7 +127,7 @@ class NumberTable(QTableWidget):
     """Row, name of the field, and the value; None for an empty cell."""
     row_selected = Signal(int)
     input_error = Signal(str)
-    """Error of the text being typed; empty where there is none."""
+    """Message on the error in the typed text; empty if there is none."""
 
     def __init__(self, name: str, title: str, fields: Sequence[TableColumn]) -> None:
         super().__init__(0, len(fields))
@@ -179,7 +179,7 @@ class NumberTable(QTableWidget):
         return tip
 
     def show_rows(self, rows: Sequence[Sequence[float | str | None]], current: int) -> None:
-        """Show values; "" for a field that does not apply to a row."""
+        """Show the values of the rows; "" for a field that does not apply to a row."""
         self._showing = True
         if self.rowCount() != len(rows):
             self.setRowCount(len(rows))
@@ -207,7 +207,7 @@ class NumberTable(QTableWidget):
 
 
 class _Delegate(QStyledItemDelegate):
-    """Editors that report invalid input; Enter does not close one that has it."""
+    """Delegate whose editors report invalid input, and are not closed by Enter while invalid."""
 
     def __init__(self, table: NumberTable) -> None:
         super().__init__(table)
@@ -233,7 +233,7 @@ class _Delegate(QStyledItemDelegate):
     def _on_editor_closed(self) -> None:
         try:
             self._table.input_error.emit("")
-        except RuntimeError:  # the table went first
+        except RuntimeError:  # the table was deleted before its editor
             return
 
     def _check_input(self, editor: QLineEdit, field: TableColumn) -> bool:

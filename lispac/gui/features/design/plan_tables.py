@@ -112,7 +112,7 @@ TARGET_FIELDS = (
 )
 EDIT_NAMES = N_("Line {line:n}: {field}"), N_("{target}: {field}")
 MIN_BALL_SIZE = 0.04
-"""Metres: smallest diameter."""
+"""Smallest diameter of a ball, metres."""
 
 
 class LinesList(QWidget):

@@ -13,12 +13,12 @@ from lispac.language import LazyText, gettext, gettext_lazy
 from lispac.simulation.closed_form_survey import Board
 
 LINE_OFFSET_PX = 6.0
-"""Pixels a line is drawn to starboard of its course: opposite lines lie beside each other."""
+"""Offset of a drawn line to starboard, pixels, which separates lines in opposite directions."""
 BADGE_RADIUS_PX = 9.0
-"""Pixels: radius of a line's number."""
+"""Radius of the disc with the number of a line, pixels."""
 
 SNAP_STEP = 0.5
-"""Metres, about: a line is dragged in steps of a round length."""
+"""Approximate step of a dragged line, metres; a round length in the unit shown."""
 
 Key = Qt.Key
 
@@ -64,11 +64,11 @@ class PlanView(DesignCanvas):
 
     def _line_pixels(self, k: int, ends: tuple[Array, Array]) -> tuple[QPointF, QPointF]:
         along = _line_direction(self.workspace.titled.plan.lines[k])
-        offset = LINE_OFFSET_PX * QPointF(along[1], along[0])  # to starboard; y runs down
+        offset = LINE_OFFSET_PX * QPointF(along[1], along[0])  # to starboard; y points down
         return self.pixel(ends[0]) + offset, self.pixel(ends[1]) + offset
 
     def bounds(self) -> Array:
-        """Centre of the site, ends of the lines, targets: shape (n, 2), metres, east and north."""
+        """Centre of the site, ends of lines and targets: shape (n, 2), metres, east and north."""
         titled = self.workspace.titled
         places = [self._middle]
         places += [place for ends in self._line_ends() for place in ends]
@@ -139,7 +139,7 @@ class PlanView(DesignCanvas):
     # -- mouse -------------------------------------------------------------------------------
 
     def _line_at(self, at: QPointF) -> tuple[int, bool] | None:
-        """Index of the line at a pixel, and whether its arrow is there; the selected line first."""
+        """Line at a pixel, the selected one first, and whether the pixel is on its arrow."""
         drawn = [self._line_pixels(k, ends) for k, ends in enumerate(self._line_ends())]
         order = sorted(range(len(drawn)), key=lambda k: k != self.workspace.line)
         for k in order:
@@ -157,7 +157,7 @@ class PlanView(DesignCanvas):
         return Qt.CursorShape.CrossCursor if found[1] else Qt.CursorShape.OpenHandCursor
 
     def start_drag(self, at: QPointF) -> bool:
-        """Take the line at a pixel, to move or turn it."""
+        """Start to move or turn the line at a pixel."""
         found = self._line_at(at)
         if found is None:
             return False

@@ -26,7 +26,7 @@ class PredictedPrecision:
     Attributes
     ----------
     prediction : Prediction or None
-        None where the plan has no target or no line.
+        Prediction; None if the plan has no target or no line.
     refused : whether the adjustment would refuse such a survey
     """
 
@@ -98,7 +98,7 @@ def time_on_site_text(titled: TitledPlan) -> str:
 def plan_information_gains(
     plan: Plan, progress: Progress = no_progress
 ) -> tuple[InformationGain, ...]:
-    """Information gain of each target and line; empty where there is only one."""
+    """Information gain of each target and line; empty if there is only one."""
     return (
         information_gains(plan, PlanObjective(), progress=progress)
         if plan.targets and plan.lines

@@ -24,7 +24,7 @@ from lispac.progress import Progress
 from lispac.workflow.planning.plan_checks import plan_warnings
 
 DEBOUNCE_MS = 250
-"""Pause after an edit before the slow results are computed."""
+"""Delay after an edit before the slow results are computed."""
 OUT_OF_DATE_MS = 400
 """Delay after which the values of an earlier plan are marked as out of date."""
 
@@ -46,9 +46,9 @@ class SlowResults:
 
 
 class BackgroundPrediction(QObject):
-    """Predicts the precision of the plan in a worker of its own.
+    """Predicts the precision of the plan in a separate worker.
 
-    When the worker is free, the plan shown then is predicted next; earlier ones are skipped.
+    When the worker is free, it predicts the plan that is shown then and skips earlier plans.
 
     Attributes
     ----------
@@ -56,12 +56,12 @@ class BackgroundPrediction(QObject):
     """
 
     predicted = Signal(object)
-    """The `PredictedPrecision` of a plan, which in a drag may be one of a moment ago."""
+    """`PredictedPrecision` of a plan; during a drag, it may belong to a slightly earlier plan."""
     slow_results_ready = Signal(object)
     gains_ready = Signal(object)
-    """Information gain of each target and line; everything has been computed."""
+    """Information gain of each target and line; the last result to be computed."""
     out_of_date = Signal()
-    """Whether the prediction shown is that of an earlier plan."""
+    """The prediction shown is that of an earlier plan."""
     failed = Signal(object)
 
     def __init__(self, workspace: Workspace, parent: QObject) -> None:
@@ -203,7 +203,7 @@ class PredictionPanel(QScrollArea):
                 font = theme.tabular_font(shown.font(), bold=column == 1)
                 font.setPixelSize(size)
                 shown.setFont(font)
-                # Keeps its width when the first numbers arrive.
+                # Keeps the width constant when the first numbers are shown.
                 shown.setMinimumWidth(QFontMetrics(font).horizontalAdvance("0.0000") + 4)
                 shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 shown.setAccessibleName(
@@ -292,7 +292,7 @@ class PredictionPanel(QScrollArea):
         counts = {} if found is None else found.points
         lines = [course.name for course in plan.courses] if plan.targets else []
         names = [target.name for target in plan.targets]
-        # More targets than lines are rare: lines run down, as in the table of lines.
+        # One row for each line, as in the table of lines; plans rarely have more targets.
         head = "".join(
             f"<td align='right'>&nbsp;&nbsp;<b>{escape(name)}</b></td>" for name in names
         )

@@ -37,7 +37,7 @@ LIST_FIELDS = {
                      "search")),
 }  # fmt: skip
 INCLINATIONS_DEG = (90.0, 60.0, 45.0, 120.0, 135.0)
-"""Degrees from level, as in the site files that come with the program."""
+"""Default inclinations from the horizontal, degrees, as in the supplied site files."""
 
 
 def parse_numbers(
@@ -45,12 +45,12 @@ def parse_numbers(
 ) -> tuple[float, ...]:
     """Parse a typed list of numbers, separated by semicolons, blanks or commas.
 
-    A comma is a decimal sign where it is one in the user's language.
+    A comma is the decimal sign if it is so in the user's language.
 
     Raises
     ------
     InputError
-        Where something is not a number, or out of range.
+        If a part of the text is not a number or is out of range.
     """
     text = text.replace(";", " ").replace("−", "-")
     base = BASES.get(f" {unit}")
@@ -94,9 +94,9 @@ class LimitsForm(QWidget):
         self._file: tuple[str, Site] | None = None
         self.lists: dict[str, QLineEdit] = {}
         self._values: dict[str, tuple[float, ...] | None] = {}
-        """Values of each list; None where the text is not a list of numbers."""
+        """Values of each list; None if the text is not a list of numbers."""
         self._filled = {name: ("", ()) for name in LIST_FIELDS}
-        """Text that was filled in and its values with all digits, until something is typed."""
+        """Text that was filled in and its values with all digits, until the user edits it."""
         self.boards = _integer_field(
             "limit_boards", 0, 6, 2, gettext("Number of boards in the survey plan")
         )
@@ -175,7 +175,7 @@ class LimitsForm(QWidget):
         Raises
         ------
         LispacError
-            Where the values do not form a site.
+            If the values do not form a site.
         """
         if self._file is None:
             plan = titled.plan
@@ -362,7 +362,13 @@ class SearchPanel(QScrollArea):
         right.addStretch(1)
         both = QHBoxLayout(body)
         both.setSpacing(20)
-        for each in (left, right, form, files, buttons):  # else they take that of the whole
+        for each in (
+            left,
+            right,
+            form,
+            files,
+            buttons,
+        ):  # else the outer spacing applies
             each.setSpacing(theme.SPACING)
         both.addLayout(left, 1)
         both.addLayout(right, 1)
@@ -382,7 +388,7 @@ class SearchPanel(QScrollArea):
         return PlanObjective(list(CRITERIA)[self.criterion.currentIndex()], factors)
 
     def show_found(self, result_text: LazyText | None) -> None:
-        """Show the result of a search; None where there is none."""
+        """Show the result of a search; None if there is no result."""
         self._found = result_text
         self.message_label.setText("" if result_text is None else str(result_text))
         self.message_label.setVisible(result_text is not None)
@@ -415,11 +421,11 @@ class SearchResult:
     Attributes
     ----------
     value : float, degrees
-        Of the objective.
+        Value of the objective.
     evaluated : int
-        Number of plans.
+        Number of plans that were evaluated.
     all_evaluated : bool
-        Whether there are no others.
+        Whether all possible plans were evaluated.
     """
 
     value: float

@@ -1,4 +1,4 @@
-"""Panel of simulated surveys, which check the predicted standard deviations, and its table."""
+"""Panel of simulated surveys, which verify the predicted standard deviations, and its table."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -192,7 +192,7 @@ class SurveysPanel(QScrollArea):
         left.addLayout(buttons)
         left.addStretch(1)
         both.setSpacing(20)
-        for each in (left, form, buttons):  # else they take that of the whole
+        for each in (left, form, buttons):  # else the outer spacing applies
             each.setSpacing(theme.SPACING)
         both.addLayout(left, 2)
         both.addWidget(self.result_table, 3)

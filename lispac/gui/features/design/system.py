@@ -168,7 +168,7 @@ class SystemPanel(QScrollArea):
             self._set_system(gettext_lazy("POS class"), replace(system, pos=pos))
 
     def _edit(self, name: str) -> None:
-        """Apply one field to the plan; the others keep all their digits."""
+        """Apply one field to the plan; other values of the plan keep all their digits."""
         if self._showing:
             return
         plan = self._work.titled.plan
@@ -227,11 +227,11 @@ Sensors = tuple[ScannerSpecification | None, PosAccuracy | None]
 
 
 class PlanSensorsDialog(QDialog):
-    """Choice of scanner and INS/GNSS; the plan keeps its values where none is chosen.
+    """Choice of scanner and INS/GNSS; without a choice, the plan keeps its values.
 
     Parameters
     ----------
-    folder : of the user's own sensors
+    folder : folder of the user-defined sensors
     """
 
     def __init__(self, folder: Path, parent: QWidget | None = None) -> None:
@@ -275,7 +275,7 @@ class PlanSensorsDialog(QDialog):
 
     @property
     def sensors(self) -> Sensors:
-        """The chosen sensors; None where the plan keeps its values."""
+        """The chosen sensors; None if the plan keeps its values."""
         scanner, pos = self.choice.names
         return (self._scanner if scanner else None, self._pos if pos else None)
 

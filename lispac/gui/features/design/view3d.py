@@ -18,22 +18,22 @@ from lispac.simulation.closed_form_survey import Ball, Board
 
 SQUARE_EDGES = ((0, 1), (1, 2), (2, 3), (3, 0))
 RING = 16
-"""Corners of the circles a ball is drawn with."""
+"""Number of corners of the circles that represent a ball."""
 WALL_STEP, TARGET_STEP = 0.15, 0.03
-"""Metres between the points that surfaces are drawn with."""
+"""Spacing of the points that represent a surface, metres."""
 ARROW_LENGTH = 1.5
-"""Metres: an arrow's."""
+"""Length of an arrow, metres."""
 
 
 class View3D(QObject):
-    """Draws the plan into a viewport; handles move a target along the wall, up and off it."""
+    """Draws the plan into a viewport, with handles to move a target in three directions."""
 
     def __init__(self, workspace: Workspace, viewport: Viewport) -> None:
         super().__init__(workspace)
         self._work, self.viewport = workspace, viewport
         self._names: set[str] = set()
         self._dragged: PlacedTarget | None = None
-        self._lost = False  # the dragged object was in another plan
+        self._lost = False  # the dragged object belonged to a replaced plan
         self._shift = np.zeros(3)
         self._clouds: dict[str, Array] = {}
         viewport.signals.seed_clicked.connect(self._place_target)
@@ -80,7 +80,7 @@ class View3D(QObject):
     def _place_target(self, at: PickedPoint) -> None:
         """Select the clicked target, or move the selected one to the clicked place.
 
-        Where none is selected, a new one.
+        If no target is selected, a new target is added there.
         """
         titled = self._work.titled
         if at.line == "targets":
@@ -154,7 +154,7 @@ def plan_sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketc
 
 
 def plan_surfaces(titled: TitledPlan) -> dict[str, Array]:
-    """Wall and targets as points (n, 3), metres, which are drawn and can be clicked."""
+    """Points (n, 3), metres, of the wall and of the targets, which are drawn and can be clicked."""
     wide, high = _wall_extent(titled)
     along, up = np.meshgrid(np.arange(-wide, wide, WALL_STEP), np.arange(-1.0, high, WALL_STEP))
     wall = titled.wall
@@ -170,7 +170,7 @@ def plan_surfaces(titled: TitledPlan) -> dict[str, Array]:
 def _wall_extent(titled: TitledPlan) -> tuple[float, float]:
     """Half width and height of the drawn wall, metres."""
     targets = edits.placed_targets(titled)
-    # Whole metres: the wall does not flicker while a target is dragged.
+    # Whole metres, so that the wall does not flicker while a target is dragged.
     wide = max([abs(t.along) + 3.0 for t in targets] + [8.0])
     high = max([t.up + 2.0 for t in targets] + [4.0])
     return float(np.ceil(wide)), float(np.ceil(high))
@@ -186,7 +186,7 @@ def _wall_sketch(titled: TitledPlan) -> Sketch:
 
 def _target_outline(target: Board | Ball) -> tuple[Array, tuple[tuple[int, int], ...]]:
     if isinstance(target, Board):
-        # The grid's four outermost points have the second moments of the board, not its corners.
+        # The points of `grid` reproduce the second moments of the board and are not its corners.
         grid = target.grid(2)
         middle = grid.mean(axis=0)
         corners = middle + (grid - middle) * (0.5 / np.sqrt(1 / 12))

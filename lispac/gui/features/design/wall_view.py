@@ -14,9 +14,9 @@ from lispac.gui.features.design.workspace import Workspace
 from lispac.language import LazyText, current_language, gettext, gettext_lazy
 
 MIN_BOARD_PX = 8.0
-"""Pixels: a board is drawn at least as large."""
+"""Smallest drawn size of a board, pixels."""
 SNAP_STEP, FINE_STEP = 0.1, 0.01
-"""Metres, about: a target moves in steps of a round length."""
+"""Approximate steps of a moved target, metres; round lengths in the unit shown."""
 VIEW_MARGIN = 2.0
 """Metres of wall and water that are visible beyond the targets."""
 
@@ -104,7 +104,7 @@ class WallView(DesignCanvas):
         return Qt.CursorShape.OpenHandCursor if is_on_target else Qt.CursorShape.ArrowCursor
 
     def start_drag(self, at: QPointF) -> bool:
-        """Take the target at a pixel."""
+        """Start to drag the target at a pixel."""
         k = self._target_at(at)
         if k is None:
             return False

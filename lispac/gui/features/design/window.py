@@ -188,7 +188,7 @@ class DesignWindow(QMainWindow):
         return QSize(1480, 920)
 
     def _build(self) -> None:
-        # From the outside in: with each new parent Qt looks up the style of all that is inside
+        # Built from the outside in, since Qt restyles all children with each new parent
         both = QSplitter(Qt.Orientation.Horizontal)
         self.setCentralWidget(both)
         left, above = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
@@ -238,7 +238,7 @@ class DesignWindow(QMainWindow):
         screen = self.screen().availableGeometry()
         self.resize(min(1480, screen.width()), min(920, screen.height() - 30))
 
-    # -- what is shown -----------------------------------------------------------------------
+    # -- display -----------------------------------------------------------------------------
 
     def _show(self) -> None:
         history = self.workspace.history
@@ -317,7 +317,7 @@ class DesignWindow(QMainWindow):
         self.view3d.show()
         self.view3d.fit()
 
-    # -- one after the other -----------------------------------------------------------------
+    # -- replacement -------------------------------------------------------------------------
 
     def copy_state_from(self, former: "DesignWindow") -> None:
         """Copy results, size and splitters of another window of the same plan."""
@@ -327,7 +327,7 @@ class DesignWindow(QMainWindow):
         self.pictures.copy_state_from(former.pictures)
         self._show()
         self.restoreGeometry(former.saveGeometry())
-        # Both are made of the same parts in the same order
+        # Both windows have the same splitters in the same order
         for kind, take in (
             (QSplitter, lambda own, other: own.restoreState(other.saveState())),
             (QTabWidget, lambda own, other: own.setCurrentIndex(other.currentIndex())),

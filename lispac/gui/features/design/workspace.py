@@ -17,7 +17,7 @@ State = TypeVar("State")
 
 @dataclass(eq=False)
 class UndoHistory(Generic[State]):
-    """Present state, the states before it and those that were undone.
+    """Undo history: the present state, earlier states, and undone states.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class UndoHistory(Generic[State]):
         Parameters
         ----------
         edit : LazyText
-            Name of the edit that led to it.
+            Name of the edit that led to the state.
         """
         if not (key and key == self._key and self._before):
             self._before.append((edit, self.current))
@@ -70,12 +70,12 @@ class UndoHistory(Generic[State]):
 
     @property
     def undo_name(self) -> LazyText | None:
-        """Name of the edit that `undo` would revert; None where there is none."""
+        """Name of the edit that `undo` would revert; None if there is none."""
         return self._before[-1][0] if self._before else None
 
     @property
     def redo_name(self) -> LazyText | None:
-        """Name of the edit that `redo` would repeat; None where there is none."""
+        """Name of the edit that `redo` would repeat; None if there is none."""
         return self._after[-1][0] if self._after else None
 
 
@@ -85,11 +85,11 @@ class Workspace(QObject):
     Attributes
     ----------
     line, target : int
-        Places of the selected ones; -1 where there are none.
+        Indices of the selected line and target; -1 without a selection.
     """
 
     changed = Signal()
-    """Another plan, or another step of a drag."""
+    """The plan was changed, or shown with another step of a drag."""
     selected = Signal()
     refused = Signal(str)
     """The reason why an edit was refused."""
@@ -163,7 +163,7 @@ class Workspace(QObject):
         self.changed.emit()
         self.selected.emit()
 
-    # -- what is selected --------------------------------------------------------------------
+    # -- selection ---------------------------------------------------------------------------
 
     def select(self, *, line: int | None = None, target: int | None = None) -> None:
         """Select a line or a target."""
@@ -187,7 +187,7 @@ class Workspace(QObject):
             target = change(edits.placed_targets(self.titled)[self.target])
             self.edit(name, edits.with_target(self.titled, self.target, target), key)
 
-    # -- more and less -----------------------------------------------------------------------
+    # -- lines and targets--------------------------------------------------------------------
 
     def add_line(self, *, duplicate: bool = False) -> None:
         """Add a line after the selected one: the same, or in the opposite direction."""

@@ -48,7 +48,7 @@ _MM, _DEG = 1e3, float(np.degrees(1.0))
 
 
 class _WrappedText(QLabel):
-    """A wrapped text that keeps its height: a form with hidden rows squeezes it."""
+    """Wrapped text with a fixed minimum height, since a form with hidden rows would squeeze it."""
 
     def __init__(self, text: str, name: str) -> None:
         super().__init__(text)
@@ -191,7 +191,7 @@ class ModelSettings(QWidget):
         )
 
     def show_settings(self, settings: Settings) -> None:
-        """Fill in without emitting `changed`."""
+        """Fill in the settings without emitting `changed`."""
         self.blockSignals(True)
         self.position_time.setValue(settings.position_time)
         self.attitude_time.setValue(settings.attitude_time)
@@ -213,7 +213,7 @@ class ModelSettings(QWidget):
         self.blockSignals(False)
 
     def show_model(self, pos_errors: PosErrors) -> None:
-        """Disable what uncorrelated POS errors do not use."""
+        """Disable the fields that do not apply to uncorrelated POS errors."""
         for each in (self.position_time, self.attitude_time, self.surface, self.components):
             each.setEnabled(pos_errors == "correlated")
 
@@ -267,5 +267,5 @@ def _field_row(*fields: QWidget) -> QWidget:
 
 
 def _unrounded_value(displayed: float, before: float, step: float) -> float:
-    """Value with all its digits if the rounded field was not changed."""
+    """Value with all its digits, if the field that shows it rounded was not changed."""
     return before if abs(displayed - before) < step else displayed

@@ -54,9 +54,9 @@ class AdjustPanel(QWidget):
     """Settings of the adjustment and the button that starts it."""
 
     estimate_requested = Signal(object, bool)
-    """Settings, whether to cross-check."""
+    """Settings of the adjustment, and whether to cross-check."""
     subsample_changed = Signal(float)
-    """The spacing was changed: count the points that it keeps."""
+    """The point spacing was changed, so the points it keeps are to be counted."""
     cancel_requested = Signal()
 
     def __init__(self) -> None:
@@ -144,7 +144,7 @@ class AdjustPanel(QWidget):
         Raises
         ------
         InputError
-            Where a typed value is not valid.
+            If a typed value is not valid.
         """
         if self._settings is None:
             return None
@@ -160,7 +160,7 @@ class AdjustPanel(QWidget):
             self.estimate_requested.emit(self.settings(), self.cross_check.isChecked())
 
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
-        """Fill in the project's settings where they changed."""
+        """Fill in the settings of the project if they have changed."""
         self._ready, self._project = status.ready and not busy, project
         self.advice.setText(status.advice)
         settings = None if project is None else project.settings
@@ -207,7 +207,7 @@ class AdjustPanel(QWidget):
             QToolTip.showText(field.mapToGlobal(QPoint(0, field.height())), text, field)
 
     def show_count(self, kept: int | None, total: int, sightings: int, reason: str = "") -> None:
-        """Show how many points are used; None while they are counted or where there is a reason."""
+        """Show the number of points used, that they are being counted, or why they cannot be."""
         self._counted = (kept, total, sightings, reason)
         self._update_count()
 
@@ -215,12 +215,12 @@ class AdjustPanel(QWidget):
         self.count.setText(self._count_text())
 
     def _count_text(self) -> str:
-        """How many points of the sightings are used, as rich text."""
+        """Rich text on the number of points of the sightings that are used."""
         kept, total, count, reason = self._counted
         if not count:
             return gettext("No targets yet: there are no points to adjust.")
         points, sightings = gettext(POINTS, count=total), gettext(SIGHTINGS, count=count)
-        if reason:  # shown below the button, too
+        if reason:  # also shown below the button
             return gettext(
                 "{points} in {sightings} are not enough for an adjustment.",
                 points=points, sightings=sightings,
@@ -239,14 +239,14 @@ class AdjustPanel(QWidget):
                 "All points are used: <b>{points}</b> in {sightings}.",
                 points=points, sightings=sightings,
             )  # fmt: skip
-        # About: Estimate selects the points again with the estimated boresight
+        # Approximate, since the adjustment selects the points again with the estimated boresight
         return gettext(
             "About <b>{kept:n}</b> of {points} in {sightings} are used.",
             kept=round(kept, 2 - len(str(kept))), points=points, sightings=sightings,
         )  # fmt: skip
 
     def _used_points(self) -> int | None:
-        """Points of the project's result; None where there is none with these settings."""
+        """Number of points of the result; None if there is no result with these settings."""
         if self._project is None or self._project.result is None:
             return None
         try:

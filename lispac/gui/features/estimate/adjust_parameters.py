@@ -21,13 +21,13 @@ class MountingParameter:
 
     Attributes
     ----------
-    title : begins a sentence
-    short_title : fits a switch and the axis of a figure
-    summary : stands in a list
-    sigma_title : of the field with the standard deviation of its prior
-    scale : shown units to one metre, radian or second
-    decimals : of the value in its unit
-    limit : largest value that can be typed, in its unit
+    title : name at the beginning of a sentence
+    short_title : name for a switch and for the axis of a figure
+    summary : name within a list
+    sigma_title : title of the field with the standard deviation of the prior
+    scale : number of displayed units in one metre, radian or second
+    decimals : decimals of the value in its unit
+    limit : largest value that can be entered, in its unit
     """
 
     name: str
@@ -78,7 +78,7 @@ _LIMITS_AND_TEXTS = {
         N_("Estimate a time offset that is added to the time of each point"),
     ),
 }  # fmt: skip
-"""Largest value that can be typed, short title, summary, title of the prior sigma, tooltip."""
+"""Largest value that can be entered, short title, summary, title of the prior sigma, tooltip."""
 PRIOR_TIPS = {
     "range_offset": N_("Prior range offset. It is also applied if it is not estimated."),
     "scan_angle_offset": N_("Prior scan-angle offset. It is also applied if it is not estimated."),
@@ -104,7 +104,7 @@ SCANNER = ("range_offset", "scan_angle_offset", "latency")
 
 
 class ParameterSwitches(QWidget):
-    """Row for each parameter: a switch, its prior and the prior's standard deviation."""
+    """Rows of parameters, each with a switch, the prior and its standard deviation."""
 
     changed = Signal()
 
@@ -171,7 +171,7 @@ class ParameterSwitches(QWidget):
         )
 
     def show_settings(self, settings: Settings) -> None:
-        """Fill in without emitting `changed`."""
+        """Fill in the settings without emitting `changed`."""
         sigma = {parameter.name: parameter.sigma for parameter in settings.parameters}
         for name, switch in self.switches.items():
             switch.blockSignals(True)
@@ -196,7 +196,7 @@ class ParameterSwitches(QWidget):
 
     @property
     def summary(self) -> str:
-        """The chosen values, or how many there are."""
+        """Text with the chosen parameters, or with their number."""
         chosen = [KINDS[name] for name, switch in self.switches.items() if switch.isChecked()]
         if len(chosen) > 2:
             return gettext(Plural("{count:n} parameter", "{count:n} parameters"), count=len(chosen))

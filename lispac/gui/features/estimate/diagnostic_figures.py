@@ -13,15 +13,15 @@ from lispac.language import N_, gettext
 from lispac.present.angles import ANGLE_TITLES
 
 MARKERS = ("o", "s", "^")
-"""One for each angle, so that colours are not needed to distinguish them."""
+"""Markers of the angles, which can be distinguished without colours."""
 FONT_SIZE, SMALL_SIZE = 9, 8
 DIRECTIONS = (N_("weakest direction"), N_("middle direction"), N_("strongest direction"))
 MIN_SIGMA_DEG = 1e-12
-"""Smaller differences are rounding errors; the limit keeps the logarithm finite."""
+"""Smallest difference that is drawn on the logarithmic axis; smaller ones are rounding errors."""
 
 
 def draw_convergence(result: AdjustmentResult, figure: Figure) -> None:
-    """Draw the distance of each angle from its last value over the iterations; 0 is the prior."""
+    """Draw the difference of each angle from its final value by iteration; 0 is the prior."""
     axes = _new_axes(figure)
     path = np.degrees(np.vstack([result.prior_boresight, result.path]))
     away = np.abs(path - path[-1]) * units.shown_unit("°").factor
@@ -101,7 +101,7 @@ def draw_pos_errors(result: AdjustmentResult, figure: Figure) -> None:
         prior = np.array([item.pos_sigma[which] for item in items]) * scale
         for k, component in enumerate(components):
             offset = place + 0.24 * (k - 1)
-            # One collection: a patch for each bar takes as long as all else in the figure
+            # One collection, since a patch for each bar would double the drawing time
             left, right, up = offset - 0.1, offset + 0.1, 2 * prior[:, k]
             corners = ((left, -up), (left, up), (right, up), (right, -up))
             bars = PolyCollection(

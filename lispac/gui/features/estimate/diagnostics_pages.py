@@ -1,4 +1,4 @@
-"""The pages of the diagnostics; each is filled when it becomes visible."""
+"""Pages of the diagnostics; each is filled when it becomes visible."""
 
 from html import escape
 from typing import Any
@@ -37,11 +37,11 @@ NOT_WITH_CLASSICAL = N_(
 
 
 class DiagnosticsPage(QWidget):
-    """Page with its content, or with advice on how to get it."""
+    """Page that shows its content, or advice on how to obtain it."""
 
     title = ""
     empty_text = ""
-    """English text that is shown before an estimation."""
+    """English text that is shown before an adjustment."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -60,7 +60,7 @@ class DiagnosticsPage(QWidget):
         return self._empty.text() if self._stack.currentIndex() == 0 else ""
 
     def show_project(self, project: Project | None) -> None:
-        """Show the result, or why there is nothing to show."""
+        """Show the result, or advice if there is nothing to show."""
         result = None if project is None else project.result
         if project is None or result is None:
             self._show_advice(gettext(self.empty_text))
@@ -105,7 +105,7 @@ class FigurePage(DiagnosticsPage):
         self.draw(result)
 
     def draw(self, result: AdjustmentResult) -> None:
-        """Draw into the canvas, made on first use."""
+        """Draw into the canvas, which is created on first use."""
         # Imported here, so that the start of the window does not wait for it.
         from lispac.gui.features.estimate import diagnostic_figures
         from lispac.gui.widgets.chart import Chart
@@ -323,7 +323,7 @@ class CrossChecksPage(DiagnosticsPage):
         )
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
-        """Fill the table, and show the spread."""
+        """Fill the table, and show the jackknife standard deviations."""
         assert project.cross_checks is not None
         checks = cross_check_values(project.cross_checks)
         self.table.show_rows(

@@ -77,7 +77,7 @@ class DiagnosticsPanel(QWidget):
         return page
 
     def show_project(self, project: Project | None, *, waiting: bool = False) -> None:
-        """Show a result; while the next one is ``waiting`` the previous one stays, greyed."""
+        """Show a result; while a new one is awaited (``waiting``), disable the previous one."""
         had_result = self._project is not None and self._project.result is not None
         greyed = waiting and had_result
         self._waiting.setVisible(greyed)

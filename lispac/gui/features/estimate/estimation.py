@@ -22,7 +22,7 @@ from lispac.survey.cloud import Cloud
 from lispac.workflow.project.survey import Survey
 
 DEBOUNCE_MS = 250
-"""Several clicks in a row make one adjustment."""
+"""Delay of an automatic adjustment, so that several clicks in a row cause only one."""
 
 ESTIMATED = Plural(
     "Boresight estimated from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
@@ -70,7 +70,7 @@ class _EstimationResult:
     selection: _Selection
     clouds: Mapping[str, Cloud]
     replaced: Survey | None
-    """The survey where the prior mounting moved its points."""
+    """Survey with points moved by another prior mounting; None if they did not move."""
 
 
 class Estimation(QObject):
@@ -138,7 +138,7 @@ class Estimation(QObject):
             self._selection, self._cross_check = found.selection, cross_check
             self._scene.keep_estimated(found.estimated.result, found.clouds)
             self._document.edit(N_("boresight estimate"), found.estimated, survey=found.replaced)
-            # Another survey: the scene has released its data.
+            # Stored again, since the scene releases its data when the survey is replaced.
             self._scene.keep_estimated(found.estimated.result, found.clouds)
             self._scene.show("estimated")
             self._note(found.estimated, ESTIMATED)
@@ -167,10 +167,10 @@ class Estimation(QObject):
         ):
             self._document.set_refused_since(error.reason)
 
-    # -- what follows from a click -----------------------------------------------------------
+    # -- automatic adjustments ---------------------------------------------------------------
 
     def _wait_for_result(self) -> None:
-        """Start the timer of a result that is to follow, unless it is being computed."""
+        """Start the timer of an automatic adjustment, unless its result is being computed."""
         if not self._document.awaits_result:
             self._debounce.stop()
             self._automatic = None
@@ -217,7 +217,7 @@ class Estimation(QObject):
             self._document.complete_last_edit(found.estimated)
             self._note(found.estimated, ESTIMATED_SAME_POINTS if selection else ESTIMATED_AGAIN)
 
-        # A quick one gives way to what the user requests; a slow one can be cancelled.
+        # A fast adjustment yields to requests of the user; a slow one can be cancelled.
         task = self._runner.run(
             gettext("Estimating the boresight again"),
             work,
@@ -230,7 +230,7 @@ class Estimation(QObject):
         self._controller.cancel_on_edit(task)
 
     def _run_checks(self) -> None:
-        """Run advice and cross-checks for an automatic result when no other task runs.
+        """Compute advice and cross-checks for an automatic result when no other task runs.
 
         The advice takes half as long as the adjustment itself, the cross-checks ten times as long.
         """
@@ -238,7 +238,7 @@ class Estimation(QObject):
             return
         last, self._checking = self._checking, None
         if last is not None and last.cancel.is_set() and not last.superseded:
-            self._unchecked = None  # cancelled by hand
+            self._unchecked = None  # cancelled by the user
         (project, survey), selection = self._document.current_data, self._selection
         if project is None or project is not self._unchecked or survey is None:
             return
@@ -304,7 +304,7 @@ def _adjust(
     )  # fmt: skip
     assert solved.result is not None
     elapsed = perf_counter() - started
-    # The checks hold the very result they stand beside.
+    # Only the elapsed time of the result is replaced.
     estimated = replace(solved, result=replace(solved.result, elapsed=elapsed))
     progress(0.95, gettext_lazy("Georeferencing the lines with the estimated boresight"))
     clouds = survey.displayed_clouds(

@@ -19,7 +19,7 @@ from lispac.present.parameters import (
 )
 
 MIN_ROUGHNESS = 5e-5
-"""Metres: a smaller surface sigma is shown as 0.0 mm."""
+"""Smallest surface sigma, metres, that is not shown as 0.0 mm."""
 _TENTH_MM = 1e-4
 
 
@@ -64,7 +64,7 @@ FIT = (
     N_("The residuals agree with the given standard deviations. The uncertainties are realistic."),
     N_("The residuals agree with the given standard deviations."),
 )
-"""Text without and with warnings; so are the others."""
+"""Texts for a result without and with warnings, as in the following constants."""
 FIT_WITH_SURFACES = (
     N_(
         "The residuals agree with the given standard deviations if the target surfaces vary by "
@@ -90,7 +90,7 @@ SMALL_RESIDUALS = (
 def fit_verdict(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> str:
-    """Text on the chi-square test; without warnings, whether the uncertainties can be used."""
+    """Text on the chi-square test and, without warnings, on the validity of the uncertainties."""
     is_sure = not result_warnings(result, checks, also)
     if result.chi_square.passed:
         if result.model.surface is None and (most := float(result.surfaces.max())) > MAX_FLAT_SIGMA:
@@ -150,7 +150,7 @@ def _parameter_text(kind: MountingParameter, value: float, *, signed: bool = Tru
 
 
 def variance_component_texts(result: AdjustmentResult) -> tuple[str, ...]:
-    """The variance components: factor, interval and finding of each."""
+    """Texts of the variance components: factor, interval and finding of each."""
     return tuple(
         gettext(
             "{errors}: factor {factor:x.2} (95 %: {interval}), {finding}",

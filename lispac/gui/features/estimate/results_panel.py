@@ -74,11 +74,11 @@ class ResultsPanel(QWidget):
         Parameters
         ----------
         waiting : bool
-            A new estimate is running: the last result stays, disabled.
+            Whether a new result is being computed; the last one is then disabled.
         refusal : str
-            Why there is no result.
+            Reason why there is no result.
         refused_since : Message or str
-            Why an estimate after this result failed.
+            Reason why an estimate after this result failed.
         """
         result = None if project is None else project.result
         greyed = waiting and self._stack.currentIndex() == 1
@@ -152,7 +152,7 @@ class ResultsPanel(QWidget):
         return widgets.VerticalScrollArea(outer, 380)
 
     def _fill_rotation(self, result: AdjustmentResult) -> None:
-        """Show the rotation matrix where the pitch is too steep for the three angles."""
+        """Show the rotation matrix if the pitch is too steep for the three angles."""
         is_shown = result.mounting.axes is not None
         self.rotation.setVisible(is_shown)
         if is_shown:

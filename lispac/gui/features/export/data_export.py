@@ -25,11 +25,11 @@ EXPORT_TITLES = {
 }
 """Title of the task that exports each kind of data."""
 DATA: tuple[What, ...] = ("lines", "targets", "trajectory")
-"""What is exported; the actions have the same names."""
+"""Kinds of exported data, which are also the names of the actions."""
 
 
 class DataExport(QObject):
-    """Asks what to export and writes it in the background."""
+    """Asks for the options of an export and writes it in the background."""
 
     def __init__(
         self,

@@ -34,7 +34,7 @@ class ScriptDialog(QDialog):
 
     Parameters
     ----------
-    save : asks for a file, saves, and returns a text about it; empty where nothing was saved
+    save : function that asks for a file, saves it, and returns a text; empty if nothing was saved
     """
 
     def __init__(

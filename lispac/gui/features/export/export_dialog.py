@@ -161,7 +161,7 @@ class ExportDialog(QDialog):
     def request(self) -> ExportRequest:
         """The export as filled in."""
         what, form = self._content, self._file_format
-        # A relative path is relative to the project, not to where the program was started.
+        # A relative path refers to the project folder, not to the working directory.
         output = self._project.folder / expand_user(Path(self.folder.text().strip()))
         if what == "trajectory":
             ending = ".out" if form == "sbet" else ".txt"
@@ -169,14 +169,14 @@ class ExportDialog(QDialog):
         which = list(BORESIGHTS)[self.boresight.currentIndex()]
         try:
             datum, epoch = self._datum_and_epoch()
-        except InputError:  # the dialogue shows it and cannot be accepted
+        except InputError:  # shown by the dialogue, which cannot be accepted
             datum, epoch = None, None
         return ExportRequest(
             what, output, which, form, self._system_text, self._height, datum, epoch
         )
 
     def _preset_datum(self) -> None:
-        """Fill in datum and epoch of the lines; leave them empty where the lines differ."""
+        """Fill in datum and epoch of the lines; leave them empty if the lines differ."""
         self._differ = False
         try:
             datum, epoch = trajectory_datum_of(self._project.lines)
@@ -187,7 +187,7 @@ class ExportDialog(QDialog):
         self.epoch.setText("" if epoch is None else repr(epoch))
 
     def _datum_and_epoch(self) -> tuple[str | None, float | None]:
-        """Datum and epoch of the trajectory from the fields; None: as the files of the lines."""
+        """Datum and epoch of the trajectory from the fields; None for those of the line files."""
         if not self.datum.isEnabled():
             return None, None
         text = self.epoch.text().strip().replace(",", ".")
@@ -234,11 +234,11 @@ class ExportDialog(QDialog):
         self._debounce.start()
 
     def _check_input(self) -> None:
-        """Show the meaning of the coordinates, or what is wrong with them."""
+        """Show the meaning of the coordinate settings, or the error in them."""
         self._debounce.stop()
         local = self._system_text == LOCAL
         self.height.setEnabled(not local)
-        for field in (self.datum, self.epoch):  # the lines' own system has them already
+        for field in (self.datum, self.epoch):  # the lines already have this system
             field.setEnabled(not local and bool(self._system_text))
         good = bool(self.folder.text().strip())
         try:

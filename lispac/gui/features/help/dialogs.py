@@ -81,7 +81,7 @@ KEYS = (
 
 
 def about_box(parent: QWidget | None) -> QMessageBox:
-    """Message box with version, conventions and licence, not yet shown."""
+    """Create the message box with version, conventions and licence, without showing it."""
     box = QMessageBox(parent)
     box.setObjectName("about_dialog")
     box.setWindowTitle(dialog_title(ACTIONS["about"]))
@@ -103,7 +103,7 @@ def about_box(parent: QWidget | None) -> QMessageBox:
 
 
 def shortcuts_box(parent: QWidget | None) -> QDialog:
-    """Dialogue with the mouse and keyboard commands in two columns, not yet shown."""
+    """Create the dialogue with mouse and keyboard commands in two columns, without showing it."""
     box = QDialog(parent)
     box.setObjectName("shortcuts_dialog")
     box.setWindowTitle(dialog_title(ACTIONS["keys"]))

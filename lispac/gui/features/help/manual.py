@@ -13,7 +13,7 @@ from lispac.language import current_language, gettext
 from lispac.progress import Progress
 
 PANELS = "panels"
-"""The page that has a part for each step, called ``step-1`` to ``step-5``."""
+"""Page with a section for each step, with anchors ``step-1`` to ``step-5``."""
 
 
 class Manual(QObject):
@@ -21,7 +21,7 @@ class Manual(QObject):
 
     Parameters
     ----------
-    opened_step : returns the step shown in the window, counted from 0
+    opened_step : function that returns the step shown in the window, counted from 0
     """
 
     def __init__(

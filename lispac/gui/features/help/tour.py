@@ -1,7 +1,7 @@
-"""The three-minute tour: the built-in survey calibrated, led step by step.
+"""The three-minute tour: a guided calibration of the demo survey.
 
 The user does each step with the ordinary functions of the window. The tour shows the instruction,
-brings the place into view, and continues when the project shows that the step is done.
+brings the place into view, and continues when the state of the project shows that the step is done.
 """
 
 from collections.abc import Callable
@@ -23,7 +23,7 @@ from lispac.workflow.calibration.orientation_check import do_targets_face_one_wa
 from lispac.workflow.planning.demo import demo_seeds
 
 VIEW_RADIUS = 2.5
-"""Metres about a board that are brought into view with it."""
+"""Radius around a board that is brought into view with it, metres."""
 
 
 @dataclass(frozen=True)
@@ -33,8 +33,9 @@ class TourStep:
     Attributes
     ----------
     text : instruction, marked with `N_`
-    place : name of a seed of the demo that is brought into view; "" for all of the survey
-    done : whether a project, and a plane that waits to be accepted, are beyond this step
+    place : name of a seed of the demo that is brought into view; "" for the whole survey
+    done : function of the project, and of whether a detected plane is not yet accepted, that
+        returns whether the step is done
     """
 
     text: str
@@ -75,7 +76,7 @@ SAME_ORIENTATION = N_(
     "This target has the same orientation as the other, so the angles are not determined. Undo "
     "with Ctrl+Z, then Ctrl+click the board that leans back and press Enter."
 )
-"""Text shown instead of that of a step while all targets have the same orientation."""
+"""Instruction shown instead of that of the step while all targets have the same orientation."""
 
 
 class TourCard(QFrame):
@@ -131,7 +132,7 @@ class Tour(QObject):
         self._text = ""
         self._starting = False
         self._place: str | None = None
-        """What is to be brought into view once the lines are drawn."""
+        """Place that is brought into view when the lines are drawn; None if there is none."""
         card.ended.connect(self.end)
         document.opened.connect(self._on_project_opened)
         document.changed.connect(self._show_current_step)
@@ -149,7 +150,7 @@ class Tour(QObject):
             self._controller.open_demo(first=self._mark_start)
 
     def _mark_start(self) -> None:
-        # Only now: had the demo been cancelled, the next project would lose its targets to the tour
+        # Set only when the demo is opened: if it is cancelled, the next project keeps its targets
         self._starting = True
 
     def resume(self) -> None:
@@ -169,7 +170,7 @@ class Tour(QObject):
             return
         project = self._document.project
         assert project is not None
-        if project.targets:  # of an earlier visit
+        if project.targets:  # of an earlier tour
             for target in project.targets:
                 project = project.without_target(target.name)
             self._document.edit(N_("start of the tour"), project)

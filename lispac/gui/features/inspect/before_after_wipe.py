@@ -14,7 +14,7 @@ from lispac.language import gettext
 
 
 class BeforeAfterWipe(QObject):
-    """Wipe between before and after; ends when it is switched off or the prior is shown."""
+    """Wipe between before and after, which ends when it is switched off or the prior is shown."""
 
     def __init__(
         self,

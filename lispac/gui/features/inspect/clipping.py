@@ -21,7 +21,7 @@ BOX_MARGIN = 0.5
 
 
 class ClipBoxController(QObject):
-    """Holds the clip box, which handles on its sides and fields of the panel change."""
+    """Holds the clip box, which is changed by handles on its sides and by the panel."""
 
     def __init__(
         self,
@@ -62,7 +62,7 @@ class ClipBoxController(QObject):
         self._bring(self.panel)
 
     def show(self, points: Array, name: str) -> None:
-        """Move the box around points (n, 3) to be shown, if it hides most of them."""
+        """Move the box to the given points (n, 3) if it hides most of them."""
         if self.box is None or 2 * len(self.box.inside(points)) >= len(points):
             return
         self._set_box(Box.around(points, common_normal([points]), BOX_MARGIN))
@@ -89,7 +89,7 @@ class ClipBoxController(QObject):
     def _move_side(self, name: str, side: int, metres: float) -> None:
         if name == SKETCH_NAME and self.box is not None:
             self.box = self.box.with_side_moved(side, metres)
-            self._show()  # the points follow when the handle is let go
+            self._show()  # the points are clipped when the handle is released
 
     def _on_handle_released(self, name: str) -> None:
         if name == SKETCH_NAME and self.box is not None:

@@ -1,4 +1,4 @@
-"""Lengths of the clip box."""
+"""Panel of the clip box."""
 
 import numpy as np
 from PySide6.QtCore import Signal
@@ -67,7 +67,7 @@ class ClippingPanel(QWidget):
 
     @property
     def lengths(self) -> np.ndarray:
-        """Shape (3,), metres."""
+        """Lengths of the box, shape (3,), metres."""
         return np.array([field.value() for field in self.fields])
 
     def show_box(self, box: Box | None) -> None:

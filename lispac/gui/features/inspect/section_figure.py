@@ -15,7 +15,7 @@ from lispac.language import N_, gettext
 from lispac.workflow.checking.survey_sections import SectionPoints
 
 MAX_POINTS = 60_000
-"""Largest number of points drawn; of more, an even subsample of all lines."""
+"""Largest number of points drawn; larger sets are thinned evenly over all lines."""
 FONT_SIZE, SMALL_SIZE = 9, 8
 TITLES = {"prior": N_("Before"), "estimated": N_("After")}
 TITLES_WITH_DISTANCE = {
@@ -34,8 +34,8 @@ def draw_section(
 
     Parameters
     ----------
-    colours : of each line
-    titles : of the axes to the right and upwards, in English
+    colours : colour of each line
+    titles : English titles of the horizontal and vertical axis
     """
     figure.clear()
     first: Axes | None = None

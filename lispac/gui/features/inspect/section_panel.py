@@ -93,7 +93,7 @@ class SectionPanel(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 4, 0)
         self._row.addWidget(side)
-        # In the place of the picture: beside the options there is no space for the text.
+        # Shown instead of the picture, since there is no space for the text beside the options.
         self._row.addWidget(self.text_label, 1)
         self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.text_label.setContentsMargins(24, 0, 24, 0)
@@ -154,8 +154,8 @@ class SectionPanel(QWidget):
 
         Parameters
         ----------
-        through : what is cut
-        target : whether the section is across a target, or between two points
+        through : text that describes the position of the section
+        target : whether the section is across a target, and not between two points
         """
         title = through
         self.through.setText(title)

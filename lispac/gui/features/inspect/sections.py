@@ -96,7 +96,7 @@ class SectionTool(QObject):
             self._ends = []
             self._draw_sketch(None)
 
-    # -- cutting -----------------------------------------------------------------------------
+    # -- section -----------------------------------------------------------------------------
 
     def _cut_target(self) -> None:
         """Cut the newly selected target instead of a section between two points."""
@@ -142,7 +142,7 @@ class SectionTool(QObject):
 
         def done(cuts: Sequence[SectionPoints] | str) -> None:
             self._outdated = False
-            self._shown = requested, rests_on  # kept, so that no other object gets their id
+            self._shown = requested, rests_on  # references prevent the reuse of their ids
             if isinstance(cuts, str):
                 self._show_nothing(cuts)
                 return

@@ -26,12 +26,12 @@ from lispac.workflow.project.survey import Survey
 
 
 class DataPanel(QWidget):
-    """Shows the files of the project; lets the user hide lines and change the mounting."""
+    """Panel with the files of the project, visibility of the lines, and the mounting."""
 
     line_shown = Signal(str, bool)
-    """A line is to be shown, or hidden."""
+    """Name of a line, and whether it is to be shown."""
     settings_edited = Signal(object)
-    """Settings with the numbers of the fields."""
+    """Settings with the values of the edited fields."""
     new_requested = Signal()
     open_requested = Signal()
     demo_requested = Signal()
@@ -111,7 +111,7 @@ class DataPanel(QWidget):
         self.show_project(None, None)
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Fill in; ``survey`` is None while the data are being read."""
+        """Show a project; ``survey`` is None while the data are being read."""
         self._empty.setVisible(project is None)
         self._filled.setVisible(project is not None)
         if project is None:
@@ -126,7 +126,7 @@ class DataPanel(QWidget):
             self._fill(project.settings)
 
     def select_line(self, name: str) -> bool:
-        """Select a line in the list; whether it is there."""
+        """Select a line in the list; return whether it is in the list."""
         found = self.lines.findItems(name, Qt.MatchFlag.MatchExactly)
         for item in found:
             self.lines.setCurrentItem(item)
@@ -181,7 +181,7 @@ class DataPanel(QWidget):
         self._show_changes()
 
     def _edited_settings(self) -> Settings | None:
-        """Settings with the fields that the user changed; None where there are none."""
+        """Settings with the changed fields; None if no field was changed."""
         if self._settings is None:
             return None
         fresh = self._settings
@@ -200,7 +200,7 @@ class DataPanel(QWidget):
         self.revert.setEnabled(differs)
 
     def _ensure_visible(self, field: QWidget) -> None:
-        """Scroll so that a low screen shows the sketch with the field that has the focus."""
+        """Scroll to the focused field so that the sketch is also visible on a small screen."""
         above = self.parentWidget()
         while above is not None and not isinstance(above, QScrollArea):
             above = above.parentWidget()
@@ -215,7 +215,7 @@ class DataPanel(QWidget):
 
 
 class _EmptyState(QWidget):
-    """What to do when no project is open."""
+    """Instructions shown when no project is open."""
 
     def __init__(self, panel: DataPanel) -> None:
         super().__init__()

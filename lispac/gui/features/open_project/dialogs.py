@@ -24,12 +24,12 @@ class ProjectDialogs(Questions):
     def new_project(
         self, settings: AppSettings, paths: Sequence[Path] = ()
     ) -> ImportRequest | Path | None:
-        """The import of a new project, or an existing project that was dropped instead.
+        """Ask for the import of a new project; return it, or an existing project that was dropped.
 
         Parameters
         ----------
         paths : sequence of Path
-            Files and folders to start with.
+            Files and folders that are added initially.
         """
         dialog = ImportDialog(settings, self.parent)
         dialog.add(paths)
@@ -38,19 +38,19 @@ class ProjectDialogs(Questions):
     def add_lines(
         self, settings: AppSettings, project: Project, paths: Sequence[Path] = ()
     ) -> tuple[LineSource, ...] | Path | None:
-        """Lines to add to the open project, or the project that was dropped instead.
+        """Ask for lines to add to the open project; return them, or a project that was dropped.
 
         Parameters
         ----------
         paths : sequence of Path
-            Files and folders to start with.
+            Files and folders that are added initially.
         """
         dialog = AddLinesDialog(settings, project, self.parent)
         dialog.add(paths)
         return dialog.sources() if run_dialog(dialog) else dialog.project
 
     def project_to_open(self, start: Path) -> Path | None:
-        """File of a project to open."""
+        """Ask for the file of a project to open."""
         name, _ = QFileDialog.getOpenFileName(
             self.parent,
             dialog_title(ACTIONS["open"]),

@@ -81,7 +81,7 @@ class ProjectLifecycle(QObject):
     def add_lines(self, paths: Sequence[Path] = ()) -> None:
         """Show the import dialogue for more lines; ``paths`` are added at once.
 
-        Nothing is asked about its changes: they stay, and the addition is one more.
+        Unsaved changes are kept without a question, since the addition is a further change.
         """
         project = self._document.project
         if project is None:
@@ -95,8 +95,8 @@ class ProjectLifecycle(QObject):
     def open_dropped(self, paths: Sequence[Path]) -> None:
         """Open or import files that were dropped on the window.
 
-        A project is opened; a list of target coordinates gives seeds to the open one; others
-        become lines of it, or a new project.
+        A project is opened. A list of target coordinates provides seeds for the open project. Other
+        files become lines of the open project, or a new project.
         """
         if self._controller.busy:
             self._controller.logged.emit(
@@ -174,7 +174,7 @@ class ProjectLifecycle(QObject):
 
 
 def _free_folder(folder: Path) -> Path:
-    """Free folder name beside the project, or in the home folder if that is not writable."""
+    """Unused folder name beside the project, or in the home folder if that is not writable."""
     parent = folder_outside_cache(folder.parent)
     if not os.access(parent, os.W_OK):
         parent = home_folder()

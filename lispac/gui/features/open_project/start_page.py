@@ -50,7 +50,7 @@ class StartPage(QScrollArea):
         super().__init__()
         self.setObjectName("start_page")
         self.setAccessibleName(gettext("Start page"))
-        # It would have the focus at first, unseen; keys scroll it from the links, too
+        # Else it would have the initial focus invisibly; keys scroll it from the links as well
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -116,7 +116,7 @@ class StartPage(QScrollArea):
     def show_recent(self, folders: Iterable[Path]) -> None:
         """List projects, the one opened last first."""
         for old in self._projects:
-            old.hide()  # until it goes, it would stand where it was
+            old.hide()  # else it is visible until it is deleted
             self._recent.removeWidget(old)
             old.deleteLater()
         self._projects = [self._project_button(folder) for folder in folders] or [

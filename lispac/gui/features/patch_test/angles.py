@@ -16,9 +16,9 @@ Array = NDArray[np.float64]
 STEP_DEG = 0.001
 """Step of a slider, degrees."""
 RANGE_DEG = 3.0
-"""Range of a slider to either side of its start, degrees; a field takes any angle."""
+"""Range of a slider to either side of its start, degrees; a field accepts any angle."""
 RESULT_RANGE_DEG = 0.3
-"""Range of a slider after a search, degrees: a pixel is then a few thousandths."""
+"""Range of a slider after a search, degrees; a pixel is then a few thousandths of a degree."""
 ANGLE_TITLES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
 _SLIDERS = (N_("Change the roll"), N_("Change the pitch"), N_("Change the yaw"))
 _FIELDS = (
@@ -92,7 +92,7 @@ class PatchAngles(QWidget):
         return self._boresight.copy()
 
     def set_start(self, boresight: Array, reach: float = RANGE_DEG) -> None:
-        """Set all angles and the middles of the sliders, without a signal.
+        """Set all angles and centre the sliders on them, without emitting a signal.
 
         Parameters
         ----------
@@ -107,7 +107,7 @@ class PatchAngles(QWidget):
         self.set_angles(boresight)
 
     def set_angles(self, boresight: Array) -> None:
-        """Set all angles, without a signal."""
+        """Set all angles without emitting a signal."""
         self._boresight = np.array(boresight, dtype=float)
         for k in range(3):
             self._show_angle(k)
@@ -145,7 +145,7 @@ class PatchAngles(QWidget):
             label.setText("; ".join(texts))
 
     def update_enabled(self, allowed: bool) -> None:
-        """Enable or disable the searches; the angles can be changed in either case."""
+        """Enable or disable the search buttons; the angles can always be changed."""
         for find in self.find_buttons:
             find.update_enabled(allowed)
 
@@ -165,7 +165,7 @@ class PatchAngles(QWidget):
         steps = round((degrees - float(np.degrees(self._start[angle]))) / STEP_DEG)
         for shown, value in ((self.fields[angle], degrees), (self.sliders[angle], steps)):
             if shown.hasFocus() and shown is self.fields[angle] and shown.value() == value:
-                continue  # being typed into
+                continue  # the user is typing in it
             shown.blockSignals(True)
             shown.setValue(value)
             shown.blockSignals(False)

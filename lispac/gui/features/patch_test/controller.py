@@ -41,13 +41,13 @@ SKETCH_NAME = "patch"
 ANGLE_NAMES = (N_("roll"), N_("pitch"), N_("yaw"))
 SKETCH_COLOUR: Colour = (0, 150, 90)
 MAX_POINTS = 3_000
-"""Points of a line in the picture."""
+"""Largest number of points of a line in the picture."""
 HALF_WIDTH, INNER_SHARE = np.radians(0.25), 0.8
-"""Half width of the curve, radians, and the share of it outside which another is drawn."""
+"""Half width of the curve, radians, and the share of it beyond which a new curve is computed."""
 CURVE_STEPS = {"one": 41, "all": 17}
-"""Values of a curve: of one object, and of all."""
+"""Number of values of a curve, for one object and for all objects."""
 WIDER = 12
-"""Factor of the width of the curve where it has no minimum within its width."""
+"""Factor by which the curve is widened if it has no minimum within its width."""
 DEBOUNCE_MS = 200
 """Pause after the last move of a slider before a curve is computed."""
 
@@ -137,7 +137,7 @@ class PatchTestController(QObject):
         objects = () if self._laid is None else self._laid.objects
         return next((each for each in objects if each.name == name), None)
 
-    # -- what follows the angles -------------------------------------------------------------
+    # -- display -----------------------------------------------------------------------------
 
     def _show_object(self) -> None:
         """Show the selected object, or update it."""
@@ -168,7 +168,7 @@ class PatchTestController(QObject):
         self._draw_lines()
 
     def _extract_dense_points(self, each: PatchObject, laid: PlacedObjects, survey: Survey) -> None:
-        """Extract the points to draw in the worker; the picture stays until they are there."""
+        """Extract the points to draw in the worker; the picture is kept until they are ready."""
 
         def work(_progress: Progress) -> ObjectSample:
             return ObjectSample.of(

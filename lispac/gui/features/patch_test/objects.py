@@ -1,4 +1,4 @@
-"""Objects of the patch test: detected, or from a click, the selected target or the clip box."""
+"""Objects of the patch test: detected, or placed at a click, a target or the clip box."""
 
 from collections.abc import Callable
 from itertools import count
@@ -25,18 +25,18 @@ HINT = N_("Click an object that is visible in two lines, to place a box around i
 POINT_BOX_SIZE = (2.0, 2.0, 3.0)
 """Sides of the box about a clicked point, metres."""
 TARGET_BOX_MARGIN = 0.5
-"""Metres that the box about a target is larger on every side."""
+"""Margin of the box around a target on every side, metres."""
 HAND_PREFIX = "H"
-"""First letter of the names of boxes placed by hand; detected ones have another."""
+"""First letter of the names of boxes placed by the user; detected objects have another."""
 
 
 class PatchObjects(QObject):
-    """Places boxes around objects in the worker and emits `objects_changed`.
+    """Places boxes around objects in the worker and emits `objects_placed`.
 
     Parameters
     ----------
-    clip_box : returns the clip box, or None where there is none
-    present : the objects there are, or None
+    clip_box : function that returns the clip box, or None if there is none
+    present : function that returns the present objects, or None
     """
 
     objects_placed = Signal(object, str)
@@ -77,7 +77,7 @@ class PatchObjects(QObject):
         self._controller.cancel_on_edit(task)
 
     def _replace_detected(self, laid: PlacedObjects) -> None:
-        """Replace the objects detected before; boxes placed by hand are kept."""
+        """Replace the objects detected earlier; boxes placed by the user are kept."""
         before = self._present()
         own = [] if before is None else [o.name for o in before.objects if o.name[0] == HAND_PREFIX]
         if before is not None and own:
@@ -121,7 +121,7 @@ class PatchObjects(QObject):
         return np.asarray(survey.trajectory.at(times).position.mean(axis=0))
 
     def _add_box(self, box: ObjectBox) -> None:
-        """Place a box where the lines are displayed."""
+        """Place a box around points of the displayed lines."""
         project, survey = self._document.current_data
         if project is None or survey is None:
             return

@@ -45,9 +45,9 @@ KINDS: dict[Kind, str] = {
     "oblique": N_("oblique lines"),
     "same direction": N_("lines in the same direction"),
 }
-"""Signs and names of the kinds of pairs."""
+"""Names of the kinds of pairs; `SIGNS` are their symbols."""
 SIDE_WIDTH, LIST_WIDTH, SPACING = 316, 100, 6
-"""Pixels: width of both lists, of the list of objects, and space between the pictures."""
+"""Width of both lists, width of the list of objects, and space between the pictures, pixels."""
 
 
 class PatchTestPanel(QWidget):
@@ -60,9 +60,9 @@ class PatchTestPanel(QWidget):
     remove_requested = Signal(str)
     zoom_requested = Signal(str)
     shown_changed = Signal()
-    """Another object, another side of it, or another curve is to be shown."""
+    """The user has chosen another object, side or curve to be shown."""
     ticked_changed = Signal()
-    """Other objects or pairs are to be compared."""
+    """The user has changed which objects or pairs are compared."""
     find_all_requested = Signal()
     save_requested = Signal()
     prior_requested = Signal()
@@ -103,7 +103,7 @@ class PatchTestPanel(QWidget):
         self._middle.addWidget(self._create_pictures())
         row.addLayout(self._middle, 1)
         row.addLayout(self._create_right_column())
-        # In a small window the panel scrolls and does not widen the window.
+        # In a small window, the panel scrolls and does not widen the window.
         self._area = area = QScrollArea()
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidgetResizable(True)
@@ -232,7 +232,7 @@ class PatchTestPanel(QWidget):
         column.addWidget(area, 1)
         return column
 
-    # -- what is chosen ----------------------------------------------------------------------
+    # -- selection ---------------------------------------------------------------------------
 
     @property
     def shown(self) -> str:
@@ -250,7 +250,7 @@ class PatchTestPanel(QWidget):
         """Names of the ticked pairs."""
         return frozenset(_ticked_names(self.pairs))
 
-    # -- what is shown -----------------------------------------------------------------------
+    # -- display -----------------------------------------------------------------------------
 
     def show_objects(self, names: Sequence[str], unticked: Collection[str], shown: str) -> None:
         """Show the list of objects."""
@@ -262,7 +262,7 @@ class PatchTestPanel(QWidget):
         self._middle.setCurrentIndex(1 if names else 0)
 
     def show_pairs(self, pairs: Sequence[LinePair]) -> None:
-        """Show the list of pairs; all are ticked."""
+        """Show the list of pairs with all pairs ticked."""
         with QSignalBlocker(self.pairs):
             _fill_list(self.pairs, [(p.name, f"{SIGNS[p.kind]} {p.name}") for p in pairs], ())
             for row, pair in enumerate(pairs):
@@ -283,7 +283,7 @@ class PatchTestPanel(QWidget):
                 item.setToolTip(widgets.plain_tip(tip))
 
     def show_empty(self, reason: str) -> None:
-        """Show why there are no objects: `EMPTY` or `NO_DATA`."""
+        """Show the reason why there are no objects: `EMPTY` or `NO_DATA`."""
         self.text_label.setText(gettext(reason))
         self.show_objects((), (), "")
 

@@ -1,6 +1,6 @@
 """Pictures of the patch test: the lines at an object at true scale, and their mismatch.
 
-They are painted with Qt since Matplotlib takes a tenth of a second for each.
+They are painted with Qt, since Matplotlib takes a tenth of a second for each picture.
 """
 
 from collections.abc import Mapping
@@ -40,7 +40,7 @@ class PaperPicture(QWidget):
         return QSize(360, 260)
 
     def painter(self) -> QPainter:
-        """A painter on empty paper."""
+        """Painter on an empty picture."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), theme.colour("paper"))
         painter.setPen(theme.colour("border"))
@@ -60,11 +60,11 @@ class LinesPicture(PaperPicture):
     def show_points(
         self, points: Mapping[str, Array], colours: Mapping[str, Colour], size: Array
     ) -> None:
-        """Show other points.
+        """Show the points of each line.
 
         Parameters
         ----------
-        points : ndarray of shape (n, 2) by line, metres, to the right and upwards of the middle
+        points : ndarray of shape (n, 2) by line, metres, to the right and upwards from the centre
         size : ndarray of shape (2,), metres
             Extent of the picture.
         """
@@ -104,7 +104,7 @@ class CurvePicture(PaperPicture):
     """Mismatch over one angle with its current value and minimum; a click chooses a value."""
 
     value_clicked = Signal(float)
-    """Radians."""
+    """Angle, radians, at the clicked place of the curve."""
 
     def __init__(self) -> None:
         super().__init__("patch_curve", gettext("Mismatch as a function of the angle"))
@@ -115,7 +115,7 @@ class CurvePicture(PaperPicture):
         self._present: tuple[float, float] | None = None
 
     def show_curve(self, title: str, values: Array, mismatch: Array) -> None:
-        """Show another curve; an empty one while it is being computed.
+        """Show a curve, or an empty curve while it is being computed.
 
         Parameters
         ----------
@@ -127,7 +127,7 @@ class CurvePicture(PaperPicture):
         self.update()
 
     def mark_current(self, value: float, mismatch: float) -> None:
-        """Mark the current value, radians, and its mismatch, metres; NaN where it has none."""
+        """Mark the current value, radians, and its mismatch, metres; NaN if it is unknown."""
         self._present = value, mismatch
         self.update()
 

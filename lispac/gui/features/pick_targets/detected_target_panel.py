@@ -18,13 +18,13 @@ from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow.project.survey import Survey
 
 ICON_SIZE, ICON_GAP = 16, 14
-"""Pixels: side of a light, and between one line and the next."""
+"""Size of a quality icon, and gap between two columns of lines, pixels."""
 PENDING_ICON = "circle-outline"
 POINTS = Plural("{line}: {count:n} point, {rms} RMS", "{line}: {count:n} points, {rms} RMS")
 
 
 class LineQualityIndicators(QWidget):
-    """Lights and names of the lines, in as many columns as fit."""
+    """Quality icons and names of the lines, in as many columns as fit."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -37,7 +37,7 @@ class LineQualityIndicators(QWidget):
         self._columns = 0
 
     def show_target(self, target: Target) -> None:
-        """List the lines on which the target was found; their quality is not known yet."""
+        """List the lines on which the target was found, with unknown quality."""
         for _, light, name in self._cells.values():
             for each in (light, name):
                 each.hide()
@@ -55,7 +55,7 @@ class LineQualityIndicators(QWidget):
         self._arrange()
 
     def show_qualities(self, qualities: Mapping[str, SightingQuality]) -> None:
-        """Show the quality of the lines where it is known."""
+        """Show the quality of the lines for which it is known."""
         for line, (sighting, light, name) in self._cells.items():
             quality = qualities.get(line)
             icon = (
@@ -108,7 +108,7 @@ TITLES: dict[Role, tuple[str, str]] = {
         N_("Validation plane {name} (replaces the existing plane)"),
     ),
 }
-"""Titles of a new target and of one with a known name."""
+"""Titles for a new target and for a target that exists already, by role."""
 FOUND_TEXTS: dict[Shape, str] = {
     "plane": N_(
         "Found in {found:n} of {lines:n} lines: {points:n} points, RMS distance to the plane "
@@ -122,7 +122,7 @@ FOUND_TEXTS: dict[Shape, str] = {
 
 
 class DetectedTargetPanel(QFrame):
-    """The detected target, to be accepted or rejected."""
+    """Panel with the detected target, to be accepted or rejected."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -151,7 +151,7 @@ class DetectedTargetPanel(QFrame):
         layout.addLayout(row)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Leave Enter to "Reject" where that has the focus; elsewhere it accepts."""
+        """Let Enter press "Reject" if that has the focus; otherwise Enter accepts."""
         if event.type() == QEvent.Type.ShortcutOverride and event.key() in ENTER_KEYS:
             event.accept()
             return True
@@ -193,7 +193,7 @@ class DetectedTargetPanel(QFrame):
 
 
 def _comparison_text(target: Target, survey: Survey) -> str:
-    """How the target differs from the expected one, on the first line with a difference."""
+    """Text on the difference from the expected target, on the first line with a difference."""
     from lispac.workflow.calibration.sighting_assessment import unexpected_deviations
 
     differences = unexpected_deviations(target, survey)
@@ -214,7 +214,7 @@ def _comparison_text(target: Target, survey: Survey) -> str:
 
 
 def _spheres_text(target: Target, survey: Survey) -> str:
-    """Radius and visible part of the spheres over the lines."""
+    """Text on the radii and visible parts of the spheres in all lines."""
     from lispac.workflow.calibration.picking import spheres_of
 
     patches = spheres_of(target, survey).values()

@@ -23,14 +23,14 @@ from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
 
 
 class FindAgainDialog(QDialog):
-    """Fields with the settings that the target was found with."""
+    """Dialogue with the settings with which the target was found, to search again."""
 
     def __init__(self, target: Target, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("find_again_dialog")
         self.setWindowTitle(dialog_title(ACTIONS["find_again"]))
         layout = widgets.vertical_layout(self, 16)
-        layout.setSizeConstraint(QLayout.SizeConstraint.SetFixedSize)  # adapts to the folded part
+        layout.setSizeConstraint(QLayout.SizeConstraint.SetFixedSize)  # adapts to folding
         introduction = gettext(
             "With these settings, {target} is searched for again on all lines, starting from its "
             "seed. The result is shown before it replaces the current target.",
@@ -78,24 +78,24 @@ class TargetDialogs(Questions):
     """Dialogues about seeds and targets."""
 
     def proposal(self, proposal: Proposal) -> tuple[str, ...]:
-        """Names of the accepted targets of a proposal."""
+        """Show proposed targets; return the names of the accepted ones."""
         dialog = ProposedTargetsDialog(proposal, self.parent)
         return dialog.ticked_entries if run_dialog(dialog) else ()
 
     def find_again(self, target: Target) -> tuple[float, float, FinderChoices] | None:
-        """Threshold and search radius (metres) and other settings to find a target again."""
+        """Ask for threshold and radius (metres) and other settings of a repeated search."""
         dialog = FindAgainDialog(target, self.parent)
         return dialog.settings if run_dialog(dialog) else None
 
     def seed_coordinates(
         self, project: Project, trajectory: LocalTrajectory, seed_options: SeedOptions, name: str
     ) -> tuple[str, Triple] | None:
-        """Name and place of a typed seed; ``name`` is proposed."""
+        """Ask for the name and coordinates of a seed; ``name`` is proposed."""
         dialog = SeedCoordinatesDialog(project, trajectory, seed_options, name, self.parent)
         return dialog.seed if run_dialog(dialog) else None
 
     def seed_list_file(self, start: Path) -> Path | None:
-        """A list of target coordinates."""
+        """Ask for the file of a list of target coordinates."""
         name, _ = QFileDialog.getOpenFileName(
             self.parent, dialog_title(ACTIONS["seed_list"]), str(start),
             ";;".join(
@@ -113,7 +113,7 @@ class TargetDialogs(Questions):
     def seed_list(
         self, path: Path, project: Project, trajectory: LocalTrajectory, how: str
     ) -> tuple[ListedSeed, ...]:
-        """Seeds of a list to pick; ``how`` describes the search."""
+        """Ask which seeds of a list are used; ``how`` describes the search."""
         dialog = SeedListDialog(path, project, trajectory, how, self.parent)
         return dialog.ticked_entries if run_dialog(dialog) else ()
 

@@ -21,7 +21,7 @@ from lispac.targets.plane_finder import FinderSettings, PlanePatch, find_plane
 
 SKETCH_NAME = "hover"
 MAX_POINTS = 2_000
-"""Largest number of points for the finder, for a short response time."""
+"""Largest number of points passed to the finder, for a short response time."""
 MIN_POINTS = 30
 """Smallest number of points for a plane."""
 
@@ -46,7 +46,7 @@ class HoverPreviewSettings:
 
 
 class HoverPreview(QObject):
-    """Outlines the plane under the mouse; sizes are approximate, from the drawn points.
+    """Outlines the plane under the mouse, with approximate sizes from the drawn points.
 
     Attributes
     ----------
@@ -70,7 +70,7 @@ class HoverPreview(QObject):
         self.seconds = 0.0
         viewport.signals.hovered.connect(self._show_preview)
         self._action.triggered.connect(lambda _on: self._toggle_tool())
-        runner.idle.connect(self._toggle_tool)  # where warming up gave way to other work
+        runner.idle.connect(self._toggle_tool)  # if the preparation was interrupted by other work
         controller.candidate_changed.connect(lambda: viewport.show_sketch(SKETCH_NAME, None))
 
     def _toggle_tool(self) -> None:
@@ -106,7 +106,7 @@ class HoverPreview(QObject):
         radius = hover_settings.radius or usual.radius
         seed = np.array(point.position)
         near = self._viewport.drawn_near(point.line, seed, radius)
-        # In one piece: the finder would be compiled anew for every other one, in this thread
+        # Contiguous, since the finder would be compiled in this thread for other memory layouts
         near = np.ascontiguousarray(near[:: -(-len(near) // MAX_POINTS) or 1])
         settings = FinderSettings(
             threshold=hover_settings.threshold or project.settings.threshold, radius=radius,
@@ -119,7 +119,7 @@ class HoverPreview(QObject):
         return patch_sketch(near, patch, point.line)
 
     def _is_on_candidate(self, point: PickedPoint) -> bool:
-        """Whether the point lies on the candidate, whose label would collide with the preview."""
+        """Whether the point is near the candidate, whose label would overlap the preview."""
         candidate = self._controller.candidate
         if candidate is None:
             return False

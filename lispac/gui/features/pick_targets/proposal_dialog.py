@@ -27,7 +27,7 @@ HEADS = (N_("Name"), N_("Role"), N_("Lines"), N_("Reason"))
 
 
 class ProposedTargetsDialog(QDialog):
-    """Proposed targets and validation planes with their reasons; initially all are ticked."""
+    """Dialogue with proposed targets and validation planes and reasons, initially all ticked."""
 
     def __init__(self, proposal: Proposal, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -50,13 +50,13 @@ class ProposedTargetsDialog(QDialog):
         self.table.verticalHeader().hide()
         self.table.setShowGrid(False)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setProperty("rows", True)  # no frame about one cell: it looked like a button
+        self.table.setProperty("rows", True)  # no frame around a cell, like a button
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self._fill(proposal)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(3, QHeaderView.ResizeMode.Stretch)
-        # The heights of the rows follow the final width of the reasons.
+        # The heights of the rows depend on the final width of the reasons.
         self.table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.setStyleSheet("QTableWidget::item { padding: 4px 6px; }")
         self.table.itemChanged.connect(lambda _item: self._show_count())

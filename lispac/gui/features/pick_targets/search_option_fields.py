@@ -1,4 +1,4 @@
-"""Further options of the search for targets: fewest points and largest tilt, folded away."""
+"""Further options of the target search, folded: smallest number of points, largest tilt."""
 
 from dataclasses import replace
 from math import degrees, radians
@@ -58,13 +58,13 @@ class SearchOptionFields(QWidget):
         return replace(
             self._options,
             min_points=int(self.points.value()),
-            # A value that the field has only rounded stays exact.
+            # A value that the field only rounds keeps all its digits.
             max_tilt=self._options.max_tilt if self.tilt.value() == tilt
             else radians(self.tilt.value()),
         )  # fmt: skip
 
     def show_value(self, choices: FinderChoices) -> None:
-        """Show options; unfolded if any is not the default."""
+        """Show options, and unfold the fields if an option is not the default."""
         self._options = choices
         self.points.setValue(choices.min_points)
         self.tilt.setValue(round(degrees(choices.max_tilt), 1))

@@ -1,4 +1,4 @@
-"""Dialogue to seed a target at typed coordinates."""
+"""Dialogue to enter the coordinates of a seed."""
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -37,7 +37,7 @@ ON_ALL_LINES = {
         "The program searches all lines for a validation plane near these coordinates."
     ),
 }
-"""What the dialogue does, by shape of the target or role."""
+"""Introduction of the dialogue, by shape of the target or by role."""
 ON_ONE_LINE = {
     "plane": N_("The program searches only line {line} for a plane target near these coordinates."),
     "sphere": N_(
@@ -47,7 +47,7 @@ ON_ONE_LINE = {
         "The program searches only line {line} for a validation plane near these coordinates."
     ),
 }
-"""The same where the search is on one line."""
+"""Introduction of the dialogue if only one line is searched."""
 
 
 class SeedCoordinatesDialog(QDialog):
@@ -72,7 +72,7 @@ class SeedCoordinatesDialog(QDialog):
         self.name = QLineEdit(name)
         self.name.setObjectName("seed_name")
         self.name.setToolTip(gettext("Name of the new target"))
-        # A sighting added to the selected target, whose name stays.
+        # The sighting is added to the selected target, which keeps its name.
         self._added = seed_options.line is not None and name == seed_options.selected
         self.name.setEnabled(not self._added)
         self.choice = CoordinateSystemFields(project, trajectory, "seed", self)
@@ -94,7 +94,7 @@ class SeedCoordinatesDialog(QDialog):
         self.find_button.clicked.connect(self.accept)
         cancel = widgets.button(gettext("Cancel"), "seed_cancel")
         cancel.clicked.connect(self.reject)
-        cancel.setAutoDefault(False)  # Enter finds, wherever the focus is
+        cancel.setAutoDefault(False)  # Enter starts the search, wherever the focus is
         row = QHBoxLayout()
         row.addStretch(1)
         for each in widgets.in_platform_order(self.find_button, cancel):
@@ -144,14 +144,14 @@ class SeedCoordinatesDialog(QDialog):
         self.find_button.setEnabled(self._place is not None)
 
     def _describe_coordinates(self) -> str:
-        """Describe what is typed, and set the place where it is complete.
+        """Describe the typed coordinates, and set the place if they are complete.
 
         Raises
         ------
         InputError
-            Where a coordinate is no number, the system is unknown or the place is too far away.
+            If a coordinate is not a number, the system is unknown or the place is too far away.
         ProjectError
-            Where the name cannot be used.
+            If the name cannot be used.
         """
         if self.choice.problem is not None:
             raise InputError(self.choice.problem.reason)

@@ -95,7 +95,7 @@ class SeedListDialog(QDialog):
             gettext("Cancel"), "cancel_list", tip=gettext("Close without searching for targets")
         )
         cancel.clicked.connect(self.reject)
-        cancel.setAutoDefault(False)  # Enter picks, wherever the focus is
+        cancel.setAutoDefault(False)  # Enter starts the search, wherever the focus is
         row = QHBoxLayout()
         row.addStretch(1)
         for each in widgets.in_platform_order(self.pick_button, cancel):
@@ -249,7 +249,7 @@ def _create_table(name: str, title: str, heads: Sequence[str]) -> QTableWidget:
     table.verticalHeader().hide()
     table.setShowGrid(False)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setProperty("rows", True)  # no frame about one cell: it looked like a button
+    table.setProperty("rows", True)  # no frame around a single cell, which would look like a button
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
     header.setSectionResizeMode(len(heads) - 1, QHeaderView.ResizeMode.Stretch)

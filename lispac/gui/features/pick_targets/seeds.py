@@ -25,7 +25,7 @@ SeedOutcomes = tuple[Project, tuple["SeedOutcome", ...]]
 
 
 class SeedActions(QObject):
-    """Asks for seeds and searches for their targets."""
+    """Actions that ask for seeds and search for their targets."""
 
     def __init__(
         self,
@@ -69,7 +69,7 @@ class SeedActions(QObject):
         Parameters
         ----------
         path : Path, optional
-            Asked for if it is not given.
+            File of the list; the user is asked for it if it is not given.
         """
         project, survey = self._current_data()
         if project is None or survey is None:
@@ -111,7 +111,7 @@ class SeedActions(QObject):
         names = [outcome.seed.name for outcome in outcomes if outcome.target is not None]
         candidate = self._controller.candidate
         if candidate is not None and candidate.name in names:
-            self._controller.reject()  # its name is taken now
+            self._controller.reject()  # its name is now in use
         for outcome in outcomes:
             for each in thinned_notes(outcome.target) if outcome.target else ():
                 self._controller.logged.emit(message_text(each))

@@ -21,7 +21,7 @@ class QualityComputation(QObject):
     """Updates the quality of every sighting after changes of the project."""
 
     qualities_changed = Signal(object)
-    """Qualities by the names of target and line, those that are known by now."""
+    """Qualities known so far, by the names of target and line."""
     candidate_rated = Signal(object)
     """Qualities of the candidate, by line."""
 
@@ -49,7 +49,8 @@ class QualityComputation(QObject):
     def _current_qualities(self) -> dict[Key, SightingQuality]:
         """Known qualities that are valid for the current sightings.
 
-        While a new result is on its way those of the last one stay: it moves little.
+        While a new result is being computed, the qualities for the last result are kept, since a
+        new result changes them little.
         """
         project, waits = self._document.project, self._document.awaits_result
         current: dict[Key, SightingQuality] = {}
@@ -78,7 +79,7 @@ class QualityComputation(QObject):
             return
         task, requested = self._request or (None, None)
         if task is not None and requested is project and not task.superseded:
-            return  # it failed, or was cancelled by hand
+            return  # it failed, or was cancelled by the user
         if len(self._current_qualities()) == sum(
             len(target.sightings) for target in project.targets
         ):
@@ -108,7 +109,7 @@ class QualityComputation(QObject):
         def done(rated: dict[Key, AssessedQuality]) -> None:
             if self._candidate is not candidate:
                 return
-            self._known = {**rated, **self._known}  # it holds when it is accepted
+            self._known = {**rated, **self._known}  # remains valid after acceptance
             self.candidate_rated.emit({line: each.quality for (_, line), each in rated.items()})
 
         title = gettext("Computing the quality of {target}", target=candidate.name)

@@ -1,4 +1,4 @@
-"""Table of targets by lines: points and RMS of every sighting, and which are used."""
+"""Table of targets by lines: points, RMS and use of every sighting."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -36,7 +36,7 @@ _LIGHTS: dict[Rating, str] = {
 
 
 class SightingsModel(QAbstractTableModel):
-    """Table model with targets as rows and lines as columns; the last row is whole lines."""
+    """Table model with targets as rows and lines as columns; the last row is for whole lines."""
 
     target_use_changed = Signal(str, bool)
     line_use_changed = Signal(str, bool)
@@ -148,7 +148,7 @@ class SightingsModel(QAbstractTableModel):
         return self._sighting_cell_value(target, sighting, role)
 
     def setData(self, index: Index, value: Any, role: int = Role.EditRole) -> bool:
-        """Emit the signal of a ticked cell."""
+        """Emit the signal of a cell that was ticked or unticked."""
         if role != Role.CheckStateRole:
             return False
         used = Qt.CheckState(value) == Qt.CheckState.Checked
@@ -296,7 +296,7 @@ class SightingsTable(QTableView):
         self.selectionModel().currentChanged.connect(self._emit_selected)
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Show another project; the selected cell stays selected if it still exists."""
+        """Show a project; the selected cell remains selected if it still exists."""
         key = self.sightings.key(self.currentIndex())
         place = self.currentIndex()
         row, column = place.row(), place.column()
@@ -305,14 +305,14 @@ class SightingsTable(QTableView):
             self._set_current(row, column)
 
     def select(self, name: str) -> None:
-        """Select the row of a target, without a signal."""
+        """Select the row of a target without emitting a signal."""
         row = self.sightings.row_of(name)
         key = self.sightings.key(self.currentIndex())
         if row is not None and (key is None or key[0] != name):
             self._set_current(row, 0)
 
     def go_to(self, name: str, line: str) -> None:
-        """Select the cell of a sighting, without a signal, and scroll to it."""
+        """Select the cell of a sighting without emitting a signal, and scroll to it."""
         row = self.sightings.row_of(name)
         if row is not None:
             column = self.sightings.column_of(line)
@@ -320,7 +320,7 @@ class SightingsTable(QTableView):
             self.scrollTo(self.sightings.index(row, column))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the table, or how to fill it while it is empty."""
+        """Paint the table, or instructions while it is empty."""
         super().paintEvent(event)
         if self.sightings.rowCount() == 0:
             painter = QPainter(self.viewport())

@@ -1,4 +1,4 @@
-"""Actions on targets besides the click: rate, find again, propose, change the role."""
+"""Actions on targets besides picking: rate, find again, propose, change the role."""
 
 from collections.abc import Callable
 from dataclasses import replace

@@ -30,11 +30,11 @@ from lispac.targets.expected_target import ExpectedTarget
 from lispac.workflow.project.survey import Survey
 
 DEFAULT_SIZE = (1.23, 1.22)
-"""Metres: width and height of the usual board."""
+"""Default width and height of a board, metres."""
 
 
 class ExpectedFields(QWidget):
-    """Width, height and tilt in a row; nothing is expected while a side is 0."""
+    """Fields for width, height and tilt of the expected target; unused while a side is 0."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -70,7 +70,7 @@ class ExpectedFields(QWidget):
 
     @property
     def value(self) -> ExpectedTarget | None:
-        """The expected target; None where a side is not given."""
+        """The expected target; None if a side is not given."""
         width, height = self._width.value(), self._height.value()
         if not (width and height):
             return None
@@ -91,7 +91,7 @@ class TargetsPanel(QWidget):
     used_changed = Signal(str, bool)
     selected = Signal(str)
     current_changed = Signal()
-    """Another row, or none, was selected, by the user or by the program."""
+    """The selection of the row was changed, by the user or by the program."""
     propose_requested = Signal()
 
     def __init__(self) -> None:
@@ -132,7 +132,7 @@ class TargetsPanel(QWidget):
 
     @property
     def sphere_radius(self) -> float | None:
-        """Radius of the sphere in metres, None where it is unknown, and for planes."""
+        """Radius of the sphere, metres; None if it is unknown, and for planes."""
         return self._sphere_radius.value() or None if self.shape == "sphere" else None
 
     @property
@@ -198,7 +198,7 @@ class TargetsPanel(QWidget):
         return tuple(self._names)
 
     def select(self, name: str) -> None:
-        """Select a target in the list, without the signal `selected`."""
+        """Select a target in the list without emitting `selected`."""
         if name in self._names and self.current != name:
             self.table.blockSignals(True)
             self.table.selectRow(self._names.index(name))
@@ -415,7 +415,7 @@ class TargetsPanel(QWidget):
 
 
 def _limit_text(value: float, base: Base) -> str:
-    """Text of the end of a range with its unit."""
+    """Text of a limit of a range, with its unit."""
     return f"{units.localised(units.limit_text(value, base))}{quantities.unit_suffix(base)}"
 
 

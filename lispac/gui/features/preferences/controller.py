@@ -20,7 +20,7 @@ class PreferencesController(QObject):
     """Asks for preferences and applies them to the window."""
 
     report_choice_changed = Signal()
-    """Emitted when preferences were stored, some of which are options of the report."""
+    """Preferences were stored, which may include options of the report."""
 
     def __init__(
         self,
@@ -47,7 +47,7 @@ class PreferencesController(QObject):
         )
 
     def show_dialog(self) -> None:
-        """Show the dialogue and apply the choices; another language or theme renews the window."""
+        """Show the dialogue and apply the choices; a new language or theme rebuilds the window."""
         settings = self._settings
         before = _appearance(settings)
         entered = self._dialogs.preferences(Preferences.of(settings), settings)
@@ -78,5 +78,5 @@ class PreferencesController(QObject):
 
 
 def _appearance(settings: AppSettings) -> tuple[object, ...]:
-    """Settings that a window is made with: language, units, theme, colour scale."""
+    """Settings that require a new window: language, units, theme, colour scale."""
     return settings.language, settings.units, settings.theme, settings.colour_scale

@@ -10,6 +10,6 @@ class PreferenceDialogs(Questions):
     """Dialogue with the preferences of the user."""
 
     def preferences(self, present: Preferences, settings: AppSettings) -> Preferences | None:
-        """Preferences for all projects; the dialogue also edits the sensor library."""
+        """Ask for the preferences for all projects; the dialogue also edits the sensor library."""
         dialog = SettingsDialog(present, settings.sensors, self.parent)
         return dialog.preferences if run_dialog(dialog) else None

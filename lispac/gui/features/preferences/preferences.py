@@ -14,15 +14,15 @@ class Preferences:
 
     Attributes
     ----------
-    language : code, empty for that of the system
-    point_size : pixels
-    point_budget : points drawn at rest, at most
-    convention : key of the system that reports state the boresight for too; empty for none
-    scanner, pos : names in the sensor library that new projects begin with; empty for none
+    language : code of the language; empty for that of the system
+    point_size : size of a drawn point, pixels
+    point_budget : largest number of points drawn at rest
+    convention : key of the program in whose convention reports also give the boresight, or empty
+    scanner, pos : names of the default sensors of new projects; empty for none
     angles, lengths : keys of the units shown
-    cache : folder that the cache lies in; None for the system's
+    cache : folder that contains the cache; None for the default folder of the system
     theme : one of `settings.THEMES`
-    scale : of the colours of what is measured at the points
+    scale : colour scale of measured values at the points
     """
 
     language: str = ""
@@ -53,8 +53,8 @@ class Preferences:
         Raises
         ------
         InputError
-            Where the cache cannot be where it is wanted, or the choice of it not be written; all
-            else is kept.
+            If the folder of the cache cannot be used or its choice cannot be stored; all other
+            preferences are stored.
         """
         settings.language = self.language
         settings.point_size = self.point_size

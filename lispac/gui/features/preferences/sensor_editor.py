@@ -34,7 +34,7 @@ class _TextField(QLineEdit):
     """Text field that emits `focus_lost` when it loses the focus."""
 
     focus_lost = Signal()
-    """The focus has left the field, whether or not it was edited."""
+    """The field has lost the focus, whether or not it was edited."""
 
     def __init__(self, name: str, label: str, text: str) -> None:
         super().__init__(text)
@@ -51,13 +51,13 @@ class _TextField(QLineEdit):
 class SensorEditor(QDialog):
     """Dialogue that checks the specifications during typing and writes them to a file.
 
-    An empty field is reported after the focus has left it, or when the sensor is to be saved.
+    An empty field is reported after it has lost the focus, or when the sensor is to be saved.
 
     Parameters
     ----------
-    folder : of the user's own sensors
+    folder : folder of the user-defined sensors
     figures : initial specifications
-    name : of the user's sensor that is edited; empty for a new one
+    name : name of the edited user-defined sensor; empty for a new one
     """
 
     def __init__(
@@ -66,7 +66,7 @@ class SensorEditor(QDialog):
         super().__init__(parent)
         self._folder, self.name = folder, name
         self._left: set[_TextField] = set()
-        """Fields that had the focus."""
+        """Fields that have had the focus."""
         self.setObjectName("sensor_editor")
         scanner = isinstance(figures, ScannerSpecification)
         self.setWindowTitle(gettext("Scanner") if scanner else gettext("INS/GNSS"))
@@ -134,7 +134,7 @@ class SensorEditor(QDialog):
         except InputError as error:
             problem = exception_text(error)
         if self._first_empty_field is not None and self._first_empty_field not in self._left:
-            problem = ""  # the user has not reached this field yet
+            problem = ""  # the user has not yet reached this field
         self.message_label.setText(problem)
         self.keep.setEnabled(not problem)
 

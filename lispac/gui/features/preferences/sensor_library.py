@@ -1,4 +1,4 @@
-"""Page with the library of sensors: specifications, sources, and editing of own sensors."""
+"""Page with the sensor library: specifications, sources, editing of user-defined sensors."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -44,13 +44,13 @@ AnySensor = Sensor[ScannerSpecification] | Sensor[PosSpecification]
 
 
 class SensorLibraryPage(QWidget):
-    """Table of sensors and buttons to add, copy, edit and remove own ones.
+    """Table of sensors, with buttons to add, copy, edit and remove user-defined ones.
 
-    Each own sensor is a file, which is written at once.
+    Each user-defined sensor is a file, which is written at each edit.
 
     Parameters
     ----------
-    folder : of the user's own sensors
+    folder : folder of the user-defined sensors
     """
 
     changed = Signal()
@@ -97,7 +97,7 @@ class SensorLibraryPage(QWidget):
 
     @property
     def current(self) -> AnySensor | None:
-        """The sensor that is selected."""
+        """The selected sensor."""
         row = self.table.currentRow()
         return self._sensors[row] if 0 <= row < len(self._sensors) else None
 

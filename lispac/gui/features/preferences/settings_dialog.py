@@ -36,7 +36,7 @@ DEMO_OPEN = N_("The demo survey is open. Close it, then empty the cache.")
 
 
 class CacheBox(QWidget):
-    """Box to choose the folder of the cache, and to empty it at once."""
+    """Box to choose the folder of the cache, and to empty the cache immediately."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -179,7 +179,7 @@ class SettingsDialog(QDialog):
 
     Parameters
     ----------
-    sensors : folder of the user's own sensors, which are written at each edit
+    sensors : folder of the user-defined sensors, which are written at each edit
     """
 
     def __init__(self, present: Preferences, sensors: Path, parent: QWidget | None = None) -> None:

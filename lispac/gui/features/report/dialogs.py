@@ -23,7 +23,7 @@ class ReportDialogs(Questions):
     """Dialogues about the report."""
 
     def report_file(self, start: Path) -> Path | None:
-        """File for the report; its suffix, or the chosen filter, sets the format."""
+        """Ask for the file of the report; its suffix, or the chosen filter, sets the format."""
         filters = ";;".join(map(gettext, REPORT_FILTERS))
         name, kind = QFileDialog.getSaveFileName(
             self.parent, dialog_title(ACTIONS["report"]), str(start), filters
@@ -31,11 +31,11 @@ class ReportDialogs(Questions):
         if not name:
             return None
         path = Path(name)
-        ending = kind.rpartition("*")[2].rstrip(")")  # of "PDF (*.pdf)", in any language
+        ending = kind.rpartition("*")[2].rstrip(")")  # from "PDF (*.pdf)", in any language
         return path if path.suffix else path.with_suffix(ending)
 
     def pdf_file(self, start: Path) -> Path | None:
-        """PDF file for the report of the preview."""
+        """Ask for the PDF file of the previewed report."""
         name, _ = QFileDialog.getSaveFileName(
             self.parent, gettext("Save the report as PDF"), str(start), "PDF (*.pdf)"
         )
@@ -49,7 +49,7 @@ class ReportDialogs(Questions):
         run_dialog(PreviewDialog(pages, save, self.parent))
 
     def report_template(self, start: Path) -> Path | None:
-        """Template of the reports of a company."""
+        """Ask for the report template of a company."""
         name, _ = QFileDialog.getOpenFileName(
             self.parent, gettext("Open report template"), str(start),
             gettext("Report template (*.toml)"),

@@ -30,11 +30,11 @@ TIPS = {
 
 
 class IdentityDialog(QDialog):
-    """A field for each detail; blank ones are printed as lines to be filled in by hand.
+    """Dialogue with a field for each detail; empty ones are printed as lines to be filled in.
 
     Parameters
     ----------
-    dates : returns the days of the survey from the times of the lines; empty where unknown
+    dates : function that returns the days of the survey from the times of the lines, or ""
     """
 
     def __init__(
@@ -104,7 +104,7 @@ class IdentityDialog(QDialog):
             )
 
     def _check_input(self) -> None:
-        """Take over the typed texts, or show what is wrong with them."""
+        """Accept the typed texts, or show the error in them."""
         texts = {name: _field_text(field) for name, field in self.fields.items()}
         try:
             self.identity = BLANK.changed(**texts)

@@ -12,12 +12,12 @@ from lispac.language import gettext
 
 
 class PreviewDialog(QDialog):
-    """Pages of the report one below the other, which can be saved as PDF.
+    """Dialogue with the pages of the report, which can be saved as PDF.
 
     Parameters
     ----------
-    pages : PNG pictures
-    save : asks for a file, saves, and returns a text about it; empty where nothing was saved
+    pages : pictures of the pages, PNG
+    save : function that asks for a file, saves it, and returns a text; empty if nothing was saved
     """
 
     def __init__(
@@ -70,7 +70,7 @@ class PreviewDialog(QDialog):
 
     @property
     def page(self) -> int:
-        """Number of the page at the middle of the visible area, from 1."""
+        """Number of the page at the centre of the visible area, counted from 1."""
         middle = self.area.verticalScrollBar().value() + self.area.viewport().height() / 2
         above = [k for k, page in enumerate(self._pages) if page.geometry().top() <= middle]
         return above[-1] + 1 if above else 1
@@ -96,7 +96,7 @@ class PreviewDialog(QDialog):
 
 
 class _Page(QLabel):
-    """A page; its picture is unpacked when it is first visible."""
+    """Page of the report, whose picture is decoded when it is first visible."""
 
     def __init__(self, data: bytes, number: int, ratio: float) -> None:
         super().__init__()

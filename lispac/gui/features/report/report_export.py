@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from lispac.report.pdf import Preview
 
 PIXELS_PER_INCH = 96.0
-"""Pixels per inch of a page on the screen, where a pixel is one of the screen's."""
+"""Resolution of a page on a screen without scaling, pixels per inch."""
 
 
 class ReportExport(QObject):
@@ -69,7 +69,7 @@ class ReportExport(QObject):
         actions.connect_slots({"report": self.export})
 
     def show_choice(self) -> None:
-        """Show the options of the settings in the panel."""
+        """Show the stored options in the panel."""
         self._panel.show_choice(self._settings.report_choice())
 
     def ask_details(self) -> None:
@@ -80,7 +80,7 @@ class ReportExport(QObject):
         identity = self._dialogs.identity(
             project.identity, lambda: "" if survey is None else survey_dates(project, survey)
         )
-        current = self._document.project  # a task may have ended meanwhile
+        current = self._document.project  # a task may have changed it meanwhile
         if identity is not None and current is not None and identity != current.identity:
             self._document.edit(N_("change of report details"), current.with_identity(identity))
 

@@ -19,12 +19,12 @@ STATUS: dict[Status, str] = {
     "partly": N_("{program} (partly verified)"),
     "unverified": N_("{program} (NOT VERIFIED)"),
 }
-"""Name of a program with the status of its convention."""
+"""Text with the name of a program, by the status of its convention."""
 _NAMES = (N_("Phoenix SpatialExplorer 6 and later"), N_("Phoenix SpatialExplorer 1 to 5"))
 """Names of programs that have a translation."""
 NO_TEMPLATE = N_("None")
 AS_WINDOW = "window"
-"""The language of the report is that of the window."""
+"""Value for a report in the language of the window."""
 LANGUAGE_KEYS = (AS_WINDOW, *LANGUAGES)
 
 
@@ -85,7 +85,7 @@ class ReportPanel(QWidget):
 
     @property
     def choice(self) -> tuple[str, str, str, str]:
-        """Template, page, convention and language, for the settings."""
+        """Template, page, convention and language, to be stored in the settings."""
         template = "" if self._template is None else str(self._template)
         options = self._with_choices(USUAL)
         return template, options.page, options.convention, self._language_key
@@ -96,7 +96,7 @@ class ReportPanel(QWidget):
         Raises
         ------
         InputError
-            Where the template can no longer be used.
+            If the template can no longer be used.
         """
         return self._with_choices(report_options(self._template))
 
@@ -112,7 +112,7 @@ class ReportPanel(QWidget):
         self.convention.setCurrentIndex(keys.index(convention) if convention in keys else 0)
 
     def show_template(self, path: Path | None) -> None:
-        """Use page, convention and language of a template, or show what is wrong with it."""
+        """Use page, convention and language of a template, or show the error in it."""
         self._template = path
         self.template.setText(gettext(NO_TEMPLATE) if path is None else path.name)
         self.template.setToolTip(widgets.plain_tip("" if path is None else str(path)))
@@ -154,7 +154,7 @@ class ReportPanel(QWidget):
         )  # fmt: skip
         self.template = widgets.label(name="report_template")
         self.template.setTextFormat(Qt.TextFormat.PlainText)
-        # A long name is cut off and does not widen the panel; the tip has all of it.
+        # A long name is cut off, so that it does not widen the panel; the tip shows it whole.
         self.template.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         choose = widgets.button(
             gettext("Choose…"), "report_template_choose",

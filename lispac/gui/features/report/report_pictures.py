@@ -19,7 +19,7 @@ CAPTIONS: dict[Which, str] = {
     "prior": N_("Lines georeferenced with the prior boresight"),
     "estimated": N_("Lines georeferenced with the estimated boresight"),
 }
-"""Captions in English: the report translates them into its own language."""
+"""English captions, which the report translates into its own language."""
 
 
 class ReportPictures(QObject):
@@ -42,10 +42,11 @@ class ReportPictures(QObject):
             ended.connect(self._restore_view)
 
     def capture(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
-        """Take both pictures, by caption; the lines must be placed in both states.
+        """Take both pictures and call ``then`` with them, by caption.
 
-        Showing, the detail and taking have a turn each, for all at once would hold up the window.
-        An edit meanwhile, or cancelling, ends it.
+        The lines must be placed in both states. Showing the lines, loading the detail and taking
+        the picture are separate steps of the event loop, so that the window stays responsive. An
+        edit of the project or a cancellation ends the process.
         """
         pictures: dict[str, QImage] = {}
 
@@ -55,7 +56,7 @@ class ReportPictures(QObject):
             self._viewport.prepare()
 
         def capture(which: Which) -> None:
-            prepare(which)  # which is nothing more where nothing has changed since
+            prepare(which)  # no effect if nothing has changed
             with units.standard_units():
                 pictures[CAPTIONS[which]] = self._viewport.picture()
 

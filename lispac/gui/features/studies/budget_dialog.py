@@ -14,7 +14,7 @@ from lispac.present.error_budget import ErrorBudgetValues, budget_table
 
 
 class BudgetDialog(StudyDialog):
-    """A row for each error source, for one direction of the beam at a time."""
+    """Dialogue with a row for each error source, for one direction of the beam at a time."""
 
     def __init__(self, budget: ErrorBudgetValues, parent: QWidget | None = None) -> None:
         columns = window_columns(budget_table(budget, budget.beams[0])[0])

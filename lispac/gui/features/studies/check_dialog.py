@@ -79,9 +79,9 @@ class CheckRequest:
 
     Attributes
     ----------
-    crs, height : as `lispac check` takes them; empty as in the file
+    crs, height : coordinate systems as in `lispac check`; empty for those of the file
     sigma : float, metres
-        Standard deviation of the reference where it has none.
+        Standard deviation of the reference if the file contains none.
     reach : float, metres
         Search distance for points of a line around the reference.
     """
@@ -128,7 +128,7 @@ class CheckDialog(QDialog):
         row.addWidget(browse)
         self.system = system_box("check_system", project, trajectory, local_first=True)
         known = self.system.findData("")
-        if known >= 0:  # the system of the lines is not that of the reference
+        if known >= 0:  # the reference may have another system than the lines
             self.system.removeItem(known)
         self.system.insertItem(0, gettext(AS_IN_FILE), "")
         self.system.setCurrentIndex(0)

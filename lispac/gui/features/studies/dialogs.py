@@ -31,7 +31,7 @@ class StudyDialogs(Questions):
     """Dialogues that ask for a study and show its result."""
 
     def folder_of_projects(self, start: Path) -> Path | None:
-        """A folder that contains projects."""
+        """Ask for a folder that contains projects."""
         name = QFileDialog.getExistingDirectory(
             self.parent, gettext("Folder that contains the calibration projects"), str(start)
         )
@@ -55,7 +55,7 @@ class StudyDialogs(Questions):
         run_dialog(HistoryDialog(histories, messages, self.parent))
 
     def subsampling(self, results: Sequence[SubsamplingResult], used: float) -> None:
-        """Show the results at several point spacings; ``used`` is that of the project."""
+        """Show the results at several point spacings; ``used`` is the spacing of the project."""
         run_dialog(SubsamplingDialog(results, used, self.parent))
 
     def line_quality(self, quality: LineQuality) -> None:

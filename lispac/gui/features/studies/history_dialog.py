@@ -21,7 +21,7 @@ from lispac.workflow.checking.calibration_history import (
 )
 
 EFFECT_DISTANCE = 50.0
-"""Metres from the scanner, for the displacement of a point in the table."""
+"""Distance from the scanner of the point whose displacement is in the table, metres."""
 
 DIFFERENCE_COLUMNS = (
     (
@@ -50,7 +50,7 @@ DIFFERENCE_COLUMNS = (
 
 
 class HistoryDialog(StudyDialog):
-    """Dialogue that shows one system at a time, first the one with most calibrations."""
+    """Dialogue that shows one system at a time, initially the one with most calibrations."""
 
     def __init__(
         self,

@@ -48,7 +48,7 @@ INTRODUCTIONS: dict[Which, str] = {
 
 
 class LineQualityDialog(StudyDialog):
-    """A row for each two lines and orientation of the surfaces, and a map of all places."""
+    """Dialogue with a row for each pair of lines and surface orientation, and a map."""
 
     def __init__(self, quality: LineQuality, parent: QWidget | None = None) -> None:
         title = dialog_title(ACTIONS["line_quality"])

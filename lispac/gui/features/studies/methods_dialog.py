@@ -33,7 +33,7 @@ NOT_RUN: dict[Method, str] = {
         "they match on detected objects."
     ),
 }
-"""Tips of the rows of methods without a result."""
+"""Tips for the rows of methods without a result."""
 
 
 class MethodsDialog(StudyDialog):
@@ -107,7 +107,7 @@ def _method_name(method: str) -> str:
 
 
 def _with_method_name(method: str, message: Message) -> str:
-    """Message on a method, preceded by its name."""
+    """Text of a message on a method, preceded by the name of the method."""
     return gettext("{method}: {text}", method=_method_name(method), text=message_text(message))
 
 

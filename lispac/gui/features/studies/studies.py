@@ -1,7 +1,7 @@
 """Actions that compute and show a study.
 
-Of a result: comparison with a reference, history of calibrations, subsampling study, error budget,
-and differences between lines.
+Studies: comparison with a reference, history of calibrations, point spacings, error budget,
+differences between lines, and visibility of errors.
 """
 
 from collections.abc import Mapping
@@ -74,7 +74,7 @@ class Studies(QObject):
 
         def work(progress: Progress) -> tuple[tuple[CalibrationHistory, ...], tuple[Message, ...]]:
             preload_matplotlib()
-            # A result that is not saved yet counts too.
+            # Includes a result that is not yet saved.
             current = [] if project is None or project.result is None else [project]
             return read_histories([folder], also=current, progress=progress)
 
@@ -127,7 +127,7 @@ class Studies(QObject):
         self._controller.cancel_on_edit(task)
 
     def line_quality(self) -> None:
-        """Show the differences between the lines as they are shown."""
+        """Show the differences between the lines as displayed, before or after."""
         project, survey = self._document.current_data
         if project is None or survey is None:
             return
@@ -214,7 +214,7 @@ class AlternativeMethods(QObject):
 
         Parameters
         ----------
-        refused : why a method has no result, by its name
+        refused : reason why a method has no result, by method
         """
         project, survey = self._document.current_data
         if project is None or survey is None:

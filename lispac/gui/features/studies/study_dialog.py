@@ -1,4 +1,4 @@
-"""Base of the dialogues with the result of a study: text, table and plot to copy."""
+"""Base class of the dialogues with the result of a study: text, table and plot to copy."""
 
 from collections.abc import Sequence
 
@@ -11,11 +11,11 @@ from lispac.gui.widgets.diagnostics_table import Column, DiagnosticsTable, Row
 from lispac.language import N_, gettext
 
 HEADER_HEIGHT, ROW_HEIGHT, MAX_ROWS = 64, 24, 10
-"""Pixels of the table's headings and of a row, and rows shown at the least."""
+"""Height of the table header and of a row, pixels, and limit of rows for the table height."""
 SCREEN_MARGIN = 40
-"""Pixels of the screen that are left beside the dialogue."""
+"""Margin between the dialogue and the edge of the screen, pixels."""
 MIN_TABLE_HEIGHT, MIN_PLOT_HEIGHT = HEADER_HEIGHT + 3 * ROW_HEIGHT, 180
-"""Pixels, on a screen too low for all of it."""
+"""Smallest heights of table and plot on a small screen, pixels."""
 ANGLE_COLUMNS = (
     (N_("Roll (deg)"), N_("Estimated roll angle of the boresight, in degrees")),
     (N_("Roll σ (deg)"), N_("Standard deviation of the roll angle, in degrees")),
@@ -37,7 +37,7 @@ class StudyDialog(QDialog):
 
     Parameters
     ----------
-    name : of the dialogue, for its widgets
+    name : name of the dialogue, used in the names of its widgets
     title, introduction : texts in the language of the user
     """
 
@@ -91,7 +91,7 @@ class StudyDialog(QDialog):
         return self.screen().availableGeometry().size() - QSize(SCREEN_MARGIN, SCREEN_MARGIN)
 
     def show_rows(self, rows: Sequence[Row]) -> None:
-        """Show rows in the table, which grows with them up to a limit."""
+        """Show rows in the table, whose height grows with their number up to a limit."""
         self.table.show_rows(rows)
         self.table.setMinimumHeight(HEADER_HEIGHT + ROW_HEIGHT * min(len(rows), MAX_ROWS))
         if self.isVisible():
@@ -107,8 +107,8 @@ class StudyDialog(QDialog):
         """Widen the dialogue to the table, but not beyond the screen."""
         around, header = self.body.contentsMargins(), self.table.horizontalHeader()
         frame = 2 * self.table.frameWidth() + self.table.verticalScrollBar().sizeHint().width()
-        # The sections do not have their final widths yet; the last one is stretched, and is not
-        # made narrower than the default.
+        # The sections do not have their final widths yet; the last one is stretched and not
+        # narrower than the default.
         widths = [
             max(header.sectionSizeHint(column), self.table.sizeHintForColumn(column)) + 1
             for column in range(header.count())
@@ -130,7 +130,7 @@ class StudyDialog(QDialog):
             if excess > 0:
                 part.setMinimumHeight(max(least, part.minimumHeight() - excess))
                 self.body.invalidate()
-        # Qt's own minimum is for texts wrapped at the smallest width
+        # The minimum of Qt assumes that texts are wrapped at the smallest width
         self.setMinimumHeight(min(self.body.minimumHeightForWidth(self.width()), available))
         if self.height() > available:
             self.resize(self.width(), available)

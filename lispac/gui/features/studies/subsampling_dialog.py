@@ -15,7 +15,7 @@ from lispac.workflow.checking.subsampling import SubsamplingResult
 
 
 class SubsamplingDialog(StudyDialog):
-    """A row for each point spacing."""
+    """Dialogue with a row for each point spacing."""
 
     def __init__(
         self, results: Sequence[SubsamplingResult], used: float, parent: QWidget | None = None

@@ -66,7 +66,7 @@ class VisibilityDialog(StudyDialog):
 
     Parameters
     ----------
-    studies : results of each site
+    studies : results, one for each site
     """
 
     def __init__(self, studies: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
@@ -126,7 +126,7 @@ class VisibilityDialog(StudyDialog):
             canvas.mpl_connect("motion_notify_event", self._show_values_at),
             canvas.mpl_connect("axes_leave_event", lambda _event: self._clear_reading()),
         )
-        # The mouse may leave the canvas after the label is destroyed
+        # The mouse may leave the canvas after the label was deleted
         self.reading.destroyed.connect(
             lambda: [canvas.mpl_disconnect(each) for each in connections]
         )

@@ -34,10 +34,10 @@ from lispac.validation.distance_bins import BEYOND, merge_bins
 from lispac.validation.distance_profile import DistanceProfile
 
 TAB = "\t"
-"""Separates the columns, so that a spreadsheet splits them."""
+"""Separator of columns that spreadsheets recognise."""
 
 Against = Literal["height", "range"]
-"""Abscissa of the distances of a profile."""
+"""Horizontal axis of a distance profile."""
 
 
 def histogram_bar_text(comparison: PlaneComparison, low: float, high: float) -> str:
@@ -95,12 +95,12 @@ def _millimetres_with_unit(metres: float) -> str:
 
 
 def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
-    """Bars as tab-separated table: edges (mm), points before and after.
+    """Histogram as a tab-separated table: edges (mm), number of points before and after.
 
     Parameters
     ----------
     shown : float, metres
-        Width of the visible part, which has at most ``bars`` bars.
+        Width of the visible range, which contains at most ``bars`` bars.
     """
     edges, before = merge_bins(comparison.bin_edges, comparison.counts_before, shown, bars)
     _, after = merge_bins(comparison.bin_edges, comparison.counts_after, shown, bars)
@@ -113,7 +113,7 @@ def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
 
 
 def profiles_text(comparison: PlaneComparison) -> str:
-    """Distances against height and range as tab-separated table."""
+    """Distances against height and range as a tab-separated table."""
     rows = []
     for title, profile in (("Height", comparison.by_height), ("Range", comparison.by_range)):
         if profile is None:
@@ -142,7 +142,7 @@ def _tabbed_text(heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
 _COLUMNS = (
     (N_("Plane"), N_("Validation plane")),
     (N_("n"), N_("Number of distances between points of one line and the surface of another")),
-    # Units in a second line: all columns fit a small screen
+    # Units in a second line, so that all columns fit on a small screen
     (N_("Median\n({unit})"), N_("Median distance, before → after")),
     (N_("RMS\n({unit})"), N_("Root mean square distance, before → after")),
     (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
@@ -150,16 +150,16 @@ _COLUMNS = (
 """Heading and tooltip of each column."""
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _PART_STRETCH = (3, 4)
-"""Shares of the width for tables and plot, until the user moves the handle between them."""
+"""Initial shares of the width for tables and plot."""
 PLOTS = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
 PERCENT_PLOT, PROFILE_PLOT = 1, 2
-"""Places of two of the plots."""
+"""Indices of two of the plots in `PLOTS`."""
 ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
 POOLED_TIPS = {
     "reciprocal pairs": N_("{plane}: distances between reciprocal lines, {model}"),
     "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
 }
-"""Line pairs that the distances of a plane are from."""
+"""Tips of a plane, by the pairs of lines whose distances are pooled."""
 STATISTICS = (
     N_("before: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
     N_("after: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
@@ -359,7 +359,7 @@ class HistogramsPanel(QWidget):
                 canvas.mpl_connect("motion_notify_event", self._show_values_at),
                 canvas.mpl_connect("axes_leave_event", leave),
             )
-            # The label may be deleted before the mouse leaves the canvas
+            # The mouse may leave the canvas after the label was deleted
             self.reading.destroyed.connect(
                 lambda: [canvas.mpl_disconnect(each) for each in connections]
             )

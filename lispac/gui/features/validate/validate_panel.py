@@ -22,13 +22,13 @@ KINDS: tuple[tuple[Kind, str], ...] = (
 
 
 class ValidatePanel(QWidget):
-    """Options of the comparison, and the choice of the clouds shown."""
+    """Options of the comparison, and choice of the point clouds shown."""
 
     validate_requested = Signal()
     shown_changed = Signal(str)
     """The view is to show the clouds with the "prior" or the "estimated" boresight."""
     model_changed = Signal(object)
-    """Distances are to be measured to this `LocalModel`."""
+    """`LocalModel` of the surface to which distances are to be measured."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -123,7 +123,7 @@ class ValidatePanel(QWidget):
             self.kind.setCurrentIndex([kind for kind, _ in KINDS].index(model.kind))
             self.kind.blockSignals(False)
             self._fill_neighbours(model.kind, model.neighbours)
-            # A radius given on the command line has no field; it stays until another choice.
+            # A radius given on the command line has no field; it is kept until a new choice.
             self.model_changed.emit(model)
 
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:

@@ -1,7 +1,6 @@
 """List of warnings, collected and displayed after each change.
 
-They are collected in a thread of their own, so that the list is up to date also while an adjustment
-runs.
+They are collected in a separate thread, so that the list is also updated while an adjustment runs.
 """
 
 from collections.abc import Callable, Mapping
@@ -19,7 +18,7 @@ from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow.checking.warnings import warnings_of
 
 DEBOUNCE_MS = 60
-"""Several changes in a row make one list."""
+"""Delay after a change, so that several changes in a row cause one update."""
 
 CollectedWarnings = tuple[int, tuple[Message, ...]]
 
@@ -29,7 +28,7 @@ class WarningList(QObject):
 
     Parameters
     ----------
-    storage_problem : returns why no recovery copy is written, or None
+    storage_problem : function that returns why no recovery copy is written, or None
     """
 
     shown = Signal()
@@ -79,7 +78,7 @@ class WarningList(QObject):
         self._requested += 1
         self._worker.shutdown(wait=True)
 
-    # -- gathering -------------------------------------------------------------------------------
+    # -- collection ------------------------------------------------------------------------------
 
     def set_qualities(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
         """Set the quality of each sighting, by target and line, and update the list."""
@@ -101,7 +100,7 @@ class WarningList(QObject):
             return
         self._had_result |= self._document.project.result is not None
         if self._document.awaits_result:
-            self._panel.show_waiting()  # those from before stay until the result is there
+            self._panel.show_waiting()  # the former list is kept until then
         else:
             self._debounce.start()
 
@@ -119,7 +118,7 @@ class WarningList(QObject):
 
         def work() -> CollectedWarnings:
             if requested != self._requested:
-                return requested, ()  # there was another change meanwhile
+                return requested, ()  # superseded by a later change
             found = warnings_of(
                 project, survey, qualities, refusal=refusal, refused_since=refused_since,
                 outdated=outdated, storage=storage,
@@ -129,7 +128,7 @@ class WarningList(QObject):
         self._worker.submit(work).add_done_callback(self._emit_result)
 
     def _emit_result(self, future: "Future[CollectedWarnings]") -> None:
-        """Pass on the result; called in the worker."""
+        """Emit the result from the worker thread."""
         if (error := future.exception()) is not None:
             self._runner.failed.emit(error)
         else:

@@ -31,10 +31,10 @@ LEVEL_STYLES: dict[Level, tuple[str, str, str]] = {
     Level.WARNING: ("alert", "warning", N_("Warning")),
     Level.NOTE: ("information-outline", "muted", N_("Note")),
 }
-"""Icon, colour and name. The shapes differ too, for colour-blind users."""
+"""Icon, colour and name of each level; the shapes also differ, for colour-blind users."""
 
 MAX_SLICE_S = 0.015
-"""Seconds in which texts are added before the window reacts again: each takes a millisecond."""
+"""Longest time for which texts are added before events are processed; one takes a millisecond."""
 
 NO_PROJECT = N_("Open or create a project to see its warnings.")
 NO_WARNINGS = N_("No warnings about the files, the targets or the result.")
@@ -103,7 +103,7 @@ class WarningsPanel(QWidget):
         self.head.setText(gettext(WAITING))
 
     def show_warnings(self, messages: Sequence[Message]) -> None:
-        """Show the list; the current message stays current if it is still there."""
+        """Show the list; the current message remains current if it is still in the list."""
         current = self.list.currentRow()
         current_message = self.messages[current] if 0 <= current < len(self.messages) else None
         self.messages = tuple(messages)
@@ -122,7 +122,7 @@ class WarningsPanel(QWidget):
         return self.list.count() == len(self.messages)
 
     def _fill(self) -> None:
-        """Add messages for a short time, and the others in the next turn of the event loop."""
+        """Add messages for a short time, and the rest in later turns of the event loop."""
         until = time.monotonic() + MAX_SLICE_S
         texts = self._texts
         while not self.is_filled and time.monotonic() < until:
@@ -154,7 +154,7 @@ class WarningsPanel(QWidget):
 
 
 class _WarningListWidget(QListWidget):
-    """List with wrapped texts; Enter and Space act like a click."""
+    """List with wrapped texts, in which Enter and Space act like a click."""
 
     entered_ = Signal(int)
 
@@ -209,7 +209,7 @@ class WarningsButton(QPushButton):
         self.show_warnings(None)
 
     def show_warnings(self, messages: Sequence[Message] | None) -> None:
-        """Count the messages of the highest level; None where no project is open."""
+        """Show the number of messages of the highest level; None if no project is open."""
         self.setVisible(messages is not None)
         worst = next(
             (level for level in Level if any(m.level is level for m in messages or ())), None

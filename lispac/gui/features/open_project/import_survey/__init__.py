@@ -1,1 +1,1 @@
-"""Import dialogue: survey files are added, examined and checked, and a project is made."""
+"""Import dialogue: survey files are added, examined and checked, and a project is created."""

@@ -125,9 +125,7 @@ class FileTable(QTableWidget):
             return
         for row in reversed(range(len(self._paths))):
             if self._paths[row] not in paths:
-                self.removeRow(
-                    row
-                )  # the selection moves, and asks for its path, before the row goes
+                self.removeRow(row)  # the changing selection still reads the path
                 del self._paths[row]
         for path in paths:
             if path not in self._paths:
@@ -162,7 +160,7 @@ class FileTable(QTableWidget):
         self._fill_choice(row, FORMAT, file, items, chosen, self.format_chosen)
 
     def _fill_choice(self, row: int, column: int, file: InputFile, items, chosen, signal) -> None:
-        """Show a list where there are several items, otherwise plain text."""
+        """Show a list if there are several items, otherwise plain text."""
         path, item = file.path, self.item(row, column)
         text = next((text for text, data in items if data == chosen), items[0][0])
         item.setToolTip(widgets.plain_tip(text))

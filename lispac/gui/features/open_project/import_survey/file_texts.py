@@ -19,7 +19,7 @@ ROLES: dict[Kind | None, str] = {
     None: N_("Not imported"),
 }  # fmt: skip
 _COUNTS = ("points", "Points", "Records", "Rows")
-"""Facts of a file with the number of its points or states."""
+"""Names of the facts with the number of points or states of a file, in order of preference."""
 _OPTIONS = {
     "attitude": N_("Unit of attitude"),
     "axes": N_("Axes"),
@@ -111,14 +111,14 @@ _AUTOMATIC = {
     "grid_unit": N_("same as the coordinate system"),
     "heights": N_("same as the coordinate system"),
 }
-"""Empty values of options that do not come from the file."""
+"""Texts of the empty value of options that are not taken from the file."""
 _OF_OPTION = {
     ("time_rollover", "none"): N_("none"),
     ("frame", "scanner"): N_("Scanner"),
     ("axes", "unknown"): N_("unknown"),
     ("header", "auto"): N_("automatic"),
 }
-"""Values whose text depends on the option."""
+"""Texts of values that depend on the option."""
 _VALUES = {
     "as-is": N_("as in the file"),
     "auto": N_("automatic"),

@@ -62,19 +62,19 @@ def survey_file_filters() -> str:
 
 
 class ImportDialog(QDialog):
-    """Reads the added files, checks them against each other, and makes the project.
+    """Dialogue that reads the added files, checks their consistency, and defines the project.
 
     Parameters
     ----------
     settings : AppSettings
-        Remembers the columns chosen for text files.
+        Stores the columns chosen for text files.
     """
 
     def __init__(self, settings: AppSettings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._settings = settings
         self.project: Path | None = None
-        """A project that was dropped, to be opened instead."""
+        """Dropped project that is to be opened instead of an import; None if there is none."""
         self._own_folder = False
         self.setObjectName("import_dialog")
         self.setWindowTitle(dialog_title(ACTIONS["new"]))
@@ -263,7 +263,7 @@ class ImportDialog(QDialog):
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self._discard)
 
-    # -- what is shown -----------------------------------------------------------------------
+    # -- display -----------------------------------------------------------------------------
 
     def _show(self) -> None:
         input_files = self.input_files
@@ -317,7 +317,7 @@ class ImportDialog(QDialog):
         self.ok.setEnabled(not problem)
 
     def _problem_text(self) -> str:
-        """Why the import is not complete; empty where it is."""
+        """Reason why the import is not complete; empty if it is complete."""
         return self.input_files.import_problem(self.folder.text())
 
     def _hint(self) -> str:
@@ -378,14 +378,14 @@ class ImportDialog(QDialog):
         self._discard()
 
     def _failed(self, error: BaseException) -> None:
-        """Show an error that belongs to no file: a folder that cannot be listed."""
+        """Show an error that does not belong to a file, such as a folder that cannot be listed."""
         self._show()
         self.reason.setText(error_text_and_details(error)[0])
 
     # -- the end -----------------------------------------------------------------------------
 
     def keyPressEvent(self, event) -> None:
-        """Let Enter press only the button with the focus, so that it can end typing in a field."""
+        """Press the focused button with Enter; in a field, Enter must not close the dialogue."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             focused = self.focusWidget()
             if isinstance(focused, QPushButton):
@@ -404,7 +404,7 @@ class ImportDialog(QDialog):
         self.done(QDialog.DialogCode.Rejected)
 
     def done(self, result: int) -> None:
-        """Stop the worker, and store the meanings of columns where the project is made."""
+        """Stop the worker and, if the dialogue was accepted, store the meanings of columns."""
         self.work.close()
         if result == QDialog.DialogCode.Accepted:
             self._settings.save_column_mappings(self.input_files.column_mappings)
@@ -412,7 +412,7 @@ class ImportDialog(QDialog):
 
 
 class AddLinesDialog(ImportDialog):
-    """Adds lines to a project and checks them against its trajectory.
+    """Dialogue that adds lines to a project and checks them against its trajectory.
 
     Parameters
     ----------

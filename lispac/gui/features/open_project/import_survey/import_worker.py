@@ -23,7 +23,7 @@ from lispac.workflow.importing.input_file import (
 from lispac.workflow.importing.input_files import InputFiles, collect_files, find_project
 
 STOPPED_CODE = "import.stopped"
-"""Code of the files that were not read because the user stopped the reading."""
+"""Message code of files that were not read because the user stopped the reading."""
 
 
 class ImportWorker(QObject):
@@ -40,7 +40,7 @@ class ImportWorker(QObject):
     progress_changed = Signal()
     """The running work has progressed: see `progress_text` and `fraction`."""
     project_found = Signal(object)
-    """A project was dropped, to be opened."""
+    """Path of a dropped project that is to be opened."""
 
     def __init__(self, mappings: dict[str, str], parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -149,7 +149,7 @@ class ImportWorker(QObject):
                 return reexamine_file(input_file, progress=progress)
             except Cancelled:
                 raise
-            except Exception as failure:  # whatever one file does, the others are examined
+            except Exception as failure:  # an error in one file must not affect the others
                 return replace(
                     input_file, pending=False, error=_examination_error(input_file, failure)
                 )

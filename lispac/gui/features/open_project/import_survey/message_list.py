@@ -45,14 +45,14 @@ class MessageList(QScrollArea):
         self.buttons: list[widgets.Button] = []
 
     def show_messages(self, messages: Sequence[Message], fine: str) -> None:
-        """Show messages, or the text ``fine`` where there are none."""
+        """Show messages, or the text ``fine`` if there are none."""
         if self._shown == tuple(messages) and messages:
             return
         self._shown = tuple(messages)
         self.buttons = []
         while (item := self._rows.takeAt(0)) is not None:
             if (row := item.widget()) is not None:
-                # Its button may have just been clicked.
+                # Deleted later, since its button may be the one just clicked.
                 row.hide()
                 row.deleteLater()
         if not messages and fine:
@@ -83,7 +83,7 @@ class MessageList(QScrollArea):
         return made
 
     def showEvent(self, event) -> None:
-        """Fit the height once it is laid out."""
+        """Fit the height after the first layout."""
         super().showEvent(event)
         QTimer.singleShot(0, self, self._fit_height)
 
@@ -96,7 +96,7 @@ class MessageList(QScrollArea):
         self._rows.invalidate()
         needed = self._rows.totalHeightForWidth(self.viewport().width())
         self.setFixedHeight(min(max(needed, 26), MAX_HEIGHT))
-        # Qt's least height of wrapped text is too large, which would show a useless scroll bar.
+        # The minimum height of wrapped text in Qt is too large and would cause a scroll bar.
         policy = Qt.ScrollBarPolicy
         self.setVerticalScrollBarPolicy(
             policy.ScrollBarAsNeeded if needed > MAX_HEIGHT else policy.ScrollBarAlwaysOff

@@ -15,7 +15,7 @@ from lispac.survey.lever_arm_warnings import lever_arm_warnings
 from lispac.workflow.planning.sensors import SensorLibrary
 
 GEOGRAPHIC = ("new_latitude", "new_longitude")
-"""Always in degrees, whatever the unit of angles."""
+"""Fields that are always in degrees, independent of the unit of angles."""
 
 
 class MountingPage(QScrollArea):

@@ -12,7 +12,7 @@ from lispac.workflow.importing.input_file import InputFile
 
 _GEOREFERENCED = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
 _SCANNER = ("unit",)
-"""Options that apply to georeferenced points or to points in the scanner frame only."""
+"""Options that apply only to georeferenced points, or only to points in the scanner frame."""
 
 
 class OptionsForm(QWidget):

@@ -20,10 +20,10 @@ from lispac.workflow.importing.input_files import InputFiles
 
 Array = NDArray[np.float64]
 LINE_STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
-"""Line styles by which equal values, such as north and east, stay visible."""
+"""Line styles with which coincident curves, such as north and east, are all visible."""
 FONT_SIZE, SMALL_SIZE = 9, 8
 MAX_STATES = 10_000
-"""Points of a track that are drawn, at most."""
+"""Largest number of drawn points of a track."""
 LETTER_WIDTH = 0.0065
 """Width of a small letter as a share of the axis width, in the narrowest figure."""
 
@@ -120,7 +120,7 @@ def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
     every = np.unique(np.concatenate([np.arange(0, len(path.time), step), wide, wide - 1]))
     plotted(every, color=theme.WAITING, linewidth=1.2, label=gettext("Trajectory"))
     for k, (name, start, end, colour) in enumerate(quality.lines):
-        # Lines on the same course overlap: earlier ones are wider and stay visible.
+        # Lines on the same course overlap; earlier ones are wider and remain visible.
         width = min(3 + 1.8 * (len(quality.lines) - 1 - k), 12)
         first, last = np.searchsorted(path.time, (start, end))
         if last > first:
@@ -147,7 +147,7 @@ def draw_motion(quality: TrajectoryQuality, figure: Figure) -> None:
     _draw_series(top, quality, path.time[motion.index], motion.speed, 0, "")
     for k, name in enumerate((gettext("Roll"), gettext("Pitch"))):
         _draw_series(middle, quality, path.time, np.degrees(path.attitude[:, k]), k, name)
-    # Unwrapped, so that no line crosses the figure at north.
+    # Unwrapped, so that the curve does not jump at north.
     heading = np.degrees(np.unwrap(path.attitude[:, 2]))
     _draw_series(bottom, quality, path.time, heading, 0, "")
     reach = float(np.ptp(heading))
@@ -209,7 +209,7 @@ def _draw_series(
     axes: Axes, quality: TrajectoryQuality, time: Array, values: Array, k: int, name: str
 ) -> None:
     shown = envelope(time, values, longest_gap=max(quality.longest_gap, _usual_step(time)))
-    # Dashes are invisible and slow to draw where each column has a vertical line.
+    # Dashes of an envelope would be invisible and slow to draw.
     style = LINE_STYLES[k] if len(shown[0]) >= len(time) else "-"
     axes.plot(
         *shown, color=theme.current_scheme().series[k], linestyle=style, linewidth=1.2, label=name
@@ -217,7 +217,7 @@ def _draw_series(
 
 
 def _usual_step(time: Array) -> float:
-    """Longest step without a gap: accuracies are given at 1 Hz or slower."""
+    """Longest time step that is not a gap, seconds; accuracies are often given at 1 Hz only."""
     return 3 * float(np.median(np.diff(time))) if len(time) > 1 else 0.0
 
 

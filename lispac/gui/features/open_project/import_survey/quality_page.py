@@ -119,7 +119,7 @@ class QualityPage(QWidget):
 
 
 def _drawn_data(input_files: InputFiles) -> tuple[object, ...]:
-    """Data of the figures; the values are compared by identity."""
+    """Data of the figures, whose values are compared by identity."""
     lines = tuple(
         (id(line.content), line.shift, input_files.names[line.path]) for line in input_files.lines
     )

@@ -127,7 +127,7 @@ def round_ticks(start: float, end: float, max_ticks: int) -> list[float]:
     power = 10.0 ** np.floor(np.log10(rough))
     step = next(k * power for k in (1, 2, 5, 10) if k * power >= rough)
     ticks = np.arange(np.ceil(start / step), np.floor(end / step) + 1) * step
-    return [float(t) for t in ticks + 0.0]  # the addition removes the sign of a minus zero
+    return [float(t) for t in ticks + 0.0]  # adding zero removes the sign of a negative zero
 
 
 class TimelineView(QWidget):
