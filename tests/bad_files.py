@@ -114,7 +114,7 @@ Case = Callable[[Scene], Words]
 REFUSED: dict[str, Case] = {}
 """Name of the row: what is refused with exit code 1 and one sentence."""
 WITH_WARNING: dict[str, Case] = {}
-"""Name of the row: what can be read, but is doubted by a look or noted by a new project."""
+"""Files that can be read with a warning or a note, by the name of the row."""
 
 
 def refused(name: str) -> Callable[[Case], Case]:

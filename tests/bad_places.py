@@ -234,7 +234,7 @@ refused("File cut short during the import")(while_read(shorten, lambda _, p: ["i
 refused("File cut short during georeferencing")(while_read(shorten, lambda s, _: s.to_map()))
 
 
-REMEDIES = {
+ACTIONS = {
     "Mixed time bases: line in time of day, trajectory in time of week": "--time-shift 432000",
     "Mixed time bases: trajectory in adjusted standard GPS time": "--time-shift 330560000",
     "Degrees instead of radians": "--trajectory-option unit=degrees",
@@ -243,4 +243,4 @@ REMEDIES = {
     ),
     "Unknown coordinate system: none in the file": "--line-option crs=EPSG:32618",
 }
-"""Name of a row: what the manual says to add to the command, which then does its work."""
+"""Options that correct the error, as the manual names them, by the name of the row."""

@@ -131,7 +131,7 @@ def printed_demo(
             code = main(["demo", "--output", str(folder), "--no-window"])
         return folder, code, out.getvalue(), err.getvalue()
 
-    return once(tmp_path_factory, "told", run_demo)
+    return once(tmp_path_factory, "printed", run_demo)
 
 
 @pytest.fixture(scope="session")

@@ -153,7 +153,7 @@ def answer(kind: str, seed: int) -> Answer:
         np.degrees(result.boresight - TRUTH.boresight),
         np.degrees(result.sigma),
         np.degrees(result.with_formal_sigmas.sigma),
-        tuple(doubt.code for doubt in result_warnings(result, None) if doubt.is_serious),
+        tuple(message.code for message in result_warnings(result, None) if message.is_serious),
         result.given_correlation_times is not None,
     )
 

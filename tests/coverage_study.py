@@ -67,7 +67,7 @@ class Answers:
 
 
 def models(times: tuple[float, float]) -> dict[str, StochasticModel]:
-    """What the program uses by default, and thesis mode."""
+    """Default model of the program, and uncorrelated POS errors (classical)."""
     settings = Settings(lever_arm=(0.0, 0.0, 0.0), position_time=times[0], attitude_time=times[1])
     return {
         "correlated": settings.stochastic_model,
@@ -76,7 +76,7 @@ def models(times: tuple[float, float]) -> dict[str, StochasticModel]:
 
 
 def selected(survey: Observations, distance: float) -> Observations:
-    """One point a cube in each sighting, as thesis mode thins."""
+    """Points thinned to one per cube in each sighting, as for uncorrelated POS errors."""
     places = points_local(survey, PRIOR)
     own = [np.flatnonzero(survey.sighting == k) for k in range(len(survey.sightings))]
     return survey.reordered(np.concatenate([i[thin_points(places[i], distance)] for i in own]))

@@ -26,8 +26,8 @@ from tests.report_sample import sample_project
 
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
 HOW = (
-    "All are sought as planes on every line, with search radius, threshold and the rest as set in "
-    "step 2."
+    "All are searched for as planes on every line, with search radius, threshold and the rest as "
+    "set in step 2."
 )
 WRITTEN = 1772633100.0
 """When unsaved work was written down, seconds since 1970."""

@@ -166,7 +166,7 @@ def test_elimination_of_the_pos_error_equals_generalised_least_squares() -> None
 
 
 @pytest.mark.parametrize("case", ["a", "c"])
-def test_thesis_mode_equals_the_prototype(shared_data: Path, case: str) -> None:
+def test_the_classical_model_equals_the_prototype(shared_data: Path, case: str) -> None:
     folder = shared_data / "prototype"
     expected = json.loads((folder / "expected.json").read_text())[case]
     files = [folder / case / "plane1.txt", folder / case / "plane2.txt"]
@@ -222,7 +222,7 @@ def test_sigmas_hold_when_the_errors_are_what_the_model_says(model: StochasticMo
     assert ((squares > lower) & (squares < upper)).all(), squares / 60
 
 
-def test_thesis_mode_is_over_confident_on_shared_pos_errors() -> None:
+def test_the_classical_model_is_over_confident_on_shared_pos_errors() -> None:
     exact = planar_survey(mounting(), points=100)
     noisy = disturbed(exact, correlated=True, seed=3)
     thesis = adjust(noisy, mounting(), INDEPENDENT)

@@ -416,7 +416,9 @@ def test_a_target_without_weight_is_excluded_and_the_rest_is_estimated() -> None
     assert result.boresight == pytest.approx(without.boresight, abs=1e-12)
     checks = cross_checks(weightless, prior, result)
     assert "T5" not in {part.part for part in checks.parts}
-    assert "adjustment.target_excluded" in {doubt.code for doubt in result_warnings(result, checks)}
+    assert "adjustment.target_excluded" in {
+        message.code for message in result_warnings(result, checks)
+    }
     # Where only two targets would be left to compare, the reason is given instead.
     two = weightless.without_targets([name for name in data.targets if name not in ("T1", "T5")])
     with pytest.raises(TargetDisagrees) as caught:

@@ -13,11 +13,11 @@ from lispac.errors import LispacError
 from lispac.language import in_language
 from lispac.language import to_plain_text as console_text
 from tests.bad_files import REFUSED, WITH_WARNING, Scene
-from tests.bad_places import REMEDIES
+from tests.bad_places import ACTIONS
 
 Run = Callable[[Sequence[str] | None], None]
 MANUAL = Path(__file__).resolve().parents[1] / "resources" / "manual"
-REMEDY = (
+ACTION = (
     r"copy|export|choose|check|give|leave|state|clean|make room|say which|sort|bring|move|add|name"
     r"|restore|import|exclude"
 )
@@ -60,8 +60,8 @@ def test_the_table_has_a_row_for_every_case_and_no_other() -> None:
 def test_the_french_table_says_what_a_french_window_says() -> None:
     english = list(rows().values())
     page = list(rows("fr").values())
-    for (_, do, _), (_, remedy, _) in zip(page, english, strict=True):
-        typed = re.findall("`[^`]+`", remedy.replace("FILE", "FICHIER"))
+    for (_, do, _), (_, action, _) in zip(page, english, strict=True):
+        typed = re.findall("`[^`]+`", action.replace("FILE", "FICHIER"))
         assert re.findall("`[^`]+`", do) == typed
 
 
@@ -90,7 +90,7 @@ def test_refused(
     assert line.startswith("lispac: ")
     line = re.sub(r"(?<=\.) \([^()]*\)$", "", line)  # an option that helps
     assert line.endswith(".")
-    assert re.search(REMEDY, line, re.IGNORECASE)
+    assert re.search(ACTION, line, re.IGNORECASE)
     assert held(scene) == before, "something was changed or left"
     told = line.removeprefix("lispac: ").replace(f"{scene.folder}/", "")
     assert told == rows()[name][0]
@@ -140,8 +140,8 @@ def test_warnings(
         assert expected & set(shown_messages(capsys.readouterr().err))
 
 
-@pytest.mark.parametrize("name", REMEDIES)
-def test_remedy(scene: Scene, capsys: pytest.CaptureFixture[str], name: str) -> None:
-    assert f"`{REMEDIES[name]}`" in rows()[name][1]
+@pytest.mark.parametrize("name", ACTIONS)
+def test_action(scene: Scene, capsys: pytest.CaptureFixture[str], name: str) -> None:
+    assert f"`{ACTIONS[name]}`" in rows()[name][1]
     words = REFUSED[name](scene)
-    assert main([*words, *REMEDIES[name].split()]) == 0, capsys.readouterr().err
+    assert main([*words, *ACTIONS[name].split()]) == 0, capsys.readouterr().err

@@ -36,9 +36,9 @@ def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
     assert header_crs({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9003}).text == "EPSG:2229"
     found = header_crs({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9001})
     assert (found.text, found.name) == ("", "")
-    (doubt,) = found.file_warnings
-    assert doubt.code == "las.unit_contradicts_system"
-    assert doubt.params == {
+    (message,) = found.file_warnings
+    assert message.code == "las.unit_contradicts_system"
+    assert message.params == {
         "file": "a.las", "unit": "metre", "system": name, "system_unit": "us-survey-foot",
     }  # fmt: skip
 
@@ -99,12 +99,12 @@ def test_a_name_without_a_code(name: str, code: int | None, projection: int | No
         numbers | ({PROJECTION: projection} if projection else {}), {PROJECTED_CITATION: name}
     )
     assert found.text == ("" if code is None else f"EPSG:{code}")
-    (doubt,) = found.file_warnings
-    assert doubt.params["name"] == name
+    (message,) = found.file_warnings
+    assert message.params["name"] == name
     if code is None:
-        assert doubt.code == "las.system_without_code"
+        assert message.code == "las.system_without_code"
     else:
-        assert (doubt.code, doubt.params["system"]) == ("las.system_by_name", f"EPSG:{code}")
+        assert (message.code, message.params["system"]) == ("las.system_by_name", f"EPSG:{code}")
 
 
 @pytest.mark.parametrize(

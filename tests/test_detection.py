@@ -42,7 +42,7 @@ def test_no_patch_where_nothing_is_flat():
 
 
 def test_both_similar_targets_are_detected_on_every_line_and_kept_apart():
-    seen = scenery("twins")
+    seen = scenery("similar targets")
     clouds = {line: cloud for line, cloud in seen.clouds((1, 1, 1)).items() if line < "L5"}
     clouds["L9"] = np.empty((0, 3))
     planes = detect_planes(clouds, FinderSettings())
@@ -138,4 +138,4 @@ def test_a_proposal_is_not_added_to_targets_of_ones_own(
     copy: Project, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["propose", str(copy.folder), "--accept"]) == 1
-    assert "Omit --accept" in capsys.readouterr().err
+    assert "(without --accept)" in capsys.readouterr().err

@@ -113,16 +113,16 @@ def test_a_result_with_shared_points_has_a_warning_everywhere(
     both = replace(project, targets=(BOARD, second))
     result, checks = both.result, both.cross_checks
     assert result is not None
-    (doubt,) = duplicate_warnings(both)
-    assert (doubt.code, doubt.is_serious) == (f"targets.{code}", serious)
-    text = message_text(doubt)
+    (message,) = duplicate_warnings(both)
+    assert (message.code, message.is_serious) == (f"targets.{code}", serious)
+    text = message_text(message)
     assert pair in text
-    assert result_warnings(result, checks, duplicate_warnings(both))[0] == doubt
+    assert result_warnings(result, checks, duplicate_warnings(both))[0] == message
     print_result(result, checks, duplicate_warnings(both))
     assert f"- {text}\n" in capsys.readouterr().out
     assert text in [each["text"] for each in project_result_values(both)["warnings"]]
     assert "can be used" not in result_texts.fit_verdict(result, checks, duplicate_warnings(both))
-    assert doubt in sample_content(both).warnings
+    assert message in sample_content(both).warnings
     step = step_statuses(both, None, waiting=False, refusal="")[2]
     assert ("with warnings" in step.sentence) == serious
 
@@ -138,11 +138,11 @@ def test_what_takes_no_part_does_not_count(project: Project) -> None:
 
 def test_many_pairs_are_counted(project: Project) -> None:
     targets = tuple(replace(AGAIN, name=f"T{k}") for k in range(4))
-    (doubt,) = duplicate_warnings(replace(project, targets=targets))
-    text = message_text(doubt)
+    (message,) = duplicate_warnings(replace(project, targets=targets))
+    text = message_text(message)
     assert "T0 with T1 (100 % on L1), " in text
     assert " and 2 more. These points" in text
-    assert (doubt.code, doubt.params["count"]) == ("targets.counted_twice", 6)
+    assert (message.code, message.params["count"]) == ("targets.counted_twice", 6)
 
 
 @pytest.mark.long

@@ -56,7 +56,7 @@ def test_nothing_is_reported_where_a_ball_or_a_line_that_is_gone_leaves_it_open(
     """Two boards that face alike are told of, until it cannot be told what a third does."""
     project, survey = picked()
     upright = project.target("T1")
-    alike = replace(project, targets=(upright, replace(upright, name="twin")))
+    alike = replace(project, targets=(upright, replace(upright, name="parallel")))
     assert do_targets_face_one_way(alike, survey)
     ball = replace(upright, name="ball", shape="sphere", sphere_radius=0.145)
     assert not do_targets_face_one_way(alike.with_target(ball), survey)

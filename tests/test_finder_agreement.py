@@ -1,7 +1,7 @@
 """A target that one line does not show: no other surface is taken for it.
 
-On sites of the project's own simulator, with a wall, a deck or a twin near the target. The prior
-boresight is off by 0, 0.1, 1 or 2 degrees on every axis.
+On sites of the simulator of the project, with a wall, a deck or a similar board near the target.
+The prior boresight is off by 0, 0.1, 1 or 2 degrees on every axis.
 """
 
 from dataclasses import replace
@@ -34,12 +34,12 @@ SCENES: dict[str, list[Surface]] = {
         tilted_rectangle("T3", (0.0, WALL + 0.8, 7.2), 3.0, 2.0, 270, 70),
         wall(0.5),
     ],
-    "twin beside": [
+    "similar board beside": [
         upright_rectangle("T1", (0.0, WALL), 7.4, 8.62, 1.0, 270),
         upright_rectangle("T2", (1.3, WALL), 7.4, 8.62, 1.0, 270),
         wall(0.5),
     ],
-    "twin behind": [
+    "similar board behind": [
         upright_rectangle("T1", (0.0, WALL), 7.4, 8.62, 1.0, 270),
         upright_rectangle("T2", (0.2, WALL - 0.35), 7.4, 8.62, 1.0, 270),
         wall(1.2),
@@ -47,8 +47,8 @@ SCENES: dict[str, list[Surface]] = {
 }
 SHORT = {
     ("wall across", (0.0, 0.0, 0.0)), ("deck at a wall", (0.1, -0.1, 0.1)),
-    ("deck below", (1.0, -1.0, 1.0)), ("twin beside", (2.0, -2.0, 2.0)),
-    ("twin behind", (0.1, -0.1, 0.1)),
+    ("deck below", (1.0, -1.0, 1.0)), ("similar board beside", (2.0, -2.0, 2.0)),
+    ("similar board behind", (0.1, -0.1, 0.1)),
 }  # fmt: skip
 OFF_DEG = [(0.0, 0.0, 0.0), (0.1, -0.1, 0.1), (1.0, -1.0, 1.0), (2.0, -2.0, 2.0)]
 
@@ -103,14 +103,14 @@ def test_a_line_without_the_target_gives_no_other_surface(
 
 
 def two_boards() -> tuple[Site, Project, Survey, Target]:
-    seen = scenery("twin beside")
+    seen = scenery("similar board beside")
     project, survey = seen.opened((1.0, -1.0, 1.0))
     target = find_target(project, survey, clicked(seen, survey, "L3"), name="T1", first_line="L3")
     return seen, project, survey, target
 
 
 def test_a_click_on_another_surface_adds_no_sighting() -> None:
-    """The user clicks the twin on the line that lacks the target."""
+    """The user clicks the similar board on the line that lacks the target."""
     seen, project, survey, target = two_boards()
     on = np.flatnonzero(seen.on(LOST, "T2"))
     seed = survey.clouds[LOST][on[[len(on) // 2]]][0]

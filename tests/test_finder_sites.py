@@ -47,7 +47,7 @@ def board(facing_deg: float = 270) -> Surface:
 
 SCENES = {
     "5 cm proud": lambda: [board(), wall(0.05)],
-    "twins": lambda: [
+    "similar targets": lambda: [
         upright_rectangle("T1", (-0.5, WALL), 7.4, 8.2, 0.6, 270),
         upright_rectangle("T2", (0.5, WALL), 7.4, 8.2, 0.6, 270),
         wall(0.5),
@@ -81,9 +81,9 @@ def picked(name: str, off_deg: tuple[float, ...]) -> tuple[Site, dict[str, Plane
 
 
 @pytest.mark.parametrize("off_deg", OFF_DEG)
-@pytest.mark.parametrize("name", ["5 cm proud", "twins", "bollard", "grazing"])
+@pytest.mark.parametrize("name", ["5 cm proud", "similar targets", "bollard", "grazing"])
 def test_every_line_gives_the_target_and_nothing_else(name, off_deg):
-    """Not the wall 5 cm behind it, not its twin a metre beside it, not what hides half of it."""
+    """Not the wall behind it, the similar target beside it or the object that hides half of it."""
     seen, found = picked(name, off_deg)
     for line, patch in found.items():
         precision, recall = precision_and_recall(patch.indices, seen.on(line, "T1"))

@@ -134,8 +134,8 @@ def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path)
     torn = write_records(tmp_path / "torn.sbet", records[(time < 3) | (time > 30)])
     input_files = taken_in(InputFiles(), torn, files / "L1.laz")
     found = input_files.messages(named(input_files, "L1.laz"))
-    (doubt,) = (each for each in found if each.level is Level.WARNING)
-    assert doubt.actions == ()
+    (message,) = (each for each in found if each.level is Level.WARNING)
+    assert message.actions == ()
 
 
 # -- single rules of the list ---------------------------------------------------------------------
@@ -251,7 +251,7 @@ def test_a_line_in_another_base_than_that_given_is_tried_in_all() -> None:
         assert best.shift == pytest.approx(START - START % 86_400)
 
 
-# -- remedies -------------------------------------------------------------------------------------
+# -- actions --------------------------------------------------------------------------------------
 
 _RANGE = np.linspace(6_000.0, 6_650.0, 50)
 _NEAR = np.random.default_rng(5).normal(0, 10, (200, 3))
@@ -280,21 +280,21 @@ _OPTION = [
 ]  # fmt: skip
 
 
-def entry_with(key: str, doubt: Message) -> InputFile:
+def entry_with(key: str, message: Message) -> InputFile:
     """A file in a format, with a warning of its reader."""
     format = format_of(key)
-    radians = {a.params["name"]: "radians" for a in doubt.actions if a.code == "use_degrees"}
-    finding = FilePreview({}, choice=radians, file_warnings=(doubt,))
+    radians = {a.params["name"]: "radians" for a in message.actions if a.code == "use_degrees"}
+    finding = FilePreview({}, choice=radians, file_warnings=(message,))
     return InputFile(Path("a.dat"), role=format.kind, format=format, finding=finding, pending=False)
 
 
-@pytest.mark.parametrize(("key", "doubt", "options"), _OPTION)
+@pytest.mark.parametrize(("key", "message", "options"), _OPTION)
 def test_a_warning_has_the_options_that_its_format_takes(
-    key: str, doubt: Message, options: list[tuple[str, str]]
+    key: str, message: Message, options: list[tuple[str, str]]
 ) -> None:
-    entry = entry_with(key, doubt)
-    (shown,) = (each for each in file_messages(entry, None, 1, 1, 1.5) if each.code == doubt.code)
-    assert shown == doubt
+    entry = entry_with(key, message)
+    (shown,) = (each for each in file_messages(entry, None, 1, 1, 1.5) if each.code == message.code)
+    assert shown == message
     assert [(a.params["name"], a.params["value"]) for a in shown.actions] == options
     assert all(action.params["name"] in entry.options for action in shown.actions)
     for name, value in options:  # as they are already
@@ -315,10 +315,10 @@ def test_a_warning_has_the_options_that_its_format_takes(
 )
 def test_warnings_about_the_frame_offer_to_choose_it(xyz: np.ndarray, crs: str, code: str) -> None:
     """Whatever their words are: the button follows from the action alone."""
-    (doubt,) = (each for each in of_points(xyz, crs) if each.code == code)
+    (message,) = (each for each in of_points(xyz, crs) if each.code == code)
     (shown,) = (
         each
-        for each in file_messages(entry_with("las", doubt), None, 1, 1, 1.5)
+        for each in file_messages(entry_with("las", message), None, 1, 1, 1.5)
         if each.code == code
     )
     assert [(each.code, option_to_choose(each)) for each in shown.actions] == [
@@ -326,12 +326,12 @@ def test_warnings_about_the_frame_offer_to_choose_it(xyz: np.ndarray, crs: str, 
     ]
     assert action_text(shown.actions[0]) == "Choose the frame"
     # A trajectory has no such option.
-    (other,) = file_messages(entry_with("sbet", doubt), None, 1, 1, 1.5)
+    (other,) = file_messages(entry_with("sbet", message), None, 1, 1, 1.5)
     assert other.actions == ()
 
 
 @pytest.mark.parametrize(
-    ("key", "doubt", "option"),
+    ("key", "message", "option"),
     [
         ("las", of_points(_NEAR + [350_000, 5e6, 0])[0], "crs"),
         ("las", time_base_warnings(np.array([5e5]), "gps-adjusted", "a.dat")[0], "time_base"),
@@ -340,9 +340,9 @@ def test_warnings_about_the_frame_offer_to_choose_it(xyz: np.ndarray, crs: str, 
         ("ascii-trajectory", sign_assumed_warning(Path("a.dat"), "roll", "port-down"), "roll"),
     ],
 )
-def test_a_warning_leads_to_the_option_it_is_about(key: str, doubt: Message, option: str) -> None:
-    entry = entry_with(key, doubt)
-    (shown,) = (each for each in file_messages(entry, None, 1, 1, 1.5) if each.code == doubt.code)
+def test_a_warning_leads_to_the_option_it_is_about(key: str, message: Message, option: str) -> None:
+    entry = entry_with(key, message)
+    (shown,) = (each for each in file_messages(entry, None, 1, 1, 1.5) if each.code == message.code)
     assert [option_to_choose(action) for action in shown.actions] == [option]
     assert option in entry.options
 

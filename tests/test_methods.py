@@ -168,7 +168,7 @@ def test_the_command_shows_them_side_by_side(
     write_project(
         replace(project, result=None, alternative_results=(), validation=(), absolute=None)
     )
-    assert "Run lispac estimate" in refused(capsys, "compare", tmp_path / "p")
+    assert "(lispac estimate p, or --compute)" in refused(capsys, "compare", tmp_path / "p")
 
 
 def test_compute_runs_keeps_and_reports_methods_that_cannot_run(

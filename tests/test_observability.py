@@ -95,7 +95,7 @@ def there_and_back(times: int) -> tuple[Course, ...]:
 
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("loss", ["none", "tukey"])
-def test_thesis_mode_refuses_what_the_correlated_model_refuses(seed, loss) -> None:
+def test_the_classical_model_refuses_what_the_correlated_model_refuses(seed, loss) -> None:
     """Its own information grows with the points, and any angle seems known."""
     points = survey(courses=there_and_back(2), seed=seed)
     for pos_errors in POS_ERRORS:
@@ -296,7 +296,7 @@ def test_a_given_value_that_matters_little_leaves_the_advice_as_it_is() -> None:
     assert "further_line.prior" not in [each.code for each in further_line_advice(points, result)]
 
 
-def test_thesis_mode_is_advised_without_what_it_does_not_estimate() -> None:
+def test_the_classical_model_is_advised_without_what_it_does_not_estimate() -> None:
     points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
     model = StochasticModel("independent")
     plain = adjust(points, PRIOR, model)

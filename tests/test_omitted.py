@@ -110,7 +110,7 @@ def test_by_chance_one_survey_in_a_hundred_contradicts_a_value() -> None:
     assert told <= 1
 
 
-def test_thesis_mode_contradicts_nothing() -> None:
+def test_the_classical_model_contradicts_nothing() -> None:
     """Its sigmas are too small to judge anything by."""
     result = adjust(survey(INSERTED["lever_x"], 0), PRIOR, StochasticModel("independent"))
     assert result.contradictions == ()

@@ -1,4 +1,4 @@
-"""Targets sought, cut, compared and accepted line by line, on a few passes."""
+"""Targets searched for, cut, compared and accepted line by line, on a few passes."""
 
 from dataclasses import replace
 from math import radians

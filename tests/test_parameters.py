@@ -146,7 +146,7 @@ def test_parameters_that_make_no_sense_are_refused(parameters) -> None:
 
 @pytest.mark.parametrize("name", ["latency", "lever_z", "range_offset"])
 @pytest.mark.parametrize("sigma", [None, 0.01])
-def test_thesis_mode_estimates_the_boresight_alone(name, sigma) -> None:
+def test_the_classical_model_estimates_the_boresight_alone(name, sigma) -> None:
     """On harbour the height of the lever arm came out 7 sigma off."""
     model, points = StochasticModel("independent"), survey(KNOWN, 0)
     result = adjust(points, PRIOR, model, parameters=(Parameter(name, sigma),))

@@ -48,15 +48,15 @@ def test_lines_that_a_vessel_cannot_sail(
 
 def test_boards_in_one_place_are_reported(plan: Plan) -> None:
     one = plan.targets[0]
-    twins = replace(plan, targets=(one, replace(one, name="twin"), *plan.targets[1:]))
-    found = plan_warnings(TitledPlan("Quay", twins, WALL))
+    duplicates = replace(plan, targets=(one, replace(one, name="duplicate"), *plan.targets[1:]))
+    found = plan_warnings(TitledPlan("Quay", duplicates, WALL))
     assert found[0].code == "plan.targets_overlap"
-    assert dict(found[0].params) == {"first": one.name, "second": "twin"}
+    assert dict(found[0].params) == {"first": one.name, "second": "duplicate"}
 
 
 def test_boards_that_face_one_way_are_not_simulated(plan: Plan) -> None:
     one = plan.targets[0]
-    alike = replace(plan, targets=(one, replace(one, name="twin")))
+    alike = replace(plan, targets=(one, replace(one, name="duplicate")))
     assert observability_messages(alike) == (ONE_WAY,)
     with pytest.raises(RankDeficient) as caught:
         simulate_surveys(alike, 3, seed=1)

@@ -13,7 +13,7 @@ SURVEY_FOOT = 1200 / 3937
 
 
 @pytest.mark.parametrize(
-    ("across", "up", "crs", "height", "doubted"),
+    ("across", "up", "crs", "height", "has_warning"),
     [
         ("[ftUS]", "[ftUS]", "EPSG:3424", SURVEY_FOOT, False),
         ("[ft]", "[ft]", "EPSG:3424", SURVEY_FOOT, False),
@@ -25,7 +25,7 @@ SURVEY_FOOT = 1200 / 3937
     ],
 )
 def test_names_state_units(
-    tmp_path: Path, across: str, up: str, crs: str, height: float, doubted: bool
+    tmp_path: Path, across: str, up: str, crs: str, height: float, has_warning: bool
 ) -> None:
     path = tmp_path / "a.csv"
     rows = [f"{300 + k / 10},{6e5 + k},{6.4e5},{10 + k}" for k in range(20)]
@@ -35,4 +35,4 @@ def test_names_state_units(
     system = crs_of_options(settled)
     assert system is not None
     assert system.metres[2] == pytest.approx(height, rel=1e-12)
-    assert ("points.unit_of_column" in codes(finding.file_warnings)) == doubted
+    assert ("points.unit_of_column" in codes(finding.file_warnings)) == has_warning

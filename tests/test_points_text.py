@@ -104,7 +104,7 @@ def test_units_in_the_names_of_columns() -> None:
 
 
 @pytest.mark.parametrize(
-    ("units", "crs", "doubted"),
+    ("units", "crs", "has_warning"),
     [
         ({"x": "m"}, "EPSG:2229", True),
         ({"x": "us-ft"}, "EPSG:2229", False),
@@ -116,11 +116,11 @@ def test_units_in_the_names_of_columns() -> None:
     ],
 )
 def test_eastings_in_another_unit_than_the_systems(
-    units: dict[str, str], crs: str, doubted: bool
+    units: dict[str, str], crs: str, has_warning: bool
 ) -> None:
     file_warnings = unit_warnings(units, crs, "a.txt")
-    assert bool(file_warnings) == doubted
-    if doubted:
+    assert bool(file_warnings) == has_warning
+    if has_warning:
         unit, system = note("unit.metres"), coordinate_system(crs)
         expected = warning(
             "points.unit_of_column", file="a.txt", unit=unit, system=system.name,
@@ -149,12 +149,12 @@ def test_warnings_about_times(time: np.ndarray, file_warnings: tuple[Message, ..
     assert check_first_points(NEAR, time, file="a", crs="").file_warnings == file_warnings
 
 
-@pytest.mark.parametrize(("crs", "doubted"), [("EPSG:4326", False), ("EPSG:999999", True)])
-def test_small_coordinates_of_a_named_system(crs: str, doubted: bool) -> None:
+@pytest.mark.parametrize(("crs", "has_warning"), [("EPSG:4326", False), ("EPSG:999999", True)])
+def test_small_coordinates_of_a_named_system(crs: str, has_warning: bool) -> None:
     """Degrees are small as a scanner's coordinates are; of an unknown system nothing is known."""
     found = check_first_points(NEAR, SECONDS, file="a", crs=crs)
     assert found.frame == "georeferenced"
-    assert codes(found.file_warnings) == (["points.small_coordinates"] if doubted else [])
+    assert codes(found.file_warnings) == (["points.small_coordinates"] if has_warning else [])
 
 
 @pytest.mark.parametrize("value", [1e300, -1e200, np.nan, np.inf])

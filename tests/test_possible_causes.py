@@ -186,7 +186,7 @@ def test_an_error_known_from_the_data_goes_before_a_lever_arm(
     assert ("contradicted_lever_y" in codes) != explained
 
 
-def test_thesis_mode_and_surfaces_held_have_no_cause() -> None:
+def test_the_classical_model_and_surfaces_held_have_no_cause() -> None:
     data, _ = survey("lever_x", 0)
     assert places(adjust(data, PRIOR, StochasticModel("independent"))) == []
     assert places(adjust(data, PRIOR, StochasticModel(surface=0.0))) == []

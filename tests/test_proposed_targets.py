@@ -231,7 +231,7 @@ def test_planes_that_all_face_one_way_are_proposed_where_that_is_accepted() -> N
     assert (np.abs(result.boresight - seen.boresight) < 3.5 * result.sigma).all()
 
 
-def test_in_thesis_mode_the_same_boards_are_proposed() -> None:
+def test_in_the_classical_model_the_same_boards_are_proposed() -> None:
     project, survey = site_of_few_lines().opened((1, -1, 1))
     thesis = project.with_settings(replace(project.settings, pos_errors="independent"))
     usual, proposal = propose_targets(project, survey), propose_targets(thesis, survey)

@@ -70,7 +70,7 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
     honest = answer(capsys, "estimate", project, "--pos-errors", "correlated", "--no-cross-checks")
     error = angles(honest, "boresight_deg") - truth
     said = (
-        f"truth {truth}, thesis mode {angles(thesis, 'boresight_deg')}, "
+        f"truth {truth}, uncorrelated POS errors {angles(thesis, 'boresight_deg')}, "
         f"correlated {angles(honest, 'boresight_deg')} +- {angles(honest, 'sigma_deg')}"
     )
     assert honest["pos_errors"] == "correlated"

@@ -67,8 +67,8 @@ def test_a_target_on_one_line_only_takes_no_part(
     np.testing.assert_array_equal(found.result.boresight, without.result.boresight)
     assert "T1" not in {each.target for each in found.result.targets}
     for told in (all_warnings(found), all_warnings(replace(single, result=None))):
-        (doubt,) = (each for each in told if each.code == "targets.single_line_targets")
-        assert doubt.subject == Cause.of_target("T1")
+        (message,) = (each for each in told if each.code == "targets.single_line_targets")
+        assert message.subject == Cause.of_target("T1")
     assert not any(each.code == "targets.single_line_targets" for each in all_warnings(without))
     report = report_content(
         found, headings_deg=dict.fromkeys(survey.lines, 0.0), counts={}, track_local={}, notes=(),
@@ -403,7 +403,7 @@ def test_two_lines_of_one_name_are_refused(copy: Project, tmp_path: Path) -> Non
     line = copy.lines[0]
     with pytest.raises(InputError) as raised:
         projects.create_project(
-            tmp_path / "twins",
+            tmp_path / "same-names",
             trajectory=copy.trajectory,
             lines=[line, LineSource(line.name, copy.lines[1].path)],
             settings=copy.settings,

@@ -70,7 +70,7 @@ def _english_left(content: ReportContent) -> tuple[str, ...]:
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_nothing_stays_english(project: Project, variant: str) -> None:
     left = _english_left(content_of_sample(VARIANTS[variant](project)))
-    # Made up by the tests of doubts
+    # Made up by the tests of warnings
     assert [text for text in left if text != "These lines do not see it."] == []
 
 

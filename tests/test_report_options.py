@@ -302,7 +302,7 @@ def test_report_has_values_and_their_uncertainty(
     assert bool(found.angles) == convention_of_key(key).has_angles
 
 
-def test_thesis_mode_says_that_its_sigmas_are_too_small(tmp_path: Path) -> None:
+def test_the_classical_model_says_that_its_sigmas_are_too_small(tmp_path: Path) -> None:
     content = sample_content(
         sample_project(tmp_path / "t", model="independent"), convention="qinsy"
     )

@@ -240,7 +240,7 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     assert part.params["ratio"] == pytest.approx(4.1)
 
 
-def test_failed_chi_square_is_serious_in_thesis_mode_alone(
+def test_failed_chi_square_is_serious_in_the_classical_model_alone(
     project: Project, changed: Changed
 ) -> None:
     test = replace(_result(project).chi_square, statistic=1e6)
@@ -273,7 +273,7 @@ def test_spheres_are_called_spheres(project: Project, changed: Changed) -> None:
     assert shown.rows[1][2] == "sphere, radius\u00a0100.0\u00a0mm"
 
 
-def test_thesis_mode_has_no_reliability(tmp_path: Path) -> None:
+def test_the_classical_model_has_no_reliability(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p", model="independent")
     content = sample_content(replace(project, cross_checks=None))
     document = report_document(content, {})

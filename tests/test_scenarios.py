@@ -89,7 +89,7 @@ def test_with_honest_errors_a_second_board_halves_roll_and_leaves_yaw() -> None:
 
 
 def test_farther_is_better_for_yaw() -> None:
-    """A position error turns a far target less; thesis mode hardly sees it."""
+    """A position error turns a far target less, which uncorrelated POS errors hardly show."""
     found = sigmas("distance", "correlated")
     yaw = [found[f"{d:g} m"][2] for d in DISTANCES]
     assert yaw == sorted(yaw, reverse=True)
@@ -126,7 +126,7 @@ def test_a_better_pos_is_better() -> None:
             assert (better < worse).all()
 
 
-def test_thesis_mode_is_many_times_too_sure() -> None:
+def test_the_classical_model_is_many_times_too_sure() -> None:
     """The reason this program exists: the ratio is printed, whatever it is."""
     honest, thesis = (sigmas("targets", m)["90 + 30"] for m in ("correlated", "independent"))
     print("honest over thesis", (honest / thesis).round(1))

@@ -27,12 +27,12 @@ SCENES = {
 
 
 @pytest.mark.parametrize("scene", SCENES)
-@pytest.mark.parametrize("sought", [RadiusRange.of_known_radius(0.1), ANY])
+@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY])
 @pytest.mark.parametrize("noise", [0.0, 0.002, 0.004])
-def test_a_ball_is_cut_from_what_is_around_it(scene, sought, noise):
+def test_a_ball_is_cut_from_what_is_around_it(scene, searched, noise):
     rng = np.random.default_rng(1)
     points, label = cast(rng, [BALL], noise=noise, **SCENES[scene])
-    patch = find_sphere(points, front(BALL), sought, SETTINGS)
+    patch = find_sphere(points, front(BALL), searched, SETTINGS)
     on = label[patch.indices] == 0
     off = np.abs(BALL.distances(points[patch.indices]))
     assert on.mean() > 0.98
@@ -43,7 +43,7 @@ def test_a_ball_is_cut_from_what_is_around_it(scene, sought, noise):
     assert 0.3 < patch.share < 0.46
     np.testing.assert_array_equal(patch.indices, np.unique(patch.indices))
     # Millimetres of noise over some hundred points; the radius takes the depth with it.
-    assert np.linalg.norm(patch.centre - CENTRE) < (0.001 if sought.known else 0.003)
+    assert np.linalg.norm(patch.centre - CENTRE) < (0.001 if searched.known else 0.003)
     assert abs(patch.sphere.radius - 0.1) < 0.003
 
 
@@ -56,25 +56,25 @@ def test_balls_of_other_radii_are_found_without_knowing_it(radius):
     assert (label[patch.indices] == 0).mean() > 0.98
 
 
-@pytest.mark.parametrize("sought", [RadiusRange.of_known_radius(0.1), ANY])
+@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY])
 @pytest.mark.parametrize("turn_deg", range(0, 360, 45))
-def test_a_seed_on_the_edge_or_a_little_off_the_ball_will_do(sought, turn_deg):
+def test_a_seed_on_the_edge_or_a_little_off_the_ball_will_do(searched, turn_deg):
     points, label = cast(np.random.default_rng(3), [BALL], mast=(FOOT, 0.02), wall=20.6)
     angle = np.radians(turn_deg)
     aside = np.array([np.cos(angle), 0.0, np.sin(angle)])
     for seed in (CENTRE + 0.099 * aside, CENTRE + 0.14 * aside, front(BALL, gap=0.03), CENTRE):
-        patch = find_sphere(points, seed, sought, SETTINGS)
+        patch = find_sphere(points, seed, searched, SETTINGS)
         assert np.linalg.norm(patch.centre - CENTRE) < 0.003
         assert (label[patch.indices] == 0).mean() > 0.98
 
 
-@pytest.mark.parametrize("sought", [RadiusRange.of_known_radius(0.1), ANY])
-def test_beside_another_ball_the_one_clicked_is_found(sought):
+@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY])
+def test_beside_another_ball_the_one_clicked_is_found(searched):
     balls = [BALL, Sphere(CENTRE + [0.21, 0.02, 0.0], 0.1)]
     points, label = cast(np.random.default_rng(4), balls, wall=20.6)
     for k, ball in enumerate(balls):
         for off in ((0.0, 0.0), (-1.0, 0.5), (1.0, 0.3), (0.0, -1.5)):
-            patch = find_sphere(points, front(ball, off=off), sought, SETTINGS)
+            patch = find_sphere(points, front(ball, off=off), searched, SETTINGS)
             assert np.linalg.norm(patch.centre - ball.centre) < 0.003, (k, off)
             assert (label[patch.indices] == k).mean() > 0.98
 
@@ -129,13 +129,13 @@ def post(radius):
 @pytest.mark.parametrize(
     "make", [wall, plate, box, bush, post(0.03), post(0.06), post(0.1), post(0.2)]
 )
-@pytest.mark.parametrize("sought", [RadiusRange.of_known_radius(0.1), ANY])
+@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY])
 @pytest.mark.parametrize("draw", range(4))
-def test_what_is_no_ball_is_refused(make, sought, draw):
+def test_what_is_no_ball_is_refused(make, searched, draw):
     points = make(np.random.default_rng(draw))
     seed = points[np.argmin(np.linalg.norm(points - CENTRE, axis=1))]
     with pytest.raises(SphereNotFound, match=r"\.$"):
-        find_sphere(points, seed, sought, SETTINGS)
+        find_sphere(points, seed, searched, SETTINGS)
 
 
 def test_a_shallow_dish_is_too_little_of_a_ball():
@@ -192,17 +192,17 @@ def test_without_points_the_reason_is_given(points, seed, code, params):
 
 
 @pytest.mark.parametrize(
-    ("aside", "sought", "code"),
+    ("aside", "searched", "code"),
     [
         (0.9, RadiusRange.of_known_radius(0.1), "finder.sphere_few_nearby"),
         (0.0, RadiusRange(0.3, 0.5), "finder.sphere_of_radii"),
         (0.0, RadiusRange.of_known_radius(0.14), "finder.sphere_of_radius"),
     ],
 )
-def test_a_ball_elsewhere_or_of_another_radius_is_refused(aside, sought, code):
+def test_a_ball_elsewhere_or_of_another_radius_is_refused(aside, searched, code):
     points, _ = cast(np.random.default_rng(7), [BALL])
     with pytest.raises(SphereNotFound) as refused:
-        find_sphere(points, CENTRE + [aside, 0.0, 0.0], sought, SETTINGS)
+        find_sphere(points, CENTRE + [aside, 0.0, 0.0], searched, SETTINGS)
     message = refused.value.message
     parts = [each for each in message.params.values() if isinstance(each, Message)]
     assert code in codes([message, *parts])
@@ -229,12 +229,14 @@ def moved_lines(balls, count=4, *, shift=1.5, tilt_deg=3.0, seed=8):
     return clouds, labels, centres
 
 
-@pytest.mark.parametrize("sought", [RadiusRange.of_known_radius(0.1), ANY])
+@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY])
 @pytest.mark.parametrize("first_line", ["L1", None])
-def test_a_ball_is_found_where_each_line_puts_it(sought, first_line):
+def test_a_ball_is_found_where_each_line_puts_it(searched, first_line):
     clouds, labels, centres = moved_lines([BALL])
     clicked = clouds["L1"][np.argmin(np.linalg.norm(clouds["L1"] - front(BALL), axis=1))]
-    found, missing = find_spheres_in_lines(clouds, clicked, sought, SETTINGS, first_line=first_line)
+    found, missing = find_spheres_in_lines(
+        clouds, clicked, searched, SETTINGS, first_line=first_line
+    )
     assert missing == {}
     for name, patch in found.items():
         assert np.linalg.norm(patch.centre - centres[name][0]) < 0.003, name

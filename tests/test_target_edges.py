@@ -1,4 +1,4 @@
-"""Targets and surfaces where nothing, or more than one, is what is sought."""
+"""Targets and surfaces where no object, or more than one, fits the search."""
 
 import numpy as np
 import pytest
@@ -94,8 +94,8 @@ def _balls(second: np.ndarray) -> dict[str, str]:
 
 def test_two_balls_alike_beside_where_one_was_are_ambiguous() -> None:
     assert _balls(_ball((0.4, 15.0, 5.0))) == {}
-    twins = np.vstack([_ball((0.6, 15.0, 5.0)), _ball((-0.6, 15.0, 5.0))])
-    (reason,) = _balls(twins).values()
+    similar = np.vstack([_ball((0.6, 15.0, 5.0)), _ball((-0.6, 15.0, 5.0))])
+    (reason,) = _balls(similar).values()
     assert reason.code == "finder.two_spheres"
     assert reason.params["distance"] == pytest.approx(1.2, abs=0.01)
 
@@ -133,9 +133,9 @@ def _board(centre: tuple[float, float, float]) -> np.ndarray:
 
 def test_two_boards_alike_at_different_depths_are_ambiguous() -> None:
     place = (0.0, 15.0, 5.0)
-    twins = np.vstack([_board((0.8, 15.2, 5.0)), _board((-0.8, 14.8, 5.0))])
+    similar = np.vstack([_board((0.8, 15.2, 5.0)), _board((-0.8, 14.8, 5.0))])
     _, missing = find_in_lines(
-        {"L1": _board(place), "L2": twins}, np.array(place), FinderSettings(), first_line="L1"
+        {"L1": _board(place), "L2": similar}, np.array(place), FinderSettings(), first_line="L1"
     )
     assert set(missing) == {"L2"}
     assert missing["L2"].code == "finder.two_planes"

@@ -1,4 +1,4 @@
-"""Files that are not what they should be: one sentence with file, place and remedy."""
+"""Files that are not what they should be: one sentence with file, place and action."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -70,12 +70,12 @@ def error_of(key: str, path: Path, choice: dict[str, str] | None = None) -> Inpu
 
 
 def examine(key: str, path: Path) -> None:
-    """A look says its doubts or refuses in a sentence; nothing else comes out."""
+    """A preview gives its warnings or is refused with a sentence; nothing else comes out."""
     finding, told = outcome(format_of(key).preview, path, {})
     file_warnings = finding.file_warnings if isinstance(finding, FilePreview) else ()
     assert finding is not None or str(path) in told
-    assert all(doubt.params["file"] == path.name for doubt in file_warnings), file_warnings
-    assert all(message_text(doubt).rstrip(")").endswith(".") for doubt in file_warnings), (
+    assert all(message.params["file"] == path.name for message in file_warnings), file_warnings
+    assert all(message_text(message).rstrip(")").endswith(".") for message in file_warnings), (
         file_warnings
     )
 

@@ -182,7 +182,7 @@ def test_words_of_feet(words: str, unit: str) -> None:
 
 
 def velocity_warnings(path: Path, word: str, unit: float, factor: float) -> tuple[Message, ...]:
-    """Doubts about positions in a unit that the header calls ``word``, beside true velocities."""
+    """Warnings about positions in a unit named ``word`` in the header, with true velocities."""
     records, rows = gridded(NEW_JERSEY, unit)
     course = records[:, 9] - np.radians(2)
     speed = factor * np.stack([4 * np.sin(course), 4 * np.cos(course)], axis=1)
@@ -209,7 +209,7 @@ def test_velocities_of_the_file_show_a_wrong_unit(tmp_path: Path) -> None:
 
 
 def test_a_speed_that_no_vessel_has_gives_a_warning(tmp_path: Path) -> None:
-    for times, doubted in ((1, False), (20, True)):
+    for times, has_warning in ((1, False), (20, True)):
         records = vessel(1000)
         rows = np.column_stack([records[:, 0], np.degrees(records[:, [1, 2]]), records[:, 3]])
         rows[:, 1:3] = rows[0, 1:3] + times * (rows[:, 1:3] - rows[0, 1:3])
@@ -217,7 +217,7 @@ def test_a_speed_that_no_vessel_has_gives_a_warning(tmp_path: Path) -> None:
         head = "Time,Latitude,Longitude,Height,Roll,Pitch,Heading\n"
         path = write(tmp_path / "a.csv", head, rows, ",")
         file_warnings = ASCII.preview(path, {}).file_warnings
-        assert ("trajectory.fast" in codes(file_warnings)) == doubted
+        assert ("trajectory.fast" in codes(file_warnings)) == has_warning
 
 
 def test_a_jump_of_an_sbet_gives_a_warning(tmp_path: Path) -> None:

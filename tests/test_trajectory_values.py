@@ -115,9 +115,9 @@ def test_a_heading_across_the_course_gives_a_warning(tmp_path: Path) -> None:
     records = vessel()
     assert not SBET.preview(write_records(tmp_path / "a.sbet", records), {}).file_warnings
     records[:, 9] += np.radians(80)
-    (doubt,) = SBET.preview(write_records(tmp_path / "a.sbet", records), {}).file_warnings
-    assert doubt.code == "trajectory.heading_differs"
-    assert doubt.params["difference"] == pytest.approx(np.radians(82), abs=np.radians(0.5))
+    (message,) = SBET.preview(write_records(tmp_path / "a.sbet", records), {}).file_warnings
+    assert message.code == "trajectory.heading_differs"
+    assert message.params["difference"] == pytest.approx(np.radians(82), abs=np.radians(0.5))
 
 
 @pytest.mark.parametrize(

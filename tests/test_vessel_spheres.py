@@ -86,7 +86,7 @@ def test_real_balls_as_stored(vessel):
 def test_real_balls_have_their_radius_once_the_drift_of_the_pos_is_taken_out(vessel, name):
     """In the tenth of a second of a crossing the POS drifts by centimetres and stretches the ball.
 
-    With a steady drift sought along with the ball the free radius is right to 6 mm; without, it
+    With a steady drift estimated along with the ball the free radius is right to 6 mm; without, it
     was up to 36 mm off. What is left inside single profiles is below 2 mm.
     """
     for line in vessel.rows:
@@ -112,24 +112,24 @@ def test_real_balls_have_their_radius_once_the_drift_of_the_pos_is_taken_out(ves
         assert rms < 0.002
 
 
-@pytest.mark.parametrize(("sought", "threshold"), [(KNOWN, 0.03), (ANY, 0.01), (ANY, 0.03)])
-def test_real_balls_are_found_among_the_objects_of_a_line(vessel, sought, threshold):
+@pytest.mark.parametrize(("searched", "threshold"), [(KNOWN, 0.03), (ANY, 0.01), (ANY, 0.03)])
+def test_real_balls_are_found_among_the_objects_of_a_line(vessel, searched, threshold):
     settings = FinderSettings(threshold=threshold)
     for line, labels in vessel.labels.items():
         cloud = vessel.rows[line][:, :3]
         for name in BALLS:
             on = np.flatnonzero(labels == name)
             for seed in (on[0], on[len(on) // 2], on[-1]):
-                patch = find_sphere(cloud, cloud[seed], sought, settings)
+                patch = find_sphere(cloud, cloud[seed], searched, settings)
                 assert set(labels[patch.indices]) == {name}
                 assert len(patch.indices) >= 0.8 * len(on)
                 centre = fit_sphere(cloud[on], 0.1).centre
                 assert np.linalg.norm(patch.centre - centre) < 0.05
 
 
-@pytest.mark.parametrize("sought", [KNOWN, ANY])
+@pytest.mark.parametrize("searched", [KNOWN, ANY])
 @pytest.mark.parametrize("threshold", [0.01, 0.03])
-def test_real_plates_are_not_taken_for_balls(vessel, sought, threshold):
+def test_real_plates_are_not_taken_for_balls(vessel, searched, threshold):
     settings = FinderSettings(threshold=threshold)
     for line, labels in vessel.labels.items():
         cloud = vessel.rows[line][:, :3]
@@ -137,19 +137,19 @@ def test_real_plates_are_not_taken_for_balls(vessel, sought, threshold):
             on = np.flatnonzero(labels == name)
             for seed in on[:: max(1, len(on) // 6)]:
                 with pytest.raises(SphereNotFound):
-                    find_sphere(cloud, cloud[seed], sought, settings)
+                    find_sphere(cloud, cloud[seed], searched, settings)
 
 
 @pytest.mark.parametrize("boresight_deg", [(0.4395, -1.8681, 0.3992), (0.0, 0.0, 0.0)])
-@pytest.mark.parametrize("sought", [KNOWN, ANY])
-def test_real_balls_are_found_in_the_other_line(vessel, boresight_deg, sought):
+@pytest.mark.parametrize("searched", [KNOWN, ANY])
+def test_real_balls_are_found_in_the_other_line(vessel, boresight_deg, searched):
     """Also with no boresight at all, where the two lines lie 0.35 to 0.46 m apart."""
     clouds = vessel.clouds(np.radians(boresight_deg))
     settings = FinderSettings(threshold=0.03)
     for name in BALLS:
         for first, other in (("passage_1", "passage_2"), ("passage_2", "passage_1")):
             seed = clouds[first][vessel.labels[first] == name][10]
-            found, missing = find_spheres_in_lines(clouds, seed, sought, settings)
+            found, missing = find_spheres_in_lines(clouds, seed, searched, settings)
             assert missing == {}
             for line in (first, other):
                 assert set(vessel.labels[line][found[line].indices]) == {name}

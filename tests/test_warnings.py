@@ -114,7 +114,7 @@ def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> N
 def test_the_same_points_twice_lead_to_where_they_are(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     numbers = np.arange(500)
-    twins = [
+    duplicates = [
         Target(
             name, "target", (0.0, 0.0, 0.0), 0.01, 1.0,
             (PickedSighting(project.lines[1].name, numbers, 0.003),),
@@ -122,7 +122,7 @@ def test_the_same_points_twice_lead_to_where_they_are(tmp_path: Path) -> None:
         for name in ("A", "B")
     ]  # fmt: skip
     edited = replace(project, targets=())
-    for each in twins:
+    for each in duplicates:
         edited = edited.with_target(each)
     found = coded(edited)["targets.counted_twice"]
     assert found.subject == Cause.of_sighting("A", project.lines[1].name)

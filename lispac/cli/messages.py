@@ -12,6 +12,8 @@ from lispac.messages import Action, Message, plain_params
 OPTIONS = {
     "adjustment.only_plane": "--accept-single-orientation",
     "adjustment.parallel_planes": "--accept-single-orientation",
+    "cli.has_targets": "without --accept",
+    "cli.no_results": "lispac estimate {project}, or --compute",
     "cluster.no_certificates": "--cluster-tls CA CERTIFICATE KEY",
     "cluster.plain_tcp_refused": "--plain-tcp",
     "history.no_date": "lispac identity {project} --dates",

@@ -6,7 +6,6 @@ from lispac.language import N_, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- command line --------------------------------------------------------------------------
-    # Only commands make these messages, so their texts may name options.
     "cli.projects_failed": Plural(
         "{count:n} of {total:n} projects failed: {names:names}. The table gives the reason.",
         "{count:n} of {total:n} projects failed: {names:names}. The table gives the reasons.",
@@ -24,13 +23,13 @@ TEXTS: Mapping[str, Template] = {
     ),
     "cli.has_targets": Plural(
         "{project}: the project already has {count:n} target, so the proposed targets cannot be "
-        "added. Omit --accept to see them, or make a new project.",
+        "added. Show them without accepting them, or make a new project.",
         "{project}: the project already has {count:n} targets, so the proposed targets cannot be "
-        "added. Omit --accept to see them, or make a new project.",
+        "added. Show them without accepting them, or make a new project.",
     ),
     "cli.no_results": N_(
-        "{project}: no method has estimated the boresight angles. Run lispac estimate, or use "
-        "--compute to run the natural-plane, targetless and patch-test methods."
+        "{project}: no method has estimated the boresight angles. Run the adjustment or the "
+        "alternative methods."
     ),
     # -- former names, accepted for one version ---------------------------------------------------
     "former_name.option": N_(

@@ -1,7 +1,8 @@
-"""What Sphinx is told to build the manual with, in each of its languages.
+"""Sphinx configuration of the manual.
 
-`lispac/workflow/manual.py` runs it with this folder as the place of the configuration and ``en`` or
-``fr`` as that of the sources. Pages of one name in both languages are the same page.
+`lispac/workflow/output/manual.py` runs Sphinx with this folder as the configuration folder and
+``en`` or ``fr`` as the folder of the sources. Pages of one name in both languages are the same
+page.
 """
 
 import html

@@ -21,8 +21,8 @@ from tests.test_simulation import placed
 
 
 def test_the_target_around_a_seed() -> None:
-    print(f"\n{'scene':12s}{'method':28s}{'ms':>8s}{'precision':>11s}{'recall':>8s}")
-    for name in ("5 cm proud", "twins", "bollard", "grazing"):
+    print(f"\n{'scene':17s}{'method':28s}{'ms':>8s}{'precision':>11s}{'recall':>8s}")
+    for name in ("5 cm proud", "similar targets", "bollard", "grazing"):
         seen = scenery(name)
         cloud, truth = seen.clouds()["L1"], seen.on("L1", "T1")
         seed = cloud[truth][np.argmin(np.linalg.norm(cloud[truth] - cloud[truth].mean(0), axis=1))]

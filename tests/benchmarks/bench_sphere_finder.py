@@ -54,27 +54,30 @@ def test_seed_to_sphere_in_a_million_points() -> None:
     on_wall = centre + [5.0, 0.6, 0.0]
     settings = FinderSettings()
 
-    def refused(sought: RadiusRange) -> None:
+    def refused(searched: RadiusRange) -> None:
         try:
-            find_sphere(cloud, on_wall, sought, settings)
+            find_sphere(cloud, on_wall, searched, settings)
         except SphereNotFound:
             return
         raise AssertionError("a ball was found on the bare wall")
 
-    for words, sought in (("known", RadiusRange.of_known_radius(RADIUS)), ("free", RadiusRange())):
-        read = median_time(lambda s=sought: find_sphere(cloud, seed, s, settings))
+    for words, searched in (
+        ("known", RadiusRange.of_known_radius(RADIUS)),
+        ("free", RadiusRange()),
+    ):
+        read = median_time(lambda s=searched: find_sphere(cloud, seed, s, settings))
         cells = median_time(
-            lambda s=sought: find_sphere(cloud, seed, s, settings, index=grids["L1"])
+            lambda s=searched: find_sphere(cloud, seed, s, settings, index=grids["L1"])
         )
-        none = median_time(lambda s=sought: refused(s))
+        none = median_time(lambda s=searched: refused(s))
         six = median_time(
-            lambda s=sought: find_spheres_in_lines(
+            lambda s=searched: find_spheres_in_lines(
                 clouds, seed, s, settings, first_line="L1", indices=grids
             ),
             3,
         )
-        patch = find_sphere(cloud, seed, sought, settings)
-        found, missing = find_spheres_in_lines(clouds, seed, sought, settings, first_line="L1")
+        patch = find_sphere(cloud, seed, searched, settings)
+        found, missing = find_spheres_in_lines(clouds, seed, searched, settings, first_line="L1")
         assert missing == {}
         worst = max(np.linalg.norm(found[name].centre - lines[name][2]) for name in found)
         print(f"\nradius {words}, line of 1 M points")

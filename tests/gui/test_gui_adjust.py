@@ -189,7 +189,7 @@ def test_a_lever_arm_typed_wrong_is_found(picked: Driver):
     assert "significant" in shown
 
 
-def test_thesis_mode_keeps_its_warning(picked: Driver):
+def test_the_classical_model_keeps_its_warning(picked: Driver):
     open_step(picked, 2)
     click(picked, picked.window.adjust.findChild(QWidget, "model_independent"))
     estimate(picked)

@@ -23,7 +23,7 @@ from tests.gui.test_gui_design_work import SITE
 
 
 def searching(driver: Driver, design: DesignWindow, folder: Path) -> None:
-    """The best of 250 plans is sought from now on."""
+    """A search evaluates 250 plans."""
     driver.dialogs.path = folder / "pier.toml"
     driver.dialogs.path.write_text(SITE)
     design.tabs.setCurrentWidget(design.search)

@@ -219,10 +219,10 @@ def test_a_further_line_is_searched_after_the_results_of_a_check_box(
     shown: Driver, estimated: Project, monkeypatch: pytest.MonkeyPatch, checked: bool
 ):
     """It takes half as long as the adjustment, and nobody waits for it."""
-    sought = []
+    searched = []
 
     def advised(observations, result):
-        sought.append(shown.project.result is not None)
+        searched.append(shown.project.result is not None)
         return further_line_advice(observations, result)
 
     def shown_text():
@@ -237,14 +237,14 @@ def test_a_further_line_is_searched_after_the_results_of_a_check_box(
     ticks = shown.window.table
     click_check(shown, ticks, ticks.sightings.index(0, 2))
     shown.bot.waitUntil(shown_text, timeout=WAIT_MS)
-    assert sought == [True]
+    assert searched == [True]
     assert shown.window.scene.has_estimated
     shown.rest()
     assert (shown.project.cross_checks is not None) == checked
-    assert sought == [True]
+    assert searched == [True]
 
 
-def test_thesis_mode_says_what_it_does_not_work_out(shown: Driver, estimated: Project):
+def test_the_classical_model_says_what_it_does_not_work_out(shown: Driver, estimated: Project):
     result = estimated.result
     thesis = replace(result, model=replace(result.model, pos_errors="independent"), reliability=())
     shown.window.document.edit("estimate", estimated.with_result(thesis))
