@@ -238,14 +238,14 @@ def test_the_result_of_the_scene_is_printed_and_kept_on_request(
     out, _ = printed_by(capsys, "targetless", project.folder)
     remarks = list(map(english_text, found.messages))
     assert out.splitlines()[-len(remarks) :] == remarks
-    assert "boresight  " in out
+    assert out.startswith("Boresight\n")
     assert read_project(project.folder).alternative_results == ()
     numbers = answer(capsys, "targetless", project.folder, "--save")
     assert list(numbers["boresight_deg"].values()) == pytest.approx(
         np.degrees(found.result.boresight).tolist()
     )
     assert numbers["messages"] == remarks
-    wanted = {"iterations": 3, "converged": False, "candidates": 40, "targets": 0}
+    wanted = {"rounds": 3, "converged": False, "candidates": 40, "given_targets": 0}
     assert {key: numbers[key] for key in wanted} == wanted
     assert numbers["disagreeing_lines"] == ["L6"]
     kept = read_project(project.folder).alternative_result("targetless")
@@ -280,11 +280,10 @@ def test_surveyed_points_stand_in_a_table_of_their_own(
     )
     out, err = printed_by(capsys, "check", project.folder, "--reference", "points.csv")
     assert err == f"note: {english_text(notes[0])}\n"
-    table = [row.split() for row in out[out.index("surveyed ") :].splitlines()[:3]]
-    assert table == [
-        ["surveyed", "lines", "sigma", "before", "after", "95", "%", "mm"],
-        ["A1", "6", "3.0", "-200.0", "+4.1", "25.0"],
-        ["OLD", "2", "10.0", "+100.0", "+100.0", "nan"],
+    _heads, *rows = out[out.index("Distances from surveyed points") :].splitlines()[1:4]
+    assert [row.split() for row in rows] == [
+        ["A1", "6", "3.0", "-200.0", "+4.1", "+/-", "25.0", "no"],
+        ["OLD", "2", "10.0", "+100.0", "+100.0", "-", "no"],
     ]
     assert read_project(project.folder).absolute == found
 
@@ -379,7 +378,7 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     project = replace(small, folder=tmp_path / "p", result=sample.result, lines=small.lines[:1])
     write_project(project)
     out, err = printed_by(capsys, "compare", project.folder, "--compute")
-    assert out.splitlines()[1].startswith("targets ")
+    assert out.splitlines()[2].startswith("  Targets ")
     notes = dict(row.removeprefix("note: ").split(": ", 1) for row in err.splitlines())
     assert set(notes) == {"natural planes", "targetless", "patch test"}
     alone = note("patch_test.single_line", project=project.name)
@@ -389,7 +388,7 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     assert err.count("not run yet") == 3
     bare = replace(project, result=None)
     write_project(bare)
-    assert "use --compute" in refused(capsys, "compare", project.folder)
+    assert "or --compute" in refused(capsys, "compare", project.folder)
 
 
 def test_the_trajectory_goes_out_as_text(

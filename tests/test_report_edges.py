@@ -136,7 +136,7 @@ def test_what_the_lines_see_is_omitted_where_it_was_not_computed(project: Projec
 
 def test_spreads_that_are_known_need_no_excuse(project: Project) -> None:
     assert project.cross_checks is not None
-    excuse = "omitted requires at least three"
+    excuse = "at least three targets"
     known = replace(project.cross_checks, spread_targets=project.cross_checks.spread_lines)
     for checks, said in ((project.cross_checks, True), (known, False)):
         content = sample_content(replace(project, cross_checks=checks))

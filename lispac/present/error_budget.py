@@ -112,7 +112,7 @@ def budget_table(
         columns += [
             Column(
                 _component(k, name), gettext_lazy(title, distance=distance), PLAIN_CENTIMETRES,
-                gettext_lazy(tip, distance=distance),
+                gettext_lazy(tip, distance=distance), unknown=N_("not given"),
             )
             for name, title, tip in COMPONENTS
         ]  # fmt: skip

@@ -46,7 +46,7 @@ PACKAGES = {
         "duplicate_targets", "line_shifts", "plan_warnings", "warnings", "displaced",
     ),
     "survey": (
-        "blocks", "cidco_states", "cloud", "cloud_regions", "clouds", "convention_present",
+        "blocks", "cidco_states", "cloud", "cloud_regions", "clouds", "mounting_replacement",
         "convention_rules", "convention_typed", "convention_texts", "conventions", "crs",
         "crs_operation", "given_frame", "geodesy_edges", "georeferencing", "georeferencing_map",
         "growing", "kept_header", "trajectory_coverage", "lever_arm", "lines_cut",

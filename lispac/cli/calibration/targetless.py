@@ -67,10 +67,10 @@ def run(arguments: Namespace) -> None:
         print_json(
             result_values(found.result, None)
             | {
-                "iterations": found.rounds,
+                "rounds": found.rounds,
                 "converged": found.converged,
                 "candidates": found.candidates,
-                "targets": found.targets,
+                "given_targets": found.targets,
                 "disagreeing_lines": list(found.disagreeing),
                 "messages": [english_text(each) for each in found.messages],
             }
