@@ -19,6 +19,7 @@ PACKAGES = {
     "workflow": "Use cases",
     "io": "Files",
     "report": "Report",
+    "present": "Results as values and tables",
     "design": "Design",
     "simulation": "Simulation",
     "validation": "Validation",
