@@ -81,7 +81,7 @@ def _settings(content: ReportContent) -> dict[str, str]:
 
 def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     said = _settings(sample_content(project))
-    assert said["POS errors"].startswith("Correlated. All points of one sighting share")
+    assert said["POS errors"].startswith("Correlated in time. All points of one sighting share")
     assert said["Correlation times (position, attitude)"].startswith(
         "300 s and 600 s: time over which a POS error persists"
     )

@@ -103,10 +103,10 @@ def find_patches(
     regions, planes, numbers = find_line_planes(clouds, noise, threshold, progress=progress)
     planes = planes.where(is_solid_surface(planes, noise))
     planes = planes.where(~is_water(planes))
-    return _agrees_with_largest_line(regions, planes, numbers, threshold)
+    return _patches_of_largest_planes(regions, planes, numbers, threshold)
 
 
-def _agrees_with_largest_line(
+def _patches_of_largest_planes(
     regions: Regions, planes: LinePlanes, numbers: Indices, threshold: float
 ) -> Patches:
     """Build patches from the planes that agree with the plane with most points in their region."""

@@ -34,7 +34,7 @@ NOTEWORTHY_NOISE = 1.05
 """Smallest ratio of the LiDAR noise of a target to the given one that is reported."""
 
 POS_ERRORS: Mapping[str, str] = {
-    "correlated": N_("Correlated."),
+    "correlated": N_("Correlated in time."),
     "independent": N_("Uncorrelated."),
 }
 LOSSES: Mapping[str, str] = {

@@ -33,9 +33,10 @@ VALUES = (
     N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
 )  # fmt: skip
 COMPARISON = (
-    N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl., Shahraji"), N_("Best incl. (deg)"),
-    N_("Best incl., Shahraji"), N_("Required lines"), N_("Required lines, Shahraji"),
-    N_("Inclination (vs. thesis)"), N_("Lines (vs. thesis)"), N_("Reason"),
+    N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl. in Shahraji's thesis"),
+    N_("Best incl. (deg)"), N_("Best incl. in Shahraji's thesis"), N_("Required lines"),
+    N_("Required lines in Shahraji's thesis"), N_("Inclination (vs. thesis)"),
+    N_("Lines (vs. thesis)"), N_("Reason"),
 )  # fmt: skip
 """Titles of the columns; the inclinations of Shahraji's thesis are in degrees."""
 

@@ -1,4 +1,4 @@
-"""Check whether recovered points lie on surfaces that the beams of the scanner can reach.
+"""Check whether points converted back to the scanner frame lie on its scan surfaces.
 
 These are a plane or a cone for a profiler, and one cone per laser for a spinning scanner. A wrong
 height reference, time, lever arm or attitude displaces the recovered points from this surface. Each

@@ -63,7 +63,7 @@ class _Footprint:
 
 
 class LineOverlap:
-    """Selection of the points of one line inside another line's footprint in both states.
+    """Selection of points of one line inside the footprint of another, before and after.
 
     Parameters
     ----------

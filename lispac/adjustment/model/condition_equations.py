@@ -255,6 +255,7 @@ def condition_row(  # type: ignore[no-untyped-def]
 def _linearise_kernel(  # type: ignore[no-untyped-def]
     first, last, points, placing, rows, by_lidar
 ):
+    """Derivatives of the conditions of the points from ``first`` to ``last``, into ``rows``."""
     for i in range(first, last):
         at, pose = lidar_point(i, points), point_pose(i, points)
         condition_row(i, at, pose, points, placing, rows[i], by_lidar[i])

@@ -308,6 +308,7 @@ def _open_line(
 
 
 def _belongs_on_disk(project: Project, line: LineSource) -> bool:
+    """Whether a line is too large for memory, or imported already, so that a store holds it."""
     if has_import(line_folder(project, line)):
         return True
     return line.path.is_file() and _estimate_point_count(line.path) > LARGE_LINE

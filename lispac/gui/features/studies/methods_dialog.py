@@ -86,7 +86,7 @@ class MethodsDialog(StudyDialog):
         self.message_label.setText("\n".join(texts))
         self.message_label.setVisible(bool(texts))
         self.run_missing = widgets.button(
-            gettext("Run the methods without a result"), "methods_ask",
+            gettext("Run the methods that have no result yet"), "methods_ask",
             tip=gettext(
                 "Run the adjustments on validation planes and on natural surfaces, and the patch "
                 "test on detected objects. One undo step removes all results."
