@@ -19,14 +19,14 @@ from lispac.simulation.visibility_study import (
 
 @dataclass(frozen=True)
 class ThesisValue:
-    """Value of the thesis for one error.
+    """Lines and target inclinations at which the thesis detects one error.
 
     Attributes
     ----------
     lines : tuple of int, degrees
         Headings; empty if the error is invisible according to the thesis.
     inclination_deg : tuple of int
-        Lowest and highest.
+        Lowest and highest of the best inclinations.
     suitable_inclinations_deg : tuple of int
         Lowest and highest inclination that the thesis keeps by the type I criterion.
     """

@@ -30,18 +30,18 @@ COLUMNS = (
     ),
     (N_("Best inclination (deg)"), N_("Inclination at which the lines differ most")),
     (
-        N_("Best in Shahraji's thesis (deg)"),
+        N_("Best, Shahraji (deg)"),
         N_("Best inclination in table 3.2 and section 3.9 of Shahraji's thesis"),
     ),
     (
-        N_("Headings of required lines (deg)"),
+        N_("Headings (deg)"),
         N_(
             "Headings of the lines that show the error. Lines joined by / show the same, so one of "
             "them is sufficient."
         ),
     ),
     (
-        N_("Headings in Shahraji's thesis (deg)"),
+        N_("Headings, Shahraji (deg)"),
         N_("Headings of the lines in table 3.2 and section 4.4.1.1 of Shahraji's thesis"),
     ),
     (
