@@ -190,7 +190,7 @@ def test_the_error_budget(adjusted: Driver) -> None:
         level = dialog.table.item(rows["POS position"], 3).text()
         dialog.beam.setCurrentIndex(1)
         assert dialog.table.item(rows["POS position"], 3).text() != level
-        assert dialog.table.item(rows["Lever arm"], 1).text() == "–"
+        assert dialog.table.item(rows["Lever arm"], 1).text() == "not given"
 
     QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
     answered(adjusted, inspect_dialog)
