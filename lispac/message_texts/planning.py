@@ -26,9 +26,10 @@ TEXTS: Mapping[str, Template] = {
         "it retains inclinations up to 30 deg, also the best value here."
     ),
     "visibility.offset_as_roll": N_(
-        "With the scanner along the body axes, this offset has exactly the effect of a roll angle. "
-        "Shahraji's thesis gives -40 deg for one and -50 deg for the other, and 30 deg in appendix "
-        "C.2.7, where the error is 1 deg instead of 2 deg."
+        "With the scanner along the body axes, a scan-angle offset moves the points exactly as a "
+        "roll angle does, so both have the same best inclination. Table 3.2 of Shahraji's thesis "
+        "gives -40 deg for roll and -50 deg for the offset; appendix C.2.7, for an error of 1 deg "
+        "instead of 2 deg, gives 30 deg."
     ),
     "visibility.offset_not_kept": N_(
         "Table 3.2 of Shahraji's thesis chooses an inclination that its appendix C.2.6 excludes "

@@ -19,8 +19,8 @@ from lispac.simulation.thesis_site import HEADINGS_DEG
 from lispac.simulation.visibility_study import VisibilityStudy, fewest_sufficient_lines
 
 VALUES_TITLES: Mapping[str, str] = {
-    "terrestrial": N_("Visibility on the terrestrial site"),
-    "marine": N_("Visibility on the marine site"),
+    "terrestrial": N_("Effects of systematic errors on the terrestrial site"),
+    "marine": N_("Effects of systematic errors on the marine site"),
 }
 BEST_TITLES: Mapping[str, str] = {
     "terrestrial": N_("Best configurations on the terrestrial site"),
