@@ -14,7 +14,13 @@ from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.simulation.motion_source import MotionSource, RecordedTrajectory, SailedTrajectory
-from lispac.simulation.port_scene import ORIGIN, TARGETS, VALIDATION, port_scene, six_lines
+from lispac.simulation.port_scene import (
+    LOCAL_ORIGIN,
+    TARGET_NAMES,
+    VALIDATION_NAMES,
+    port_scene,
+    six_lines,
+)
 from lispac.simulation.pos_error_models import PosErrors
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes, Scanner, scan_scene
@@ -106,7 +112,7 @@ class SurveySetup:
     pos : PosErrors
     scanner : Scanner
     mounting : Mounting
-        The true one.
+        The true mounting.
     """
 
     origin: tuple[float, float, float]
@@ -128,7 +134,7 @@ class SimulatedSurvey:
     origin : tuple of float
         Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame.
     mounting : Mounting
-        The true one.
+        The true mounting.
     targets, validation : dict of name to ndarray of shape (3,), metres, local
         Seed on each: the centre of a plane, or the point of a sphere that faces the vessel.
     """
@@ -179,8 +185,8 @@ def port_survey(
         See `simulate_survey`.
     """
     setup = SurveySetup(
-        ORIGIN, port_scene(), TARGETS, VALIDATION, SailedTrajectory(six_lines(), POS_HEIGHT),
-        HYDROGRAPHIC_INS, Scanner(points_per_second),
+        LOCAL_ORIGIN, port_scene(), TARGET_NAMES, VALIDATION_NAMES,
+        SailedTrajectory(six_lines(), POS_HEIGHT), HYDROGRAPHIC_INS, Scanner(points_per_second),
         Mounting(np.array(LEVER_ARM), np.radians(boresight_deg)),
     )  # fmt: skip
     return simulate_survey(setup, seed=seed, noise=noise, pos_errors=pos_errors, progress=progress)
@@ -196,8 +202,9 @@ def simulate_survey(
 ) -> SimulatedSurvey:
     """Simulate a survey.
 
-    The result depends only on the arguments. The motion of the vessel depends only on the seed, so
-    that surveys with and without noise or POS errors can be compared point by point.
+    The result depends only on the arguments. The motion of the vessel depends only on its source
+    and on the seed, so that surveys with and without noise or POS errors can be compared point by
+    point.
 
     Parameters
     ----------
@@ -278,7 +285,7 @@ def _nearest_rows(time: Array, even: Array, values: Array) -> Array:
     """Rows of evenly sampled values nearest to given times, shape (n, k)."""
     if len(time) == len(even):
         return values
-    # No interpolation, which would reduce the standard deviation of white noise.
+    # Values are not interpolated, which would reduce the standard deviation of white noise.
     return values[np.rint(time / (even[1] - even[0])).astype(np.intp)]
 
 

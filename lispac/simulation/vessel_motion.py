@@ -9,8 +9,10 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-RATE = 200.0  # trajectory samples per second
-SINES = 4
+SAMPLES_PER_SECOND = 200.0
+"""Samples of the trajectory per second."""
+SINE_COUNT = 4
+"""Number of sines in each component of the sea motion."""
 
 
 @dataclass(frozen=True)
@@ -22,7 +24,7 @@ class VesselHandling:
     speed, speed_abeam : float, metres per second
         On the line, and in front of the boards, where the vessel slows down.
     slow_time : float, seconds
-        Half-width of the slow part.
+        Half-width of the slow part: the reduction of the speed falls to 1/e of its maximum.
     ramp : float, seconds
         Time for acceleration before a line, and for stopping after it.
     transit : float, seconds
@@ -49,7 +51,7 @@ class VesselHandling:
     periods: tuple[float, float] = (4.0, 9.0)
 
 
-LAUNCH = VesselHandling()
+SMALL_VESSEL = VesselHandling()
 """The small vessel of the built-in survey."""
 
 
@@ -73,7 +75,7 @@ class SailedLine:
     run_in: float
     run_out: float
     starboard: bool
-    handling: VesselHandling = LAUNCH
+    handling: VesselHandling = SMALL_VESSEL
 
     @cached_property
     def times(self) -> tuple[float, float]:
@@ -81,11 +83,13 @@ class SailedLine:
         before, after = (
             (run + self._lost) / self.handling.speed for run in (self.run_in, self.run_out)
         )
-        return -float(np.ceil(before * RATE)) / RATE, float(np.ceil(after * RATE)) / RATE
+        return -float(np.ceil(before * SAMPLES_PER_SECOND)) / SAMPLES_PER_SECOND, float(
+            np.ceil(after * SAMPLES_PER_SECOND)
+        ) / SAMPLES_PER_SECOND
 
     @property
     def _lost(self) -> float:
-        """Reduction of the distance by the slow part, on either side of abeam, metres."""
+        """Distance lost by slowing down, on either side of abeam, metres."""
         own = self.handling
         return float((own.speed - own.speed_abeam) * own.slow_time * np.sqrt(np.pi) / 2)
 
@@ -104,7 +108,13 @@ class SailedLine:
         """Positions from rest through the recorded part to rest, shape (n, 2), metres."""
         start, stop = self.times
         ramp = self.handling.ramp
-        time = np.arange(round((start - ramp) * RATE), round((stop + ramp) * RATE) + 1) / RATE
+        time = (
+            np.arange(
+                round((start - ramp) * SAMPLES_PER_SECOND),
+                round((stop + ramp) * SAMPLES_PER_SECOND) + 1,
+            )
+            / SAMPLES_PER_SECOND
+        )
         along = self._along(np.clip(time, start, stop))
         along -= self._speed(start) * _ramp_distance(np.clip(start - time, 0, ramp), ramp)
         along += self._speed(stop) * _ramp_distance(np.clip(time - stop, 0, ramp), ramp)
@@ -119,7 +129,7 @@ def _ramp_distance(time: Array, ramp: float) -> Array:
 
 
 def _smooth_step(count: int) -> Array:
-    """From 0 to 1, at rest and without acceleration at both ends (ends excluded)."""
+    """Values from 0 to 1, with zero speed and acceleration at both ends, which are excluded."""
     u = np.arange(1, count) / count
     return np.asarray(u**3 * (10 - 15 * u + 6 * u**2))
 
@@ -133,7 +143,7 @@ class VesselMotion:
     time : ndarray of shape (n,), seconds from the start of the survey
     position : ndarray of shape (n, 3), metres, local
     attitude : ndarray of shape (n, 3), radians
-        Roll, pitch, heading against the axes of the local frame, without jumps.
+        Roll, pitch, heading relative to the axes of the local frame, without jumps.
     recorded : tuple of pairs of float, seconds
         Start and stop of recording of each line.
     interval : float, seconds
@@ -144,7 +154,7 @@ class VesselMotion:
     position: Array
     attitude: Array
     recorded: tuple[tuple[float, float], ...]
-    interval: float = 1 / RATE
+    interval: float = 1 / SAMPLES_PER_SECOND
 
 
 def sail_lines(
@@ -163,8 +173,8 @@ def sail_lines(
         Mean height of the POS in the local frame.
     """
     own = lines[0].handling
-    wait = round(own.wait * RATE)
-    blend = _smooth_step(round(own.transit * RATE))
+    wait = round(own.wait * SAMPLES_PER_SECOND)
+    blend = _smooth_step(round(own.transit * SAMPLES_PER_SECOND))
     courses = [each.course() for each in lines]
     heading = lines[0].heading
     stretches = [np.repeat(courses[0][:1], wait, axis=0)]
@@ -177,7 +187,7 @@ def sail_lines(
             turn = -((heading - each.heading + np.pi) % (2 * np.pi) - np.pi)
             headings.append(heading + blend * turn)
             heading += turn
-        start = sum(map(len, stretches)) / RATE + own.ramp
+        start = sum(map(len, stretches)) / SAMPLES_PER_SECOND + own.ramp
         recorded.append((start, start + each.times[1] - each.times[0]))
         stretches.append(course)
         headings.append(np.full(len(course), heading))
@@ -185,7 +195,7 @@ def sail_lines(
     headings.append(np.full(wait, heading))
 
     level = np.concatenate(stretches)
-    time = np.arange(len(level)) / RATE
+    time = np.arange(len(level)) / SAMPLES_PER_SECOND
     drift_n, drift_w, heave, roll, pitch, yaw = (
         _sea_motion(time, sigma, own.periods, stream)
         for sigma, stream in zip(
@@ -203,9 +213,9 @@ def _sea_motion(
     time: Array, sigma: float, range_of: tuple[float, float], generator: np.random.Generator
 ) -> Array:
     """Smooth motion as a sum of sines with random periods and phases."""
-    periods = generator.uniform(*range_of, SINES)
-    phases = generator.uniform(0, 2 * np.pi, SINES)
-    weights = generator.uniform(0.5, 1.0, SINES)
+    periods = generator.uniform(*range_of, SINE_COUNT)
+    phases = generator.uniform(0, 2 * np.pi, SINE_COUNT)
+    weights = generator.uniform(0.5, 1.0, SINE_COUNT)
     weights *= sigma * np.sqrt(2) / np.linalg.norm(weights)
     waves = np.sin(2 * np.pi * time / periods[:, None] + phases[:, None])
     return np.asarray(weights @ waves)
