@@ -111,7 +111,7 @@ def local_planes(
 def local_planes_kernel(
     points: Points, neighbours: Indices, counts: Indices
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # pragma: no cover - compiled
-    """Compiled computation of `local_planes`, with the same arguments and results."""
+    """Compiled part of the computation; for arguments and results see `local_planes`."""
     n, width = neighbours.shape
     centroids = np.empty((n, 3))
     normals = np.empty((n, 3))

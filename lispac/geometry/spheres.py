@@ -138,7 +138,7 @@ def rms_from_sphere(sphere: Sphere, points: Array) -> float:
 
 
 def cap_axis(directions: Array) -> Array:
-    """Mean, shape (3,), of the directions (n, 3) from the centre of a sphere, unit vectors."""
+    """Mean, shape (3,), of directions (n, 3) from a sphere's centre: unit vectors in one frame."""
     total = directions.sum(axis=0)
     length = float(np.linalg.norm(total))
     axis: Array = total / length if length > 0.0 else np.array([0.0, 0.0, 1.0])

@@ -23,8 +23,8 @@ class ObjectBox:
     Attributes
     ----------
     centre : ndarray of shape (3,), metres, local frame
-    size : ndarray of shape (3,), metres
-        Lengths along the box's own axes: ahead, left and up.
+    size : ndarray of shape (3,), metres, along the axes of the box
+        Lengths ahead, left and up.
     turn : float, radians
         Azimuth of the axis ahead, clockwise from north.
     """

@@ -306,9 +306,8 @@ def _intersect_pulses(
         found = found.of(hit)
         elevation, edge_distance = elevations[beam[hit]], found.distance
         if direction_generator is not None and len(hit):
-            elevation = elevation + scanner.angle_sigma * direction_generator.standard_normal(
-                len(hit)
-            )
+            draws = direction_generator.standard_normal(len(hit))
+            elevation = elevation + scanner.angle_sigma * draws
             found = intersect(time[hit], angle[hit], elevation).filled_from(found)
             edge_distance = found.distance
         if direction_generator is not None and scanner.divergence > 0 and len(hit):

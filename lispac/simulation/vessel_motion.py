@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-SAMPLES_PER_SECOND = 200.0
+SAMPLE_RATE = 200.0
 """Samples of the trajectory per second."""
 SINE_COUNT = 4
 """Number of sines in each component of the sea motion."""
@@ -83,9 +83,10 @@ class SailedLine:
         before, after = (
             (run + self._lost) / self.handling.speed for run in (self.run_in, self.run_out)
         )
-        return -float(np.ceil(before * SAMPLES_PER_SECOND)) / SAMPLES_PER_SECOND, float(
-            np.ceil(after * SAMPLES_PER_SECOND)
-        ) / SAMPLES_PER_SECOND
+        return (
+            -float(np.ceil(before * SAMPLE_RATE)) / SAMPLE_RATE,
+            float(np.ceil(after * SAMPLE_RATE)) / SAMPLE_RATE,
+        )
 
     @property
     def _lost(self) -> float:
@@ -108,13 +109,8 @@ class SailedLine:
         """Positions from rest through the recorded part to rest, shape (n, 2), metres."""
         start, stop = self.times
         ramp = self.handling.ramp
-        time = (
-            np.arange(
-                round((start - ramp) * SAMPLES_PER_SECOND),
-                round((stop + ramp) * SAMPLES_PER_SECOND) + 1,
-            )
-            / SAMPLES_PER_SECOND
-        )
+        first, last = round((start - ramp) * SAMPLE_RATE), round((stop + ramp) * SAMPLE_RATE)
+        time = np.arange(first, last + 1) / SAMPLE_RATE
         along = self._along(np.clip(time, start, stop))
         along -= self._speed(start) * _ramp_distance(np.clip(start - time, 0, ramp), ramp)
         along += self._speed(stop) * _ramp_distance(np.clip(time - stop, 0, ramp), ramp)
@@ -154,7 +150,7 @@ class VesselMotion:
     position: Array
     attitude: Array
     recorded: tuple[tuple[float, float], ...]
-    interval: float = 1 / SAMPLES_PER_SECOND
+    interval: float = 1 / SAMPLE_RATE
 
 
 def sail_lines(
@@ -173,8 +169,8 @@ def sail_lines(
         Mean height of the POS in the local frame.
     """
     own = lines[0].handling
-    wait = round(own.wait * SAMPLES_PER_SECOND)
-    blend = _smooth_step(round(own.transit * SAMPLES_PER_SECOND))
+    wait = round(own.wait * SAMPLE_RATE)
+    blend = _smooth_step(round(own.transit * SAMPLE_RATE))
     courses = [each.course() for each in lines]
     heading = lines[0].heading
     stretches = [np.repeat(courses[0][:1], wait, axis=0)]
@@ -187,7 +183,7 @@ def sail_lines(
             turn = -((heading - each.heading + np.pi) % (2 * np.pi) - np.pi)
             headings.append(heading + blend * turn)
             heading += turn
-        start = sum(map(len, stretches)) / SAMPLES_PER_SECOND + own.ramp
+        start = sum(map(len, stretches)) / SAMPLE_RATE + own.ramp
         recorded.append((start, start + each.times[1] - each.times[0]))
         stretches.append(course)
         headings.append(np.full(len(course), heading))
@@ -195,7 +191,7 @@ def sail_lines(
     headings.append(np.full(wait, heading))
 
     level = np.concatenate(stretches)
-    time = np.arange(len(level)) / SAMPLES_PER_SECOND
+    time = np.arange(len(level)) / SAMPLE_RATE
     drift_n, drift_w, heave, roll, pitch, yaw = (
         _sea_motion(time, sigma, own.periods, stream)
         for sigma, stream in zip(
