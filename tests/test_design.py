@@ -42,7 +42,7 @@ def test_a_small_site_is_searched_exactly(best) -> None:
     assert best.exact
     assert best.evaluated == 28 * 3**3 <= MAX_EXHAUSTIVE_PLANS
     generator = np.random.default_rng(3)
-    lines, objective = SMALL.lines_allowed, PlanObjective()
+    lines, objective = SMALL.allowed_lines, PlanObjective()
     for _ in range(60):
         boards = [
             SMALL.wall.board(
@@ -224,4 +224,4 @@ def test_a_board_is_at_the_given_place() -> None:
     assert board.centre == pytest.approx((-2.0, -15.0, 6.0))
     assert board.normal == pytest.approx((0.0, np.sin(np.radians(60)), 0.5))
     assert Line(0.0, 15.0, True).abeam((0.0, -15.0)) == pytest.approx((0.0, 0.0))
-    assert all(Line.abeam(line, (0.0, -15.0))[1] > -15.0 for line in LARGE.lines_allowed)
+    assert all(Line.abeam(line, (0.0, -15.0))[1] > -15.0 for line in LARGE.allowed_lines)

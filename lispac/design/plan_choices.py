@@ -68,7 +68,7 @@ class DesignSpace:
     @cached_property
     def lines(self) -> tuple[Line, ...]:
         """Lines that the site allows."""
-        return self.site.lines_allowed
+        return self.site.allowed_lines
 
     @property
     def size(self) -> int:

@@ -161,7 +161,7 @@ class _PlanSightings:
                 strict=True,
             )
         )
-        # Profiles are at right angles to the course: a point is measured when it is abeam.
+        # Profiles are at right angles to the course: a point is measured when the scanner is abeam.
         along = np.einsum("ni,ni->n", places - at_abeam, direction)
         along -= system.mounting.lever_arm[0]
         position = at_abeam + along[:, None] * direction

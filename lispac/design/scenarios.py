@@ -182,7 +182,7 @@ def vessel_speeds(plan: Plan) -> list[Case]:
     ]
 
 
-def pos_grades(plan: Plan) -> list[Case]:
+def pos_classes(plan: Plan) -> list[Case]:
     """Scenarios with POS of different classes."""
     return [
         (gettext_lazy(name), replace(plan, system=replace(plan.system, pos=pos)))
@@ -199,7 +199,7 @@ SCENARIOS: dict[str, Callable[[Plan], list[Case]]] = {
     N_("height"): target_heights,
     N_("repeats"): line_repeats,
     N_("speed"): vessel_speeds,
-    N_("POS"): pos_grades,
+    N_("POS"): pos_classes,
 }
 THESIS_SCENARIOS = ("lines", "inclination", "size", "targets")
 """Scenarios that use the boards and lines of the thesis instead of those of the plan."""

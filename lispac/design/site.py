@@ -178,7 +178,7 @@ class Site:
                     available=self.time_on_site,
                 )
             )
-        if not self.lines_allowed:
+        if not self.allowed_lines:
             raise InputError(error("design.lines_too_close", closest=self.closest))
 
     @property
@@ -187,8 +187,8 @@ class Site:
         return Wall(self.middle, self.facing_deg)
 
     @property
-    def lines_allowed(self) -> tuple[Line, ...]:
-        """Lines of all headings, distances and speeds that keep clear of the wall."""
+    def allowed_lines(self) -> tuple[Line, ...]:
+        """Lines that keep clear of the wall while they pass a target at the middle of the site."""
         allowed = []
         for heading in self.headings_deg:
             across, towards = (

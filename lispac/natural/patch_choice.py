@@ -104,32 +104,36 @@ def choose_patches(
         return PatchChoice([], np.full(3, PRIOR_ANGLE_SIGMA))
     number = np.unique(np.linspace(0, len(patches) - 1, MAX_CANDIDATES).astype(np.int64))
     information = _patch_information(patches, number, clouds, accuracy)
-    facing = _nearest_direction(patches.normal[number])
-    moment = np.floor(patches.planes.time / TIME_INTERVAL).astype(np.int64) * len(clouds)
-    moment = np.unique(moment + patches.planes.line, return_inverse=True)[1].reshape(-1)
-    of_direction = np.zeros(int(facing.max()) + 1, dtype=np.int64)
-    of_moment = np.zeros(int(moment.max()) + 1, dtype=np.int64)
-    max_facing = max(4.0, MAX_DIRECTION_RATIO * count / len(np.unique(facing)))
-    max_at_once = max(4.0, MAX_INTERVAL_RATIO * count * 3 / len(of_moment))
-    moments = np.where(information.sighting >= 0, moment[information.sighting], -1)
+    direction = _nearest_direction(patches.normal[number])
+    interval = np.floor(patches.planes.time / TIME_INTERVAL).astype(np.int64) * len(clouds)
+    interval = np.unique(interval + patches.planes.line, return_inverse=True)[1].reshape(-1)
+    chosen_in_direction = np.zeros(int(direction.max()) + 1, dtype=np.int64)
+    chosen_in_interval = np.zeros(int(interval.max()) + 1, dtype=np.int64)
+    max_per_direction = max(4.0, MAX_DIRECTION_RATIO * count / len(np.unique(direction)))
+    max_per_interval = max(4.0, MAX_INTERVAL_RATIO * count * 3 / len(chosen_in_interval))
+    intervals = np.where(information.sighting >= 0, interval[information.sighting], -1)
     available = np.ones(len(number), dtype=bool)
     covariance = np.eye(information.rows.shape[2])
     picked: list[Indices] = []
     while len(picked) < count:
-        full = np.append(of_moment >= max_at_once, False)
-        allowed = available & (of_direction[facing] < max_facing) & ~full[moments].any(axis=1)
+        full = np.append(chosen_in_interval >= max_per_interval, False)
+        allowed = (
+            available
+            & (chosen_in_direction[direction] < max_per_direction)
+            & ~full[intervals].any(axis=1)
+        )
         # One patch of each direction comes first: a purely greedy choice may use a single
         # direction, which cannot separate position errors from errors of the angles.
-        first = allowed & (of_direction[facing] == 0)
+        first = allowed & (chosen_in_direction[direction] == 0)
         candidates = np.flatnonzero(first if first.any() else allowed)
         if not len(candidates):
             break
         gain = _information_gain(information.rows[candidates], covariance)
         best = candidates[int(np.argmax(gain))]
         available[best] = False
-        of_direction[facing[best]] += 1
+        chosen_in_direction[direction[best]] += 1
         own = information.sighting[best][information.sighting[best] >= 0]
-        of_moment[moment[own]] += 1
+        chosen_in_interval[interval[own]] += 1
         rows = information.rows[best]
         crossed = rows @ covariance
         inner = np.eye(len(rows)) + crossed @ rows.T
@@ -197,10 +201,10 @@ def _sighting_derivatives(
             lidar, poses, mounting.with_boresight(mounting.boresight + ANGLE_STEP * axis)
         )
         found[:, k] = ((turned - centre) * normal).sum(axis=1) / ANGLE_STEP * PRIOR_ANGLE_SIGMA
-        swayed = place_points(
+        displaced = place_points(
             lidar, Poses(poses.position, poses.attitude + ANGLE_STEP * axis), mounting
         )
-        moved = ((swayed - centre) * normal).sum(axis=1) / ANGLE_STEP
+        moved = ((displaced - centre) * normal).sum(axis=1) / ANGLE_STEP
         found[:, 6 + k] = moved * attitude[:, k]
     found[:, 3:6] = normal * position
     return found

@@ -28,7 +28,7 @@ More points add little information, because they share one POS error.
 """
 MIN_SPACING = 0.03
 """Smallest spacing of these points, metres."""
-MIN_POINTS = 30
+MIN_LINE_POINTS = 30
 """Smallest number of points of a line that sees an object."""
 BOX_MARGIN = 0.3
 """Width of the zone around a box in which points are also taken, metres."""
@@ -149,7 +149,7 @@ class ObjectSample:
             for line, cloud in clouds.items():
                 region = cloud.within(each.box.centre, radius, limit=MAX_EXAMINED_RATIO * limit)
                 own = each.box.inside(region.points, margin)
-                if np.count_nonzero(own) >= MIN_POINTS:
+                if np.count_nonzero(own) >= MIN_LINE_POINTS:
                     near[line] = (region.numbers[own], region.points[own])
             if len(near) < 2:
                 continue
@@ -260,7 +260,7 @@ def _pole_axis(groups: Sequence[Array]) -> Array | None:
     """Common axis of the point groups if most of them are slender like a pole; None otherwise."""
     axes = []
     for points in groups:
-        if len(points) < MIN_POINTS:
+        if len(points) < MIN_LINE_POINTS:
             continue
         variances, directions = np.linalg.eigh(np.cov(points.T))
         long, wide = np.sqrt(variances[2]), np.sqrt(max(variances[1], 0.0))
@@ -277,7 +277,7 @@ def _choose_point_spacing(groups: Sequence[Array], limit: int, *, even: bool) ->
 
     With ``even`` the spacing is also increased until the points are evenly spaced in all
     directions; for poles it is not. It is not increased if a line would then have fewer than
-    `MIN_POINTS` points.
+    `MIN_LINE_POINTS` points.
     """
     spacing = MIN_SPACING
     kept = [points[thin_points(points, spacing)] for points in groups]
@@ -292,7 +292,7 @@ def _choose_point_spacing(groups: Sequence[Array], limit: int, *, even: bool) ->
         if many <= limit and not uneven:
             return float(spacing)
         thinned = [points[thin_points(points, wider)] for points in groups]
-        if min(len(points) for points in thinned) < MIN_POINTS:
+        if min(len(points) for points in thinned) < MIN_LINE_POINTS:
             return float(spacing)
         spacing, kept = wider, thinned
 

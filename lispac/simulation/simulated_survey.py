@@ -108,7 +108,7 @@ class SurveySetup:
     scene : Scene
     targets, validation : tuple of str
         Names of the rectangles and spheres of the scene used as targets and validation planes.
-    voyage : MotionSource
+    motion_source : MotionSource
     pos : PosErrors
     scanner : Scanner
     mounting : Mounting
@@ -119,7 +119,7 @@ class SurveySetup:
     scene: Scene
     targets: tuple[str, ...]
     validation: tuple[str, ...]
-    voyage: MotionSource
+    motion_source: MotionSource
     pos: PosErrors
     scanner: Scanner
     mounting: Mounting
@@ -219,12 +219,12 @@ def simulate_survey(
     InputError
         If the trajectory does not cover the lines.
     """
-    voyage, scene = setup.voyage, setup.scene
-    if isinstance(voyage, RecordedTrajectory):
-        voyage.require_stretches_covered(setup.mounting.latency)
-    legs = voyage.legs
+    source, scene = setup.motion_source, setup.scene
+    if isinstance(source, RecordedTrajectory):
+        source.require_stretches_covered(setup.mounting.latency)
+    legs = source.legs
     sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + len(legs))
-    motion = voyage.motion(sea)
+    motion = source.motion(sea)
     _require_trajectory_covers(motion, setup.mounting.latency)
     trajectory = _reported_trajectory(setup, motion, errors if pos_errors else None)
     states = (trajectory.time, motion.position, motion.attitude)
@@ -233,7 +233,7 @@ def simulate_survey(
 
     def record(i: int) -> Echoes:
         start, stop = motion.recorded[i]
-        recorded = (voyage.start + start, voyage.start + stop)
+        recorded = (source.start + start, source.start + stop)
         generator = scanners[i] if noise else None
         side = legs[i].starboard
         return scan_scene(setup.scanner, scene, states, recorded, side, setup.mounting, generator)
@@ -310,7 +310,7 @@ def _reported_trajectory(
     roll, pitch, heading = (attitude + attitude_error).T
     latitude, longitude, height = frame.to_geodetic(motion.position + position_error)
     return SimulatedTrajectory(
-        setup.voyage.start + motion.time,
+        setup.motion_source.start + motion.time,
         latitude,
         longitude,
         height,

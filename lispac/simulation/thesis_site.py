@@ -119,6 +119,7 @@ MARINE_SITE = ThesisSite(
 SITES: Mapping[str, ThesisSite] = {site.name: site for site in (TERRESTRIAL_SITE, MARINE_SITE)}
 
 LINES: tuple[Course, ...] = six_courses()
+"""The six lines of the thesis."""
 HEADINGS_DEG = tuple(round(float(np.degrees(course.heading))) for course in LINES)
 """Headings of the six lines, in the order of the thesis."""
 

@@ -81,7 +81,7 @@ class SailedLine:
     def times(self) -> tuple[float, float]:
         """Start and stop of recording relative to abeam, on the trajectory's samples, seconds."""
         before, after = (
-            (run + self._lost) / self.handling.speed for run in (self.run_in, self.run_out)
+            (run + self._lost_distance) / self.handling.speed for run in (self.run_in, self.run_out)
         )
         return (
             -float(np.ceil(before * SAMPLE_RATE)) / SAMPLE_RATE,
@@ -89,21 +89,21 @@ class SailedLine:
         )
 
     @property
-    def _lost(self) -> float:
+    def _lost_distance(self) -> float:
         """Distance lost by slowing down, on either side of abeam, metres."""
         own = self.handling
         return float((own.speed - own.speed_abeam) * own.slow_time * np.sqrt(np.pi) / 2)
 
-    def _speed(self, time: float) -> float:
+    def _speed_at(self, time: float) -> float:
         own = self.handling
         slow = np.exp(-((time / own.slow_time) ** 2))
         return float(own.speed - (own.speed - own.speed_abeam) * slow)
 
-    def _along(self, time: Array) -> Array:
+    def _distance_along(self, time: Array) -> Array:
         from scipy.special import erf
 
         own = self.handling
-        return np.asarray(own.speed * time - self._lost * erf(time / own.slow_time))
+        return np.asarray(own.speed * time - self._lost_distance * erf(time / own.slow_time))
 
     def course(self) -> Array:
         """Positions from rest through the recorded part to rest, shape (n, 2), metres."""
@@ -111,9 +111,9 @@ class SailedLine:
         ramp = self.handling.ramp
         first, last = round((start - ramp) * SAMPLE_RATE), round((stop + ramp) * SAMPLE_RATE)
         time = np.arange(first, last + 1) / SAMPLE_RATE
-        along = self._along(np.clip(time, start, stop))
-        along -= self._speed(start) * _ramp_distance(np.clip(start - time, 0, ramp), ramp)
-        along += self._speed(stop) * _ramp_distance(np.clip(time - stop, 0, ramp), ramp)
+        along = self._distance_along(np.clip(time, start, stop))
+        along -= self._speed_at(start) * _ramp_distance(np.clip(start - time, 0, ramp), ramp)
+        along += self._speed_at(stop) * _ramp_distance(np.clip(time - stop, 0, ramp), ramp)
         direction = np.array([np.cos(self.heading), -np.sin(self.heading)])
         return np.asarray(self.abeam + along[:, None] * direction)
 

@@ -179,8 +179,8 @@ class BestConfiguration:
         """Headings (deg) of the first line of each group; empty if the error is invisible."""
         return () if self.inclination is None else tuple(group[0] for group in self.groups)
 
-    def is_seen_by(self, lines: Sequence[int]) -> bool:
-        """Whether these lines contain at least one line of each group."""
+    def is_visible_on(self, lines: Sequence[int]) -> bool:
+        """Whether the error is visible on these lines: they contain one of each group."""
         return self.inclination is not None and all(
             set(group) & set(lines) for group in self.groups
         )
@@ -232,7 +232,7 @@ def fewest_sufficient_lines(
         enough = tuple(
             lines
             for lines in combinations(HEADINGS_DEG, count)
-            if all(best.is_seen_by(lines) for best in visible)
+            if all(best.is_visible_on(lines) for best in visible)
         )
         if enough:
             return enough
