@@ -82,7 +82,7 @@ class PlanObjective:
     def value_of_prediction(self, prediction: Prediction) -> float:
         """Value of the criterion, radians; the largest sigma if not all angles are determined."""
         covariance = np.linalg.inv(prediction.information + np.eye(3) / PRIOR_ANGLE_SIGMA**2)
-        criterion = self.criterion if prediction.determined else "largest"
+        criterion: Criterion = self.criterion if prediction.determined else "largest"
         return CRITERION_FUNCTIONS[criterion](covariance)
 
 

@@ -50,9 +50,9 @@ class LinePlanes:
     centre : ndarray of shape (k, 3), metres, local frame
     normal : ndarray of shape (k, 3), unit vectors, local frame
         The component with the largest absolute value is positive.
-    far : ndarray of shape (k,), metres
+    max_distance : ndarray of shape (k,), metres
         Largest distance of a point that counts as on the plane.
-    rough : ndarray of shape (k,), metres
+    roughness : ndarray of shape (k,), metres
         RMS distance of the points from the plane.
     width : ndarray of shape (k,), metres
         Weighted standard deviation of the points along the shorter axis within the plane.
@@ -72,8 +72,8 @@ class LinePlanes:
     share: Array
     centre: Array
     normal: Array
-    far: Array
-    rough: Array
+    max_distance: Array
+    roughness: Array
     width: Array
     reach: Array
     kurtosis: Array
@@ -143,23 +143,25 @@ def find_line_planes(
     local = found - origin[owner]
     # With the biweight (Beaton and Tukey 1974) a plane converges to the densest layer.
     centre, normal = np.zeros((len(counts), 3)), np.zeros((len(counts), 3))
-    far = np.full(len(counts), np.inf)
+    limit = np.full(len(counts), np.inf)
     for iteration in range(FIT_ITERATIONS):
         progress(0.6 + 0.4 * iteration / FIT_ITERATIONS)
-        centre, variances, axes = fit_weighted_planes(local, np.cumsum(counts), centre, normal, far)
-        normal = np.ascontiguousarray(axes[:, :, 0])
-        rough = np.sqrt(np.maximum(variances[:, 0], 1e-12)) / np.where(
-            np.isinf(far), 1.0, WEIGHTED_SIGMA_RATIO
+        centre, variances, axes = fit_weighted_planes(
+            local, np.cumsum(counts), centre, normal, limit
         )
-        far = np.minimum(
-            far, np.maximum(MAX_DISTANCE_SIGMAS * rough, MAX_DISTANCE_LIDAR_SIGMAS * noise)
+        normal = np.ascontiguousarray(axes[:, :, 0])
+        roughness = np.sqrt(np.maximum(variances[:, 0], 1e-12)) / np.where(
+            np.isinf(limit), 1.0, WEIGHTED_SIGMA_RATIO
+        )
+        limit = np.minimum(
+            limit, np.maximum(MAX_DISTANCE_SIGMAS * roughness, MAX_DISTANCE_LIDAR_SIGMAS * noise)
         )
     relative = local - centre[owner]
     off = (relative * normal[owner]).sum(axis=1)
-    kept = np.abs(off) < far[owner]
+    kept = np.abs(off) < limit[owner]
     number = np.bincount(owner[kept], minlength=len(counts))
     divisor = np.maximum(number, 1)
-    rough = np.sqrt(
+    roughness = np.sqrt(
         np.maximum(np.bincount(owner[kept], off[kept] ** 2, len(counts)) / divisor, 1e-12)
     )
     fourth = np.bincount(owner[kept], off[kept] ** 4, len(counts)) / divisor
@@ -176,11 +178,11 @@ def find_line_planes(
         share=number / np.maximum(counts, 1),
         centre=centre + origin,
         normal=normal * np.sign(largest),
-        far=far,
-        rough=rough,
+        max_distance=limit,
+        roughness=roughness,
         width=np.sqrt(np.maximum(variances[:, 1], 0.0)),
         reach=reach,
-        kurtosis=fourth / rough**4,
+        kurtosis=fourth / roughness**4,
         time=np.bincount(owner[kept], times[kept], len(counts)) / divisor,
     )
     return regions, planes, sampled[order[kept]]

@@ -160,7 +160,7 @@ def _patch_information(
     rows = np.flatnonzero(position[patches.patch] >= 0)
     owner = position[patches.patch[rows]]
     derivative = _sighting_derivatives(patches, rows, clouds, accuracy)
-    off = np.hypot(MIN_SIGHTING_ERROR, ROUGHNESS_SHARE * planes.rough[rows])
+    off = np.hypot(MIN_SIGHTING_ERROR, ROUGHNESS_SHARE * planes.roughness[rows])
     # Lines whose derivatives by the angles differ most from the mean are the most informative.
     lines, total = len(clouds), np.bincount(owner, minlength=len(number))
     mean = np.stack([np.bincount(owner, c, len(number)) for c in derivative[:, :3].T], axis=1)

@@ -77,7 +77,7 @@ class Patches:
             near = cloud.within(centre, planes.reach[row], limit=MAX_LINE_POINTS)
             off = np.abs((near.points - centre) @ planes.normal[row])
             mine = self.regions.at(near.points) == planes.region[row]
-            own, one_in = near.numbers[mine & (off <= planes.far[row])], near.one_in
+            own, one_in = near.numbers[mine & (off <= planes.max_distance[row])], near.one_in
         step = -(-len(own) // MAX_SIGHTING_POINTS) or 1
         return own[::step], step * one_in
 

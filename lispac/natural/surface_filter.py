@@ -52,8 +52,8 @@ def is_solid_surface(planes: LinePlanes, noise: float) -> Flags:
         Sigma of the LiDAR.
     """
     return np.asarray(
-        (planes.rough <= max(MAX_ROUGHNESS_SIGMAS * noise, MAX_ROUGHNESS))
-        & (planes.width >= MIN_WIDTH_RATIO * planes.rough)
+        (planes.roughness <= max(MAX_ROUGHNESS_SIGMAS * noise, MAX_ROUGHNESS))
+        & (planes.width >= MIN_WIDTH_RATIO * planes.roughness)
         & (planes.width >= MIN_WIDTH)
         & (planes.share >= MIN_POINT_SHARE)
         & (planes.kurtosis >= MIN_KURTOSIS)
@@ -74,5 +74,5 @@ def is_water(planes: LinePlanes) -> Flags:
         planes.centre[:, 2]
         <= np.quantile(planes.centre[:, 2], WATER_LEVEL_QUANTILE) + MAX_HEIGHT_ABOVE_WATER
     )
-    usual = np.median(planes.rough[~level]) if (~level).any() else np.median(planes.rough)
-    return np.asarray(level & low & (planes.rough > MIN_WATER_ROUGHNESS_RATIO * usual))
+    usual = np.median(planes.roughness[~level]) if (~level).any() else np.median(planes.roughness)
+    return np.asarray(level & low & (planes.roughness > MIN_WATER_ROUGHNESS_RATIO * usual))

@@ -152,14 +152,14 @@ def bootstrap_precision(
 
 @dataclass(frozen=True, eq=False)
 class _ObjectEquations:
-    """Normal equations of one object, and the effect of POS errors and roughness on them."""
+    """Normal equations of one object, and the effect of POS and other errors on its gradient."""
 
     name: str
     blocks: list[int]
     normal: Array
     gradient: Array
     pos_derivatives: dict[int, Array]
-    rough: Array
+    other_errors: Array
 
 
 def _equations_by_object(
@@ -175,7 +175,7 @@ def _equations_by_object(
         )
         part.blocks.append(k)
         part.normal[:] += weight[k] * equations.normal[k]
-        part.rough[:] += (weight[k] * OTHER_ERRORS_SIGMA) ** 2 * np.diag(equations.normal[k])
+        part.other_errors[:] += (weight[k] * OTHER_ERRORS_SIGMA) ** 2 * np.diag(equations.normal[k])
         part.gradient[:] += weight[k] * equations.gradient[k]
         for side, points in enumerate((block.first, block.second)):
             by_pos = part.pos_derivatives.setdefault(id(points), np.zeros((3, 6)))
@@ -218,7 +218,7 @@ def _object_agreement(
     own = weight[part.blocks]
     stiff = np.diag(part.normal)
     by_pos = _pos_error_gradients(part, row_of, roots)
-    spread = np.sqrt((by_pos**2).sum(axis=1) + part.rough)
+    spread = np.sqrt((by_pos**2).sum(axis=1) + part.other_errors)
     determined = stiff >= MIN_LEVERAGE**2 * own.sum()
     pairs = tuple(mismatch.blocks[k].pair.name for k in part.blocks)
     rms = float(np.sqrt((own * squares[part.blocks]).sum() / own.sum()))

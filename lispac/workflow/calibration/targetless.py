@@ -262,7 +262,7 @@ def _targets_of_patches(
                 PickedSighting(
                     line,
                     numbers,
-                    float(planes.rough[row]),
+                    float(planes.roughness[row]),
                     fingerprint=survey.scans[line].fingerprint,
                     one_in=one_in,
                 )
@@ -273,7 +273,7 @@ def _targets_of_patches(
                 name=f"N{k + 1:03d}",
                 role="target",
                 seed=tuple(planes.centre[lead].tolist()),
-                threshold=float(planes.far[rows].max()),
+                threshold=float(planes.max_distance[rows].max()),
                 radius=float(planes.reach[rows].max()),
                 sightings=tuple(sightings),
             )
