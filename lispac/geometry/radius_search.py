@@ -59,7 +59,7 @@ def nearest_point(points: Array, centre: Array) -> tuple[int, float]:
     centre : ndarray of shape (3,), metres, same frame
     """
     x, y, z = (float(c) for c in centre)
-    index, squared = _nearest(points, x, y, z)
+    index, squared = _nearest_finite_point(points, x, y, z)
     return int(index), float(np.sqrt(squared))
 
 
@@ -128,7 +128,7 @@ def _scan_within_radius(
 
 
 @njit(nogil=True, cache=True)
-def _nearest(
+def _nearest_finite_point(
     points: Array, x: float, y: float, z: float
 ) -> tuple[int, float]:  # pragma: no cover - compiled
     best = np.inf

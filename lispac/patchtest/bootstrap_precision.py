@@ -216,10 +216,10 @@ def _object_agreement(
     squares: Array, weight: Array,
 ) -> ObjectAgreement:  # fmt: skip
     own = weight[part.blocks]
-    stiff = np.diag(part.normal)
+    normal_diagonal = np.diag(part.normal)
     by_pos = _pos_error_gradients(part, row_of, roots)
     spread = np.sqrt((by_pos**2).sum(axis=1) + part.other_errors)
-    determined = stiff >= MIN_LEVERAGE**2 * own.sum()
+    determined = normal_diagonal >= MIN_LEVERAGE**2 * own.sum()
     pairs = tuple(mismatch.blocks[k].pair.name for k in part.blocks)
     rms = float(np.sqrt((own * squares[part.blocks]).sum() / own.sum()))
     if not determined.any():
@@ -231,8 +231,8 @@ def _object_agreement(
         pairs,
         rms,
         angle,
-        float(-part.gradient[angle] / stiff[angle]),
-        float(MAX_DEVIATION_SIGMAS * spread[angle] / stiff[angle]),
+        float(-part.gradient[angle] / normal_diagonal[angle]),
+        float(MAX_DEVIATION_SIGMAS * spread[angle] / normal_diagonal[angle]),
     )
 
 
@@ -244,15 +244,17 @@ def _bootstrap_covariance(
     normal = np.stack([part.normal for part in parts])
     gradient = np.stack([part.gradient for part in parts])
     by_pos = np.stack([_pos_error_gradients(part, row_of, roots) for part in parts])
-    many = len(parts)
-    repeats = generator.multinomial(many, np.full(many, 1.0 / many), BOOTSTRAP_SAMPLES).astype(
-        float
-    )
+    object_count = len(parts)
+    repeats = generator.multinomial(
+        object_count, np.full(object_count, 1.0 / object_count), BOOTSTRAP_SAMPLES
+    ).astype(float)
     pos_errors = generator.standard_normal((by_pos.shape[2], BOOTSTRAP_SAMPLES))
     errors = gradient[:, :, None] + np.einsum("oas,sd->oad", by_pos, pos_errors)
-    drawn = np.einsum("do,oij->dij", repeats, normal)
+    sample_normal = np.einsum("do,oij->dij", repeats, normal)
     # Samples with few different objects may be singular; a small part of the sum of all objects
     # regularises them.
-    drawn += 1e-3 * normal.sum(axis=0)
-    angles = -np.linalg.solve(drawn, np.einsum("do,oad->da", repeats, errors)[..., None])[..., 0]
+    sample_normal += 1e-3 * normal.sum(axis=0)
+    angles = -np.linalg.solve(sample_normal, np.einsum("do,oad->da", repeats, errors)[..., None])[
+        ..., 0
+    ]
     return np.asarray(np.cov(angles.T))

@@ -270,17 +270,19 @@ def block_weights(blocks: Sequence[PairBlock]) -> Array:
     three, and two pairs without a common line have a total weight of two.
     """
     groups: dict[str, list[set[str]]] = {}
-    many: dict[str, int] = {}
+    block_counts: dict[str, int] = {}
     for block in blocks:
         name, lines = block.first.object.name, {block.first.line, block.second.line}
         separate = groups.setdefault(name, [])
         joined = [group for group in separate if group & lines]
         groups[name] = [g for g in separate if not g & lines] + [lines.union(*joined)]
-        many[name] = many.get(name, 0) + 1
+        block_counts[name] = block_counts.get(name, 0) + 1
     independent = {
         name: sum(len(group) - 1 for group in separate) for name, separate in groups.items()
     }
-    return np.array([independent[n] / many[n] for n in (b.first.object.name for b in blocks)])
+    return np.array(
+        [independent[n] / block_counts[n] for n in (b.first.object.name for b in blocks)]
+    )
 
 
 class Mismatch:

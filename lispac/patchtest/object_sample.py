@@ -282,14 +282,14 @@ def _choose_point_spacing(groups: Sequence[Array], limit: int, *, even: bool) ->
     spacing = MIN_SPACING
     kept = [points[thin_points(points, spacing)] for points in groups]
     while True:
-        many = max(len(points) for points in kept)
+        most_points = max(len(points) for points in kept)
         uneven = (
             even
             and max(_sixth_neighbour_distance(points) for points in kept)
             > MAX_NEIGHBOUR_DISTANCE_RATIO * spacing
         )
-        wider = spacing * max(1.25 if uneven else 1.1, np.sqrt(many / limit))
-        if many <= limit and not uneven:
+        wider = spacing * max(1.25 if uneven else 1.1, np.sqrt(most_points / limit))
+        if most_points <= limit and not uneven:
             return float(spacing)
         thinned = [points[thin_points(points, wider)] for points in groups]
         if min(len(points) for points in thinned) < MIN_LINE_POINTS:

@@ -139,11 +139,11 @@ def _integrated_walk(steps: Array, generator: np.random.Generator) -> tuple[Arra
     """Random walks of unit density and their integrals, exact at the knots, shape (n, 3)."""
     first, second = generator.standard_normal((2, len(steps), 3))
     h = steps[:, None]
-    kick = np.sqrt(h) * first
-    velocity = np.cumsum(kick, axis=0)
+    increment = np.sqrt(h) * first
+    velocity = np.cumsum(increment, axis=0)
     # Integral within a step: half of its increment times the step, and an independent part
-    within = h * kick / 2 + np.sqrt(h**3 / 12) * second
-    before = velocity - kick
+    within = h * increment / 2 + np.sqrt(h**3 / 12) * second
+    before = velocity - increment
     return np.cumsum(h * before + within, axis=0), velocity
 
 
