@@ -254,7 +254,6 @@ def _bootstrap_covariance(
     # Samples with few different objects may be singular; a small part of the sum of all objects
     # regularises them.
     sample_normal += 1e-3 * normal.sum(axis=0)
-    angles = -np.linalg.solve(sample_normal, np.einsum("do,oad->da", repeats, errors)[..., None])[
-        ..., 0
-    ]
+    sample_gradient = np.einsum("do,oad->da", repeats, errors)
+    angles = -np.linalg.solve(sample_normal, sample_gradient[..., None])[..., 0]
     return np.asarray(np.cov(angles.T))
