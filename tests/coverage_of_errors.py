@@ -22,7 +22,7 @@ from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Settings
 from lispac.simulation.closed_form_survey import (
-    BOARDS,
+    THESIS_BOARDS,
     Board,
     add_errors,
     error_free_survey,
@@ -37,7 +37,7 @@ PRIOR = TRUTH.with_boresight(np.zeros(3))
 RAW = 0.03
 MODEL = Settings(lever_arm=(0.0, 0.0, 0.0)).stochastic_model
 TARGETS = (
-    *BOARDS,
+    *THESIS_BOARDS,
     Board("T5", (4.0, 15.0, 3.0), (1.0, -2.0, 0.5)),
     Board("T6", (-5.0, 14.0, 7.0), (-1.0, -2.0, -0.5)),
 )

@@ -18,7 +18,12 @@ from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.model.target_shapes import points_local
 from lispac.project import Settings
-from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
+from lispac.simulation.closed_form_survey import (
+    THESIS_BOARDS,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from lispac.targets.thinning import thin_points
@@ -87,7 +92,7 @@ def _one(
 ) -> list[tuple[np.ndarray, np.ndarray]]:
     pos = replace(HYDROGRAPHIC_INS, time_position=times[0], time_attitude=times[1])
     generator = np.random.default_rng([2026, seed])
-    exact = error_free_survey(TRUTH, BOARDS, six_courses(), RAW, generator, pos=pos)
+    exact = error_free_survey(TRUTH, THESIS_BOARDS, six_courses(), RAW, generator, pos=pos)
     survey = add_errors(exact, pos, generator)
     found = []
     for distance in distances:

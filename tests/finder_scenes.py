@@ -8,12 +8,12 @@ import numpy as np
 
 from lispac.geometry.frames import LocalFrame
 from lispac.project import LineSource, Project, Settings
-from lispac.simulation.port_scene import ORIGIN, six_lines
+from lispac.simulation.port_scene import LOCAL_ORIGIN, six_lines
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes, Scanner, scan_scene
 from lispac.simulation.scene import Rectangle, Scene, Surface, tilted_rectangle
 from lispac.simulation.simulated_survey import BORESIGHT_DEG, LEVER_ARM
-from lispac.simulation.vessel_motion import RATE, sail_lines
+from lispac.simulation.vessel_motion import SAMPLE_RATE, sail_lines
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.scan import Scan
@@ -94,7 +94,7 @@ def site(
     sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + lines)
     lines = [replace(each, run_in=REACH, run_out=REACH) for each in six_lines()[:lines]]
     motion = sail_lines(lines, 1.1, sea)
-    off_position, off_attitude = HYDROGRAPHIC_INS.draw(len(motion.time), 1 / RATE, errors)
+    off_position, off_attitude = HYDROGRAPHIC_INS.draw(len(motion.time), 1 / SAMPLE_RATE, errors)
     states = (motion.time, motion.position, motion.attitude)
     scene, boresight = Scene.of(surfaces), np.radians(BORESIGHT_DEG)
     middle = np.mean([s.centre for s in scene.surfaces if s.name.startswith("T")], axis=0)
@@ -113,7 +113,7 @@ def site(
             whole.intensity[kept], whole.label[kept] + (absent and whole.label[kept] >= 0),
         )  # fmt: skip
     trajectory = LocalTrajectory(
-        LocalFrame(*ORIGIN),
+        LocalFrame(*LOCAL_ORIGIN),
         motion.time,
         motion.position + off_position,
         motion.attitude + off_attitude,

@@ -23,7 +23,7 @@ from lispac.report.document import report_document
 from lispac.report.document_blocks import Table
 from lispac.report.figures import svg_of
 from lispac.report.json_report import json_text
-from lispac.simulation.port_scene import ORIGIN
+from lispac.simulation.port_scene import LOCAL_ORIGIN
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import coordinate_system
 from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
@@ -264,7 +264,7 @@ def test_a_scan_on_the_map_without_time(
     header.scales, header.offsets = np.full(3, 1e-5), np.array([600_000.0, 5_041_000.0, 0.0])
     header.add_crs(crs)
     las = laspy.LasData(header)
-    las.xyz = coordinate_system("EPSG:32618").from_local(scan, LocalFrame(*ORIGIN))
+    las.xyz = coordinate_system("EPSG:32618").from_local(scan, LocalFrame(*LOCAL_ORIGIN))
     path = tmp_path / "scan.laz"
     las.write(path)
     project, _ = check_absolute(*known, path)

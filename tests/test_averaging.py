@@ -9,7 +9,12 @@ from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.model.target_shapes import points_local
-from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
+from lispac.simulation.closed_form_survey import (
+    THESIS_BOARDS,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
@@ -20,7 +25,7 @@ PRIOR = TRUTH.with_boresight(np.zeros(3))
 @pytest.fixture(scope="module")
 def survey():
     generator = np.random.default_rng(11)
-    exact = error_free_survey(TRUTH, BOARDS, six_courses(), 0.04, generator)
+    exact = error_free_survey(TRUTH, THESIS_BOARDS, six_courses(), 0.04, generator)
     return add_errors(exact, HYDROGRAPHIC_INS, generator)
 
 
@@ -63,7 +68,7 @@ def test_sigmas_do_not_depend_on_the_distance() -> None:
     model, distances, sigmas = StochasticModel(loss="tukey"), (0.0, 0.05, 0.1, 0.2), []
     for seed in range(5):
         generator = np.random.default_rng([13, seed])
-        exact = error_free_survey(TRUTH, BOARDS, six_courses(), 0.04, generator)
+        exact = error_free_survey(TRUTH, THESIS_BOARDS, six_courses(), 0.04, generator)
         noisy = add_errors(exact, HYDROGRAPHIC_INS, generator)
         thinned = [average_points_in_cells(noisy, PRIOR, d) for d in distances]
         sigmas.append([adjust(o, PRIOR, model, diagnostics=False).sigma for o in thinned])
@@ -100,7 +105,7 @@ def test_outliers_do_not_hide_in_averages(spacing) -> None:
     model = StochasticModel(loss="tukey")
     for seed in range(2):
         generator = np.random.default_rng([14, seed])
-        exact = error_free_survey(TRUTH, BOARDS, six_courses(), spacing, generator)
+        exact = error_free_survey(TRUTH, THESIS_BOARDS, six_courses(), spacing, generator)
         clean = add_errors(exact, HYDROGRAPHIC_INS, generator)
         strayed, hit = with_outliers(clean, 0.05, generator)
         fewer = average_points_in_cells(strayed, PRIOR, 0.1, no_outliers=True)

@@ -19,7 +19,7 @@ from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, as_message, note
 from lispac.picked_targets import Target
 from lispac.present.error_budget import BeamErrors, ErrorBudgetValues, ErrorSource, PointError
-from lispac.simulation.thesis_site import MARINE
+from lispac.simulation.thesis_site import MARINE_SITE
 from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.georeferencing import Mounting
 from lispac.targets.sighting_quality import SightingQuality
@@ -202,7 +202,7 @@ def test_the_window_opens_at_the_end_of_the_demo_where_there_is_a_screen(
 def test_the_visibility_study_is_reported_beside_the_thesis(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    few = replace(MARINE, inclinations=tuple(np.radians([0.0, 30.0, 60.0, 90.0]).tolist()))
+    few = replace(MARINE_SITE, inclinations=tuple(np.radians([0.0, 30.0, 60.0, 90.0]).tolist()))
     monkeypatch.setattr("lispac.simulation.thesis_site.SITES", {"marine": few})
     monkeypatch.setattr(
         "lispac.workflow.planning.visibility.write_visibility",

@@ -10,7 +10,7 @@ from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.common_target_parts import find_common_parts
 from lispac.adjustment.model.observations import Observations
 from lispac.simulation.closed_form_survey import (
-    BOARDS,
+    THESIS_BOARDS,
     Board,
     add_errors,
     error_free_survey,
@@ -36,7 +36,7 @@ def wall_survey(seed: int, *, bend: float = 0.0, overlap: float = 0.0) -> Observ
         Width of the part in the middle that all lines show.
     """
     generator = np.random.default_rng([38, seed])
-    exact = error_free_survey(TRUTH, (*BOARDS, WALL), six_courses(), SPACING, generator)
+    exact = error_free_survey(TRUTH, (*THESIS_BOARDS, WALL), six_courses(), SPACING, generator)
     poses = Poses(exact.position, exact.attitude)
     points = place_points(exact.points_lidar, poses, TRUTH)
     beams = place_points(1.1 * exact.points_lidar, poses, TRUTH) - points

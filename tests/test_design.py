@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.design.objective import CRITERIA, PlanObjective
+from lispac.design.objective import CRITERION_TEXTS, PlanObjective
 from lispac.design.plan import Line
 from lispac.design.plan_choices import thesis_plan
-from lispac.design.plan_search import MAX_EVALUATED, information_gains, search
+from lispac.design.plan_search import MAX_EXHAUSTIVE_PLANS, information_gains, search
 from lispac.design.prediction import predict
 from lispac.design.site import Site, are_boards_separate, evenly_spaced
 from lispac.errors import Cancelled, InputError, RankDeficient
@@ -40,9 +40,9 @@ def best():
 
 def test_a_small_site_is_searched_exactly(best) -> None:
     assert best.exact
-    assert best.evaluated == 28 * 3**3 <= MAX_EVALUATED
+    assert best.evaluated == 28 * 3**3 <= MAX_EXHAUSTIVE_PLANS
     generator = np.random.default_rng(3)
-    lines, objective = SMALL.lines_allowed, PlanObjective()
+    lines, objective = SMALL.allowed_lines, PlanObjective()
     for _ in range(60):
         boards = [
             SMALL.wall.board(
@@ -63,7 +63,7 @@ def test_evolution_finds_what_an_exhaustive_search_finds(
 
     Which one it is depends on the last digit of the numbers, and so on the processor.
     """
-    monkeypatch.setattr("lispac.design.plan_search.MAX_EVALUATED", 10)
+    monkeypatch.setattr("lispac.design.plan_search.MAX_EXHAUSTIVE_PLANS", 10)
     found = [search(SMALL, plans=400, seed=seed) for seed in range(5)]
     assert not any(design.exact for design in found)
     beyond = np.array([design.value for design in found]) / best.value - 1
@@ -74,7 +74,7 @@ def test_evolution_finds_what_an_exhaustive_search_finds(
 def test_the_same_with_any_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None:
     with ThreadPoolExecutor(2) as pool:
         assert search(SMALL, mapper=pool.map).plan.lines == best.plan.lines
-        monkeypatch.setattr("lispac.design.plan_search.MAX_EVALUATED", 10)
+        monkeypatch.setattr("lispac.design.plan_search.MAX_EXHAUSTIVE_PLANS", 10)
         one, other = (search(SMALL, plans=200, mapper=m) for m in (map, pool.map))
     assert one.plan.targets == other.plan.targets
     assert one.plan.lines == other.plan.lines
@@ -142,7 +142,7 @@ def test_planes_that_are_there_anyway_are_used() -> None:
 
 @pytest.mark.long
 def test_every_criterion_is_the_smallest_for_its_own_search(best) -> None:
-    for criterion in CRITERIA:
+    for criterion in CRITERION_TEXTS:
         objective = PlanObjective(criterion)
         own = search(SMALL, objective)
         assert own.value <= objective.of(best.plan) * (1 + 1e-12)
@@ -224,4 +224,4 @@ def test_a_board_is_at_the_given_place() -> None:
     assert board.centre == pytest.approx((-2.0, -15.0, 6.0))
     assert board.normal == pytest.approx((0.0, np.sin(np.radians(60)), 0.5))
     assert Line(0.0, 15.0, True).abeam((0.0, -15.0)) == pytest.approx((0.0, 0.0))
-    assert all(Line.abeam(line, (0.0, -15.0))[1] > -15.0 for line in LARGE.lines_allowed)
+    assert all(Line.abeam(line, (0.0, -15.0))[1] > -15.0 for line in LARGE.allowed_lines)

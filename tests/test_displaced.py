@@ -12,7 +12,7 @@ from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult
 from lispac.simulation.closed_form_survey import (
-    BOARDS,
+    THESIS_BOARDS,
     Board,
     add_errors,
     error_free_survey,
@@ -22,7 +22,7 @@ from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from tests.test_robustness import PRIOR, TRUTH, jumped, shifted
 
 FIVE = (
-    *BOARDS,
+    *THESIS_BOARDS,
     Board("T3", (3.0, 25.0, 2.0), (-0.6, -1.0, 0.2)),
     Board("T4", (-5.0, 12.0, 0.5), (0.7, -1.0, 0.6)),
     Board("T5", (2.0, 10.0, -1.0), (0.0, -0.2, 1.0)),
@@ -65,7 +65,7 @@ def test_good_sightings_of_displaced_boards_are_held_in_many_surveys() -> None:
     few_are_rejected([adjust(survey(400 + k, 0.005), PRIOR, MODEL) for k in range(24)])
 
 
-@pytest.mark.parametrize("boards", [BOARDS, FIVE])
+@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE])
 def test_boards_in_place_need_no_second_sigma(boards) -> None:
     for seed in range(5000, 5003):
         found = adjust(survey(seed, 0.0, boards), PRIOR, MODEL, diagnostics=False)
@@ -74,13 +74,13 @@ def test_boards_in_place_need_no_second_sigma(boards) -> None:
 
 @pytest.mark.long
 @pytest.mark.timeout(1800)
-@pytest.mark.parametrize("boards", [BOARDS, FIVE])
+@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE])
 def test_boards_in_place_need_no_second_sigma_in_many_surveys(boards) -> None:
     for seed in range(5000, 5060):
         assert adjust(survey(seed, 0.0, boards), PRIOR, MODEL).offset is None
 
 
-@pytest.mark.parametrize("boards", [BOARDS, FIVE])
+@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE])
 def test_one_sighting_that_is_off_is_a_blunder_and_no_matter_of_all(boards) -> None:
     clean = survey(700, 0.0, boards)
     found = adjust(shifted(clean, 8, 0.05), PRIOR, MODEL)
@@ -95,7 +95,7 @@ def test_a_line_that_jumped_is_no_matter_of_all() -> None:
     assert found.rejected_lines == ("L6",)
 
 
-@pytest.mark.parametrize("boards", [BOARDS, FIVE])
+@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE])
 def test_a_wrong_lever_arm_is_not_taken_for_displaced_targets(boards) -> None:
     stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
     found = adjust(survey(701, 0.0, boards), stated, MODEL)

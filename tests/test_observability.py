@@ -19,7 +19,7 @@ from lispac.errors import RankDeficient
 from lispac.message_texts import english_text
 from lispac.messages import Message, note
 from lispac.simulation.closed_form_survey import (
-    BOARDS,
+    THESIS_BOARDS,
     Ball,
     Board,
     Course,
@@ -35,10 +35,10 @@ from tests.message_codes import codes
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
-UPRIGHT, LEANING = BOARDS
+UPRIGHT, LEANING = THESIS_BOARDS
 
 
-def survey(targets=BOARDS, courses=None, seed: int = 0, still: bool = False) -> Observations:
+def survey(targets=THESIS_BOARDS, courses=None, seed: int = 0, still: bool = False) -> Observations:
     generator = np.random.default_rng([4, seed])
     exact = error_free_survey(TRUTH, targets, courses or six_courses(), 0.05, generator)
     if still:
@@ -53,7 +53,7 @@ def survey(targets=BOARDS, courses=None, seed: int = 0, still: bool = False) -> 
 @pytest.mark.parametrize(
     ("targets", "lines", "reason"),
     [
-        (BOARDS, (0,), "adjustment.one_line"),
+        (THESIS_BOARDS, (0,), "adjustment.one_line"),
         ((UPRIGHT,), (0, 1), "adjustment.parallel_lines_one_target"),
         (
             (UPRIGHT, replace(UPRIGHT, name="T3", centre=(-3.0, 15.0, 4.0))),

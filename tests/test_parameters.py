@@ -13,7 +13,12 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.errors import InputError
 from lispac.messages import note
 from lispac.project import Settings
-from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
+from lispac.simulation.closed_form_survey import (
+    THESIS_BOARDS,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
@@ -30,7 +35,7 @@ INSERTED = {
 
 def survey(truth: Mounting, seed: int, **changes: object) -> Observations:
     generator = np.random.default_rng([9, seed])
-    exact = error_free_survey(truth, BOARDS, six_courses(), 0.05, generator)
+    exact = error_free_survey(truth, THESIS_BOARDS, six_courses(), 0.05, generator)
     noisy = add_errors(exact, HYDROGRAPHIC_INS, generator)
     return average_points_in_cells(noisy, PRIOR, 0.1)
 
@@ -85,7 +90,7 @@ def test_a_scan_angle_offset_cannot_be_separated_from_roll(sigma) -> None:
 
 def test_the_height_of_the_lever_arm_is_not_seen_on_level_lines() -> None:
     """Thesis C.2.5: it lifts all lines alike, and the targets with them."""
-    exact = error_free_survey(KNOWN, BOARDS, six_courses(), 0.1, np.random.default_rng(1))
+    exact = error_free_survey(KNOWN, THESIS_BOARDS, six_courses(), 0.1, np.random.default_rng(1))
     attitude = exact.attitude.copy()
     middle = exact.mean_by_sighting(attitude)
     attitude[:] = middle[exact.sighting] * [0, 0, 1]

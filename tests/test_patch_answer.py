@@ -8,7 +8,7 @@ import pytest
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.messages import Message, note
 from lispac.patchtest.bootstrap_precision import MIN_OBJECTS
-from lispac.patchtest.line_mismatch import SCALE
+from lispac.patchtest.line_mismatch import LOSS_SCALE
 from lispac.patchtest.patch_test_result import PatchTestResult
 
 SOUND = PatchTestResult(
@@ -24,7 +24,7 @@ SOUND = PatchTestResult(
     converged=True,
 )
 FIRST = note("patch_test.basis", count=0, lines=2)
-FALL = note("patch_test.mismatch_reduced", limit=SCALE, before=0.2041, after=0.0123)
+FALL = note("patch_test.mismatch_reduced", limit=LOSS_SCALE, before=0.2041, after=0.0123)
 
 
 def test_a_sound_result_has_no_further_notes() -> None:
@@ -58,5 +58,5 @@ def test_without_a_covariance_there_is_no_sigma() -> None:
 
 
 def test_lines_that_do_not_meet_with_the_prior_boresight_have_no_fall() -> None:
-    mismatch = note("patch_test.mismatch", limit=SCALE, after=0.0123)
+    mismatch = note("patch_test.mismatch", limit=LOSS_SCALE, after=0.0123)
     assert replace(SOUND, mismatch_before=float("nan")).messages == (FIRST, mismatch)

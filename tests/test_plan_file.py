@@ -68,7 +68,7 @@ def test_what_is_written_is_read(tmp_path: Path, facing: float) -> None:
 def test_the_sites_that_come_along_are_read(path: Path) -> None:
     title, site = read_site(path)
     assert title
-    assert site.lines_allowed
+    assert site.allowed_lines
     assert np.isfinite(predict(thesis_plan(site)).sigma).all()
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from lispac.errors import PlaneNotFound
 from lispac.geometry.planes import (
-    LINE_SHARE,
+    MIN_SPREAD_RATIO,
     Plane,
     extent_in_plane,
     fit_plane,
@@ -38,7 +38,9 @@ def test_three_points_determine_a_plane():
     np.testing.assert_allclose([*plane.normal, plane.d], [0, 0, 1, -1], atol=1e-15)
 
 
-@pytest.mark.parametrize(("width", "fits"), [(0.99 * LINE_SHARE, False), (1.01 * LINE_SHARE, True)])
+@pytest.mark.parametrize(
+    ("width", "fits"), [(0.99 * MIN_SPREAD_RATIO, False), (1.01 * MIN_SPREAD_RATIO, True)]
+)
 def test_a_strip_narrower_than_a_share_of_its_length_is_a_line(width, fits):
     strip = np.array([[a, b * width, 0.0] for a in (-1, 1) for b in (-1, 1)])
     if fits:

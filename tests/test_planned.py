@@ -41,7 +41,7 @@ def test_the_boards_stand_as_planned() -> None:
     leaning = setup.scene["T2"]
     assert leaning.centre == pytest.approx([-1.1, 0.62, 6.4])
     assert leaning.normal == pytest.approx([0.0, np.sqrt(0.5), np.sqrt(0.5)])
-    assert [leg.starboard for leg in setup.voyage.legs] == [True, False] * 3
+    assert [leg.starboard for leg in setup.motion_source.legs] == [True, False] * 3
     assert simulation.lever_arm == pytest.approx((-0.242, 0.061, 2.173))
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.model.stochastic_model import PosErrorKnots, StochasticModel
-from lispac.simulation.closed_form_survey import BOARDS, error_free_survey, six_courses
+from lispac.simulation.closed_form_survey import THESIS_BOARDS, error_free_survey, six_courses
 from lispac.survey.georeferencing import Mounting
 
 MODEL = StochasticModel()
@@ -17,7 +17,7 @@ KNOTS = MODEL.knot_interval
 def observations():
     """Points of two stretches with nothing between, sigmas that grow evenly."""
     truth = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
-    data = error_free_survey(truth, BOARDS, six_courses(), 0.4, np.random.default_rng(2))
+    data = error_free_survey(truth, THESIS_BOARDS, six_courses(), 0.4, np.random.default_rng(2))
     half = len(data) // 2
     time = 7.0 * KNOTS + np.linspace(0.0, 9.9 * KNOTS, len(data))
     time[half:] += 40.3 * KNOTS

@@ -16,7 +16,12 @@ from lispac.adjustment.result import AdjustmentResult, PossibleCause, Uncontroll
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import note, warning
-from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
+from lispac.simulation.closed_form_survey import (
+    THESIS_BOARDS,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
@@ -36,7 +41,7 @@ Place = tuple[str, str, str]
 
 def exact(mounting: Mounting, seed: int) -> tuple[Observations, np.random.Generator]:
     generator = np.random.default_rng([9, seed])
-    return error_free_survey(mounting, BOARDS, six_courses(), 0.05, generator), generator
+    return error_free_survey(mounting, THESIS_BOARDS, six_courses(), 0.05, generator), generator
 
 
 def survey(kind: str, seed: int) -> tuple[Observations, Place]:

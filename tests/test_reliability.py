@@ -25,7 +25,12 @@ from lispac.adjustment.solve.blunders import Blunder
 from lispac.adjustment.solve.iteration import iterate
 from lispac.adjustment.solve.variance_components import estimate_variance_components
 from lispac.progress import no_progress
-from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
+from lispac.simulation.closed_form_survey import (
+    THESIS_BOARDS,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from tests.test_robustness import shifted, survey
@@ -150,7 +155,7 @@ def test_test_values_of_sightings_are_unit_normal() -> None:
     for seed in range(30):
         generator = np.random.default_rng([12, seed])
         data = add_errors(
-            error_free_survey(TRUTH, BOARDS, six_courses(), 0.15, generator),
+            error_free_survey(TRUTH, THESIS_BOARDS, six_courses(), 0.15, generator),
             HYDROGRAPHIC_INS,
             generator,
         )
@@ -333,7 +338,7 @@ def test_cross_checks_agree_on_a_clean_survey_and_name_what_is_odd() -> None:
 
 def test_parts_that_determine_nothing_say_why() -> None:
     generator = np.random.default_rng(5)
-    exact = error_free_survey(TRUTH, BOARDS[1:], six_courses()[:3], 0.1, generator)
+    exact = error_free_survey(TRUTH, THESIS_BOARDS[1:], six_courses()[:3], 0.1, generator)
     data = add_errors(exact, HYDROGRAPHIC_INS, generator)
     result = adjust(data, PRIOR, StochasticModel(surface=0.0), accept_single_orientation=True)
     checks = cross_checks(data, PRIOR, result)

@@ -13,7 +13,12 @@ from lispac.adjustment.model.target_shapes import fit_shapes
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solve import iteration, sighting_rejection
 from lispac.adjustment.solve.blunders import Blunder
-from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
+from lispac.simulation.closed_form_survey import (
+    THESIS_BOARDS,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
@@ -23,7 +28,7 @@ PRIOR = TRUTH.with_boresight(np.zeros(3))
 
 def survey(seed: int, spacing: float = 0.06) -> Observations:
     generator = np.random.default_rng([7, seed])
-    exact = error_free_survey(TRUTH, BOARDS, six_courses(), spacing, generator)
+    exact = error_free_survey(TRUTH, THESIS_BOARDS, six_courses(), spacing, generator)
     return add_errors(exact, HYDROGRAPHIC_INS, generator)
 
 

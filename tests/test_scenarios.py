@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from lispac.design.scenarios import (
-    DISTANCES,
-    GRADES,
+    LINE_DISTANCES,
+    POS_CLASSES,
     SCENARIOS,
     ScenarioOutcome,
     predict_scenarios,
@@ -91,7 +91,7 @@ def test_with_honest_errors_a_second_board_halves_roll_and_leaves_yaw() -> None:
 def test_farther_is_better_for_yaw() -> None:
     """A position error turns a far target less, which uncorrelated POS errors hardly show."""
     found = sigmas("distance", "correlated")
-    yaw = [found[f"{d:g} m"][2] for d in DISTANCES]
+    yaw = [found[f"{d:g} m"][2] for d in LINE_DISTANCES]
     assert yaw == sorted(yaw, reverse=True)
     assert yaw[-1] < yaw[2] / 1.9
     roll = sigmas("distance", "independent")
@@ -121,7 +121,7 @@ def test_slower_is_more_points_and_nothing_else() -> None:
 def test_a_better_pos_is_better() -> None:
     for model in ("independent", "correlated"):
         by_name = sigmas("POS", model)
-        found = [by_name[name] for name in GRADES]
+        found = [by_name[name] for name in POS_CLASSES]
         for better, worse in pairwise(found):
             assert (better < worse).all()
 

@@ -30,7 +30,7 @@ from lispac.simulation.simulated_survey import (
     SimulatedSurvey,
     simulate_survey,
 )
-from lispac.simulation.vessel_motion import LAUNCH
+from lispac.simulation.vessel_motion import SMALL_VESSEL
 from lispac.workflow.planning.simulate import _surveyor_settings, require_replaceable
 from lispac.workflow.planning.simulated_setup import KINDS, read_simulation, supplied_titles
 from tests.error_codes import has_code
@@ -108,7 +108,7 @@ def test_the_port_is_that_of_the_built_in_survey(port: SimulatedSurvey) -> None:
 
 def test_the_launch_and_the_profiler_are_those_of_the_built_in_survey() -> None:
     vessel = read_vessel(VESSEL)
-    assert vessel.handling == LAUNCH
+    assert vessel.handling == SMALL_VESSEL
     assert vessel.pos == HYDROGRAPHIC_INS
     assert (vessel.lever_arm, vessel.pos_height) == (LEVER_ARM, POS_HEIGHT)
     assert vessel.errors.boresight_deg == BORESIGHT_DEG

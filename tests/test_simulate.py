@@ -217,7 +217,7 @@ def test_a_recorded_trajectory_is_replayed(
     np.testing.assert_allclose(again.height, states.height, atol=2e-9)
     np.testing.assert_allclose(again.attitude, states.attitude, atol=1e-11)
     setup = read_simulation(str(tmp_path / "wall.toml")).setup
-    trajectory = LocalTrajectory.of(again, setup.voyage.trajectory.frame)
+    trajectory = LocalTrajectory.of(again, setup.motion_source.trajectory.frame)
     (line,) = project.lines
     assert line.name == "L1_000"
     scan = read_scan(line.path)

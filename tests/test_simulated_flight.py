@@ -107,7 +107,8 @@ def test_errors_on_a_trajectory_with_gaps_and_bursts_have_their_sigmas() -> None
     noise = WhiteNoise((0.1, 0.2, 0.3), (0.001, 0.002, 0.003))
     stretches = (TrajectoryStretch(1.0, 1.5, True),)
     setup = replace(
-        read_simulation("marine").setup, voyage=RecordedTrajectory(states, stretches), pos=noise,
+        read_simulation("marine").setup,
+        motion_source=RecordedTrajectory(states, stretches), pos=noise,
         origin=(0.8, -1.2, 0.0),
     )  # fmt: skip
     found = simulate_survey(setup, seed=4).trajectory

@@ -6,7 +6,7 @@ import pytest
 from lispac.errors import Cancelled
 from lispac.geometry.frames import LocalFrame
 from lispac.progress import Step
-from lispac.simulation.port_scene import TARGETS, VALIDATION
+from lispac.simulation.port_scene import TARGET_NAMES, VALIDATION_NAMES
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, gauss_markov
 from lispac.simulation.scene import Cylinder, Scene, tilted_rectangle, upright_rectangle
 from lispac.simulation.simulated_survey import SimulatedLine, SimulatedSurvey, port_survey
@@ -78,7 +78,7 @@ def test_noise_and_labels(survey):
     calm = port_survey(pos_errors=False)
     for line in calm.lines:
         points = placed(calm, line)
-        for name in TARGETS:
+        for name in TARGET_NAMES:
             label = calm.surface_names.index(name)
             distance = calm.scene[name].distance(points[line.label == label])
             assert np.abs(distance).max() < 0.02
@@ -91,14 +91,14 @@ def test_noise_and_labels(survey):
 
 def test_every_line_sees_both_targets(survey):
     for line in survey.lines:
-        for name in TARGETS:
+        for name in TARGET_NAMES:
             label = survey.surface_names.index(name)
             assert np.count_nonzero(line.label == label) >= 400, (line.name, name)
 
 
 def test_validation_planes_are_seen_from_opposite_lines(survey):
-    assert set(survey.validation) == set(VALIDATION)
-    for name in VALIDATION:
+    assert set(survey.validation) == set(VALIDATION_NAMES)
+    for name in VALIDATION_NAMES:
         label = survey.surface_names.index(name)
         seen = {x.heading_deg for x in survey.lines if np.count_nonzero(x.label == label) > 1000}
         pairs = [h for h in seen if (h + 180) % 360 in seen]
@@ -107,7 +107,7 @@ def test_validation_planes_are_seen_from_opposite_lines(survey):
 
 def test_site_is_arranged_as_given(survey):
     scanner_height = survey.trajectory.true_position_local[:, 2].mean() + survey.lever_arm[2]
-    for name, size in zip(TARGETS, [(1.23, 1.22), (1.23, 0.76)], strict=True):
+    for name, size in zip(TARGET_NAMES, [(1.23, 1.22), (1.23, 0.76)], strict=True):
         board = survey.scene[name]
         assert (board.width, board.height) == pytest.approx(size)
         assert 4 < board.centre[2] - scanner_height < 5.5

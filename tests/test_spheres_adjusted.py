@@ -15,7 +15,7 @@ from lispac.io.project.project_file import FILE_NAME
 from lispac.messages import note
 from lispac.project import Project
 from lispac.simulation.closed_form_survey import (
-    BOARDS,
+    THESIS_BOARDS,
     Ball,
     add_errors,
     error_free_survey,
@@ -64,7 +64,7 @@ def test_the_cap_of_a_ball_faces_the_scanner(scanner):
     [(True, False, 0.0), (False, False, 0.0), (True, True, 0.0), (False, True, 1.7)],
 )
 def test_closed_loop_without_noise(model, known, with_board, start_deg):
-    targets = [*three_balls(known), *(BOARDS[1:] if with_board else ())]
+    targets = [*three_balls(known), *(THESIS_BOARDS[1:] if with_board else ())]
     exact = error_free_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(1))
     assert set(exact.radii.values()) == {0.1 if known else None}
     result = adjust(exact, prior(start_deg), StochasticModel(model))
@@ -82,7 +82,7 @@ def test_closed_loop_without_noise(model, known, with_board, start_deg):
 )
 def test_error_is_within_the_given_sigma(seed, known, with_board, start_deg):
     """POS errors drift and the LiDAR is noisy, as the model says."""
-    targets = [*three_balls(known), *(BOARDS[1:] if with_board else ())]
+    targets = [*three_balls(known), *(THESIS_BOARDS[1:] if with_board else ())]
     exact = error_free_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(seed))
     noisy = add_errors(exact, HYDROGRAPHIC_INS, np.random.default_rng(100 + seed))
     result = adjust(noisy, prior(start_deg), StochasticModel())

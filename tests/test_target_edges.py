@@ -203,8 +203,10 @@ def test_angles_that_never_come_to_rest_are_reported_as_not_converged(
     )
     found = mismatch_minimisation.minimise_mismatch(NOTHING, (), np.zeros(3), (0, 2))
     assert not found.converged
-    steps = mismatch_minimisation.STEPS * len(mismatch_minimisation.SCALES)
+    steps = mismatch_minimisation.MAX_STEPS * len(mismatch_minimisation.LOSS_SCALES)
     np.testing.assert_allclose(np.degrees(found.boresight), [steps, 0.0, steps])
     one_by_one = mismatch_minimisation.minimise_angle_by_angle(NOTHING, (), np.zeros(3))
-    assert (one_by_one.rounds, one_by_one.converged) == (mismatch_minimisation.ROUNDS, False)
-    np.testing.assert_allclose(np.degrees(one_by_one.boresight), [mismatch_minimisation.ROUNDS] * 3)
+    assert (one_by_one.rounds, one_by_one.converged) == (mismatch_minimisation.MAX_ROUNDS, False)
+    np.testing.assert_allclose(
+        np.degrees(one_by_one.boresight), [mismatch_minimisation.MAX_ROUNDS] * 3
+    )

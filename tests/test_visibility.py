@@ -13,12 +13,12 @@ from lispac.report.visibility_tables import all_errors_text, comparison_table
 from lispac.simulation.closed_form_survey import Course
 from lispac.simulation.thesis_comparison import compare_with_thesis, do_fewest_lines_agree
 from lispac.simulation.thesis_site import (
+    ERROR_FREE_MOUNTING,
+    ERROR_SIZES,
     HEADINGS_DEG,
     LINES,
-    MARINE,
-    NO_ERROR,
-    SIZES,
-    TERRESTRIAL,
+    MARINE_SITE,
+    TERRESTRIAL_SITE,
     board_plane,
     is_on_board,
     mounting_with_error,
@@ -33,30 +33,30 @@ from lispac.simulation.visibility_criteria import (
     points_shape,
     type_one_criterion,
 )
-from lispac.simulation.visibility_study import THRESHOLD, VisibilityStudy, study_visibility
+from lispac.simulation.visibility_study import TYPE_ONE_THRESHOLD, VisibilityStudy, study_visibility
 from lispac.survey.georeferencing import place_points, to_lidar
 from lispac.survey.trajectory import Poses
 from tests.test_cli import answer, run
 
 E = float(np.radians(2.0))
-UPRIGHT = MARINE.board(0.0)
+UPRIGHT = MARINE_SITE.board(0.0)
 
 
 @pytest.fixture(scope="module")
 def terrestrial() -> VisibilityStudy:
-    return study_visibility(TERRESTRIAL)
+    return study_visibility(TERRESTRIAL_SITE)
 
 
 @pytest.fixture(scope="module")
 def marine() -> VisibilityStudy:
-    return study_visibility(MARINE)
+    return study_visibility(MARINE_SITE)
 
 
 def cloud(error: str, heading: int, inclination_deg: float = 0.0, share: float = 1.0) -> np.ndarray:
     """The board of the marine site on one line."""
     course = LINES[HEADINGS_DEG.index(heading)]
     return simulate_board(
-        MARINE, course, np.radians(inclination_deg), mounting_with_error(error, share)
+        MARINE_SITE, course, np.radians(inclination_deg), mounting_with_error(error, share)
     )
 
 
@@ -102,7 +102,7 @@ def test_a_plane_turned_and_shifted_shows_by_how_much() -> None:
 def test_a_point_is_on_the_board_where_four_triangles_make_up_its_area() -> None:
     """Section 3.4.3, with the areas it speaks of."""
     rng = np.random.default_rng(2)
-    board = TERRESTRIAL.board(np.radians(-40.0))
+    board = TERRESTRIAL_SITE.board(np.radians(-40.0))
     normal, centre = np.array(board.normal), np.array(board.centre)
     up = np.cross(np.array([1.0, 0.0, 0.0]), normal)
     axes = np.array([[1.0, 0.0, 0.0], up])
@@ -143,7 +143,10 @@ def test_a_lever_arm_error_shifts_the_board_by_its_part_along_the_normal(heading
         "lever_y": (np.sin(turn), np.cos(turn), 0.0),
         "lever_z": (0.0, 0.0, 1.0),
     }.items():
-        shape, board = points_shape(cloud(error, heading, 30.0)), MARINE.board(np.radians(30.0))
+        shape, board = (
+            points_shape(cloud(error, heading, 30.0)),
+            MARINE_SITE.board(np.radians(30.0)),
+        )
         reference = board_plane(board)
         # Placed without it, points lie where they are less the lever arm.
         expected = -0.1 * np.dot(axis, board.normal)
@@ -156,14 +159,16 @@ def truly(points: np.ndarray, course: Course, error: str) -> np.ndarray:
     # The profile stands across the line, so the scanner was abeam of where a point is placed.
     attitude = np.tile([0.0, 0.0, course.heading], (len(points), 1))
     poses = Poses((points @ course.direction)[:, None] * course.direction, attitude)
-    return place_points(to_lidar(points, poses, NO_ERROR), poses, mounting_with_error(error))
+    return place_points(
+        to_lidar(points, poses, ERROR_FREE_MOUNTING), poses, mounting_with_error(error)
+    )
 
 
-@pytest.mark.parametrize("error", SIZES)
+@pytest.mark.parametrize("error", ERROR_SIZES)
 def test_beams_with_the_error_stop_at_the_board(error: str) -> None:
     """Read back as someone without the error placed them, and placed with it: on the board."""
-    course, board = LINES[2], TERRESTRIAL.board(0.3)
-    points = simulate_board(TERRESTRIAL, course, 0.3, mounting_with_error(error), "struck")
+    course, board = LINES[2], TERRESTRIAL_SITE.board(0.3)
+    points = simulate_board(TERRESTRIAL_SITE, course, 0.3, mounting_with_error(error), "struck")
     assert len(points) > 100
     true = truly(points, course, error)
     assert board_plane(board).distances(true) == pytest.approx(np.zeros(len(true)), abs=1e-9)
@@ -173,8 +178,8 @@ def test_beams_with_the_error_stop_at_the_board(error: str) -> None:
 
 def test_without_an_error_nothing_is_seen() -> None:
     for course in LINES:
-        points = simulate_board(TERRESTRIAL, course, -0.5, mounting_with_error("roll", 0.0))
-        shape, board = points_shape(points), TERRESTRIAL.board(-0.5)
+        points = simulate_board(TERRESTRIAL_SITE, course, -0.5, mounting_with_error("roll", 0.0))
+        shape, board = points_shape(points), TERRESTRIAL_SITE.board(-0.5)
         assert orthogonal_distance(shape, board_plane(board)) == pytest.approx(0.0, abs=1e-12)
         assert angular_deviation(shape, board_plane(board)) == pytest.approx(0.0, abs=1e-7)
         assert is_on_board(points, board).all()
@@ -212,13 +217,13 @@ def test_no_line_shows_the_z_lever_arm(terrestrial: VisibilityStudy) -> None:
     assert shift[seen] == pytest.approx(np.zeros(14), abs=1e-9)
     assert np.degrees(turn[seen]) == pytest.approx(np.zeros(14), abs=1e-5)
     # It is there all the same: each line is off by it, and all alike.
-    off = terrestrial.orthogonal_distance[TERRESTRIAL.errors.index("lever_z"), 0]
+    off = terrestrial.orthogonal_distance[TERRESTRIAL_SITE.errors.index("lever_z"), 0]
     assert np.nanmax(np.abs(off)) == pytest.approx(0.1, abs=1e-9)
 
 
 def test_a_scan_angle_offset_is_a_roll(terrestrial: VisibilityStudy) -> None:
     """Section 3.5.2: both turn the points alike."""
-    roll, scan = (TERRESTRIAL.errors.index(name) for name in ("roll", "scan_angle_offset"))
+    roll, scan = (TERRESTRIAL_SITE.errors.index(name) for name in ("roll", "scan_angle_offset"))
     for values in (terrestrial.orthogonal_distance, terrestrial.angular_deviation):
         assert values[roll] == pytest.approx(values[scan], abs=1e-9, nan_ok=True)
 
@@ -228,24 +233,24 @@ def test_a_scan_angle_offset_is_a_roll(terrestrial: VisibilityStudy) -> None:
 
 def test_type_one_is_strong_at_minus_60_and_weak_at_60(terrestrial: VisibilityStudy) -> None:
     """Figure 3.9; and 3.4.4.1: points are farthest off where the board runs along the beams."""
-    at = {round(np.degrees(each)): j for j, each in enumerate(TERRESTRIAL.inclinations)}
-    roll = TERRESTRIAL.errors.index("roll")
-    assert terrestrial.type_one[roll, :, at[-60]].min() > THRESHOLD
+    at = {round(np.degrees(each)): j for j, each in enumerate(TERRESTRIAL_SITE.inclinations)}
+    roll = TERRESTRIAL_SITE.errors.index("roll")
+    assert terrestrial.type_one[roll, :, at[-60]].min() > TYPE_ONE_THRESHOLD
     assert terrestrial.type_one[roll, :, at[60]].max() < 0.5
     farthest = np.nanargmax(terrestrial.centroidal_distance[roll, 2])
-    assert np.degrees(TERRESTRIAL.inclinations[farthest]) == pytest.approx(40.0)
+    assert np.degrees(TERRESTRIAL_SITE.inclinations[farthest]) == pytest.approx(40.0)
 
 
 def test_on_a_real_board_no_point_moves_farther_than_its_range_times_the_error() -> None:
     """Why the beams are those aimed at the board: else nothing flies off where they graze it."""
     course, mounting = LINES[3], mounting_with_error("roll")
     for degrees in (-60, 0, 30, 40):
-        points = simulate_board(TERRESTRIAL, course, np.radians(degrees), mounting, "struck")
+        points = simulate_board(TERRESTRIAL_SITE, course, np.radians(degrees), mounting, "struck")
         moved = np.linalg.norm(points - truly(points, course, "roll"), axis=1)
         assert len(points) > 20
         assert moved.max() < 6.0 * E
-    aimed = simulate_board(TERRESTRIAL, course, np.radians(40), mounting)
-    centre = np.array(TERRESTRIAL.board(np.radians(40)).centre)
+    aimed = simulate_board(TERRESTRIAL_SITE, course, np.radians(40), mounting)
+    centre = np.array(TERRESTRIAL_SITE.board(np.radians(40)).centre)
     assert centroidal_distance(points_shape(aimed), centre) > 1.0
 
 
@@ -262,7 +267,7 @@ def test_pitch_has_the_possible_configurations_of_table_3_1(terrestrial: Visibil
 
 def test_best_configurations_beside_table_3_2(terrestrial: VisibilityStudy) -> None:
     """The lines agree for all eight errors, the inclination for five: as found, not as wished."""
-    print(*comparison_table(terrestrial, TERRESTRIAL.errors).rows, sep="\n")
+    print(*comparison_table(terrestrial, TERRESTRIAL_SITE.errors).rows, sep="\n")
     rows = {each.best.error: each for each in compare_with_thesis(terrestrial)}
     assert all(each.lines_agree for each in rows.values())
     differing = {error for error, each in rows.items() if not each.inclination_agrees}
@@ -275,7 +280,7 @@ def test_best_configurations_beside_table_3_2(terrestrial: VisibilityStudy) -> N
 def test_the_comparison_does_not_depend_on_what_the_thesis_leaves_open(distance: float) -> None:
     """Its terrestrial site has no stated distance; other distances and beams change no verdict."""
     site = replace(
-        TERRESTRIAL, distance=distance, angle_step=float(np.radians(0.4)), profile_spacing=0.07
+        TERRESTRIAL_SITE, distance=distance, angle_step=float(np.radians(0.4)), profile_spacing=0.07
     )
     found = study_visibility(site)
     rows = compare_with_thesis(found)
@@ -292,12 +297,12 @@ def test_lines_for_all_errors_are_those_of_table_3_3(terrestrial: VisibilityStud
 
 
 def test_the_marine_site_beside_section_3_9(marine: VisibilityStudy) -> None:
-    print(*comparison_table(marine, MARINE.errors).rows, sep="\n")
+    print(*comparison_table(marine, MARINE_SITE.errors).rows, sep="\n")
     rows = {each.best.error: each for each in compare_with_thesis(marine)}
     assert all(each.lines_agree for each in rows.values())
     assert {error for error, each in rows.items() if not each.inclination_agrees} == {"roll"}
     # Of the inclinations the thesis considers the upright one is best for all three.
-    for error in MARINE.errors:
+    for error in MARINE_SITE.errors:
         assert marine.best_configuration(error, (0.0, np.pi / 2)).inclination == pytest.approx(0.0)
 
 
@@ -305,7 +310,7 @@ def test_the_reason_for_roll_holds(terrestrial: VisibilityStudy) -> None:
     """Near the board that faces the beams the lines hardly differ; the thesis's is one of them."""
     shift = dict(
         zip(
-            np.degrees(TERRESTRIAL.inclinations).round(),
+            np.degrees(TERRESTRIAL_SITE.inclinations).round(),
             terrestrial.visibility_spread("roll")[0],
             strict=True,
         )
@@ -313,7 +318,7 @@ def test_the_reason_for_roll_holds(terrestrial: VisibilityStudy) -> None:
     assert min(shift, key=lambda at: np.nan_to_num(shift[at], nan=9.0)) == -20
     assert shift[-40] < 0.6 * shift[20]
     offset = terrestrial.visibility_spread("range_offset")[0]
-    assert offset[TERRESTRIAL.inclinations.index(np.radians(-60))] < 0.2 * np.nanmax(offset)
+    assert offset[TERRESTRIAL_SITE.inclinations.index(np.radians(-60))] < 0.2 * np.nanmax(offset)
 
 
 # --- files
@@ -376,7 +381,7 @@ def test_figures_hold_all_lines_and_can_be_drawn_again(
     assert visibility_figure(terrestrial, "pitch", criterion, figure) is figure
     (axes,) = figure.axes
     drawn = [line for line in axes.lines if line.get_label() in map("{} deg".format, HEADINGS_DEG)]
-    values = CRITERIA[criterion].values(terrestrial)[TERRESTRIAL.errors.index("pitch")]
+    values = CRITERIA[criterion].values(terrestrial)[TERRESTRIAL_SITE.errors.index("pitch")]
     for line, expected in zip(drawn, values, strict=True):
         assert np.array_equal(line.get_ydata(), expected, equal_nan=True)
 

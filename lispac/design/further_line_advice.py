@@ -14,14 +14,16 @@ from lispac.adjustment.model.threads import single_blas_thread
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
 from lispac.messages import Message, note
-from lispac.simulation.closed_form_survey import STEEPEST
+from lispac.simulation.closed_form_survey import MIN_INCIDENCE_COSINE
 from lispac.survey.georeferencing import to_lidar
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
 
-HEADINGS = np.radians(np.arange(0, 360, 15))
-SPEED = 1.0  # metres per second
+CANDIDATE_HEADINGS = np.radians(np.arange(0, 360, 15))
+"""Headings of the further lines that are compared, radians."""
+LINE_SPEED = 1.0
+"""Speed of the vessel on a further line, metres per second."""
 MAX_SIGMA_RATIO = 0.85
 """Largest ratio of an angle's sigma with a further line to that without, for a useful line."""
 
@@ -57,7 +59,7 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
     """
     found = []
     with single_blas_thread():
-        for heading in HEADINGS:
+        for heading in CANDIDATE_HEADINGS:
             added = _add_simulated_line(observations, result, float(heading))
             if added is not None:
                 every, distance, to_starboard = added
@@ -82,8 +84,8 @@ def _predicted_sigmas(
 ) -> Array:
     """Predicted sigmas of roll, pitch and yaw from the observations, shape (3,), radians."""
     shapes = np.stack([target.plane for target in result.targets])
-    suspects = set(result.rejected_sightings)
-    rejected = [k for k, s in enumerate(observations.sightings) if s in suspects]
+    excluded = set(result.rejected_sightings)
+    rejected = [k for k, s in enumerate(observations.sightings) if s in excluded]
     problem = AdjustmentProblem.of(observations, result.mounting, result.model, parameters)
     noise = np.array([target.noise for target in result.targets])
     problem = replace(problem, noise=noise).with_surface_sigma(np.maximum(result.surfaces, 1e-5))
@@ -104,13 +106,13 @@ def further_line_advice(
     lines = further_lines(observations, result)
     if not lines:
         return ()
-    ruled = _limiting_parameters(observations, result)
+    limiting = _limiting_parameters(observations, result)
     found = []
     for k in np.argsort(-result.sigma, kind="stable"):
         best = min(lines, key=lambda line: float(line.sigma[k]))
         helps = best.sigma[k] <= MAX_SIGMA_RATIO * result.sigma[k]
-        if not helps and ruled[k]:
-            parameters = mounting_value_names(ruled[k])
+        if not helps and limiting[k]:
+            parameters = mounting_value_names(limiting[k])
             found.append(
                 note(
                     "further_line.prior",
@@ -147,8 +149,10 @@ def _limiting_parameters(
 ) -> tuple[list[str], ...]:
     """Names of the given values, not determined by the data, that limit the sigma of each angle.
 
-    The sigmas are predicted with each of these values known exactly. A value limits an angle if its
-    sigma then decreases enough.
+    They are named only for angles whose sigma is mainly due to such values together. The sigma of
+    such an angle is predicted with each value known exactly. The value limits the angle if the
+    sigma then falls below `MAX_SIGMA_RATIO` times its former value, or if no other value reduces it
+    more.
     """
     everything = _parameters_with_sigmas(result)
     values = {each.name: each.value for each in result.parameters}
@@ -156,16 +160,16 @@ def _limiting_parameters(
     if not undetermined:
         return [], [], []
 
-    def exactly(names: Collection[str]) -> Array:
+    def sigmas_with_known(names: Collection[str]) -> Array:
         others = tuple(each for each in everything if each.name not in names)
         return _predicted_sigmas(observations, result, others)
 
     with single_blas_thread():
-        now, known = exactly(()), exactly(undetermined)
-        alone = {name: exactly([name]) for name in undetermined}
-    floor = np.sqrt(np.maximum(now**2 - known**2, 0.0))
+        now, known = sigmas_with_known(()), sigmas_with_known(undetermined)
+        alone = {name: sigmas_with_known([name]) for name in undetermined}
+    contribution = np.sqrt(np.maximum(now**2 - known**2, 0.0))
     found: list[list[str]] = [[], [], []]
-    for k in np.flatnonzero(floor > MAX_SIGMA_RATIO * now):
+    for k in np.flatnonzero(contribution > MAX_SIGMA_RATIO * now):
         least = min(sigma[k] for sigma in alone.values())
         found[k] = [
             name
@@ -178,7 +182,10 @@ def _limiting_parameters(
 def _angle_to_upright_plane(
     result: AdjustmentResult, line: FurtherLine
 ) -> tuple[str, float] | None:
-    """Name of the most upright plane, and angle (radians) between its trace and the heading."""
+    """Name of the most upright plane, and its horizontal angle to the line, radians.
+
+    None if all targets are spheres.
+    """
     planes = [target for target in result.targets if not target.sphere]
     if not planes:
         return None
@@ -192,10 +199,13 @@ def _angle_to_upright_plane(
 def _add_simulated_line(
     observations: Observations, result: AdjustmentResult, heading: float
 ) -> tuple[Observations, float, bool] | None:
-    """Observations with a simulated line, its distance, and whether targets are to starboard."""
+    """Observations with a simulated line, its distance, and whether targets are to starboard.
+
+    None if no target is visible from the line.
+    """
     places = points_local(observations, result.mounting)
-    suspects = set(result.rejected_sightings)
-    best = [_best_sighting(observations, k, suspects) for k in range(len(observations.targets))]
+    excluded = set(result.rejected_sightings)
+    best = [_best_sighting(observations, k, excluded) for k in range(len(observations.targets))]
     vessel = np.stack([observations.position[own].mean(axis=0) for own in best])
     centres = np.stack([places[own].mean(axis=0) for own in best])
     reach = float(np.median(np.linalg.norm((vessel - centres)[:, :2], axis=1)))
@@ -217,18 +227,18 @@ def _add_simulated_line(
         rays = centres[k] - position.mean(axis=0)
         incidence = abs(float(rays @ target.plane[:3])) / float(np.linalg.norm(rays))
         faces = rays @ target.plane[:3] * ((centres[k] - vessel[k]) @ target.plane[:3]) > 0
-        if not target.sphere and (incidence < STEEPEST or not faces):
+        if not target.sphere and (incidence < MIN_INCIDENCE_COSINE or not faces):
             continue
         attitude = observations.attitude[own].copy()
         attitude[:] = [0.0, 0.0, heading]
         scan = to_lidar(points, Poses(position, attitude), result.mounting)
         part = observations.reordered(own)
-        rate = np.broadcast_to([*(SPEED * course), 0.0, 0.0, 0.0], (len(own), 6))
+        rate = np.broadcast_to([*(LINE_SPEED * course), 0.0, 0.0, 0.0], (len(own), 6))
         parts.append(
             replace(
                 part, points_lidar=scan, position=position, attitude=attitude,
                 pose_rate=None if part.pose_rate is None else rate.copy(),
-                time=begin + along / SPEED,
+                time=begin + along / LINE_SPEED,
                 sighting=np.full(len(own), len(observations.sightings) + len(sightings)),
             )
         )  # fmt: skip
@@ -255,10 +265,10 @@ def _append_observations(
 
 
 def _best_sighting(
-    observations: Observations, target: int, suspects: Collection[Sighting]
+    observations: Observations, target: int, excluded: Collection[Sighting]
 ) -> NDArray[np.intp]:
     own = np.flatnonzero(observations.target_of_sighting == target)
-    good = [k for k in own if observations.sightings[k] not in suspects]
+    good = [k for k in own if observations.sightings[k] not in excluded]
     own = np.array(good) if good else own
     densest = own[int(np.argmax(observations.counts[own]))]
     return np.flatnonzero(observations.sighting == densest)

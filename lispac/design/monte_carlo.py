@@ -16,7 +16,13 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.model.threads import single_blas_thread
 from lispac.design.plan import Plan
 from lispac.design.plan_search import Mapper
-from lispac.design.prediction import MIN_POINTS, UNDETERMINED, UNSEEN, expected_point_count, predict
+from lispac.design.prediction import (
+    MIN_SIGHTING_POINTS,
+    NO_SIGHTINGS_MESSAGE,
+    UNDETERMINED_MESSAGE,
+    expected_point_count,
+    predict,
+)
 from lispac.errors import AdjustmentError, Cancelled, LispacError, RankDeficient
 from lispac.language import N_, Plural, gettext, gettext_lazy, number
 from lispac.messages import error
@@ -33,10 +39,10 @@ from lispac.simulation.closed_form_survey import (
 
 Array = NDArray[np.float64]
 ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
-CHANCE_SIGMAS = 3.0
+CRITICAL_SIGMAS = 3.0
 """Critical value of the tests of coverage and mean error, in standard deviations."""
 MIN_SURVEYS = 20
-"""Smallest number of surveys for a result; they give a standard deviation to about 16 %."""
+"""Smallest number of surveys for a result; a standard deviation is then uncertain by about 16 %."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +151,7 @@ class MonteCarloResult:
     @property
     def summary_texts(self) -> tuple[str, ...]:
         """Conclusions on the sigmas, the mean errors and chi-square, as sentences."""
-        chance = np.sqrt(0.95 * 0.05 / len(self.errors))
+        coverage_sigma = np.sqrt(0.95 * 0.05 / len(self.errors))
         names = tuple(map(gettext, ANGLE_NAMES))
         found = [
             gettext(
@@ -154,7 +160,7 @@ class MonteCarloResult:
                 angle=angle, share=share,
             )
             for angle, share in zip(names, self.interval_coverage, strict=True)
-            if share < 0.95 - CHANCE_SIGMAS * chance
+            if share < 0.95 - CRITICAL_SIGMAS * coverage_sigma
         ]  # fmt: skip
         if not found:
             found = [
@@ -170,7 +176,7 @@ class MonteCarloResult:
                 angle=angle, mean=mean,
             )
             for angle, mean, sigma in zip(names, self.bias, self.sigma_bias, strict=True)
-            if abs(mean) > CHANCE_SIGMAS * sigma
+            if abs(mean) > CRITICAL_SIGMAS * sigma
         ]  # fmt: skip
         low, high = self.chi_square_bounds
         verdict = N_(
@@ -239,7 +245,7 @@ def run_monte_carlo(
         raise LispacError(error("design.own_flatness"))
     prediction = predict(plan)
     if not prediction.determined:
-        raise RankDeficient(UNDETERMINED)
+        raise RankDeficient(UNDETERMINED_MESSAGE)
     trial = _SurveyTrial(plan, plan.flatness if flatness_known else None, seed)
     found = []
     try:
@@ -265,9 +271,9 @@ def run_monte_carlo(
 
 @dataclass(frozen=True, eq=False)
 class _SurveyTrial:
-    """Simulate and adjust the survey of a given number.
+    """Function that simulates and adjusts the survey with a given number.
 
-    Returns the errors and the formal sigmas, shape (2, 3), radians; NaN if the adjustment fails.
+    It returns the errors and the formal sigmas, shape (2, 3), radians; NaN if the adjustment fails.
     """
 
     plan: Plan
@@ -301,7 +307,7 @@ def simulate_plan(
     perfect : bool
         Simulate targets, scanner and POS without errors.
     calm : bool
-        Simulate a vessel that does not roll and stays on its lines.
+        Simulate a vessel without sea motion: it stays level and on its lines.
 
     Raises
     ------
@@ -317,14 +323,14 @@ def simulate_plan(
         for course in plan.courses:
             scanner = scanner_position_abeam(system.mounting, target, course)
             count = expected_point_count(system, target, course, scanner)
-            if count < MIN_POINTS:
+            if count < MIN_SIGHTING_POINTS:
                 continue
             off = (0.0 if perfect else flatness) * generator.standard_normal(3)
             points = _simulate_target_points(target, count, off, generator, scanner)
             rows.append(error_free_record(system.mounting, course, sea, points))
             sightings.append(Sighting(target.name, course.name))
     if not rows:
-        raise RankDeficient(UNSEEN)
+        raise RankDeficient(NO_SIGHTINGS_MESSAGE)
     exact = observations_of_records(
         rows, sightings, plan.targets, system.pos, system.scanner.range_sigma
     )
@@ -344,7 +350,7 @@ def _simulate_target_points(
     ----------
     off : ndarray of shape (3,), metres
         Form error of the target in this line: tilts about two axes, as displacements at the edge,
-        and a shift along the normal. For a ball, only the last one is used, on the radius.
+        and a shift along the normal. For a ball, only the last one is used: it changes the radius.
 
     Returns
     -------

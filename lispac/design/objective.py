@@ -18,7 +18,7 @@ from lispac.language import N_
 Array = NDArray[np.float64]
 
 Criterion = Literal["largest", "roll", "pitch", "yaw", "A", "D"]
-CRITERIA: dict[Criterion, str] = {
+CRITERION_TEXTS: dict[Criterion, str] = {
     "largest": N_("largest of the three standard deviations"),
     "roll": N_("standard deviation of roll"),
     "pitch": N_("standard deviation of pitch"),
@@ -26,16 +26,16 @@ CRITERIA: dict[Criterion, str] = {
     "A": N_("root mean square of the three standard deviations (A-optimality)"),
     "D": N_("mean radius of the confidence ellipsoid (D-optimality)"),
 }
+"""Description of each criterion."""
 
-PRIOR_SIGMA = np.radians(10.0)
+PRIOR_ANGLE_SIGMA = np.radians(10.0)
 """Sigma of the angles before the survey, radians.
 
 With it, the objective of a plan that does not determine all angles is finite, so that a search can
 compare such plans.
 """
 
-
-VALUE_OF: dict[Criterion, Callable[[Array], float]] = {
+CRITERION_FUNCTIONS: dict[Criterion, Callable[[Array], float]] = {
     "largest": lambda covariance: float(np.sqrt(np.diag(covariance).max())),
     "roll": lambda covariance: float(np.sqrt(covariance[0, 0])),
     "pitch": lambda covariance: float(np.sqrt(covariance[1, 1])),
@@ -43,6 +43,7 @@ VALUE_OF: dict[Criterion, Callable[[Array], float]] = {
     "A": lambda covariance: float(np.sqrt(np.trace(covariance) / 3)),
     "D": lambda covariance: float(np.linalg.det(covariance) ** (1 / 6)),
 }
+"""Function that computes the value of each criterion from the covariance of the angles."""
 
 
 @dataclass(frozen=True)
@@ -80,8 +81,9 @@ class PlanObjective:
 
     def value_of_prediction(self, prediction: Prediction) -> float:
         """Value of the criterion, radians; the largest sigma if not all angles are determined."""
-        covariance = np.linalg.inv(prediction.information + np.eye(3) / PRIOR_SIGMA**2)
-        return VALUE_OF[self.criterion if prediction.determined else "largest"](covariance)
+        covariance = np.linalg.inv(prediction.information + np.eye(3) / PRIOR_ANGLE_SIGMA**2)
+        criterion: Criterion = self.criterion if prediction.determined else "largest"
+        return CRITERION_FUNCTIONS[criterion](covariance)
 
 
 def _scale_pos_errors(plan: Plan, factor: float) -> Plan:

@@ -14,11 +14,10 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-SIX = (0, 180, 45, 225, 315, 135)
+SIX_HEADINGS_DEG = (0, 180, 45, 225, 315, 135)
 """Headings of the pattern of six lines, degrees, for a wall in the east (thesis figure 3.3)."""
 
-
-BEYOND = 5.0
+STRAIGHT_MARGIN = 5.0
 """Length of the straight part of a line before the first and after the last target, metres."""
 
 
@@ -33,8 +32,8 @@ class System:
     scanner : Scanner
     pos : PosErrorModel
     pos_errors : {"correlated", "independent"}
-        Model of the POS errors in the adjustment: correlated in time, or independent for each point
-        as in the thesis.
+        Model of the POS errors in the adjustment: correlated in time, or independent for each
+        point as in the thesis.
     """
 
     mounting: Mounting = field(
@@ -84,7 +83,7 @@ class Line:
         return f"{self.heading_deg % 360:03.0f} deg, {self.distance:g} m to {side}"
 
     def abeam(self, middle: Sequence[float]) -> tuple[float, float]:
-        """Position of the vessel abeam of the middle of the site: north and west, metres."""
+        """Position of the vessel when the middle of the site is abeam: north and west, metres."""
         heading = np.radians(self.heading_deg)
         # Direction to port of the course; the vessel lies there if the site is to starboard.
         port = np.array([np.sin(heading), np.cos(heading)])
@@ -135,14 +134,14 @@ class Plan:
 
     @property
     def straight_extents(self) -> tuple[tuple[float, float], ...]:
-        """Start and end of the straight part of each line, metres along it from the middle."""
+        """Limits of the straight part of each line, metres from the point abeam of the middle."""
         found = []
         for course in self.courses:
             along = [
                 float((np.array(target.centre[:2]) - course.abeam) @ course.direction[:2])
                 for target in self.targets
             ]
-            found.append((min(along) - BEYOND, max(along) + BEYOND))
+            found.append((min(along) - STRAIGHT_MARGIN, max(along) + STRAIGHT_MARGIN))
         return tuple(found)
 
     @property
@@ -160,7 +159,7 @@ class Plan:
 
 
 def line_pattern(
-    headings_deg: Sequence[float] = SIX,
+    headings_deg: Sequence[float] = SIX_HEADINGS_DEG,
     distance: float = 15.0,
     *,
     facing_deg: float = 270.0,
@@ -172,7 +171,7 @@ def line_pattern(
     ----------
     distance : float, metres
     facing_deg : float, degrees
-        Azimuth the wall faces; the vessel stays on that side.
+        Azimuth that the wall faces; the vessel stays on that side.
     speed : float, metres per second
     """
     lines = []

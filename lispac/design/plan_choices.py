@@ -10,21 +10,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.solve.determinability import have_one_orientation
-from lispac.design.objective import PRIOR_SIGMA, PlanObjective
-from lispac.design.plan import SIX, Line, Plan, line_pattern
+from lispac.design.objective import PRIOR_ANGLE_SIGMA, PlanObjective
+from lispac.design.plan import SIX_HEADINGS_DEG, Line, Plan, line_pattern
 from lispac.design.site import Site, are_boards_separate
 from lispac.simulation.closed_form_survey import Ball, Board
 
 Array = NDArray[np.float64]
 
-INVALID_PLAN_VALUE = 2 * PRIOR_SIGMA
+INVALID_PLAN_VALUE = 2 * PRIOR_ANGLE_SIGMA
 """Objective value of an invalid plan, radians; larger than that of any valid plan.
 
 A plan is invalid if its boards overlap, if a line is too close to the wall, or if all targets have
 the same orientation, which the adjustment does not accept.
 """
 
-DIGITS = 9
+VALUE_DIGITS = 9
 """Significant digits of an objective value.
 
 Rounding makes the values of mirrored plans equal, whatever the processor.
@@ -68,7 +68,7 @@ class DesignSpace:
     @cached_property
     def lines(self) -> tuple[Line, ...]:
         """Lines that the site allows."""
-        return self.site.lines_allowed
+        return self.site.allowed_lines
 
     @property
     def size(self) -> int:
@@ -92,7 +92,7 @@ class DesignSpace:
         return self.site.plan(boards, [self.lines[k] for k in choice.lines])
 
     def value(self, choice: PlanChoice) -> float:
-        """Objective value of a choice, radians, rounded to `DIGITS` significant digits."""
+        """Objective value of a choice, radians, rounded to `VALUE_DIGITS` digits."""
         plan = self.plan(choice)
         boards = [target for target in plan.targets if isinstance(target, Board)]
         if (
@@ -101,7 +101,7 @@ class DesignSpace:
             or not self.site.keeps_clear_of_wall(plan)
         ):
             return INVALID_PLAN_VALUE
-        return float(f"{self.objective.of(plan):.{DIGITS}g}")
+        return float(f"{self.objective.of(plan):.{VALUE_DIGITS}g}")
 
     @cached_property
     def gene_sizes(self) -> tuple[int, ...]:
@@ -134,12 +134,13 @@ class DesignSpace:
 
     def nearest(self, plan: Plan) -> PlanChoice | None:
         """Choice that represents a plan, or None if the site does not allow the plan."""
-        hung = [t for t in plan.targets if t not in self.site.natural]
-        if len(hung) != self.site.boards or len(plan.lines) != self.site.lines:
+        boards_of_plan = [t for t in plan.targets if t not in self.site.natural]
+        if len(boards_of_plan) != self.site.boards or len(plan.lines) != self.site.lines:
             return None
         allowed = [self.board("", k) for k in range(len(self.places))]
         boards = [
-            [k for k, other in enumerate(allowed) if _are_boards_equal(other, t)] for t in hung
+            [k for k, other in enumerate(allowed) if _are_boards_equal(other, t)]
+            for t in boards_of_plan
         ]
         lines = [[k for k, other in enumerate(self.lines) if other == line] for line in plan.lines]
         if not all(boards) or not all(lines):
@@ -167,6 +168,6 @@ def thesis_plan(site: Site) -> Plan:
         site.wall.board("T1", -0.8, 5.0, 90.0, site.sizes[0]),
         site.wall.board("T2", 0.8, 5.0, 45.0, site.sizes[0]),
     ]
-    turned = [site.facing_deg - 270.0 + heading for heading in SIX]
+    turned = [site.facing_deg - 270.0 + heading for heading in SIX_HEADINGS_DEG]
     lines = line_pattern(turned, 15.0, facing_deg=site.facing_deg)
     return site.plan(boards, lines).with_targets(boards)

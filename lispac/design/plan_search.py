@@ -32,16 +32,16 @@ Array = NDArray[np.float64]
 Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 """Function like `map`: calls a function on each value, in any process; results keep their order."""
 
-MAX_EVALUATED = 20_000
+MAX_EXHAUSTIVE_PLANS = 20_000
 """Largest number of possible plans for which all are evaluated."""
 
-POPULATION = 8
+PLANS_PER_GENE = 8
 """Number of plans of a generation per gene."""
 
-IMPROVED_PLANS = 2
+IMPROVED_PLAN_COUNT = 2
 """Number of plans of the last generation that are improved by exchanges."""
 
-MIN_GAIN = 1e-3
+MIN_RELATIVE_GAIN = 1e-3
 """Smallest relative decrease of the objective for an exchange."""
 
 
@@ -92,7 +92,7 @@ class DesignResult:
     gains : tuple of InformationGain
         Information gain of each target and each line, the largest first.
     front : tuple of ReductionStep
-        Plans with fewer and fewer targets and lines, starting with ``plan``.
+        Plans with successively fewer targets and lines, starting with ``plan``.
     """
 
     plan: Plan
@@ -119,7 +119,7 @@ def search(
     Parameters
     ----------
     plans : int
-        Approximate number of evaluations of the evolution, if there are too many plans to evaluate
+        Approximate number of plans that the evolution evaluates, if there are too many to evaluate
         all.
     seed : int
         Seed of the random numbers; the same seed gives the same plan with any mapper.
@@ -135,7 +135,7 @@ def search(
     """
     space = DesignSpace(site, objective or PlanObjective())
     counted = _CountingMapper(mapper, progress, min(plans, space.size))
-    exact = space.size <= MAX_EVALUATED
+    exact = space.size <= MAX_EXHAUSTIVE_PLANS
     if exact:
         chosen = _best_of_all_choices(space, counted)
     else:
@@ -221,16 +221,16 @@ class _GeneObjective:
 def _evolve_choices(
     space: DesignSpace, mapper: Mapper, plans: int, seed: int, start: Plan | None
 ) -> list[PlanChoice]:
-    """Best choices of the last generation, all different."""
+    """Best choices of the last generation, all different, at most `IMPROVED_PLAN_COUNT`."""
     from scipy.optimize import differential_evolution
 
     known = None if start is None else space.nearest(start)
-    generations = max(plans // (POPULATION * len(space.gene_sizes)) - 1, 1)
+    generations = max(plans // (PLANS_PER_GENE * len(space.gene_sizes)) - 1, 1)
     result = differential_evolution(
         _GeneObjective(space),
         [(0, width - 1) for width in space.gene_sizes],
         integrality=True,
-        popsize=POPULATION,
+        popsize=PLANS_PER_GENE,
         maxiter=generations,
         init="sobol",
         x0=None if known is None else np.array(space.genes(known)),
@@ -242,7 +242,7 @@ def _evolve_choices(
     )
     best_first = np.argsort(result.population_energies, kind="stable")
     choices = dict.fromkeys(space.choice(result.population[k]) for k in best_first)
-    return list(choices)[:IMPROVED_PLANS]
+    return list(choices)[:IMPROVED_PLAN_COUNT]
 
 
 def _improve_by_exchange(space: DesignSpace, choice: PlanChoice, mapper: Mapper) -> PlanChoice:
@@ -260,13 +260,17 @@ def _improve_by_exchange(space: DesignSpace, choice: PlanChoice, mapper: Mapper)
                 ]
                 values = list(mapper(space.value, others))
                 best = int(np.argmin(values))
-                if values[best] < (1 - MIN_GAIN) * value:
+                if values[best] < (1 - MIN_RELATIVE_GAIN) * value:
                     choice, value, improved = others[best], values[best], True
     return choice
 
 
 def _reduce_effort(site: Site, plan: Plan, objective: PlanObjective) -> tuple[ReductionStep, ...]:
-    """Omit lines and boards one by one, each time that with the smallest loss per minute saved."""
+    """Omit lines and boards one by one.
+
+    Each time, the one is omitted that increases the objective least, relative to its value and per
+    minute saved.
+    """
     steps = [ReductionStep(plan, site.minutes(plan), objective.of(plan))]
     while True:
         now = steps[-1]

@@ -20,7 +20,7 @@ from lispac.design.plan import Plan, System
 from lispac.errors import RankDeficient
 from lispac.messages import error
 from lispac.simulation.closed_form_survey import (
-    STEEPEST,
+    MIN_INCIDENCE_COSINE,
     Ball,
     Board,
     Course,
@@ -31,21 +31,20 @@ from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
 
-GRID = 4
-"""Number of representative points along each side of a board.
+GRID_POINTS_PER_SIDE = 4
+"""Number of representative points along each side of a board; twice as many for a ball.
 
-Their second moments equal those of the board; more points change no sigma by as much as 1 %.
+Their second moments equal those of the board. With more points, no sigma changes by as much as 1 %.
 """
 
-FLATTEST = 1e-6
+MIN_FLATNESS = 1e-6
 """Flatness used for a target specified as perfectly flat, metres."""
 
-MIN_POINTS = 20
+MIN_SIGHTING_POINTS = 20
 """Smallest number of points of a sighting."""
 
-
-UNDETERMINED = error("design.undetermined")
-UNSEEN = error("design.no_sightings")
+UNDETERMINED_MESSAGE = error("design.undetermined")
+NO_SIGHTINGS_MESSAGE = error("design.no_sightings")
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +111,7 @@ def predicted_equations(plan: Plan) -> LinearisedProblem:
     """
     found = _PlanSightings.of(plan)
     if not found.sightings:
-        raise RankDeficient(UNSEEN)
+        raise RankDeficient(NO_SIGHTINGS_MESSAGE)
     with single_blas_thread():
         return found.linearised()
 
@@ -132,24 +131,24 @@ class _PlanSightings:
         found = cls(plan, [], {}, [], [])
         courses = plan.courses
         for target in plan.targets:
-            places = target.grid(GRID) if isinstance(target, Board) else None
+            places = target.grid(GRID_POINTS_PER_SIDE) if isinstance(target, Board) else None
             for course in courses:
                 scanner = scanner_position_abeam(plan.system.mounting, target, course)
                 count = expected_point_count(plan.system, target, course, scanner)
-                if count < MIN_POINTS:
+                if count < MIN_SIGHTING_POINTS:
                     continue
                 sighting = Sighting(target.name, course.name)
                 found.sightings.append(sighting)
                 found.points[target.name, course.name] = count
                 if isinstance(target, Ball):
-                    places = target.grid(2 * GRID, scanner)
+                    places = target.grid(2 * GRID_POINTS_PER_SIDE, scanner)
                 assert places is not None
                 found.places.append(places)
                 found.on_course.append(course)
         return found
 
     def observations(self) -> Observations:
-        """The representative points, from a level vessel."""
+        """Observations of the representative points from a level vessel."""
         system, counts = self.plan.system, [len(place) for place in self.places]
         places = np.concatenate(self.places)
         direction, heading, at_abeam, time, speed = (
@@ -162,7 +161,7 @@ class _PlanSightings:
                 strict=True,
             )
         )
-        # Profiles are at right angles to the course: a point is measured when it is abeam.
+        # Profiles are at right angles to the course: a point is measured when the scanner is abeam.
         along = np.einsum("ni,ni->n", places - at_abeam, direction)
         along -= system.mounting.lever_arm[0]
         position = at_abeam + along[:, None] * direction
@@ -196,7 +195,7 @@ class _PlanSightings:
         plan, observations = self.plan, self.observations()
         pos = plan.system.pos
         own_flatness = any(target.flatness is not None for target in plan.targets)
-        flatness = max(plan.flatness, FLATTEST) if own_flatness else plan.flatness
+        flatness = max(plan.flatness, MIN_FLATNESS) if own_flatness else plan.flatness
         model = StochasticModel(
             plan.system.pos_errors, pos.time_position, pos.time_attitude, surface=flatness
         )
@@ -206,11 +205,11 @@ class _PlanSightings:
         for name, target in targets.items():
             own = [k for k, s in enumerate(self.sightings) if s.target == name]
             if own and target.flatness is not None:
-                flatness = max(target.flatness, FLATTEST)
+                flatness = max(target.flatness, MIN_FLATNESS)
                 problem = problem.with_sighting_surface_sigma(own, flatness)
         linearised = problem.linearised(problem.start(plan.system.mounting, shapes))
-        stands_for = np.array(list(self.points.values())) / observations.counts
-        weights = stands_for[problem.groups.sighting]
+        represented = np.array(list(self.points.values())) / observations.counts
+        weights = represented[problem.groups.sighting]
         return replace(linearised, sums=linearised.sums * weights[:, None, None])
 
 
@@ -244,7 +243,7 @@ def expected_point_count(
         area = np.pi * target.visible_radius**2
     else:
         facing = -float(ray @ target.facing) / distance
-        if facing < STEEPEST:
+        if facing < MIN_INCIDENCE_COSINE:
             return 0.0
         area = target.width * target.height * facing
     step = 2 * np.pi * system.scanner.turns_per_second / system.scanner.pulses_per_second

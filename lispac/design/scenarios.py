@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.model.stochastic_model import PosErrors
-from lispac.design.plan import SIX, Plan, System, line_pattern
+from lispac.design.plan import SIX_HEADINGS_DEG, Plan, System, line_pattern
 from lispac.design.prediction import predict
 from lispac.language import N_, LazyText, Plural, gettext_lazy, in_english
 from lispac.progress import Progress, no_progress
@@ -22,7 +22,7 @@ from lispac.simulation.pos_errors import PosErrorModel
 Array = NDArray[np.float64]
 Case = tuple[LazyText, Plan]
 
-COMBINATIONS: dict[str, tuple[int, ...]] = {
+HEADING_COMBINATIONS: dict[str, tuple[int, ...]] = {
     "0, 180": (0, 180),
     "45, 225": (45, 225),
     "315, 135": (315, 135),
@@ -33,26 +33,32 @@ COMBINATIONS: dict[str, tuple[int, ...]] = {
     "0, 180, 45, 135": (0, 180, 45, 135),
     "0, 180, 315, 225": (0, 180, 315, 225),
     "45, 225, 315, 135": (45, 225, 315, 135),
-    N_("all six"): SIX,
+    N_("all six"): SIX_HEADINGS_DEG,
 }
 """Combinations of headings, degrees, for a wall in the east."""
 
-INCLINATIONS = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0)
+INCLINATIONS_DEG = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0)
 """Inclinations of boards from level, degrees.
 
 The boards are above the vessel and lean forward, towards it. A board that leans back by the same
 angle would hardly be visible.
 """
-SIZES = (0.25, 0.50, 0.75, 1.00)
-CLUSTERED: tuple[tuple[float, ...], ...] = (
+BOARD_SIZES = (0.25, 0.50, 0.75, 1.00)
+"""Sides of square boards, metres."""
+INCLINATION_COMBINATIONS_DEG: tuple[tuple[float, ...], ...] = (
     (90.0,), (90.0, 60.0), (90.0, 45.0), (90.0, 30.0), (60.0, 30.0), (90.0, 60.0, 30.0),
 )  # fmt: skip
-DISTANCES = (5.0, 10.0, 15.0, 20.0, 30.0, 40.0, 60.0, 80.0)
-HEIGHTS = (0.0, 2.5, 5.0, 10.0, 15.0, 20.0, 30.0)
-REPEATS = (1, 2, 3, 4)
-SPEEDS = (0.5, 1.0, 2.0, 3.0, 4.0)
+"""Inclinations from level of boards used together, degrees."""
+LINE_DISTANCES = (5.0, 10.0, 15.0, 20.0, 30.0, 40.0, 60.0, 80.0)
+"""Distances of the lines from the site, metres."""
+TARGET_HEIGHTS = (0.0, 2.5, 5.0, 10.0, 15.0, 20.0, 30.0)
+"""Mean heights of the targets in the local frame, metres."""
+REPEAT_COUNTS = (1, 2, 3, 4)
+"""Numbers of times that all lines are run."""
+VESSEL_SPEEDS = (0.5, 1.0, 2.0, 3.0, 4.0)
+"""Speeds of the vessel on the lines, metres per second."""
 
-GRADES: dict[str, PosErrorModel] = {
+POS_CLASSES: dict[str, PosErrorModel] = {
     name: PosErrorModel((level, level, 1.7 * level), tuple(np.radians(attitude)))
     for name, level, attitude in (
         (N_("navigation, post-processed"), 0.008, (0.005, 0.005, 0.008)),
@@ -92,11 +98,11 @@ def thesis_setting(pos_errors: PosErrors = "independent") -> Plan:
 
 def line_combinations(plan: Plan) -> list[Case]:
     """Scenarios of thesis figure 4.12 (a): combinations of the six lines."""
-    of = dict(zip(SIX, plan.lines, strict=False))
+    line_of_heading = dict(zip(SIX_HEADINGS_DEG, plan.lines, strict=False))
     return [
-        (gettext_lazy(name), plan.with_lines([of[heading] for heading in headings]))
-        for name, headings in COMBINATIONS.items()
-        if set(headings) <= set(of)
+        (gettext_lazy(name), plan.with_lines([line_of_heading[heading] for heading in headings]))
+        for name, headings in HEADING_COMBINATIONS.items()
+        if set(headings) <= set(line_of_heading)
     ]
 
 
@@ -104,7 +110,7 @@ def board_inclinations(plan: Plan) -> list[Case]:
     """Scenarios of thesis figure 4.12 (b): one board, from level to upright."""
     return [
         (gettext_lazy("{angle:x.0} deg", angle=lean), plan.with_targets([thesis_board(lean)]))
-        for lean in INCLINATIONS
+        for lean in INCLINATIONS_DEG
     ]
 
 
@@ -115,14 +121,14 @@ def board_sizes(plan: Plan) -> list[Case]:
             gettext_lazy("{size:x.0} cm", size=100 * size),
             plan.with_targets([thesis_board(size=size)]),
         )
-        for size in SIZES
+        for size in BOARD_SIZES
     ]
 
 
 def target_combinations(plan: Plan) -> list[Case]:
     """Scenarios of thesis figure 4.12 (d): boards of different inclinations, 1.6 m apart."""
     cases = []
-    for leans in CLUSTERED:
+    for leans in INCLINATION_COMBINATIONS_DEG:
         boards = [
             replace(board, centre=(1.6 * (k - (len(leans) - 1) / 2), *board.centre[1:]))
             for k, board in enumerate(map(thesis_board, leans))
@@ -139,7 +145,7 @@ def line_distances(plan: Plan) -> list[Case]:
             gettext_lazy("{distance:m.0} m", distance=d),
             plan.with_lines([replace(line, distance=d) for line in plan.lines]),
         )
-        for d in DISTANCES
+        for d in LINE_DISTANCES
     ]
 
 
@@ -153,15 +159,15 @@ def target_heights(plan: Plan) -> list[Case]:
                 [replace(t, centre=(*t.centre[:2], t.centre[2] - middle + h)) for t in plan.targets]
             ),
         )
-        for h in HEIGHTS
+        for h in TARGET_HEIGHTS
     ]
 
 
 def line_repeats(plan: Plan) -> list[Case]:
-    """Scenarios with all lines repeated, each time with new POS errors."""
+    """Scenarios with all lines run one to four times, one series after the other."""
     return [
         (gettext_lazy(Plural("once", "{count:n} times"), count=n), plan.with_lines(plan.lines * n))
-        for n in REPEATS
+        for n in REPEAT_COUNTS
     ]
 
 
@@ -172,15 +178,15 @@ def vessel_speeds(plan: Plan) -> list[Case]:
             gettext_lazy("{speed:x.1} m/s", speed=v),
             plan.with_lines([replace(line, speed=v) for line in plan.lines]),
         )
-        for v in SPEEDS
+        for v in VESSEL_SPEEDS
     ]
 
 
-def pos_grades(plan: Plan) -> list[Case]:
-    """Scenarios with another POS."""
+def pos_classes(plan: Plan) -> list[Case]:
+    """Scenarios with POS of different classes."""
     return [
         (gettext_lazy(name), replace(plan, system=replace(plan.system, pos=pos)))
-        for name, pos in GRADES.items()
+        for name, pos in POS_CLASSES.items()
     ]
 
 
@@ -193,12 +199,13 @@ SCENARIOS: dict[str, Callable[[Plan], list[Case]]] = {
     N_("height"): target_heights,
     N_("repeats"): line_repeats,
     N_("speed"): vessel_speeds,
-    N_("POS"): pos_grades,
+    N_("POS"): pos_classes,
 }
-OF_THE_THESIS = ("lines", "inclination", "size", "targets")
+THESIS_SCENARIOS = ("lines", "inclination", "size", "targets")
 """Scenarios that use the boards and lines of the thesis instead of those of the plan."""
 
-ERROR_MODELS: Sequence[PosErrors] = ("independent", "correlated")
+POS_ERROR_MODELS: Sequence[PosErrors] = ("independent", "correlated")
+"""Models of the POS errors for which every case is predicted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -250,10 +257,10 @@ def predict_scenarios(
         name = gettext_lazy(scenario)
         progress(k / len(scenarios), gettext_lazy("Scenario: {scenario}", scenario=name))
         base = plan
-        if scenario in OF_THE_THESIS:
+        if scenario in THESIS_SCENARIOS:
             base = replace(thesis_setting(), system=plan.system, flatness=plan.flatness)
         for label, changed in SCENARIOS[scenario](base):
-            for errors in ERROR_MODELS:
+            for errors in POS_ERROR_MODELS:
                 predicted = predict(
                     replace(changed, system=replace(changed.system, pos_errors=errors))
                 )

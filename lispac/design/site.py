@@ -7,14 +7,14 @@ from itertools import combinations, pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.design.plan import BEYOND, Line, Plan, System
+from lispac.design.plan import STRAIGHT_MARGIN, Line, Plan, System
 from lispac.errors import InputError
 from lispac.messages import error
 from lispac.simulation.closed_form_survey import Ball, Board
 
 Array = NDArray[np.float64]
 
-MIN_WIDTH_RATIO = 3.0
+MIN_SUPPORT_WIDTH_RATIO = 3.0
 """Smallest ratio of widths for which a plane is regarded as the support of a board.
 
 A board on a quay face does not count as overlapping it.
@@ -49,7 +49,10 @@ class Wall:
         return np.array([-out[1], out[0]])
 
     def local_point(self, along: float, off: float, up: float) -> tuple[float, float, float]:
-        """Position in the local frame from along (right), off (to the water) and up, metres."""
+        """Position in the local frame of wall coordinates: along, off and up, metres.
+
+        They are counted to the right when facing the wall, towards the water, and upwards.
+        """
         north, west = np.array(self.middle[:2]) + along * self.rightward + off * self.outward
         return float(north), float(west), float(self.middle[2] + up)
 
@@ -72,6 +75,7 @@ class Wall:
         Parameters
         ----------
         along, up, off : float, metres
+            Wall coordinates of the centre.
         inclination_deg : float, degrees from level
             90 is upright; a smaller value leans back, a larger one forward.
         size : pair of float, metres
@@ -174,7 +178,7 @@ class Site:
                     available=self.time_on_site,
                 )
             )
-        if not self.lines_allowed:
+        if not self.allowed_lines:
             raise InputError(error("design.lines_too_close", closest=self.closest))
 
     @property
@@ -183,13 +187,15 @@ class Site:
         return Wall(self.middle, self.facing_deg)
 
     @property
-    def lines_allowed(self) -> tuple[Line, ...]:
-        """Lines of all headings, distances and speeds that keep clear of the wall."""
+    def allowed_lines(self) -> tuple[Line, ...]:
+        """Lines that keep clear of the wall while they pass a target at the middle of the site."""
         allowed = []
         for heading in self.headings_deg:
-            across, to = (float(f(np.radians(heading - self.facing_deg))) for f in (np.sin, np.cos))
+            across, towards = (
+                float(f(np.radians(heading - self.facing_deg))) for f in (np.sin, np.cos)
+            )
             for distance in self.distances:
-                if distance * abs(across) - BEYOND * abs(to) < self.closest:
+                if distance * abs(across) - STRAIGHT_MARGIN * abs(towards) < self.closest:
                     continue
                 allowed += [Line(heading, distance, across > 0, speed) for speed in self.speeds]
         return tuple(allowed)
@@ -211,8 +217,8 @@ class Site:
 
     def minutes(self, plan: Plan) -> float:
         """Duration of a plan, minutes, including the installation and removal of boards."""
-        hung = len(plan.targets) - sum(target in self.natural for target in plan.targets)
-        return len(plan.lines) * self.minutes_per_line + hung * self.minutes_per_board
+        boards = len(plan.targets) - sum(target in self.natural for target in plan.targets)
+        return len(plan.lines) * self.minutes_per_line + boards * self.minutes_per_board
 
 
 def clearance_from_wall(plan: Plan, wall: Wall) -> tuple[float, ...]:
@@ -232,13 +238,13 @@ def overlapping_targets(targets: Sequence[Board | Ball]) -> tuple[tuple[str, str
     return tuple(
         (one.name, other.name)
         for one, other in combinations(boards, 2)
-        if max(one.width, other.width) < MIN_WIDTH_RATIO * min(one.width, other.width)
+        if max(one.width, other.width) < MIN_SUPPORT_WIDTH_RATIO * min(one.width, other.width)
         and not are_boards_separate((one, other))
     )
 
 
 def are_boards_separate(boards: Sequence[Board]) -> bool:
-    """Whether no two boards overlap."""
+    """Whether no two boards overlap, in plan and in height, whatever their inclinations."""
     centres = np.array([board.centre for board in boards]).reshape(-1, 3)
     half = np.array([(board.width / 2, board.height / 2) for board in boards]).reshape(-1, 2)
     between = centres[:, None] - centres[None]

@@ -14,7 +14,7 @@ ECCENTRICITY_SQUARED = FLATTENING * (2 - FLATTENING)
 
 
 def geodetic_to_ecef(latitude: Array, longitude: Array, height: Array) -> Array:
-    """Earth-centred coordinates of geodetic ones (thesis equation B.2).
+    """Convert geodetic to earth-centred coordinates (thesis equation B.2).
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ class LocalFrame:
         return rotation_nwu_ecef(self.latitude, self.longitude)
 
     def to_local(self, latitude: Array, longitude: Array, height: Array) -> Array:
-        """Local coordinates, shape (n, 3), metres, of geodetic ones.
+        """Convert geodetic to local coordinates, shape (n, 3), metres.
 
         Parameters
         ----------
@@ -126,10 +126,11 @@ class LocalFrame:
         return ecef_to_geodetic(points_local @ self._rotation_local_ecef + self._origin_ecef)
 
     def rotation_local_level(self, latitude: Array, longitude: Array) -> Array:
-        """Rotation from North-West-Up at other places into this frame.
+        """Rotation from the North-West-Up frame at other places into this frame.
 
-        An INS reports its attitude against the north and the vertical where the vessel is, not at
-        the origin: 1 km east of it, at 45 deg of latitude, north has turned by 0.009 deg.
+        An INS reports its attitude relative to the north and the vertical at the vessel, not at the
+        origin. At a latitude of 45 deg, the directions of north at two places 1 km apart, east and
+        west, differ by 0.009 deg.
 
         Parameters
         ----------

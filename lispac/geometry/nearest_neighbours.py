@@ -1,4 +1,4 @@
-"""Nearest neighbours in big clouds, and the least-squares plane through each neighbourhood.
+"""Nearest neighbours in large clouds, and the least-squares plane through each neighbourhood.
 
 The search uses SciPy's k-d tree. Two measures make it three times as fast for a million points:
 cells are split at their centre instead of at the median point, and queries are made in spatial
@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 Points = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-# A neighbourhood whose second principal axis is below a millionth of the first (for variances, the
-# square) is a straight row of points, which does not determine a plane.
-_COLLINEAR = 1e-12
-_MAX_SWEEPS = 12
+# Smallest ratio of the second to the largest principal variance of a neighbourhood. Below it, the
+# points lie on a straight line, which does not determine a plane.
+_MIN_VARIANCE_RATIO = 1e-12
+_MAX_SWEEPS = 12  # each of them rotates all three off-diagonal elements to zero
 
 
 def build_tree(points: Points) -> "cKDTree":
@@ -32,7 +32,7 @@ def build_tree(points: Points) -> "cKDTree":
 
 
 def spatial_order(points: Points) -> Indices:
-    """Permutation (n,) that puts neighbours in space near each other in memory.
+    """Permutation (n,) that places points that are close in space close to each other in memory.
 
     The order is that of the points in the leaves of a k-d tree.
     """
@@ -48,8 +48,8 @@ def _diagonalise(a: NDArray[np.float64], v: NDArray[np.float64]) -> None:
 
     Golub and Van Loan, Matrix Computations, the chapter on Jacobi methods.
 
-    Slower than the trigonometric formula but exact to rounding also where two eigenvalues nearly
-    agree, as in a square patch of points.
+    The rotations are slower than the trigonometric formula, but accurate to rounding even if two
+    eigenvalues are nearly equal, as in a square patch of points.
     """
     for i in range(3):
         for j in range(3):
@@ -88,7 +88,7 @@ def local_planes(
 
     Parameters
     ----------
-    points : ndarray of shape (m, 3), metres, same frame
+    points : ndarray of shape (m, 3), metres, any frame
     neighbours : ndarray of shape (n, k)
         Indices into ``points`` of each group.
     counts : ndarray of shape (n,), optional
@@ -98,8 +98,8 @@ def local_planes(
     -------
     centroids : ndarray of shape (n, 3), metres, same frame
     normals : ndarray of shape (n, 3), same frame
-        Unit vectors of either sign; NaN where the group has fewer than three points, or lies on one
-        straight line or in one spot.
+        Unit vectors of either sign; NaN if the group has fewer than three points, or if all its
+        points lie on one straight line or coincide.
     """
     if counts is None:
         counts = np.full(len(neighbours), neighbours.shape[1], dtype=np.intp)
@@ -111,7 +111,7 @@ def local_planes(
 def local_planes_kernel(
     points: Points, neighbours: Indices, counts: Indices
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # pragma: no cover - compiled
-    """Compiled version of the search, as `local_planes`."""
+    """Compiled part of the computation; for arguments and results see `local_planes`."""
     n, width = neighbours.shape
     centroids = np.empty((n, 3))
     normals = np.empty((n, 3))
@@ -120,7 +120,7 @@ def local_planes_kernel(
     vectors = np.empty((3, 3))
     for row in range(n):
         k = counts[row]
-        # Differences from one point first: large coordinates (UTM northings) lose no digits.
+        # Coordinates relative to one point: sums of large coordinates (UTM) would lose digits.
         first = neighbours[row, 0]
         for axis in range(3):
             total = 0.0
@@ -145,7 +145,10 @@ def local_planes_kernel(
             if covariance[axis, axis] >= covariance[largest, largest]:
                 largest = axis
         middle = 3 - smallest - largest
-        spread = k >= 3 and covariance[middle, middle] > _COLLINEAR * covariance[largest, largest]
+        spread = (
+            k >= 3
+            and covariance[middle, middle] > _MIN_VARIANCE_RATIO * covariance[largest, largest]
+        )
         for axis in range(3):
             normals[row, axis] = vectors[axis, smallest] if spread else np.nan
     return centroids, normals

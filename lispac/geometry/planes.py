@@ -10,10 +10,11 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-# Ratio to the largest spread below which the points are assumed to lie on one straight line.
-LINE_SHARE = 1e-6
+# Smallest ratio of the second to the largest principal standard deviation of points of a plane;
+# below it, they lie on one straight line. For spheres, the same limit holds for the smallest one.
+MIN_SPREAD_RATIO = 1e-6
 
-REFITS = 12  # of a robust plane
+ROBUST_ITERATIONS = 12  # of `fit_plane_robustly`
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +31,7 @@ class Plane:
     d: float
 
     def distances(self, points: Array) -> Array:
-        """Signed distance of each point, positive on the side the normal points to.
+        """Signed distance of each point, positive on the side to which the normal points.
 
         Parameters
         ----------
@@ -48,7 +49,7 @@ class Plane:
         return Plane(-self.normal, -self.d)
 
     def facing(self, direction: Array) -> "Plane":
-        """The same plane with its normal on the side of ``direction``, shape (3,), in its frame."""
+        """The same plane, with its normal towards ``direction``, shape (3,), in its frame."""
         return self if float(self.normal @ direction) >= 0.0 else self.flipped()
 
     def tilt_to(self, other: "Plane") -> float:
@@ -59,7 +60,7 @@ class Plane:
 
 
 def plane_through(point: Array, normal: Array) -> Plane:
-    """The plane through ``point`` across ``normal``, both of shape (3,) in the same frame."""
+    """Plane through ``point``, perpendicular to ``normal``, both of shape (3,), same frame."""
     unit = normal / np.linalg.norm(normal)
     return Plane(unit, -float(unit @ point))
 
@@ -73,16 +74,16 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
     ----------
     points : ndarray of shape (n, 3), metres, any frame
     weights : ndarray of shape (n,), optional
-        Not negative; all alike if omitted.
+        Not negative; all equal if omitted.
 
     Raises
     ------
     PlaneNotFound
-        Fewer than three points, or all on one straight line.
+        Fewer than three points, all on one straight line, or coordinates that are not finite.
     """
     if len(points) < 3:
         raise PlaneNotFound(error("target.plane_few_points", count=len(points)))
-    # Centring first: at UTM northings the products would lose the millimetres.
+    # Centred coordinates: products of UTM coordinates would not resolve millimetres.
     if weights is None:
         centre = points.mean(axis=0)
         centred = points - centre
@@ -94,7 +95,7 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
     if not np.all(np.isfinite(scatter)):
         raise PlaneNotFound(error("target.plane_not_finite"))
     spread, axes = np.linalg.eigh(scatter)
-    if spread[1] <= spread[2] * LINE_SHARE**2:
+    if spread[1] <= spread[2] * MIN_SPREAD_RATIO**2:
         raise PlaneNotFound(error("target.plane_on_line"))
     normal = axes[:, 0]
     normal = normal * np.sign(normal[np.argmax(np.abs(normal))])
@@ -102,7 +103,7 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
 
 
 def fit_plane_robustly(points: Array, nearest: float) -> Plane:
-    """Fit a plane by the least sum of distances, robust against a third of outliers.
+    """Fit a plane by the least sum of distances, which tolerates about one third of outliers.
 
     Reweighted least squares with weights from the distances (Schlossmacher 1973), with a fixed
     number of iterations: the result is an initial value and need not be converged.
@@ -116,10 +117,10 @@ def fit_plane_robustly(points: Array, nearest: float) -> Plane:
     Raises
     ------
     PlaneNotFound
-        Fewer than three points, or all on one straight line.
+        Fewer than three points, all on one straight line, or coordinates that are not finite.
     """
     plane = fit_plane(points)
-    for _ in range(REFITS):
+    for _ in range(ROBUST_ITERATIONS):
         off = np.maximum(np.abs(plane.distances(points)), nearest)
         plane = fit_plane(points, nearest / off)
     return plane
@@ -133,7 +134,7 @@ def rms_distance(plane: Plane, points: Array) -> float:
 def plane_axes(normal: Array) -> Array:
     """Two unit vectors in the plane: the horizontal one and the one up the slope.
 
-    If the plane is horizontal to a thousandth, the axes are west and north.
+    If the plane is horizontal to a thousandth of a radian, the axes are west and north.
 
     Parameters
     ----------
@@ -142,14 +143,14 @@ def plane_axes(normal: Array) -> Array:
     Returns
     -------
     ndarray of shape (2, 3)
-        Rows: level (the width runs along it), up the slope (the height).
+        Rows: horizontal (direction of the width), and up the slope (direction of the height).
     """
     level = np.array([-normal[1], normal[0], 0.0])
     flat = float(np.hypot(normal[0], normal[1])) < 1e-3
     if flat:
         level = np.array([0.0, 1.0, 0.0]) - normal[1] * normal
     level = level / np.linalg.norm(level)
-    slope = np.cross(normal, level)  # upwards, unless the plane is flat
+    slope = np.cross(normal, level)  # upwards, unless the plane is horizontal
     if flat and slope[0] < 0.0:
         slope = -slope
     return np.stack([level, slope])

@@ -19,7 +19,7 @@ class PointDistance:
     ----------
     slope, horizontal : metres
     vertical : metres, positive where the second point is higher
-    azimuth : radians clockwise from north in [0, 2 pi); 0 where they lie above each other
+    azimuth : radians clockwise from north in [0, 2 pi); 0 if one is vertically above the other
     """
 
     slope: float
@@ -46,7 +46,7 @@ def measure_angle(first: Array, corner: Array, second: Array) -> float:
     Raises
     ------
     InputError
-        If a point lies on the corner.
+        One of the other points coincides with the corner.
     """
     one, other = np.subtract(first, corner), np.subtract(second, corner)
     if not (one.any() and other.any()):

@@ -13,9 +13,10 @@ from lispac.compiled_code import njit
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-TERMS = 6
-_SINGULAR = 1e-10
-"""Relative size of a pivot below which the points do not determine a quadric."""
+TERM_COUNT = 6
+"""Number of coefficients of a quadric."""
+_MIN_PIVOT = 1e-10
+"""Smallest pivot of the normal equations, in scaled coordinates, for a determined quadric."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,9 +28,9 @@ class Quadrics:
     axes : ndarray of shape (n, 3, 3), frame of the points
         Rows: x and y in the plane, then its normal.
     scale : ndarray of shape (n,), metres
-        x, y and h are in these units.
+        Unit of x, y and h: RMS distance of the points from their centroid.
     coefficients : ndarray of shape (n, 6)
-        NaN where the points determine no quadric.
+        NaN if the points do not determine a quadric.
     """
 
     axes: Array
@@ -44,13 +45,13 @@ def local_quadrics(
 
     Parameters
     ----------
-    points : ndarray of shape (m, 3), metres, same frame
+    points : ndarray of shape (m, 3), metres, any frame
     groups : ndarray of shape (n, k)
         Indices into ``points``.
     counts : ndarray of shape (n,)
-        How many of each row count.
+        Number of valid entries in each row.
     centroids, normals : ndarrays of shape (n, 3), same frame
-        As of `nearest_neighbours.local_planes`.
+        From `nearest_neighbours.local_planes`.
     """
     return Quadrics(*_fit_quadrics(points, groups, counts, centroids, normals))
 
@@ -63,7 +64,7 @@ def heights_above(quadrics: Quadrics, offsets: Array, which: Indices) -> Array:
     offsets : ndarray of shape (p, 3), metres, frame of the quadrics
         From the centroid of the quadric's group.
     which : ndarray of shape (p,)
-        The quadric each point is measured to.
+        Index of the quadric for each point.
     """
     scale = quadrics.scale[which]
     x, y, h = np.einsum("pij,pj->ip", quadrics.axes[which], offsets) / scale
@@ -80,12 +81,12 @@ def _fit_quadrics(
     n = groups.shape[0]
     axes = np.full((n, 3, 3), np.nan)
     scales = np.ones(n)
-    coefficients = np.full((n, TERMS), np.nan)
-    row = np.empty(TERMS)
-    normal_matrix = np.empty((TERMS, TERMS + 1))
+    coefficients = np.full((n, TERM_COUNT), np.nan)
+    row = np.empty(TERM_COUNT)
+    normal_matrix = np.empty((TERM_COUNT, TERM_COUNT + 1))
     for g in range(n):
         count = counts[g]
-        if count < TERMS or np.isnan(normals[g, 0]):
+        if count < TERM_COUNT or np.isnan(normals[g, 0]):
             continue
         # Any two axes in the plane can be used: the fit does not depend on their orientation.
         least = np.argmin(np.abs(normals[g]))
@@ -110,23 +111,26 @@ def _fit_quadrics(
                 y += off * axes[g, 1, axis]
                 h += off * axes[g, 2, axis]
             row[0], row[1], row[2], row[3], row[4], row[5] = 1.0, x, y, x * x, x * y, y * y
-            for a in range(TERMS):
-                for b in range(TERMS):
+            for a in range(TERM_COUNT):
+                for b in range(TERM_COUNT):
                     normal_matrix[a, b] += row[a] * row[b]
-                normal_matrix[a, TERMS] += row[a] * h
+                normal_matrix[a, TERM_COUNT] += row[a] * h
         if _solve_symmetric(normal_matrix):
-            coefficients[g] = normal_matrix[:, TERMS]
+            coefficients[g] = normal_matrix[:, TERM_COUNT]
     return axes, scales, coefficients
 
 
 @njit(nogil=True, cache=True)
 def _solve_symmetric(system: Array) -> bool:  # pragma: no cover - compiled
-    """Gauss-Jordan on a symmetric positive system (k, k + 1); the solution is its last column."""
+    """Solve a symmetric positive definite system (k, k + 1) by Gauss-Jordan elimination.
+
+    The solution replaces the last column. False if the system is singular.
+    """
     size = system.shape[0]
     for k in range(size):
         # A small remaining diagonal element shows that the term depends on those before it.
         own = system[k, k]
-        if own <= _SINGULAR:
+        if own <= _MIN_PIVOT:
             return False
         for column in range(k, size + 1):
             system[k, column] /= own

@@ -2,8 +2,8 @@
 
 There are two methods with the same result. `points_within` reads the whole cloud without
 preparation and takes about two milliseconds for a million points. `PointGrid` sorts the cloud into
-cells once and then reads only the cells that the sphere intersects, which is faster from some
-millions of points on.
+cells once and then reads only the cells that the sphere intersects, which is faster for clouds of
+some millions of points or more.
 """
 
 import os
@@ -18,12 +18,12 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Cells = tuple[Array, Indices, Indices, Array, float, Indices]
 
-# A cloud shorter than this is not worth splitting over threads.
-CHUNK = 250_000
+# Smallest number of points for each thread.
+MIN_POINTS_PER_THREAD = 250_000
 
 
 def points_within(points: Array, centre: Array, radius: float) -> Indices:
-    """Indices of the points within ``radius`` of ``centre``, ascending; non-finite ones never are.
+    """Indices of the finite points within ``radius`` of ``centre``, ascending.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def points_within(points: Array, centre: Array, radius: float) -> Indices:
     ndarray of shape (m,), int64
     """
     x, y, z = (float(c) for c in centre)
-    workers = min(os.cpu_count() or 1, max(1, len(points) // CHUNK))
+    workers = min(os.cpu_count() or 1, max(1, len(points) // MIN_POINTS_PER_THREAD))
     if workers == 1:
         return _scan_within_radius(points, x, y, z, radius, 0)
     edges = np.linspace(0, len(points), workers + 1).astype(int)
@@ -51,7 +51,7 @@ def points_within(points: Array, centre: Array, radius: float) -> Indices:
 
 
 def nearest_point(points: Array, centre: Array) -> tuple[int, float]:
-    """Index and distance of the finite point nearest to ``centre``; (-1, inf) when there is none.
+    """Index and distance of the finite point nearest to ``centre``; (-1, inf) if there is none.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def nearest_point(points: Array, centre: Array) -> tuple[int, float]:
     centre : ndarray of shape (3,), metres, same frame
     """
     x, y, z = (float(c) for c in centre)
-    index, squared = _nearest(points, x, y, z)
+    index, squared = _nearest_finite_point(points, x, y, z)
     return int(index), float(np.sqrt(squared))
 
 
@@ -75,8 +75,9 @@ class PointGrid:
 
     Attributes
     ----------
-    cells : tuple of points, where each cell starts in the order, that order of the points, low
-        corner, side and number of the cells: what `gather_within_radius` takes
+    cells : tuple
+        Argument of `gather_within_radius`: points, start of each cell in the order, order of the
+        points, lowest corner, side of the cells, and number of cells along each axis.
     """
 
     def __init__(self, points: Array, cell: float = 1.0) -> None:
@@ -93,7 +94,7 @@ class PointGrid:
         self.cells: Cells = (points, starts, order, low, cell, shape)
 
     def within(self, centre: Array, radius: float) -> Indices:
-        """Like `points_within`, from the prepared cells."""
+        """Indices of the points within a radius, as `points_within`, from the prepared cells."""
         found = gather_within_radius(self.cells, np.asarray(centre, dtype=np.float64), radius)
         found.sort()
         return found
@@ -127,7 +128,7 @@ def _scan_within_radius(
 
 
 @njit(nogil=True, cache=True)
-def _nearest(
+def _nearest_finite_point(
     points: Array, x: float, y: float, z: float
 ) -> tuple[int, float]:  # pragma: no cover - compiled
     best = np.inf
@@ -145,7 +146,7 @@ def _nearest(
 
 @njit(nogil=True, cache=True)
 def finite_bounds(points: Array) -> tuple[Array, Array]:  # pragma: no cover - compiled
-    """Lowest and highest coordinates, shape (k,), of the finite ones of points (n, k).
+    """Lowest and highest coordinates of the finite points of (n, k), each of shape (k,).
 
     NumPy's minimum along the first axis takes ten times as long. Without a finite point, the lowest
     coordinates are infinity and the highest minus infinity.
@@ -167,7 +168,9 @@ def finite_bounds(points: Array) -> tuple[Array, Array]:  # pragma: no cover - c
 def cell_keys(
     points: Array, low: Array, cell: float, rim: int = 0
 ) -> tuple[Indices, Indices]:  # pragma: no cover - compiled
-    """The cell of each point as one number, ascending by x, then y, and the cells a side.
+    """Number of the cell of each point, and number of cells along each axis.
+
+    Cells are numbered in the order of the first coordinate, then of the second, and so on.
 
     Parameters
     ----------
@@ -176,7 +179,7 @@ def cell_keys(
         Lower bound of the coordinates of all points.
     cell : float, metres
     rim : int
-        Empty cells before the first and after the last.
+        Number of empty cells before the first and after the last along each axis.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Rotations in the program's own angle convention.
+"""Rotations in the angle convention of the program.
 
 Frames are right-handed: the local frame is North-West-Up, the body frame forward-left-up.
 Roll is positive port side up, pitch positive bow down, heading and yaw clockwise from above
@@ -34,7 +34,7 @@ def rotation_matrix(roll: float | Array, pitch: float | Array, yaw: float | Arra
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
-SINGULAR = 1e-12
+MIN_PITCH_COSINE = 1e-12
 """Cosine of the pitch below which roll and yaw are not separable."""
 
 
@@ -55,7 +55,7 @@ def rotation_angles(rotation: Array) -> Array:
     level = np.hypot(rotation[..., 2, 1], rotation[..., 2, 2])
     pitch = np.arctan2(-rotation[..., 2, 0], level)
     yaw = np.arctan2(-rotation[..., 1, 0], rotation[..., 0, 0])
-    singular = level < SINGULAR
+    singular = level < MIN_PITCH_COSINE
     if np.any(singular):
         roll = np.where(singular, 0.0, roll)
         yaw = np.where(singular, np.arctan2(rotation[..., 0, 1], rotation[..., 1, 1]), yaw)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from lispac.compiled_code import njit
 from lispac.errors import SphereNotFound
-from lispac.geometry.planes import LINE_SHARE
+from lispac.geometry.planes import MIN_SPREAD_RATIO
 from lispac.messages import error
 
 Array = NDArray[np.float64]
@@ -16,15 +16,15 @@ Array = NDArray[np.float64]
 MAX_STEPS = 100
 # Criteria for the end of the fit, relative to the size of the cap: smallest step, and largest
 # radius, beyond which the cap is a plane.
-STEP_TOLERANCE, MAX_RADIUS = 1e-12, 1e5
-LEAST_DAMPING = 1e-10
+STEP_TOLERANCE, MAX_RELATIVE_RADIUS = 1e-12, 1e5
+MIN_DAMPING = 1e-10
 # The sigma of the radius must be below a third of the radius (three sigma from zero). A known
 # radius must fit on one side of the points better than on the other by three sigma.
-SIGNIFICANT = 3.0
-# Smallest eigenvalue of the normal matrix per point, below which rounding dominates.
-SINGULAR = 1e-13
-# Mean square of residuals, in sizes of the cap, that are nothing but rounding.
-ROUNDING = 1e-18
+CRITICAL_SIGMAS = 3.0
+# Smallest eigenvalue of the normal matrix per point; rounding dominates below it.
+MIN_EIGENVALUE_PER_POINT = 1e-13
+# Mean square of residuals that are due to rounding alone, in squares of the size of the cap.
+ROUNDING_MEAN_SQUARE = 1e-18
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +78,7 @@ def fit_sphere(
     radius : float, metres, optional
         The known radius; estimated if omitted.
     weights : ndarray of shape (n,), optional
-        Not negative; all alike if omitted.
+        Not negative; all equal if omitted.
     start : Sphere, optional
         Initial value. If omitted, the fit starts from the algebraic solution and, for a known
         radius, from both sides of the points; the better result is used.
@@ -86,8 +86,9 @@ def fit_sphere(
     Raises
     ------
     SphereNotFound
-        Fewer than four points, points in one plane, or a cap too flat for its noise to determine
-        the radius or, with a known radius, on which side the centre is.
+        The radius is not positive, a coordinate is not finite, there are fewer than four points, or
+        they lie in one plane. Or the cap is so flat, compared with its noise, that it does not
+        determine the radius or, with a known radius, the side on which the centre lies.
     """
     if radius is not None and not (np.isfinite(radius) and radius > 0.0):
         raise SphereNotFound(error("target.sphere_radius", radius=float(radius)))
@@ -96,16 +97,16 @@ def fit_sphere(
     points, weights = points[used], weights[used]
     if len(points) < 4:
         raise SphereNotFound(error("target.sphere_few_points", count=len(points)))
-    # Centring first: at UTM northings the squares would lose the millimetres.
+    # Centred coordinates: squares of UTM coordinates would not resolve millimetres.
     mean = weights @ points / weights.sum()
     local = points - mean
     if not np.all(np.isfinite(local)):
         raise SphereNotFound(error("target.sphere_not_finite"))
     weights = weights / weights.mean()
     spread, axes = np.linalg.eigh((local * weights[:, None]).T @ local / len(local))
-    if spread[0] <= spread[2] * LINE_SHARE**2:
+    if spread[0] <= spread[2] * MIN_SPREAD_RATIO**2:
         raise SphereNotFound(error("target.sphere_in_plane"))
-    # In units of the cap's own size all tolerances are plain numbers.
+    # In units of the size of the cap, all tolerances are numbers without unit.
     size = float(np.sqrt(spread.sum()))
     scaled = np.ascontiguousarray(local / size)
     start_centre = None if start is None else (start.centre - mean) / size
@@ -116,9 +117,13 @@ def fit_sphere(
         sphere = _fit_free_radius(scaled, weights, first)
         return Sphere(mean + size * sphere.centre, size * sphere.radius)
     if start_centre is None:
-        lift = np.sqrt(max((radius / size) ** 2 - 1.0, (0.1 * radius / size) ** 2))
-        thin = np.ascontiguousarray(axes[:, 0])
-        centres = [_fit_algebraically(scaled, weights).centre, lift * thin, -lift * thin]
+        offset = np.sqrt(max((radius / size) ** 2 - 1.0, (0.1 * radius / size) ** 2))
+        cap_normal = np.ascontiguousarray(axes[:, 0])
+        centres = [
+            _fit_algebraically(scaled, weights).centre,
+            offset * cap_normal,
+            -offset * cap_normal,
+        ]
     else:
         centres = [start_centre]
     sphere = _fit_known_radius(
@@ -133,7 +138,7 @@ def rms_from_sphere(sphere: Sphere, points: Array) -> float:
 
 
 def cap_axis(directions: Array) -> Array:
-    """Middle (3,) of the directions (n, 3) to a sphere: unit vectors in one frame."""
+    """Mean, shape (3,), of directions (n, 3) from a sphere's centre: unit vectors in one frame."""
     total = directions.sum(axis=0)
     length = float(np.linalg.norm(total))
     axis: Array = total / length if length > 0.0 else np.array([0.0, 0.0, 1.0])
@@ -155,7 +160,7 @@ def visible_share(sphere: Sphere, points: Array) -> float:
     placed = directions @ across.T * np.sqrt(2.0 / np.maximum(1.0 + cosine, 1e-12))[:, None]
     try:
         return float(ConvexHull(placed).volume / (4.0 * np.pi))
-    except (QhullError, ValueError):  # fewer than three, or all in a row: no area
+    except (QhullError, ValueError):  # fewer than three points, or all on one line: no area
         return 0.0
 
 
@@ -168,10 +173,11 @@ def _fit_free_radius(points: Array, weights: Array, start: Sphere) -> Sphere:
         If the noise is too large to determine the radius.
     """
     sphere, square, normal = _refine_sphere(points, weights, start, free=True)
-    flat = not sphere.radius < MAX_RADIUS or np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points)
+    limit = MIN_EIGENVALUE_PER_POINT * len(points)
+    flat = not sphere.radius < MAX_RELATIVE_RADIUS or np.linalg.eigvalsh(normal)[0] <= limit
     if not flat:
         variance = square / max(1, len(points) - 4) * float(np.linalg.inv(normal)[3, 3])
-        flat = SIGNIFICANT * float(np.sqrt(variance)) > sphere.radius
+        flat = CRITICAL_SIGMAS * float(np.sqrt(variance)) > sphere.radius
     if flat:
         raise SphereNotFound(error("target.sphere_little_curved"))
     return sphere
@@ -197,12 +203,13 @@ def _fit_known_radius(points: Array, weights: Array, starts: list[Sphere]) -> Sp
     converged = [_refine_sphere(points, weights, start, free=False) for start in starts]
     converged.sort(key=lambda fit: fit[1])
     best, square, normal = converged[0]
-    if np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points):
+    if np.linalg.eigvalsh(normal)[0] <= MIN_EIGENVALUE_PER_POINT * len(points):
         raise SphereNotFound(error("target.sphere_small_part"))
-    uncertainty = SIGNIFICANT**2 * square / max(1, len(points) - 3) + ROUNDING * len(points)
+    redundancy = max(1, len(points) - 3)
+    uncertainty = CRITICAL_SIGMAS**2 * square / redundancy + ROUNDING_MEAN_SQUARE * len(points)
     for other, its_square, _ in converged[1:]:
-        elsewhere = float(np.linalg.norm(other.centre - best.centre)) > 0.1 * best.radius
-        if elsewhere and its_square - square <= uncertainty:
+        other_side = float(np.linalg.norm(other.centre - best.centre)) > 0.1 * best.radius
+        if other_side and its_square - square <= uncertainty:
             raise SphereNotFound(error("target.sphere_side"))
     return best
 
@@ -225,20 +232,23 @@ def _minimise_distances(
     size = 4 if free else 3
     damping = 1e-3
     total = weights.sum()
-    normal, pull, square = _sphere_normal_equations(points, weights, centre, radius, size)
+    normal, right_side, square = _sphere_normal_equations(points, weights, centre, radius, size)
     for _ in range(MAX_STEPS):
         damped = normal + damping * total * np.eye(size)
-        step = np.linalg.solve(damped, pull)
-        there = centre + step[:3]
-        radius_there = radius + step[3] if free else radius
-        sums = _sphere_normal_equations(points, weights, there, radius_there, size)
-        if radius_there > 0.0 and sums[2] <= square:
-            centre, radius = there, radius_there
-            normal, pull, square = sums
-            damping = max(0.1 * damping, LEAST_DAMPING)
+        step = np.linalg.solve(damped, right_side)
+        new_centre = centre + step[:3]
+        new_radius = radius + step[3] if free else radius
+        sums = _sphere_normal_equations(points, weights, new_centre, new_radius, size)
+        if new_radius > 0.0 and sums[2] <= square:
+            centre, radius = new_centre, new_radius
+            normal, right_side, square = sums
+            damping = max(0.1 * damping, MIN_DAMPING)
         else:
             damping *= 10.0
-        if np.sqrt((step * step).sum()) <= STEP_TOLERANCE * max(1.0, radius) or radius > MAX_RADIUS:
+        if (
+            np.sqrt((step * step).sum()) <= STEP_TOLERANCE * max(1.0, radius)
+            or radius > MAX_RELATIVE_RADIUS
+        ):
             break
     return centre, radius, square, normal
 
@@ -249,7 +259,7 @@ def _sphere_normal_equations(
 ) -> tuple[Array, Array, float]:  # pragma: no cover - compiled
     """Normal matrix, right-hand side and sum of squares of the conditions |X - c| - r = 0."""
     normal = np.zeros((size, size))
-    pull = np.zeros(size)
+    right_side = np.zeros(size)
     square = 0.0
     row = np.ones(4)  # negative derivatives of the condition by the centre and the radius
     for i in range(points.shape[0]):
@@ -265,10 +275,10 @@ def _sphere_normal_equations(
         square += weights[i] * off * off
         for a in range(size):
             share = weights[i] * row[a]
-            pull[a] += share * off
+            right_side[a] += share * off
             for b in range(a + 1):
                 normal[a, b] += share * row[b]
     for a in range(size):
         for b in range(a):
             normal[b, a] = normal[a, b]
-    return normal, pull, square
+    return normal, right_side, square

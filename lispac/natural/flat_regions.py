@@ -17,13 +17,14 @@ from lispac.targets.flat_patches import find_flat_patches, voxel_side
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-BLOCK = 4.0
+MAX_PIECE_SIDE = 4.0
 """Largest side of the pieces into which a surface is divided, metres."""
-FINEST = 0.08
+MIN_VOXEL_SIDE = 0.08
 """Smallest side of the voxels, metres."""
-SMALLEST = 0.2
+MIN_SURFACE_AREA = 0.2
 """Smallest area of a surface, square metres."""
-BITS = 21
+BITS_PER_AXIS = 21
+"""Number of bits of the index along each axis in the key of a voxel."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,12 +62,12 @@ class Regions:
         threshold : float, metres
             Largest distance of a point from its surface.
         """
-        low, voxel = finite_bounds(points)[0], max(FINEST, voxel_side(threshold))
+        low, voxel = finite_bounds(points)[0], max(MIN_VOXEL_SIDE, voxel_side(threshold))
         flat = find_flat_patches(points, threshold, voxel=voxel)
         region = np.full(len(flat.thinned), -1, dtype=np.int64)
         count = 0
         for k, patch in enumerate(flat.patches):
-            if patch.area < SMALLEST:
+            if patch.area < MIN_SURFACE_AREA:
                 break
             own = np.flatnonzero(flat.label == k)
             along = flat.thinned[own] @ plane_axes(patch.plane.normal).T
@@ -95,10 +96,11 @@ def _split_into_pieces(along: Array) -> Indices:
     """Divide a surface into pieces, and return the number of the piece of each point, from 0.
 
     ``along`` are the coordinates within the surface, shape (n, 2), metres. Each side is divided
-    into the smallest number of equal parts that are no longer than `BLOCK`.
+    into the smallest number of equal parts that are no longer than
+    `MAX_PIECE_SIDE`.
     """
     start, span = along.min(axis=0), np.ptp(along, axis=0)
-    pieces = np.maximum(1, np.ceil(span / BLOCK)).astype(np.int64)
+    pieces = np.maximum(1, np.ceil(span / MAX_PIECE_SIDE)).astype(np.int64)
     cell = np.minimum(
         ((along - start) / np.maximum(span, 1e-9) * pieces).astype(np.int64), pieces - 1
     )
@@ -109,6 +111,6 @@ def _voxel_keys(points: Array, low: Array, voxel: float) -> Indices:
     """Integer key of the voxel of each point; -1 for points outside the grid."""
     place = np.floor((points - low) / voxel)
     with np.errstate(invalid="ignore"):
-        inside = ((place >= 0) & (place < 2**BITS)).all(axis=1)
+        inside = ((place >= 0) & (place < 2**BITS_PER_AXIS)).all(axis=1)
     x, y, z = np.where(inside[:, None], place, 0).astype(np.int64).T
-    return np.where(inside, (x << 2 * BITS) | (y << BITS) | z, -1)
+    return np.where(inside, (x << 2 * BITS_PER_AXIS) | (y << BITS_PER_AXIS) | z, -1)

@@ -18,23 +18,24 @@ from lispac.survey.cloud import Cloud
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-LINE_POINTS = 300_000
+MAX_LINE_POINTS = 300_000
 """Largest number of points of a line that are examined."""
-MIN_POINTS = 20
+MIN_REGION_POINTS = 20
 """Smallest number of points of a line in a region."""
-OUTLIER_SIGMAS, LIDAR_SIGMAS = 2.5, 2.0
-"""Distance from the plane from which on a point has no weight.
+MAX_DISTANCE_SIGMAS, MAX_DISTANCE_LIDAR_SIGMAS = 2.5, 2.0
+"""Distance from the plane beyond which a point has no weight.
 
 In standard deviations of the points of the plane, and in LiDAR sigmas; the larger one applies.
 """
-ITERATIONS = 8
-SHRUNK = 0.75
-"""Ratio of the standard deviation computed with these weights to the true one, for normal noise."""
+FIT_ITERATIONS = 8
+"""Number of iterations of the weighted fit."""
+WEIGHTED_SIGMA_RATIO = 0.75
+"""Ratio of the weighted standard deviation to the true one, for normally distributed noise."""
 
 
 @dataclass(frozen=True, eq=False)
 class LinePlanes:
-    """Planes fitted to the points of single lines in each region, sorted by region.
+    """Planes fitted to the points of each line in each region, sorted by region.
 
     Attributes
     ----------
@@ -49,15 +50,15 @@ class LinePlanes:
     centre : ndarray of shape (k, 3), metres, local frame
     normal : ndarray of shape (k, 3), unit vectors, local frame
         The component with the largest absolute value is positive.
-    far : ndarray of shape (k,), metres
+    max_distance : ndarray of shape (k,), metres
         Largest distance of a point that counts as on the plane.
-    rough : ndarray of shape (k,), metres
+    roughness : ndarray of shape (k,), metres
         RMS distance of the points from the plane.
     width : ndarray of shape (k,), metres
-        Standard deviation of the points along the shorter axis within the plane.
+        Weighted standard deviation of the points along the shorter axis within the plane.
     reach : ndarray of shape (k,), metres
         Distance of the farthest point from the centre.
-    peaked : ndarray of shape (k,)
+    kurtosis : ndarray of shape (k,)
         Kurtosis of the distances from the plane: 3 for normal noise, 1 for two thin layers.
     time : ndarray of shape (k,), seconds
         Mean time of the points.
@@ -71,11 +72,11 @@ class LinePlanes:
     share: Array
     centre: Array
     normal: Array
-    far: Array
-    rough: Array
+    max_distance: Array
+    roughness: Array
     width: Array
     reach: Array
-    peaked: Array
+    kurtosis: Array
     time: Array
 
     def __len__(self) -> int:
@@ -113,7 +114,8 @@ def find_line_planes(
         ``LinePlanes.begin``.
     """
     chosen = [
-        np.arange(0, len(c.sample), -(-len(c.sample) // LINE_POINTS) or 1) for c in clouds.values()
+        np.arange(0, len(c.sample), -(-len(c.sample) // MAX_LINE_POINTS) or 1)
+        for c in clouds.values()
     ]
     points = np.concatenate([c.sample[k] for c, k in zip(clouds.values(), chosen, strict=True)])
     time = np.concatenate([c.sample_time[k] for c, k in zip(clouds.values(), chosen, strict=True)])
@@ -126,12 +128,12 @@ def find_line_planes(
     progress(0.5)
     region = regions.at(points)
     on = np.flatnonzero(region >= 0)
-    both = region[on] * len(chosen) + line[on]
-    order = np.argsort(both, kind="stable")
-    start = np.flatnonzero(np.diff(both[order], prepend=-1))
+    group = region[on] * len(chosen) + line[on]
+    order = np.argsort(group, kind="stable")
+    start = np.flatnonzero(np.diff(group[order], prepend=-1))
     counts = np.diff(np.append(start, len(order)))
-    enough = counts >= MIN_POINTS
-    order, keys = order[np.repeat(enough, counts)], both[order][start[enough]]
+    enough = counts >= MIN_REGION_POINTS
+    order, keys = order[np.repeat(enough, counts)], group[order][start[enough]]
     counts = counts[enough]
     owner = np.repeat(np.arange(len(counts)), counts)
     order = on[order]
@@ -141,23 +143,31 @@ def find_line_planes(
     local = found - origin[owner]
     # With the biweight (Beaton and Tukey 1974) a plane converges to the densest layer.
     centre, normal = np.zeros((len(counts), 3)), np.zeros((len(counts), 3))
-    far = np.full(len(counts), np.inf)
-    for iteration in range(ITERATIONS):
-        progress(0.6 + 0.4 * iteration / ITERATIONS)
-        centre, variances, axes = fit_weighted_planes(local, np.cumsum(counts), centre, normal, far)
+    limit = np.full(len(counts), np.inf)
+    for iteration in range(FIT_ITERATIONS):
+        progress(0.6 + 0.4 * iteration / FIT_ITERATIONS)
+        centre, variances, axes = fit_weighted_planes(
+            local, np.cumsum(counts), centre, normal, limit
+        )
         normal = np.ascontiguousarray(axes[:, :, 0])
-        rough = np.sqrt(np.maximum(variances[:, 0], 1e-12)) / np.where(np.isinf(far), 1.0, SHRUNK)
-        far = np.minimum(far, np.maximum(OUTLIER_SIGMAS * rough, LIDAR_SIGMAS * noise))
+        roughness = np.sqrt(np.maximum(variances[:, 0], 1e-12)) / np.where(
+            np.isinf(limit), 1.0, WEIGHTED_SIGMA_RATIO
+        )
+        limit = np.minimum(
+            limit, np.maximum(MAX_DISTANCE_SIGMAS * roughness, MAX_DISTANCE_LIDAR_SIGMAS * noise)
+        )
     relative = local - centre[owner]
     off = (relative * normal[owner]).sum(axis=1)
-    kept = np.abs(off) < far[owner]
+    kept = np.abs(off) < limit[owner]
     number = np.bincount(owner[kept], minlength=len(counts))
-    some = np.maximum(number, 1)
-    rough = np.sqrt(np.maximum(np.bincount(owner[kept], off[kept] ** 2, len(counts)) / some, 1e-12))
-    fourth = np.bincount(owner[kept], off[kept] ** 4, len(counts)) / some
+    divisor = np.maximum(number, 1)
+    roughness = np.sqrt(
+        np.maximum(np.bincount(owner[kept], off[kept] ** 2, len(counts)) / divisor, 1e-12)
+    )
+    fourth = np.bincount(owner[kept], off[kept] ** 4, len(counts)) / divisor
     reach = np.zeros(len(counts))
     np.maximum.at(reach, owner[kept], np.linalg.norm(relative[kept], axis=1))
-    ahead = np.take_along_axis(normal, np.abs(normal).argmax(axis=1)[:, None], axis=1)
+    largest = np.take_along_axis(normal, np.abs(normal).argmax(axis=1)[:, None], axis=1)
     ends = np.cumsum(number)
     planes = LinePlanes(
         region=keys // len(chosen),
@@ -167,12 +177,12 @@ def find_line_planes(
         count=number,
         share=number / np.maximum(counts, 1),
         centre=centre + origin,
-        normal=normal * np.sign(ahead),
-        far=far,
-        rough=rough,
+        normal=normal * np.sign(largest),
+        max_distance=limit,
+        roughness=roughness,
         width=np.sqrt(np.maximum(variances[:, 1], 0.0)),
         reach=reach,
-        peaked=fourth / rough**4,
-        time=np.bincount(owner[kept], times[kept], len(counts)) / some,
+        kurtosis=fourth / roughness**4,
+        time=np.bincount(owner[kept], times[kept], len(counts)) / divisor,
     )
     return regions, planes, sampled[order[kept]]

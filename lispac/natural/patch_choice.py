@@ -3,7 +3,8 @@
 The patches are chosen one by one. Each time, the patch is chosen that minimises the determinant of
 the predicted covariance of the angles (D-optimality, Wald 1943). The prediction includes a POS
 error for each line, so that a second patch with the same orientation on the same lines adds little.
-The numbers of patches of one direction, and of sightings at one time of a line, are limited.
+The number of patches of one direction is limited, and so is the number of sightings in one time
+interval of a line.
 """
 
 from collections.abc import Mapping
@@ -20,31 +21,32 @@ from lispac.survey.trajectory import Poses, TrajectoryAccuracy
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-PATCH_COUNT = 30
+MAX_PATCHES = 30
 """Largest number of patches that are chosen.
 
 Ten more reduce the sigmas by an eighth at most, because the POS errors remain, and increase the
 computing time by half.
 """
-MAX_LINES = 4
+MAX_SIGHTINGS_PER_PATCH = 4
 """Largest number of sightings of a patch; those of the most informative lines are used."""
 MAX_CANDIDATES = 2_500
 """Largest number of patches that are compared, taken at equal intervals from all patches."""
-PRIOR_SIGMA = np.radians(3.0)
+PRIOR_ANGLE_SIGMA = np.radians(3.0)
 """Sigma of the angles before the first patch, radians."""
-STEP = 1e-4
+ANGLE_STEP = 1e-4
 """Step of the angles for numerical derivatives, radians."""
-FLOOR, ROUGHNESS = 0.003, 0.3
-"""Error common to the points of a sighting: metres, and a share of the roughness.
+MIN_SIGHTING_ERROR, ROUGHNESS_SHARE = 0.003, 0.3
+"""Error common to the points of a sighting: constant part, metres, and share of the roughness.
 
-Both are combined as the root of the sum of squares.
+The two parts are combined as the root of the sum of their squares.
 """
-DIRECTION_CAP, TIME_CAP = 3.0, 3.0
-"""Limits of the patches of one direction, and of the sightings at one time of a line.
+MAX_DIRECTION_RATIO, MAX_INTERVAL_RATIO = 3.0, 3.0
+"""Limits of the patches of one direction, and of the sightings in one time interval of a line.
 
-As multiples of the number that an equal distribution would give.
+As multiples of the number that an equal distribution would give, with three sightings for each
+patch. Four are always allowed.
 """
-MOMENT = 3.0
+TIME_INTERVAL = 3.0
 """Length of the intervals into which the time of a line is divided, seconds."""
 
 
@@ -86,7 +88,7 @@ def choose_patches(
     patches: Patches,
     clouds: Mapping[str, Cloud],
     accuracy: TrajectoryAccuracy,
-    count: int = PATCH_COUNT,
+    count: int = MAX_PATCHES,
 ) -> PatchChoice:
     """Choose the patches that together determine the angles best.
 
@@ -99,40 +101,45 @@ def choose_patches(
         Largest number of patches.
     """
     if not len(patches):
-        return PatchChoice([], np.full(3, PRIOR_SIGMA))
+        return PatchChoice([], np.full(3, PRIOR_ANGLE_SIGMA))
     number = np.unique(np.linspace(0, len(patches) - 1, MAX_CANDIDATES).astype(np.int64))
     information = _patch_information(patches, number, clouds, accuracy)
-    facing = _nearest_direction(patches.normal[number])
-    moment = np.floor(patches.planes.time / MOMENT).astype(np.int64) * len(clouds)
-    moment = np.unique(moment + patches.planes.line, return_inverse=True)[1].reshape(-1)
-    of_direction = np.zeros(int(facing.max()) + 1, dtype=np.int64)
-    of_moment = np.zeros(int(moment.max()) + 1, dtype=np.int64)
-    max_facing = max(4.0, DIRECTION_CAP * count / len(np.unique(facing)))
-    max_at_once = max(4.0, TIME_CAP * count * 3 / len(of_moment))
-    moments = np.where(information.sighting >= 0, moment[information.sighting], -1)
-    open_ = np.ones(len(number), dtype=bool)
+    direction = _nearest_direction(patches.normal[number])
+    interval = np.floor(patches.planes.time / TIME_INTERVAL).astype(np.int64) * len(clouds)
+    interval = np.unique(interval + patches.planes.line, return_inverse=True)[1].reshape(-1)
+    chosen_in_direction = np.zeros(int(direction.max()) + 1, dtype=np.int64)
+    chosen_in_interval = np.zeros(int(interval.max()) + 1, dtype=np.int64)
+    max_per_direction = max(4.0, MAX_DIRECTION_RATIO * count / len(np.unique(direction)))
+    max_per_interval = max(4.0, MAX_INTERVAL_RATIO * count * 3 / len(chosen_in_interval))
+    intervals = np.where(information.sighting >= 0, interval[information.sighting], -1)
+    available = np.ones(len(number), dtype=bool)
     covariance = np.eye(information.rows.shape[2])
     picked: list[Indices] = []
     while len(picked) < count:
-        full = np.append(of_moment >= max_at_once, False)
-        free = open_ & (of_direction[facing] < max_facing) & ~full[moments].any(axis=1)
+        full = np.append(chosen_in_interval >= max_per_interval, False)
+        allowed = (
+            available
+            & (chosen_in_direction[direction] < max_per_direction)
+            & ~full[intervals].any(axis=1)
+        )
         # One patch of each direction comes first: a purely greedy choice may use a single
         # direction, which cannot separate position errors from errors of the angles.
-        unserved = free & (of_direction[facing] == 0)
-        some = np.flatnonzero(unserved if unserved.any() else free)
-        if not len(some):
+        first = allowed & (chosen_in_direction[direction] == 0)
+        candidates = np.flatnonzero(first if first.any() else allowed)
+        if not len(candidates):
             break
-        best = some[int(np.argmax(_information_gain(information.rows[some], covariance)))]
-        open_[best] = False
-        of_direction[facing[best]] += 1
+        gain = _information_gain(information.rows[candidates], covariance)
+        best = candidates[int(np.argmax(gain))]
+        available[best] = False
+        chosen_in_direction[direction[best]] += 1
         own = information.sighting[best][information.sighting[best] >= 0]
-        of_moment[moment[own]] += 1
+        chosen_in_interval[interval[own]] += 1
         rows = information.rows[best]
         crossed = rows @ covariance
         inner = np.eye(len(rows)) + crossed @ rows.T
         covariance = covariance - crossed.T @ np.linalg.solve(inner, crossed)
         picked.append(np.sort(own))
-    return PatchChoice(picked, PRIOR_SIGMA * np.sqrt(np.diag(covariance)[:3]))
+    return PatchChoice(picked, PRIOR_ANGLE_SIGMA * np.sqrt(np.diag(covariance)[:3]))
 
 
 def _information_gain(rows: Array, covariance: Array) -> Array:
@@ -140,9 +147,9 @@ def _information_gain(rows: Array, covariance: Array) -> Array:
     crossed = rows @ covariance
     inner = np.eye(rows.shape[1]) + crossed @ np.swapaxes(rows, 1, 2)
     angles = crossed[:, :, :3]
-    less = np.swapaxes(angles, 1, 2) @ np.linalg.solve(inner, angles)
-    left = np.linalg.det(covariance[:3, :3] - less)
-    return np.asarray(-np.log(np.maximum(left, np.finfo(float).tiny)))
+    reduction = np.swapaxes(angles, 1, 2) @ np.linalg.solve(inner, angles)
+    determinant = np.linalg.det(covariance[:3, :3] - reduction)
+    return np.asarray(-np.log(np.maximum(determinant, np.finfo(float).tiny)))
 
 
 def _patch_information(
@@ -153,18 +160,18 @@ def _patch_information(
     rows = np.flatnonzero(position[patches.patch] >= 0)
     owner = position[patches.patch[rows]]
     derivative = _sighting_derivatives(patches, rows, clouds, accuracy)
-    off = np.hypot(FLOOR, ROUGHNESS * planes.rough[rows])
+    off = np.hypot(MIN_SIGHTING_ERROR, ROUGHNESS_SHARE * planes.roughness[rows])
     # Lines whose derivatives by the angles differ most from the mean are the most informative.
     lines, total = len(clouds), np.bincount(owner, minlength=len(number))
     mean = np.stack([np.bincount(owner, c, len(number)) for c in derivative[:, :3].T], axis=1)
     displacement = np.linalg.norm(derivative[:, :3] - (mean / total[:, None])[owner], axis=1) / off
     order = np.lexsort((-displacement, owner))
     rank = np.arange(len(order)) - (np.cumsum(total) - total)[owner[order]]
-    order, rank = order[rank < MAX_LINES], rank[rank < MAX_LINES]
-    wide = 3 + 6 * lines
-    table = np.zeros((len(number), MAX_LINES, wide))
-    weight = np.zeros((len(number), MAX_LINES))
-    sighting = np.full((len(number), MAX_LINES), -1, dtype=np.int64)
+    order, rank = order[rank < MAX_SIGHTINGS_PER_PATCH], rank[rank < MAX_SIGHTINGS_PER_PATCH]
+    column_count = 3 + 6 * lines
+    table = np.zeros((len(number), MAX_SIGHTINGS_PER_PATCH, column_count))
+    weight = np.zeros((len(number), MAX_SIGHTINGS_PER_PATCH))
+    sighting = np.full((len(number), MAX_SIGHTINGS_PER_PATCH), -1, dtype=np.int64)
     table[owner[order], rank, :3] = derivative[order, :3]
     columns = 3 + 6 * planes.line[rows[order]][:, None] + np.arange(6)
     table[owner[order][:, None], rank[:, None], columns] = derivative[order, 3:]
@@ -191,11 +198,13 @@ def _sighting_derivatives(
     found = np.empty((len(rows), 9))
     for k, axis in enumerate(np.eye(3)):
         turned = place_points(
-            lidar, poses, mounting.with_boresight(mounting.boresight + STEP * axis)
+            lidar, poses, mounting.with_boresight(mounting.boresight + ANGLE_STEP * axis)
         )
-        found[:, k] = ((turned - centre) * normal).sum(axis=1) / STEP * PRIOR_SIGMA
-        swayed = place_points(lidar, Poses(poses.position, poses.attitude + STEP * axis), mounting)
-        moved = ((swayed - centre) * normal).sum(axis=1) / STEP
+        found[:, k] = ((turned - centre) * normal).sum(axis=1) / ANGLE_STEP * PRIOR_ANGLE_SIGMA
+        displaced = place_points(
+            lidar, Poses(poses.position, poses.attitude + ANGLE_STEP * axis), mounting
+        )
+        moved = ((displaced - centre) * normal).sum(axis=1) / ANGLE_STEP
         found[:, 6 + k] = moved * attitude[:, k]
     found[:, 3:6] = normal * position
     return found

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.natural.flat_regions import Regions
-from lispac.natural.line_planes import LINE_POINTS, LinePlanes, find_line_planes
+from lispac.natural.line_planes import MAX_LINE_POINTS, LinePlanes, find_line_planes
 from lispac.natural.surface_filter import is_solid_surface, is_water
 from lispac.progress import Progress, no_progress
 from lispac.survey.cloud import Cloud, CloudInMemory
@@ -15,18 +15,19 @@ from lispac.survey.cloud import Cloud, CloudInMemory
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-COSINE = np.cos(np.radians(6.0))
-"""Smallest cosine between the normals of two lines on the same plane.
+MIN_NORMAL_COSINE = np.cos(np.radians(6.0))
+"""Smallest cosine between the normals of the planes of two lines on the same patch.
 
 The limit allows for a boresight error of a tenth of a degree and for the noise of a normal that is
 fitted to half a metre.
 """
-MAX_POINTS = 3_000
+MAX_SIGHTING_POINTS = 3_000
 """Largest number of points of a sighting; more points are thinned evenly."""
-BESIDE = 0.35
-"""Largest distance between the centres of two lines on a patch, as a fraction of its reach.
+MAX_CENTRE_DISTANCE_RATIO = 0.35
+"""Largest distance between the centres of the planes of two lines on the same patch.
 
-Lines that see different halves of a region do not observe the same part of the surface.
+As a fraction of the reach of the plane with more points. Lines that see different halves of a
+region do not observe the same part of the surface.
 """
 
 
@@ -44,7 +45,7 @@ class Patches:
     patch : ndarray of shape (k,), int
         Index of the patch of each of these planes, ascending.
     centre, normal : ndarray of shape (patches, 3), metres and unit vectors, local frame
-        Mean of the planes of each patch.
+        Means over the planes of each patch, weighted with their numbers of points.
     """
 
     regions: Regions
@@ -70,14 +71,14 @@ class Patches:
         planes = self.planes
         if isinstance(cloud, CloudInMemory):  # the sample contains all points of the line
             own = self.numbers[planes.begin[row] : planes.end[row]]
-            one_in = max(1, -(-len(cloud) // LINE_POINTS))
+            one_in = max(1, -(-len(cloud) // MAX_LINE_POINTS))
         else:
             centre = planes.centre[row]
-            near = cloud.within(centre, planes.reach[row], limit=LINE_POINTS)
+            near = cloud.within(centre, planes.reach[row], limit=MAX_LINE_POINTS)
             off = np.abs((near.points - centre) @ planes.normal[row])
             mine = self.regions.at(near.points) == planes.region[row]
-            own, one_in = near.numbers[mine & (off <= planes.far[row])], near.one_in
-        step = -(-len(own) // MAX_POINTS) or 1
+            own, one_in = near.numbers[mine & (off <= planes.max_distance[row])], near.one_in
+        step = -(-len(own) // MAX_SIGHTING_POINTS) or 1
         return own[::step], step * one_in
 
 
@@ -112,7 +113,7 @@ def _patches_of_largest_planes(
     """Build patches from the planes that agree with the plane with most points in their region."""
     cells, owner = np.unique(planes.region, return_inverse=True)
     owner = owner.reshape(-1)
-    # The last in this order of each region is the one with most points.
+    # In this order, the last plane of each region is the one with most points.
     order = np.lexsort((planes.count, owner))
     last = np.append(np.flatnonzero(np.diff(owner[order])), len(order) - 1) if len(order) else order
     lead = order[last][owner] if len(order) else order
@@ -120,11 +121,13 @@ def _patches_of_largest_planes(
     relative = planes.centre - planes.centre[lead]
     off = np.abs((relative * planes.normal[lead]).sum(axis=1))
     beside = np.linalg.norm(relative, axis=1)
-    alike = (
-        (np.abs(along) >= COSINE) & (off <= 2 * threshold) & (beside <= BESIDE * planes.reach[lead])
+    agrees = (
+        (np.abs(along) >= MIN_NORMAL_COSINE)
+        & (off <= 2 * threshold)
+        & (beside <= MAX_CENTRE_DISTANCE_RATIO * planes.reach[lead])
     )
-    shared = np.bincount(owner[alike], minlength=len(cells)) >= 2
-    keep = alike & shared[owner]
+    shared = np.bincount(owner[agrees], minlength=len(cells)) >= 2
+    keep = agrees & shared[owner]
     facing = planes.normal * np.sign(along)[:, None]
     number = np.cumsum(shared) - 1
     patch = number[owner[keep]]

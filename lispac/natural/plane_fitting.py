@@ -23,7 +23,7 @@ def fit_weighted_planes(
     centre, normal : ndarray of shape (k, 3), metres and unit vectors, local frame
         Planes of the previous iteration.
     far : ndarray of shape (k,), metres
-        Distance from which on a point has no weight; if infinite, all points have equal weights.
+        Distance beyond which a point has no weight; if infinite, all points have equal weights.
 
     Returns
     -------

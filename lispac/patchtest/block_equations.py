@@ -49,9 +49,9 @@ def linearise_blocks(
     sample = mismatch.sample
     moves = sample.boresight_derivatives(boresight).transpose(1, 2, 0)
     pos_moves = sample.pos_error_derivatives(boresight).transpose(1, 2, 0) if pos_errors else None
-    many = len(mismatch.blocks)
-    normal, gradient = np.zeros((many, 3, 3)), np.zeros((many, 3))
-    by_pos, overlaps = np.zeros((many, 2, 3, 6)), np.zeros(many, dtype=bool)
+    block_count = len(mismatch.blocks)
+    normal, gradient = np.zeros((block_count, 3, 3)), np.zeros((block_count, 3))
+    by_pos, overlaps = np.zeros((block_count, 2, 3, 6)), np.zeros(block_count, dtype=bool)
     for k, (block, both) in enumerate(
         zip(mismatch.blocks, mismatch.block_distances(boresight), strict=True)
     ):

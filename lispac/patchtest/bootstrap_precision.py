@@ -20,7 +20,11 @@ from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.messages import Message, note
 from lispac.patchtest.block_equations import BlockEquations, linearise_blocks
 from lispac.patchtest.line_mismatch import Mismatch
-from lispac.patchtest.mismatch_minimisation import ANGLES, MIN_LEVERAGE, require_determined_angles
+from lispac.patchtest.mismatch_minimisation import (
+    ANGLE_NAMES,
+    MIN_LEVERAGE,
+    require_determined_angles,
+)
 from lispac.patchtest.object_sample import ObjectPoints
 from lispac.survey.trajectory import TrajectoryAccuracy
 
@@ -28,19 +32,23 @@ Array = NDArray[np.float64]
 
 MIN_OBJECTS = 5
 """Smallest number of objects for which sigmas are computed; fewer are too few to resample."""
-DRAWINGS = 1_000
+BOOTSTRAP_SAMPLES = 1_000
 """Number of bootstrap samples."""
-SEED = 1
+RANDOM_SEED = 1
 """Seed of the random numbers, fixed so that the same objects always give the same sigmas."""
-MAX_DEVIATION, WIDE_SCALE = 3.5, 0.5
+MAX_DEVIATION_SIGMAS, OBJECT_TEST_LOSS_SCALE = 3.5, 0.5
 """Critical value and loss scale of the test of single objects.
 
-The first is the largest deviation of an object's minimum from the common one, in sigmas; it is wide
-because three angles of about thirty objects are tested. The second is the scale of the robust loss
-in this test, metres; it is large so that a line far from the others is not treated as an outlier.
+The first is the largest deviation of an object's minimum from the common one, in sigmas; it is
+large because three angles of about thirty objects are tested. The second is the scale of the robust
+loss in this test, metres; it is large so that a line far from the others is not treated as an
+outlier.
 """
-ROUGH = 0.01
-"""Standard deviation of distances not due to angles or POS, metres: rough surfaces, edges."""
+OTHER_ERRORS_SIGMA = 0.01
+"""Standard deviation of distances from errors other than angles and POS, metres.
+
+Examples are rough surfaces and edges.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +66,7 @@ class ObjectAgreement:
         Angle with the most significant difference: 0 roll, 1 pitch, 2 yaw. None if the object
         determines no angle; it is not tested then.
     off : float, radians
-        Minimum of this object alone in that angle, minus the minimum of all objects.
+        Minimum of this object alone in that angle, minus the minimum of all objects (linearised).
     allowed : float, radians
         Largest absolute value of ``off`` that is accepted.
     """
@@ -81,8 +89,8 @@ class ObjectAgreement:
         assert self.angle is not None
         return note(
             "patch_test.object_disagrees",
-            object=self.name, angle=mounting_value_name(ANGLES[self.angle]), difference=self.off,
-            usual=self.allowed,
+            object=self.name, angle=mounting_value_name(ANGLE_NAMES[self.angle]),
+            difference=self.off, usual=self.allowed,
         )  # fmt: skip
 
 
@@ -131,7 +139,7 @@ def bootstrap_precision(
     require_determined_angles(total, float(weight.sum()), (0, 1, 2))
     row_of, roots = _pos_covariance_roots(mismatch, accuracy, position_time, attitude_time)
     squares = mismatch.mean_squares(boresight)
-    wide = linearise_blocks(mismatch.with_scale(WIDE_SCALE), boresight, pos_errors=True)
+    wide = linearise_blocks(mismatch.with_scale(OBJECT_TEST_LOSS_SCALE), boresight, pos_errors=True)
     objects = tuple(
         _object_agreement(part, mismatch, row_of, roots, squares, weight)
         for part in _equations_by_object(mismatch, wide, weight)
@@ -144,14 +152,14 @@ def bootstrap_precision(
 
 @dataclass(frozen=True, eq=False)
 class _ObjectEquations:
-    """Normal equations of one object, and the effect of POS errors and roughness on them."""
+    """Normal equations of one object, and the effect of POS and other errors on its gradient."""
 
     name: str
     blocks: list[int]
     normal: Array
     gradient: Array
     pos_derivatives: dict[int, Array]
-    rough: Array
+    other_errors: Array
 
 
 def _equations_by_object(
@@ -167,7 +175,7 @@ def _equations_by_object(
         )
         part.blocks.append(k)
         part.normal[:] += weight[k] * equations.normal[k]
-        part.rough[:] += (weight[k] * ROUGH) ** 2 * np.diag(equations.normal[k])
+        part.other_errors[:] += (weight[k] * OTHER_ERRORS_SIGMA) ** 2 * np.diag(equations.normal[k])
         part.gradient[:] += weight[k] * equations.gradient[k]
         for side, points in enumerate((block.first, block.second)):
             by_pos = part.pos_derivatives.setdefault(id(points), np.zeros((3, 6)))
@@ -208,40 +216,44 @@ def _object_agreement(
     squares: Array, weight: Array,
 ) -> ObjectAgreement:  # fmt: skip
     own = weight[part.blocks]
-    stiff = np.diag(part.normal)
+    normal_diagonal = np.diag(part.normal)
     by_pos = _pos_error_gradients(part, row_of, roots)
-    spread = np.sqrt((by_pos**2).sum(axis=1) + part.rough)
-    determined = stiff >= MIN_LEVERAGE**2 * own.sum()
+    spread = np.sqrt((by_pos**2).sum(axis=1) + part.other_errors)
+    determined = normal_diagonal >= MIN_LEVERAGE**2 * own.sum()
     pairs = tuple(mismatch.blocks[k].pair.name for k in part.blocks)
     rms = float(np.sqrt((own * squares[part.blocks]).sum() / own.sum()))
     if not determined.any():
         return ObjectAgreement(part.name, pairs, rms, None, 0.0, 0.0)
-    surprise = np.where(determined, np.abs(part.gradient) / np.maximum(spread, 1e-12), -1.0)
-    angle = int(surprise.argmax())
+    deviation = np.where(determined, np.abs(part.gradient) / np.maximum(spread, 1e-12), -1.0)
+    angle = int(deviation.argmax())
     return ObjectAgreement(
         part.name,
         pairs,
         rms,
         angle,
-        float(-part.gradient[angle] / stiff[angle]),
-        float(MAX_DEVIATION * spread[angle] / stiff[angle]),
+        float(-part.gradient[angle] / normal_diagonal[angle]),
+        float(MAX_DEVIATION_SIGMAS * spread[angle] / normal_diagonal[angle]),
     )
 
 
 def _bootstrap_covariance(
     parts: Sequence[_ObjectEquations], row_of: dict[int, int], roots: Array
 ) -> Array:
-    generator = np.random.default_rng(SEED)
+    """Covariance of the angles over all bootstrap samples, shape (3, 3), square radians."""
+    generator = np.random.default_rng(RANDOM_SEED)
     normal = np.stack([part.normal for part in parts])
     gradient = np.stack([part.gradient for part in parts])
     by_pos = np.stack([_pos_error_gradients(part, row_of, roots) for part in parts])
-    many = len(parts)
-    times = generator.multinomial(many, np.full(many, 1.0 / many), DRAWINGS).astype(float)
-    chance = generator.standard_normal((by_pos.shape[2], DRAWINGS))
-    errors = gradient[:, :, None] + np.einsum("oas,sd->oad", by_pos, chance)
-    drawn = np.einsum("do,oij->dij", times, normal)
+    object_count = len(parts)
+    repeats = generator.multinomial(
+        object_count, np.full(object_count, 1.0 / object_count), BOOTSTRAP_SAMPLES
+    ).astype(float)
+    pos_errors = generator.standard_normal((by_pos.shape[2], BOOTSTRAP_SAMPLES))
+    errors = gradient[:, :, None] + np.einsum("oas,sd->oad", by_pos, pos_errors)
+    sample_normal = np.einsum("do,oij->dij", repeats, normal)
     # Samples with few different objects may be singular; a small part of the sum of all objects
     # regularises them.
-    drawn += 1e-3 * normal.sum(axis=0)
-    angles = -np.linalg.solve(drawn, np.einsum("do,oad->da", times, errors)[..., None])[..., 0]
+    sample_normal += 1e-3 * normal.sum(axis=0)
+    sample_gradient = np.einsum("do,oad->da", repeats, errors)
+    angles = -np.linalg.solve(sample_normal, sample_gradient[..., None])[..., 0]
     return np.asarray(np.cov(angles.T))

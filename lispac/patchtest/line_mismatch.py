@@ -27,31 +27,34 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Neighbours = NDArray[np.intp]
 
-SCALE = 0.10
+LOSS_SCALE = 0.10
 """Scale of the robust loss, metres; larger distances have little influence.
 
 POS errors of a few centimetres lie below it. With half this value the errors of the angles in
 simulated surveys were larger by a fifth.
 """
-NEIGHBOURS = 9
+NEIGHBOUR_COUNT = 9
 """Number of points of the neighbourhood to which the plane of each point is fitted."""
-ROUGH = 0.35
+MAX_ROUGHNESS_RATIO = 0.35
 """Largest RMS distance of a neighbourhood from its plane, as a fraction of the point spacing."""
-BESIDE = 2.0
+MAX_LATERAL_DISTANCE_RATIO = 2.0
 """Largest distance between two matched points within the plane, in units of the point spacing."""
-LONG, SLICE = 0.5, 4
+SLICE_LENGTH, MIN_SLICE_POINTS = 0.5, 4
 """Length of the slices of a pole, metres, and smallest number of points of each line in a slice."""
-VIEW_COSINE = np.cos(np.radians(25.0))
+MIN_VIEW_COSINE = np.cos(np.radians(25.0))
 """Smallest cosine between the viewing directions of two lines that see the same side of a pole."""
-MIN_COSINE = np.cos(np.radians(30.0))
+MIN_NORMAL_COSINE = np.cos(np.radians(30.0))
 """Smallest cosine between the normals of two matched points."""
-DIP = 1.05
-"""Smallest ratio of the curve on both sides of a clear minimum to its value at the minimum.
+MIN_RISE_RATIO = 1.05
+"""Smallest ratio of the maxima of the curve on both sides of a clear minimum to the minimum.
 
 Ripples on the flat part of the curve are smaller.
 """
-MIN_POINTS, MIN_SHARE = 20, 0.1
-"""Smallest number and smallest share of matched points for which two lines are compared."""
+MIN_MATCHED_POINTS, MIN_MATCHED_SHARE = 20, 0.1
+"""Smallest number and smallest share of matched points for which two lines are compared.
+
+The share is of all points of both lines in the object's box; both limits apply.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +84,7 @@ class ObjectSurface:
 
 def neighbour_indices(tree: "cKDTree") -> Neighbours:
     """Indices of the nearest points of each point of a tree, itself included, shape (n, k)."""
-    return np.asarray(tree.query(tree.data, min(NEIGHBOURS, tree.n))[1], dtype=np.intp)
+    return np.asarray(tree.query(tree.data, min(NEIGHBOUR_COUNT, tree.n))[1], dtype=np.intp)
 
 
 def fit_object_surface(
@@ -103,7 +106,7 @@ def fit_object_surface(
     off = np.einsum("nkj,nj->nk", placed[near] - centre[:, None], normal)
     rough = np.sqrt((off**2).mean(axis=1))
     with np.errstate(invalid="ignore"):
-        flat = rough <= ROUGH * observed.spacing
+        flat = rough <= MAX_ROUGHNESS_RATIO * observed.spacing
     return ObjectSurface(placed, centre, normal, flat, observed.inside, tree)
 
 
@@ -120,7 +123,8 @@ class SurfaceDistances:
         Distances along ``normal``.
     normal : ndarray of shape (m, 3), unit vectors, local frame
     compared : int
-        Number of points of the first line in the object's box, with and without a match.
+        Number of points of the first line in the object's box, with and without a match; 0 for the
+        centres of a pole.
     weight : ndarray of shape (m,)
         Number of points that each distance represents.
     """
@@ -160,9 +164,9 @@ def distances_to_surface(
     difference = first.points[point] - second.points[matched]
     beside = difference - (difference * normal).sum(axis=1)[:, None] * normal
     with np.errstate(invalid="ignore"):
-        alike = np.abs((first.normal[point] * normal).sum(axis=1)) >= MIN_COSINE
-        near = (beside**2).sum(axis=1) <= (BESIDE * spacing) ** 2
-        good = second.flat[matched] & first.flat[point] & alike & near
+        parallel = np.abs((first.normal[point] * normal).sum(axis=1)) >= MIN_NORMAL_COSINE
+        near = (beside**2).sum(axis=1) <= (MAX_LATERAL_DISTANCE_RATIO * spacing) ** 2
+        good = second.flat[matched] & first.flat[point] & parallel & near
     return SurfaceDistances(
         point[good], matched[good], off[good], normal[good], len(point), np.ones(len(off[good]))
     )
@@ -182,13 +186,13 @@ def pole_distances(
     assert one.axis is not None
     across = np.cross(one.view + other.view, one.axis)
     across /= max(float(np.linalg.norm(across)), 1e-9)
-    if one.view @ other.view < VIEW_COSINE or np.linalg.norm(across) < 0.5:
+    if one.view @ other.view < MIN_VIEW_COSINE or np.linalg.norm(across) < 0.5:
         return NO_DISTANCES
     rows = []
     sides = [_pole_slices(surface, each) for surface, each in ((first, one), (second, other))]
     for k in sorted(set(sides[0]) & set(sides[1])):
         a, b = sides[0][k], sides[1][k]
-        if min(len(a), len(b)) < SLICE:
+        if min(len(a), len(b)) < MIN_SLICE_POINTS:
             continue
         middles = first.points[a].mean(axis=0), second.points[b].mean(axis=0)
         nearest = [
@@ -209,18 +213,20 @@ def _pole_slices(surface: ObjectSurface, pole: ObjectPoints) -> dict[int, Indice
     assert pole.axis is not None
     rows = np.flatnonzero(surface.inside)
     along = (surface.points[rows] - pole.object.box.centre) @ pole.axis
-    number = np.floor(along / LONG).astype(np.int64)
+    number = np.floor(along / SLICE_LENGTH).astype(np.int64)
     return {int(k): rows[number == k] for k in np.unique(number)}
 
 
 def has_enough_overlap(both: Sequence[SurfaceDistances]) -> bool:
     """Whether two lines overlap enough to be compared."""
     matched = sum(each.matched_points for each in both)
-    return matched >= max(MIN_POINTS, MIN_SHARE * sum(each.compared for each in both))
+    return matched >= max(
+        MIN_MATCHED_POINTS, MIN_MATCHED_SHARE * sum(each.compared for each in both)
+    )
 
 
 def robust_mean_square(both: Sequence[SurfaceDistances], scale: float) -> float:
-    """Mean of the robust loss of some distances, square metres; NaN if there are too few."""
+    """Mean of the robust loss of the distances, square metres; NaN if there are too few."""
     if not has_enough_overlap(both):
         return float("nan")
     off, weight = (np.concatenate([getattr(d, n) for d in both]) for n in ("off", "weight"))
@@ -264,15 +270,19 @@ def block_weights(blocks: Sequence[PairBlock]) -> Array:
     three, and two pairs without a common line have a total weight of two.
     """
     groups: dict[str, list[set[str]]] = {}
-    many: dict[str, int] = {}
+    block_counts: dict[str, int] = {}
     for block in blocks:
         name, lines = block.first.object.name, {block.first.line, block.second.line}
         separate = groups.setdefault(name, [])
         joined = [group for group in separate if group & lines]
         groups[name] = [g for g in separate if not g & lines] + [lines.union(*joined)]
-        many[name] = many.get(name, 0) + 1
-    rated = {name: sum(len(group) - 1 for group in separate) for name, separate in groups.items()}
-    return np.array([rated[n] / many[n] for n in (b.first.object.name for b in blocks)])
+        block_counts[name] = block_counts.get(name, 0) + 1
+    independent = {
+        name: sum(len(group) - 1 for group in separate) for name, separate in groups.items()
+    }
+    return np.array(
+        [independent[n] / block_counts[n] for n in (b.first.object.name for b in blocks)]
+    )
 
 
 class Mismatch:
@@ -287,7 +297,7 @@ class Mismatch:
     """
 
     def __init__(
-        self, sample: ObjectSample, blocks: Sequence[PairBlock], scale: float = SCALE
+        self, sample: ObjectSample, blocks: Sequence[PairBlock], scale: float = LOSS_SCALE
     ) -> None:
         self.sample, self.blocks, self.scale = sample, tuple(blocks), scale
         self.weights = block_weights(blocks)
@@ -379,7 +389,7 @@ def curve_minimum(values: Array, mismatch: Array) -> float | None:
         return None
     k = int(mismatch.argmin())
     rise = min(mismatch[:k].max(initial=0.0), mismatch[k:].max()) / mismatch[k]
-    if k in (0, len(values) - 1) or rise < DIP:
+    if k in (0, len(values) - 1) or rise < MIN_RISE_RATIO:
         return None
     before, at, after = mismatch[k - 1 : k + 2]
     bend = before - 2 * at + after

@@ -9,9 +9,9 @@ import numpy as np
 
 Kind = Literal["reciprocal", "crossing", "same direction", "oblique"]
 
-RECIPROCAL, SAME = np.radians(20.0), np.radians(20.0)
-"""Largest deviation of the headings of a pair from opposite, and from equal, radians."""
-CROSSING = (np.radians(60.0), np.radians(120.0))
+MAX_RECIPROCAL_DEVIATION, MAX_SAME_DIRECTION_DEVIATION = np.radians(20.0), np.radians(20.0)
+"""Largest deviation of the headings of a pair from opposite and from equal headings, radians."""
+CROSSING_ANGLES = (np.radians(60.0), np.radians(120.0))
 """Smallest and largest angle between the headings of crossing lines, radians."""
 
 
@@ -49,11 +49,11 @@ def pair_kind(first: float, second: float) -> Kind:
         Headings of the vessel while it scanned the same object.
     """
     between = abs((first - second + np.pi) % (2 * np.pi) - np.pi)
-    if between >= np.pi - RECIPROCAL:
+    if between >= np.pi - MAX_RECIPROCAL_DEVIATION:
         return "reciprocal"
-    if between <= SAME:
+    if between <= MAX_SAME_DIRECTION_DEVIATION:
         return "same direction"
-    if CROSSING[0] <= between <= CROSSING[1]:
+    if CROSSING_ANGLES[0] <= between <= CROSSING_ANGLES[1]:
         return "crossing"
     return "oblique"
 

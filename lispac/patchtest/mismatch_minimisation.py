@@ -3,13 +3,13 @@
 One by one, the angles are estimated in the classical order of a patch test:
 
 - Roll. An error moves points beside the vessel vertically and points high above it sideways, in
-  opposite directions on reciprocal lines. Horizontal and vertical surfaces show it, whatever the
-  errors of the other two angles.
+  opposite directions on reciprocal lines. Horizontal and vertical surfaces reveal it, even if the
+  other two angles have errors.
 - Pitch. An error moves points high above the vessel along the course, in opposite directions on
-  reciprocal lines. Poles and edges show it once the roll is corrected.
+  reciprocal lines. Poles and edges reveal it once the roll is corrected.
 - Yaw. An error rotates all points about the vertical. At a given object it has the same effect on
-  reciprocal lines at the same distance, so that they do not show it. Lines that cross, or that pass
-  at another distance or on the other side, show it once roll and pitch are corrected.
+  reciprocal lines at the same distance, so that they do not reveal it. Lines that cross, or that
+  pass at another distance or on the other side, reveal it once roll and pitch are corrected.
 
 Errors of the later angles affect the estimates of the earlier ones, so the sequence is repeated.
 
@@ -27,22 +27,23 @@ from lispac.errors import AdjustmentError
 from lispac.language import N_, gettext_lazy
 from lispac.messages import error
 from lispac.patchtest.block_equations import linearise_blocks
-from lispac.patchtest.line_mismatch import SCALE, Mismatch, PairBlock
+from lispac.patchtest.line_mismatch import LOSS_SCALE, Mismatch, PairBlock
 from lispac.patchtest.object_sample import ObjectSample
 from lispac.progress import Progress, no_progress
 
 Array = NDArray[np.float64]
 
-ANGLES = ("roll", "pitch", "yaw")
-OPTIMISING = (N_("Optimising roll"), N_("Optimising pitch"), N_("Optimising yaw"))
-UNDETERMINED = ("patch_test.no_roll", "patch_test.no_pitch", "patch_test.no_yaw")
+ANGLE_NAMES = ("roll", "pitch", "yaw")
+PROGRESS_TEXTS = (N_("Optimising roll"), N_("Optimising pitch"), N_("Optimising yaw"))
+"""Texts of the progress while each angle is optimised."""
+UNDETERMINED_CODES = ("patch_test.no_roll", "patch_test.no_pitch", "patch_test.no_yaw")
 """Codes of the messages that roll, pitch or yaw is not determined."""
-SCALES = (0.5, 0.2, SCALE)
+LOSS_SCALES = (0.5, 0.2, LOSS_SCALE)
 """Scale of the robust loss in each stage, metres."""
-STEPS, ROUNDS = 6, 12
+MAX_STEPS, MAX_ROUNDS = 6, 12
 """Largest number of steps of a stage, and of rounds over the three angles one by one."""
 STEP_TOLERANCE = np.radians(2e-4)
-"""Largest change of an angle in the last step for convergence, radians."""
+"""Largest change of an angle in the last step or round for convergence, radians."""
 MAX_STEP = np.radians(1.0)
 """Largest change of an angle in one step, radians."""
 MIN_LEVERAGE = 2.0
@@ -62,7 +63,7 @@ class MismatchMinimum:
     rounds : int
         Number of rounds over the angles one by one; 1 if they were estimated together.
     converged : bool
-        Whether no angle changed by more than `STEP_TOLERANCE` in the last step.
+        Whether no angle changed by more than `STEP_TOLERANCE` in the last step or round.
     """
 
     boresight: Array
@@ -95,10 +96,13 @@ def minimise_mismatch(
     turned = list(angles)
     converged = False
     whole = Mismatch(sample, blocks)
-    for stage, scale in enumerate(SCALES):
+    for stage, scale in enumerate(LOSS_SCALES):
         mismatch = whole.with_scale(scale)
-        for number in range(STEPS):
-            progress((stage + number / STEPS) / len(SCALES), gettext_lazy("Optimising the angles"))
+        for number in range(MAX_STEPS):
+            progress(
+                (stage + number / MAX_STEPS) / len(LOSS_SCALES),
+                gettext_lazy("Optimising the angles"),
+            )
             step = _angle_step(mismatch, boresight, turned)
             boresight[turned] += step
             converged = bool(np.abs(step).max() <= STEP_TOLERANCE)
@@ -126,16 +130,16 @@ def minimise_angle_by_angle(
         As `minimise_mismatch`.
     """
     boresight, whole = np.array(start, dtype=float), Mismatch(sample, blocks)
-    for rounds in range(1, ROUNDS + 1):
-        mismatch = whole.with_scale(SCALES[min(rounds - 1, len(SCALES) - 1)])
+    for rounds in range(1, MAX_ROUNDS + 1):
+        mismatch = whole.with_scale(LOSS_SCALES[min(rounds - 1, len(LOSS_SCALES) - 1)])
         before = boresight.copy()
         for angle in range(3):
-            progress((rounds - 1 + angle / 3) / ROUNDS, gettext_lazy(OPTIMISING[angle]))
+            progress((rounds - 1 + angle / 3) / MAX_ROUNDS, gettext_lazy(PROGRESS_TEXTS[angle]))
             boresight[angle] += _angle_step(mismatch, boresight, [angle])[0]
         change = float(np.abs(boresight - before).max())
-        if rounds >= len(SCALES) and change <= STEP_TOLERANCE:
+        if rounds >= len(LOSS_SCALES) and change <= STEP_TOLERANCE:
             return MismatchMinimum(boresight, rounds, True)
-    return MismatchMinimum(boresight, ROUNDS, False)
+    return MismatchMinimum(boresight, MAX_ROUNDS, False)
 
 
 def _angle_step(mismatch: Mismatch, boresight: Array, turned: Sequence[int]) -> Array:
@@ -173,4 +177,4 @@ def require_determined_angles(
     values, axes = np.linalg.eigh(normal_equations / weight)
     if values[0] < MIN_LEVERAGE**2:
         angle = turned[int(np.abs(axes[:, 0]).argmax())]
-        raise AdjustmentError(error(UNDETERMINED[angle]))
+        raise AdjustmentError(error(UNDETERMINED_CODES[angle]))

@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 UP = np.array([0.0, 0.0, 1.0])
-SMALLEST, LARGEST = 0.1, 200.0
+MIN_SIDE, MAX_SIDE = 0.1, 200.0
 """Smallest and largest side of a box, metres."""
 
 
@@ -23,8 +23,8 @@ class ObjectBox:
     Attributes
     ----------
     centre : ndarray of shape (3,), metres, local frame
-    size : ndarray of shape (3,), metres, local frame
-        Lengths along the box's own axes: ahead, left and up.
+    size : ndarray of shape (3,), metres, along the axes of the box
+        Lengths ahead, left and up.
     turn : float, radians
         Azimuth of the axis ahead, clockwise from north.
     """
@@ -75,6 +75,6 @@ def object_of_box(name: str, box: ObjectBox) -> PatchObject:
     """
     if not (np.isfinite(box.centre).all() and np.isfinite(box.turn)):
         raise InputError(error("patch_test.box_not_finite", name=name))
-    if not ((box.size >= SMALLEST) & (box.size <= LARGEST)).all():
-        raise InputError(error("patch_test.box_size", name=name, least=SMALLEST, most=LARGEST))
+    if not ((box.size >= MIN_SIDE) & (box.size <= MAX_SIDE)).all():
+        raise InputError(error("patch_test.box_size", name=name, least=MIN_SIDE, most=MAX_SIDE))
     return PatchObject(name, box)

@@ -2,8 +2,8 @@
 
 Lines disagree most, for a given error of an angle, at surfaces with a suitable orientation and
 position. The proposal therefore selects the natural planes that determine the angles best
-(`lispac.natural.patch_choice`), vertical and horizontal ones, and puts a box around each. Users can
-define further objects, such as a pole, a pillar or the corner of a wall.
+(`lispac.natural.patch_choice`), and puts a box around each. Users can define further objects, such
+as a pole, a pillar or the corner of a wall.
 """
 
 from collections.abc import Mapping
@@ -20,15 +20,15 @@ from lispac.survey.trajectory import TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
-OBJECT_COUNT = 30
+MAX_OBJECTS = 30
 """Largest number of proposed objects."""
-LARGEST, DEEP = 4.0, 1.0
+MAX_BOX_SIDE, BOX_DEPTH = 4.0, 1.0
 """Largest side of a box along its surface, and side across the surface, metres."""
-SMALLEST = 0.6
+MIN_BOX_SIDE = 0.6
 """Smallest side of a box along its surface, metres."""
-UPRIGHT = 0.7
-"""Smallest vertical component of the unit normal of a surface that counts as level."""
-MAX_DISTANCE = 0.06
+MIN_LEVEL_NORMAL_UP = 0.7
+"""Smallest absolute vertical component of the unit normal of a surface that counts as level."""
+MAX_SURFACE_DISTANCE = 0.06
 """Largest distance of a line from the surface, metres, unless three LiDAR sigmas are larger."""
 
 
@@ -37,7 +37,7 @@ def find_objects(
     accuracy: TrajectoryAccuracy,
     noise: float,
     *,
-    count: int = OBJECT_COUNT,
+    count: int = MAX_OBJECTS,
     progress: Progress = no_progress,
 ) -> tuple[PatchObject, ...]:
     """Propose objects that are seen in several lines.
@@ -53,15 +53,18 @@ def find_objects(
         Largest number of objects.
     """
     patches = find_patches(
-        clouds, noise, max(MAX_DISTANCE, 3 * noise), progress=sub_progress(progress, 0.0, 0.8)
+        clouds,
+        noise,
+        max(MAX_SURFACE_DISTANCE, 3 * noise),
+        progress=sub_progress(progress, 0.0, 0.8),
     )
     found: list[PatchObject] = []
     progress(0.8)
     for rows in choose_patches(patches, clouds, accuracy, count).rows:
         normal = patches.normal[patches.patch[rows[0]]]
-        wide = float(np.clip(2 * patches.planes.reach[rows].max(), SMALLEST, LARGEST))
-        level = abs(normal[2]) >= UPRIGHT
-        size = np.array([wide, wide, DEEP] if level else [DEEP, wide, wide])
+        wide = float(np.clip(2 * patches.planes.reach[rows].max(), MIN_BOX_SIDE, MAX_BOX_SIDE))
+        level = abs(normal[2]) >= MIN_LEVEL_NORMAL_UP
+        size = np.array([wide, wide, BOX_DEPTH] if level else [BOX_DEPTH, wide, wide])
         turn = float(np.arctan2(-normal[1], normal[0]))
         centre = np.asarray(patches.planes.centre[rows].mean(axis=0))
         found.append(PatchObject(f"A{len(found) + 1:02d}", ObjectBox(centre, size, turn)))

@@ -21,31 +21,31 @@ from lispac.targets.thinning import thin_points
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-MAX_POINTS = 400
-"""Approximate number of points of a line at an object.
+MAX_LINE_POINTS = 400
+"""Approximate largest number of points of a line at an object.
 
 More points add little information, because they share one POS error.
 """
-FINEST = 0.03
+MIN_SPACING = 0.03
 """Smallest spacing of these points, metres."""
-MIN_POINTS = 30
+MIN_LINE_POINTS = 30
 """Smallest number of points of a line that sees an object."""
-MARGIN = 0.3
+BOX_MARGIN = 0.3
 """Width of the zone around a box in which points are also taken, metres."""
-EVEN = 2.2
+MAX_NEIGHBOUR_DISTANCE_RATIO = 2.2
 """Largest median distance to the sixth neighbour, in units of the point spacing.
 
 The points of a profiler are close together within a profile, and the profiles are far apart. A
 larger distance means that the neighbours lie in a single profile and define no plane.
 """
-SLENDER, THICK = 0.15, 0.4
+MAX_POLE_WIDTH_RATIO, MAX_POLE_WIDTH = 0.15, 0.4
 """Largest standard deviation of the points of a pole across its axis.
 
 As a fraction of the standard deviation along the axis, and in metres; both limits apply.
 """
-EXAMINED_RATIO = 30
+MAX_EXAMINED_RATIO = 30
 """Largest number of points of a line examined near an object, per point that is used."""
-STEP = 1e-4
+ANGLE_STEP = 1e-4
 """Step of the angles for numerical derivatives, radians."""
 
 
@@ -69,7 +69,7 @@ class ObjectPoints:
     heading : float, radians
         Median heading of the vessel at the points.
     view : ndarray of shape (3,), unit vector, local frame
-        Direction from the vessel to the object.
+        Direction from the POS of the vessel to the object.
     axis : ndarray of shape (3,), unit vector, local frame, or None
         Axis of the object if it is slender, such as a pole; None otherwise.
     """
@@ -118,8 +118,8 @@ class ObjectSample:
         clouds: Mapping[str, Cloud],
         lines: Mapping[str, Line],
         *,
-        margin: float = MARGIN,
-        limit: int = MAX_POINTS,
+        margin: float = BOX_MARGIN,
+        limit: int = MAX_LINE_POINTS,
         progress: Progress = no_progress,
     ) -> "ObjectSample":
         """Select the points of all lines in and around the boxes of objects.
@@ -136,7 +136,7 @@ class ObjectSample:
         margin : float, metres
             Width of the zone around a box in which points are taken as matches for other lines.
         limit : int
-            Approximate number of points of a line at an object.
+            Approximate largest number of points of a line at an object.
         """
         observed: list[ObjectPoints] = []
         lidar: list[Array] = []
@@ -147,9 +147,9 @@ class ObjectSample:
             progress(k / len(objects))
             near, radius = {}, each.box.reach + 2 * margin
             for line, cloud in clouds.items():
-                region = cloud.within(each.box.centre, radius, limit=EXAMINED_RATIO * limit)
+                region = cloud.within(each.box.centre, radius, limit=MAX_EXAMINED_RATIO * limit)
                 own = each.box.inside(region.points, margin)
-                if np.count_nonzero(own) >= MIN_POINTS:
+                if np.count_nonzero(own) >= MIN_LINE_POINTS:
                     near[line] = (region.numbers[own], region.points[own])
             if len(near) < 2:
                 continue
@@ -202,7 +202,10 @@ class ObjectSample:
         """
         placed = self.placed_points(boresight)
         return np.stack(
-            [(self.placed_points(boresight + STEP * k) - placed) / STEP for k in np.eye(3)]
+            [
+                (self.placed_points(boresight + ANGLE_STEP * k) - placed) / ANGLE_STEP
+                for k in np.eye(3)
+            ]
         )
 
     def pos_error_derivatives(self, boresight: Array) -> Array:
@@ -219,12 +222,12 @@ class ObjectSample:
                 (
                     place_points(
                         self.points_lidar,
-                        Poses(poses.position, poses.attitude + STEP * k),
+                        Poses(poses.position, poses.attitude + ANGLE_STEP * k),
                         mounting,
                     )
                     - placed
                 )
-                / STEP
+                / ANGLE_STEP
                 for k in np.eye(3)
             ]
         )
@@ -257,11 +260,11 @@ def _pole_axis(groups: Sequence[Array]) -> Array | None:
     """Common axis of the point groups if most of them are slender like a pole; None otherwise."""
     axes = []
     for points in groups:
-        if len(points) < MIN_POINTS:
+        if len(points) < MIN_LINE_POINTS:
             continue
         variances, directions = np.linalg.eigh(np.cov(points.T))
         long, wide = np.sqrt(variances[2]), np.sqrt(max(variances[1], 0.0))
-        if wide <= min(SLENDER * long, THICK):
+        if wide <= min(MAX_POLE_WIDTH_RATIO * long, MAX_POLE_WIDTH):
             axes.append(directions[:, 2])
     if 2 * len(axes) <= len(groups):
         return None
@@ -273,18 +276,23 @@ def _choose_point_spacing(groups: Sequence[Array], limit: int, *, even: bool) ->
     """Choose a point spacing that leaves at most about ``limit`` points in each line.
 
     With ``even`` the spacing is also increased until the points are evenly spaced in all
-    directions; for poles it is not. It is never so large that a line has fewer than `MIN_POINTS`.
+    directions; for poles it is not. It is not increased if a line would then have fewer than
+    `MIN_LINE_POINTS` points.
     """
-    spacing = FINEST
+    spacing = MIN_SPACING
     kept = [points[thin_points(points, spacing)] for points in groups]
     while True:
-        many = max(len(points) for points in kept)
-        uneven = even and max(_sixth_neighbour_distance(points) for points in kept) > EVEN * spacing
-        wider = spacing * max(1.25 if uneven else 1.1, np.sqrt(many / limit))
-        if many <= limit and not uneven:
+        most_points = max(len(points) for points in kept)
+        uneven = (
+            even
+            and max(_sixth_neighbour_distance(points) for points in kept)
+            > MAX_NEIGHBOUR_DISTANCE_RATIO * spacing
+        )
+        wider = spacing * max(1.25 if uneven else 1.1, np.sqrt(most_points / limit))
+        if most_points <= limit and not uneven:
             return float(spacing)
         thinned = [points[thin_points(points, wider)] for points in groups]
-        if min(len(points) for points in thinned) < MIN_POINTS:
+        if min(len(points) for points in thinned) < MIN_LINE_POINTS:
             return float(spacing)
         spacing, kept = wider, thinned
 

@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.messages import Message, note
 from lispac.patchtest.bootstrap_precision import MIN_OBJECTS, ObjectAgreement
-from lispac.patchtest.line_mismatch import SCALE
-from lispac.patchtest.mismatch_minimisation import ANGLES
+from lispac.patchtest.line_mismatch import LOSS_SCALE
+from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
 
 Array = NDArray[np.float64]
 
-MAX_DIFFERENCE = np.radians(0.01)
+MAX_ESTIMATE_DIFFERENCE = np.radians(0.01)
 """Largest difference between joint and one-by-one estimates without a message, radians."""
 
 
@@ -79,9 +79,9 @@ class PatchTestResult:
         if not self.converged:
             found.append(note("patch_test.not_converged"))
         differences = np.abs(self.one_by_one - self.boresight)
-        if differences.max() > MAX_DIFFERENCE:
+        if differences.max() > MAX_ESTIMATE_DIFFERENCE:
             k = int(differences.argmax())
-            angle = mounting_value_name(ANGLES[k])
+            angle = mounting_value_name(ANGLE_NAMES[k])
             found.append(note("patch_test.order_matters", angle=angle, difference=differences[k]))
         found.extend(each.disagreement for each in self.disagreeing)
         if self.without_pairs:
@@ -91,8 +91,8 @@ class PatchTestResult:
     @property
     def _mismatch_message(self) -> Message:
         if not np.isfinite(self.mismatch_before):
-            return note("patch_test.mismatch", limit=SCALE, after=self.mismatch)
+            return note("patch_test.mismatch", limit=LOSS_SCALE, after=self.mismatch)
         return note(
             "patch_test.mismatch_reduced",
-            limit=SCALE, before=self.mismatch_before, after=self.mismatch,
+            limit=LOSS_SCALE, before=self.mismatch_before, after=self.mismatch,
         )  # fmt: skip

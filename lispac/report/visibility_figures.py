@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from lispac.language import N_, gettext
 from lispac.present.text_format import fixed_number, title
 from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank_figure, style_axes
-from lispac.simulation.thesis_site import HEADINGS_DEG, SIZES
-from lispac.simulation.visibility_study import THRESHOLD, VisibilityStudy
+from lispac.simulation.thesis_site import ERROR_SIZES, HEADINGS_DEG
+from lispac.simulation.visibility_study import TYPE_ONE_THRESHOLD, VisibilityStudy
 
 Array = NDArray[np.float64]
 
@@ -64,7 +64,7 @@ SITE_NAMES: Mapping[str, str] = {"terrestrial": N_("terrestrial"), "marine": N_(
 
 def systematic_error_label(error: str) -> str:
     """An error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
-    size = SIZES[error]
+    size = ERROR_SIZES[error]
     if error.startswith(("lever", "range")):
         return gettext("{error} {size} cm", error=title(error), size=fixed_number(100 * size, 0))
     return gettext("{error} {size:deg.0} deg", error=title(error), size=size)
@@ -119,7 +119,7 @@ def visibility_figure(
         gettext(shown.label),
     )
     if criterion == "type-one":
-        axes.axhline(THRESHOLD, color=BEST, linewidth=0.6, linestyle=":")
+        axes.axhline(TYPE_ONE_THRESHOLD, color=BEST, linewidth=0.6, linestyle=":")
         axes.set_ylim(-0.05, 1.05)
     elif best.kept:
         _set_y_limits(axes, values[:, np.isin(study.site.inclinations, best.kept)], shown.least)

@@ -10,7 +10,7 @@ from lispac.present.text_format import fixed_number
 from lispac.report.document_blocks import Column, Table, as_rows
 from lispac.report.visibility_figures import CRITERIA, systematic_error_label
 from lispac.simulation.thesis_comparison import (
-    ALL_ERRORS,
+    SUFFICIENT_HEADINGS_DEG,
     ThesisComparison,
     compare_with_thesis,
     do_fewest_lines_agree,
@@ -135,7 +135,9 @@ def all_errors_text(study: VisibilityStudy) -> str:
             "Smallest sets of lines that reveal all errors: {lines} (different from the {count:n} "
             "sets in table 3.3 of Shahraji's thesis)."
         )
-    return gettext(template, lines="; ".join(map(_headings_text, sets)), count=len(ALL_ERRORS))
+    return gettext(
+        template, lines="; ".join(map(_headings_text, sets)), count=len(SUFFICIENT_HEADINGS_DEG)
+    )
 
 
 def _comparison_row(each: ThesisComparison) -> tuple[str, ...]:

@@ -1,8 +1,8 @@
 """Simulation of surveys of boards and spheres in closed form, within a few milliseconds.
 
 No rays are cast. The points lie on a grid over each target, and the time of each point is that at
-which the scan profile of the passing vessel contains it. An adjustment needs no more, so that
-thousands of surveys can be simulated, while a single survey of the port scene takes a minute.
+which the scan profile of the passing vessel contains it. This is sufficient for an adjustment, so
+that thousands of surveys can be simulated, while a single survey of the port scene takes a minute.
 """
 
 from collections.abc import Sequence
@@ -29,7 +29,8 @@ class Board:
     centre, normal : tuple of float, metres, local; the normal points to the vessel
     width, height : float, metres
     flatness : float or None, metres
-        Possible deviation of the board from its plane in a line; None for the value of the plan.
+        Standard deviation of the form error in one line; None for that of the plan
+        (`lispac.design.plan.Plan.flatness`).
     """
 
     name: str
@@ -42,7 +43,7 @@ class Board:
     def points(
         self, spacing: float, generator: np.random.Generator, scanner: Array | None = None
     ) -> Array:
-        """A grid of points with a random origin, shape (n, 3), metres, local.
+        """Points of the board on a grid with a random origin, shape (n, 3), metres, local.
 
         Parameters
         ----------
@@ -94,10 +95,10 @@ class Board:
         return np.asarray(np.array(self.centre) + u[:, None] * across + v[:, None] * up)
 
 
-STEEPEST = np.cos(np.radians(75.0))
+MIN_INCIDENCE_COSINE = np.cos(np.radians(75.0))
 """Cosine of the largest angle of incidence on a board; beyond it, points are few and poor."""
 
-VISIBLE = np.radians(80.0)
+MAX_SPHERE_INCIDENCE = np.radians(80.0)
 """Largest angle of incidence on a sphere, radians; beyond it, the beams graze the sphere."""
 
 
@@ -148,7 +149,7 @@ class Ball:
     @property
     def visible_radius(self) -> float:
         """Radius of the visible part, perpendicular to the line of sight, metres."""
-        return float(self.radius * np.sin(VISIBLE))
+        return float(self.radius * np.sin(MAX_SPHERE_INCIDENCE))
 
     def cap(self, u: Array, v: Array, scanner: Array) -> Array:
         """Points of the sphere at offsets across and up relative to the line of sight.
@@ -199,7 +200,7 @@ class Course:
         return np.array([np.cos(self.heading), -np.sin(self.heading), 0.0])
 
 
-BOARDS = (
+THESIS_BOARDS = (
     Board("T1", (0.8, 15.0, 5.0), (0.0, -1.0, 0.0)),
     Board("T2", (-0.8, 15.0, 5.0), (0.0, -1.0, 1.0)),
 )
@@ -207,9 +208,9 @@ BOARDS = (
 
 
 def six_courses(interval: float = 90.0, speed: float = 0.8) -> tuple[Course, ...]:
-    """The six-fold pattern of the thesis (figure 3.3) through the local origin.
+    """The six lines of the thesis (figure 3.3), all through the local origin.
 
-    One line every ``interval`` seconds, at a speed in metres per second.
+    One line starts every ``interval`` seconds, at a speed in metres per second.
     """
     return tuple(
         Course(f"L{k + 1}", float(np.radians(heading_deg)), (0.0, 0.0), 50.0 + k * interval, speed)
@@ -352,7 +353,7 @@ def _vessel_poses(course: Course, sea: SeaMotion, time: Array) -> Poses:
 def add_errors(
     exact: Observations, pos: PosErrorModel, generator: np.random.Generator
 ) -> Observations:
-    """Add white LiDAR noise and drifting POS errors to a survey."""
+    """Add white LiDAR noise and time-correlated POS errors to a survey."""
     return replace(
         exact,
         points_lidar=exact.points_lidar + _lidar_noise(exact, generator),

@@ -1,4 +1,4 @@
-"""Meshes as parts of a scene: Open3D finds the triangles, ranges are in double precision.
+"""Meshes as parts of a scene: Open3D finds the triangles, ranges have double precision.
 
 Ray casting in Open3D uses single precision: the resolution of a range is 1e-6 m at 20 m and 1e-5 m
 at 100 m. Open3D is therefore used only to find the triangle that a ray hits; the range is computed
@@ -34,7 +34,7 @@ class Mesh:
     reflectance: float = 0.4
 
     def distance(self, points_local: Array) -> Array:
-        """Distance of points to the plane of the nearest triangle, shape (n,), metres.
+        """Signed distance of points from the plane of the nearest triangle, shape (n,), metres.
 
         The distance is positive on the side from which the corners are in anticlockwise order.
         """

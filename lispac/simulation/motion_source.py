@@ -10,9 +10,10 @@ from lispac.messages import error
 from lispac.simulation.vessel_motion import SailedLine, VesselMotion, sail_lines
 from lispac.survey.trajectory import LocalTrajectory
 
-FINEST = 0.005
+MIN_ERROR_INTERVAL = 0.005
 """Smallest interval of simulated POS errors, seconds; recorded trajectories may have bursts."""
-START = 2 * 86400 + 15 * 3600.0  # GPS seconds of week: a Tuesday afternoon
+START_SECONDS_OF_WEEK = 2 * 86400 + 15 * 3600.0
+"""Start of a simulated survey, GPS seconds of week: a Tuesday at 15:00."""
 
 
 @dataclass(frozen=True)
@@ -69,11 +70,11 @@ class SailedTrajectory:
     @property
     def start(self) -> float:
         """GPS seconds of week."""
-        return START
+        return START_SECONDS_OF_WEEK
 
     @property
     def legs(self) -> tuple[RecordedLeg, ...]:
-        """Number, heading and side of each line."""
+        """Legs, one for each line, named after its number and heading."""
         return tuple(
             RecordedLeg.numbered_leg(k + 1, float(np.degrees(each.heading)), each.starboard)
             for k, each in enumerate(self.lines)
@@ -135,16 +136,22 @@ class RecordedTrajectory:
     def motion(self, generator: np.random.Generator) -> VesselMotion:
         """Recorded states; no random numbers are used."""
         known = self.trajectory
-        interval = max(float(np.median(np.diff(known.time))), FINEST)
+        interval = max(float(np.median(np.diff(known.time))), MIN_ERROR_INTERVAL)
         recorded = tuple((each.start, each.stop) for each in self.stretches)
         return VesselMotion(known.time, known.position, known.attitude, recorded, interval)
 
     def require_stretches_covered(self, latency: float) -> None:
-        """Refuse stretches that the trajectory does not cover.
+        """Raise an error if the trajectory does not cover one of the stretches.
+
+        Parameters
+        ----------
+        latency : float, seconds
+            Added to the times of the stretches.
 
         Raises
         ------
         InputError
+            A stretch starts before or ends after the trajectory, or lies in a gap.
         """
         time = self.trajectory.time
         for k, each in enumerate(self.stretches):

@@ -18,13 +18,14 @@ from lispac.simulation.scene import (
 )
 from lispac.simulation.vessel_motion import SailedLine
 
-ORIGIN = (np.radians(45.5189), np.radians(-73.5390), -25.6)  # latitude, longitude, height
+LOCAL_ORIGIN = (np.radians(45.5189), np.radians(-73.5390), -25.6)  # latitude, longitude, height
 WALL_WEST = -15.0  # metres, local: the face of the quay wall
-WALL_TOP = 9.4
+WALL_TOP_HEIGHT = 9.4
 CONCRETE, STEEL, WHITE, BRICK = 0.35, 0.2, 0.85, 0.45
+"""Reflectances of surfaces."""
 
-TARGETS = ("T1", "T2")
-VALIDATION = ("V1", "V2", "V3", "V4", "V5")
+TARGET_NAMES = ("T1", "T2")
+VALIDATION_NAMES = ("V1", "V2", "V3", "V4", "V5")
 
 
 def port_scene() -> Scene:
@@ -39,7 +40,7 @@ def port_scene() -> Scene:
 
 
 def _target_boards() -> list[Rectangle]:
-    """Vertical target T1 and T2, inclined by 45 deg, both 4 to 5 m above the scanner."""
+    """Vertical target T1 and target T2, inclined by 45 deg, about 4 to 5.5 m above the scanner."""
     return [
         upright_rectangle("T1", (1.15, WALL_WEST + 0.30), 7.5, 8.72, 1.23, 270, WHITE),
         tilted_rectangle("T2", (-1.1, WALL_WEST + 0.62, 7.5), 1.23, 0.76, 270, 45, WHITE),
@@ -52,14 +53,16 @@ def _pier_surfaces() -> list[Surface]:
         for north in (-9.5, -5.0, 5.0, 9.5)
     ]
     bollards = [
-        Cylinder("bollard", north, WALL_WEST - 0.4, WALL_TOP, WALL_TOP + 0.7, 0.22, STEEL)
+        Cylinder(
+            "bollard", north, WALL_WEST - 0.4, WALL_TOP_HEIGHT, WALL_TOP_HEIGHT + 0.7, 0.22, STEEL
+        )
         for north in (-7.0, 7.0)
     ]
     return [
-        *box_faces("pier", (-11, 11), (-60, WALL_WEST), -1, WALL_TOP, CONCRETE),
+        *box_faces("pier", (-11, 11), (-60, WALL_WEST), -1, WALL_TOP_HEIGHT, CONCRETE),
         *fenders,
         *bollards,
-        Cylinder("mast", 9.0, WALL_WEST - 2.0, WALL_TOP, 21.0, 0.12, STEEL),
+        Cylinder("mast", 9.0, WALL_WEST - 2.0, WALL_TOP_HEIGHT, 21.0, 0.12, STEEL),
     ]
 
 
@@ -95,7 +98,7 @@ def _warehouse_door() -> list[Rectangle]:
 
 
 def six_lines(distance: float = 15.0) -> tuple[SailedLine, ...]:
-    """The six-fold pattern of the thesis (figure 3.3): all pass the boards at ``distance``.
+    """The six lines of the thesis (figure 3.3), which all pass the boards at ``distance``, metres.
 
     Two lines run along the wall, four at 45 deg to it. The oblique ones are recorded up to 3 m
     before the line of the wall and continue past the corner of the pier.

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Three = tuple[float, float, float]
-TO_LOCAL = np.array([1.0, -1.0, 1.0])
+SigmaTriple = tuple[float, float, float]
+"""Sigmas of three errors: north, east and up, or roll, pitch and heading."""
+NORTH_EAST_UP_TO_LOCAL = np.array([1.0, -1.0, 1.0])
 """Factors that convert north, east, up to north, west, up."""
 
 
@@ -48,8 +49,8 @@ class WhiteNoise:
     sigma_attitude : tuple of float, radians; roll, pitch, heading
     """
 
-    sigma_position: Three
-    sigma_attitude: Three
+    sigma_position: SigmaTriple
+    sigma_attitude: SigmaTriple
 
     def draw(
         self, count: int, interval: float, generator: np.random.Generator
@@ -57,7 +58,7 @@ class WhiteNoise:
         """Draw errors; see `PosErrors.draw`."""
         sigma = np.array([*self.sigma_position, *self.sigma_attitude])
         errors = sigma * generator.standard_normal((count, 6))
-        return errors[:, :3] * TO_LOCAL, errors[:, 3:]
+        return errors[:, :3] * NORTH_EAST_UP_TO_LOCAL, errors[:, 3:]
 
     def variance(self, count: int, interval: float) -> Array:
         """Variances of the errors; see `PosErrors.variance`."""
@@ -70,9 +71,9 @@ class GnssOutage:
 
     Errors of the acceleration are white noise. The velocity error is a random walk, the position
     error its integral, so that its sigma grows with time to the power 3/2. The attitude error is a
-    random walk. In a smoothed trajectory (forward and backward processing), position and velocity
-    have no error at the end of the outage. The largest sigma of the position is then one eighth of
-    that without smoothing, in the middle of the outage.
+    random walk. In a smoothed trajectory (forward and backward processing), position, velocity
+    and attitude have no error at the end of the outage. The sigma of the position is then largest
+    in the middle of the outage: one eighth of the sigma at the end without smoothing.
 
     Attributes
     ----------
@@ -85,8 +86,8 @@ class GnssOutage:
 
     start: float
     duration: float
-    sigma_position: Three
-    sigma_attitude: Three
+    sigma_position: SigmaTriple
+    sigma_attitude: SigmaTriple
     smoothed: bool = True
 
     def draw(
@@ -107,12 +108,12 @@ class GnssOutage:
                 position, walk = self._smooth(position, velocity, walk, np.cumsum(steps))
             drift[inside, :3] = position[:-1] * np.sqrt(3 / self.duration**3) * self.sigma_position
             drift[inside, 3:] = walk[:-1] / np.sqrt(self.duration) * self.sigma_attitude
-        return drift[:, :3] * TO_LOCAL, drift[:, 3:]
+        return drift[:, :3] * NORTH_EAST_UP_TO_LOCAL, drift[:, 3:]
 
     def _smooth(
         self, position: Array, velocity: Array, walk: Array, t: Array
     ) -> tuple[Array, Array]:
-        """Errors under the condition that position, velocity and attitude have none at the end."""
+        """Errors under the condition that position, velocity and attitude are exact at the end."""
         whole = self.duration
         at_end = np.array([[whole**3 / 3, whole**2 / 2], [whole**2 / 2, whole]])
         with_end = np.stack([t**2 * (3 * whole - t) / 6, t**2 / 2], axis=1)
@@ -138,11 +139,11 @@ def _integrated_walk(steps: Array, generator: np.random.Generator) -> tuple[Arra
     """Random walks of unit density and their integrals, exact at the knots, shape (n, 3)."""
     first, second = generator.standard_normal((2, len(steps), 3))
     h = steps[:, None]
-    kick = np.sqrt(h) * first
-    velocity = np.cumsum(kick, axis=0)
+    increment = np.sqrt(h) * first
+    velocity = np.cumsum(increment, axis=0)
     # Integral within a step: half of its increment times the step, and an independent part
-    within = h * kick / 2 + np.sqrt(h**3 / 12) * second
-    before = velocity - kick
+    within = h * increment / 2 + np.sqrt(h**3 / 12) * second
+    before = velocity - increment
     return np.cumsum(h * before + within, axis=0), velocity
 
 
@@ -163,8 +164,8 @@ class StepErrors:
         Mean number of additional jumps per hour, at random times.
     """
 
-    sigma_position: Three
-    sigma_attitude: Three
+    sigma_position: SigmaTriple
+    sigma_attitude: SigmaTriple
     at: tuple[float, ...] = ()
     per_hour: float = 0.0
 
@@ -178,7 +179,7 @@ class StepErrors:
         sigma = np.array([*self.sigma_position, *self.sigma_attitude])
         levels = np.vstack([np.zeros(6), sigma * generator.standard_normal((len(times), 6))])
         errors = levels[np.searchsorted(times, np.arange(count) * interval, side="right")]
-        return errors[:, :3] * TO_LOCAL, errors[:, 3:]
+        return errors[:, :3] * NORTH_EAST_UP_TO_LOCAL, errors[:, 3:]
 
     def variance(self, count: int, interval: float) -> Array:
         """Variances of the errors; see `PosErrors.variance`."""

@@ -93,3 +93,4 @@ HYDROGRAPHIC_INS = PosErrorModel(
     sigma_position=(0.012, 0.012, 0.020),
     sigma_attitude=(np.radians(0.008), np.radians(0.008), np.radians(0.012)),
 )
+"""POS of the built-in survey: an INS for hydrography with post-processed GNSS."""

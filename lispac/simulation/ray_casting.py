@@ -12,8 +12,8 @@ def cast_rays(  # type: ignore[no-untyped-def]
     """Compute the range, surface index (-1 for none) and cosine of incidence of each ray.
 
     The results are written to the last three arguments. The rows of ``rectangles`` (k, 12),
-    ``cylinders`` (m, 5) and ``spheres`` (l, 4) are those of `lispac.simulation.scene`; the index of
-    a surface counts through them in this order.
+    ``cylinders`` (m, 5) and ``spheres`` (l, 4) are those of `lispac.simulation.scene`; surfaces
+    are numbered through all three in this order.
     """
     for i in range(len(origins)):
         ranges[i], labels[i], cosines[i] = _nearest_hit(
@@ -33,8 +33,8 @@ def _nearest_hit(ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders, spher
             + rectangles[i, 4] * (rectangles[i, 1] - oy)
             + rectangles[i, 5] * (rectangles[i, 2] - oz)
         )
-        # Most are behind the ray or farther than the nearest hit: a product shows it, a quotient
-        # takes ten times as long. What is near the limit is left to the quotient.
+        # Most rectangles are behind the ray or farther than the nearest hit. A product shows this
+        # in a tenth of the time of a quotient; only distances near the limit need the quotient.
         height = above if slope > 0.0 else -above
         if height <= 0.0 or height > 1.001 * best * abs(slope):
             continue
@@ -65,8 +65,8 @@ def _nearest_hit(ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders, spher
         radius = spheres[i, 3]
         x, y, z = ox - spheres[i, 0], oy - spheres[i, 1], oz - spheres[i, 2]
         b = x * dx + y * dy + z * dz
-        # Squared distance of the centre from the ray: a difference of squared ranges would
-        # lose digits far off.
+        # Squared distance of the centre from the ray: at long ranges, a difference of squared
+        # ranges would lose digits.
         u, v, w = x - b * dx, y - b * dy, z - b * dz
         inside = radius * radius - (u * u + v * v + w * w)
         if inside <= 0.0:

@@ -21,11 +21,12 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 Axis = Literal["x", "z"]
 
-# Echoes of one pulse closer together than this merge into one wrong range; others are separate.
-PULSE_LENGTH = 1.0  # metres
-# Smallest distance between the echoes at an edge for which the range counts as mixed.
-SMALLEST_MIX = 0.01  # metres
-CHUNK = 1 << 16  # pulses cast together
+# Largest distance between the two echoes of a pulse at an edge for which they merge into one wrong
+# range.
+MAX_MIXED_ECHO_DISTANCE = 1.0  # metres
+# Smallest distance between these echoes for which the range counts as mixed.
+MIN_MIXED_ECHO_DISTANCE = 0.01  # metres
+PULSES_PER_BLOCK = 1 << 16  # pulses cast together
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ class Scanner:
     range_sigma, angle_sigma : float, metres and radians
         The sigma of the angle applies in the direction of rotation and perpendicular to it.
     divergence : float, radians
-        Full width of the beam, which smears echoes at edges.
+        Full angular width of the beam, which causes mixed ranges at edges.
     elevations : tuple of float, radians
         Elevations of the beams, in the order in which they fire.
     axis : {"x", "z"}
@@ -187,7 +188,7 @@ class _RayIntersections(NamedTuple):
         return np.asarray(self.origins + self.distance[:, None] * self.directions)
 
     def of(self, chosen: NDArray[np.intp]) -> "_RayIntersections":
-        """Some of the rays."""
+        """The rays with the indices ``chosen``."""
         return _RayIntersections(
             self.origins[chosen], self.directions[chosen], self.distance[chosen],
             self.label[chosen], self.cosine[chosen],
@@ -226,18 +227,21 @@ def scan_scene(
     starboard : bool
         Whether the site is to starboard.
     mounting : Mounting
-        The true mounting. Recorded times lack its latency, recorded ranges its range offset.
+        The true mounting. The recorded times do not include its latency, and the recorded ranges
+        do not include its range offset.
     generator : numpy Generator or None
         None for a scanner without noise and beam divergence.
     """
-    astray = None if generator is None else generator.spawn(1)[0]
-    hits = _intersect_pulses(scanner, scene, states, recorded, starboard, mounting, astray)
+    direction_generator = None if generator is None else generator.spawn(1)[0]
+    hits = _intersect_pulses(
+        scanner, scene, states, recorded, starboard, mounting, direction_generator
+    )
     angle, distance, label = hits.angle, hits.distance, hits.label
     elevation = np.array(scanner.elevations)[hits.beam]
     brightness = 60000 * scene.reflectances[label] * hits.cosine
     if generator is not None:
         gap = np.abs(hits.edge_distance - distance)
-        mixed = (gap > SMALLEST_MIX) & (gap < PULSE_LENGTH)
+        mixed = (gap > MIN_MIXED_ECHO_DISTANCE) & (gap < MAX_MIXED_ECHO_DISTANCE)
         share = generator.uniform(0, 1, len(angle))
         distance = np.where(mixed, distance + share * (hits.edge_distance - distance), distance)
         label = np.where(mixed, np.int16(-1), label)
@@ -248,10 +252,10 @@ def scan_scene(
     reading = distance - mounting.range_offset
     points_lidar = reading[:, None] * scanner.directions(angle, elevation)
     intensity = np.clip(np.round(brightness), 0, 65535).astype(np.uint16)
-    recorded_too = np.flatnonzero(reading > scanner.min_range)
+    kept = np.flatnonzero(reading > scanner.min_range)
     return Echoes(
-        hits.time[recorded_too], points_lidar[recorded_too], hits.true_points_local[recorded_too],
-        intensity[recorded_too], label[recorded_too],
+        hits.time[kept], points_lidar[kept], hits.true_points_local[kept],
+        intensity[kept], label[kept],
     )  # fmt: skip
 
 
@@ -262,9 +266,9 @@ def _intersect_pulses(
     recorded: tuple[float, float],
     starboard: bool,
     mounting: Mounting,
-    astray: np.random.Generator | None,
+    direction_generator: np.random.Generator | None,
 ) -> _PulseHits:
-    """Intersections of the pulses; with ``astray``, with errors of direction and divergence."""
+    """Intersections of the pulses; with a generator, with errors of direction and divergence."""
     elevations = np.array(scanner.elevations)
     rotation_body_lidar = mounting.rotation_body_lidar
     if mounting.scan_angle_offset:
@@ -276,7 +280,7 @@ def _intersect_pulses(
     def intersect(time: Array, angle: Array, elevation: Array) -> _RayIntersections:
         """Rays of the given pulses and their intersections."""
         at = time + mounting.latency
-        # Only the samples around these pulses, through which the kernel steps pulse by pulse.
+        # Only the samples around these pulses are passed, because the kernel steps through them.
         first = max(int(np.searchsorted(knots, at[0])) - 1, 0)
         last = int(np.searchsorted(knots, at[-1])) + 1
         origins, directions = np.empty((len(at), 3)), np.empty((len(at), 3))
@@ -291,21 +295,22 @@ def _intersect_pulses(
     parts = []
     angles, delay, beams = scanner.turn(starboard)
     count = scanner.turns(*recorded)
-    together = max(CHUNK // len(angles), 1)
-    for begin in range(0, count, together):
-        # Not all pulses at once: a scanner with many beams emits a hundred million in a minute.
-        turns = np.arange(begin, min(begin + together, count))
+    turns_per_block = max(PULSES_PER_BLOCK // len(angles), 1)
+    for begin in range(0, count, turns_per_block):
+        # Pulses are cast in blocks: a scanner with many beams emits a hundred million in a minute.
+        turns = np.arange(begin, min(begin + turns_per_block, count))
         time = (recorded[0] + turns[:, None] / scanner.turns_per_second + delay).ravel()
         angle, beam = np.tile(angles, len(turns)), np.tile(beams, len(turns))
         found = intersect(time, angle, elevations[beam])
         hit = np.flatnonzero((found.label >= 0) & (found.cosine >= np.cos(scanner.grazing)))
         found = found.of(hit)
         elevation, edge_distance = elevations[beam[hit]], found.distance
-        if astray is not None and len(hit):
-            elevation = elevation + scanner.angle_sigma * astray.standard_normal(len(hit))
+        if direction_generator is not None and len(hit):
+            draws = direction_generator.standard_normal(len(hit))
+            elevation = elevation + scanner.angle_sigma * draws
             found = intersect(time[hit], angle[hit], elevation).filled_from(found)
             edge_distance = found.distance
-        if astray is not None and scanner.divergence > 0 and len(hit):
+        if direction_generator is not None and scanner.divergence > 0 and len(hit):
             # One more ray at the edge of the beam, alternating between both sides
             half = scanner.divergence / 2
             side = np.where((begin * len(angles) + hit) % 2 == 0, half, -half)

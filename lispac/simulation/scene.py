@@ -194,13 +194,13 @@ def box_faces(
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """Set of surfaces; the nearest surface on a ray occludes those behind it."""
+    """Surfaces of a scene; the nearest surface on a ray occludes those behind it."""
 
     surfaces: tuple[Surface, ...]
 
     @classmethod
     def of(cls, surfaces: Sequence[Surface]) -> "Scene":
-        """Scene of surfaces sorted by kind, so that one index counts through all arrays."""
+        """Scene of surfaces sorted by kind, so that one index runs through all arrays."""
         return cls(tuple(s for kind in (Rectangle, Cylinder, Sphere, Mesh) for s in surfaces
                          if isinstance(s, kind)))  # fmt: skip
 
@@ -268,7 +268,7 @@ class Scene:
         if self.meshes is not None:
             far, number, cosine = self.meshes.intersect(origins, directions, max_range)
             nearer = far < ranges
-            behind = len(self.rectangles) + len(self.cylinders) + len(self.spheres)
+            first_mesh = len(self.rectangles) + len(self.cylinders) + len(self.spheres)
             ranges[nearer], cosines[nearer] = far[nearer], cosine[nearer]
-            labels[nearer] = behind + number[nearer]
+            labels[nearer] = first_mesh + number[nearer]
         return ranges, labels, cosines

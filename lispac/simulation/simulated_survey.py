@@ -14,7 +14,13 @@ from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.simulation.motion_source import MotionSource, RecordedTrajectory, SailedTrajectory
-from lispac.simulation.port_scene import ORIGIN, TARGETS, VALIDATION, port_scene, six_lines
+from lispac.simulation.port_scene import (
+    LOCAL_ORIGIN,
+    TARGET_NAMES,
+    VALIDATION_NAMES,
+    port_scene,
+    six_lines,
+)
 from lispac.simulation.pos_error_models import PosErrors
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes, Scanner, scan_scene
@@ -102,18 +108,18 @@ class SurveySetup:
     scene : Scene
     targets, validation : tuple of str
         Names of the rectangles and spheres of the scene used as targets and validation planes.
-    voyage : MotionSource
+    motion_source : MotionSource
     pos : PosErrors
     scanner : Scanner
     mounting : Mounting
-        The true one.
+        The true mounting.
     """
 
     origin: tuple[float, float, float]
     scene: Scene
     targets: tuple[str, ...]
     validation: tuple[str, ...]
-    voyage: MotionSource
+    motion_source: MotionSource
     pos: PosErrors
     scanner: Scanner
     mounting: Mounting
@@ -128,7 +134,7 @@ class SimulatedSurvey:
     origin : tuple of float
         Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame.
     mounting : Mounting
-        The true one.
+        The true mounting.
     targets, validation : dict of name to ndarray of shape (3,), metres, local
         Seed on each: the centre of a plane, or the point of a sphere that faces the vessel.
     """
@@ -179,8 +185,8 @@ def port_survey(
         See `simulate_survey`.
     """
     setup = SurveySetup(
-        ORIGIN, port_scene(), TARGETS, VALIDATION, SailedTrajectory(six_lines(), POS_HEIGHT),
-        HYDROGRAPHIC_INS, Scanner(points_per_second),
+        LOCAL_ORIGIN, port_scene(), TARGET_NAMES, VALIDATION_NAMES,
+        SailedTrajectory(six_lines(), POS_HEIGHT), HYDROGRAPHIC_INS, Scanner(points_per_second),
         Mounting(np.array(LEVER_ARM), np.radians(boresight_deg)),
     )  # fmt: skip
     return simulate_survey(setup, seed=seed, noise=noise, pos_errors=pos_errors, progress=progress)
@@ -196,8 +202,9 @@ def simulate_survey(
 ) -> SimulatedSurvey:
     """Simulate a survey.
 
-    The result depends only on the arguments. The motion of the vessel depends only on the seed, so
-    that surveys with and without noise or POS errors can be compared point by point.
+    The result depends only on the arguments. The motion of the vessel depends only on its source
+    and on the seed, so that surveys with and without noise or POS errors can be compared point by
+    point.
 
     Parameters
     ----------
@@ -212,12 +219,12 @@ def simulate_survey(
     InputError
         If the trajectory does not cover the lines.
     """
-    voyage, scene = setup.voyage, setup.scene
-    if isinstance(voyage, RecordedTrajectory):
-        voyage.require_stretches_covered(setup.mounting.latency)
-    legs = voyage.legs
+    source, scene = setup.motion_source, setup.scene
+    if isinstance(source, RecordedTrajectory):
+        source.require_stretches_covered(setup.mounting.latency)
+    legs = source.legs
     sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + len(legs))
-    motion = voyage.motion(sea)
+    motion = source.motion(sea)
     _require_trajectory_covers(motion, setup.mounting.latency)
     trajectory = _reported_trajectory(setup, motion, errors if pos_errors else None)
     states = (trajectory.time, motion.position, motion.attitude)
@@ -226,7 +233,7 @@ def simulate_survey(
 
     def record(i: int) -> Echoes:
         start, stop = motion.recorded[i]
-        recorded = (voyage.start + start, voyage.start + stop)
+        recorded = (source.start + start, source.start + stop)
         generator = scanners[i] if noise else None
         side = legs[i].starboard
         return scan_scene(setup.scanner, scene, states, recorded, side, setup.mounting, generator)
@@ -278,7 +285,7 @@ def _nearest_rows(time: Array, even: Array, values: Array) -> Array:
     """Rows of evenly sampled values nearest to given times, shape (n, k)."""
     if len(time) == len(even):
         return values
-    # No interpolation, which would reduce the standard deviation of white noise.
+    # Values are not interpolated, which would reduce the standard deviation of white noise.
     return values[np.rint(time / (even[1] - even[0])).astype(np.intp)]
 
 
@@ -303,7 +310,7 @@ def _reported_trajectory(
     roll, pitch, heading = (attitude + attitude_error).T
     latitude, longitude, height = frame.to_geodetic(motion.position + position_error)
     return SimulatedTrajectory(
-        setup.voyage.start + motion.time,
+        setup.motion_source.start + motion.time,
         latitude,
         longitude,
         height,

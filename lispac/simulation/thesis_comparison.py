@@ -1,6 +1,7 @@
 """Comparison of values chosen visually in the thesis with those of the same rule in this program.
 
-Tables 3.2 and 3.3 and appendix C for the terrestrial site, sections 3.9 and 4.4.1.1 for the marine.
+The values are from tables 3.2 and 3.3 and appendix C for the terrestrial site, and from sections
+3.9 and 4.4.1.1 for the marine site.
 """
 
 from collections.abc import Mapping
@@ -47,7 +48,7 @@ THESIS_VALUES: Mapping[str, Mapping[str, ThesisValue]] = {
         "range_offset": ThesisValue((180, 225), (-60, -60), (-40, 10)),
         "scan_angle_offset": ThesisValue((0, 180, 45, 225), (-50, -50), (-50, 10)),
     },
-    # Vertical or near it; of the three pairs of 4.4.1.1 the one that shows the angle.
+    # Boards that are vertical or nearly so, and the pair of lines of 4.4.1.1 that shows the angle.
     "marine": {
         "roll": ThesisValue((0, 180), (-10, 10), (0, 90)),
         "pitch": ThesisValue((45, 225), (-10, 10), (0, 90)),
@@ -55,10 +56,12 @@ THESIS_VALUES: Mapping[str, Mapping[str, ThesisValue]] = {
     },
 }
 
-ALL_ERRORS = frozenset(frozenset((0, 180, *side)) for side in combinations((45, 225, 315, 135), 3))
-"""Table 3.3: headings (deg) of the lines that show every error."""
+SUFFICIENT_HEADINGS_DEG = frozenset(
+    frozenset((0, 180, *side)) for side in combinations((45, 225, 315, 135), 3)
+)
+"""Headings (deg) of the sets of lines that show every error (table 3.3)."""
 
-REASONS: Mapping[tuple[str, str], str] = {
+REASON_CODES: Mapping[tuple[str, str], str] = {
     ("terrestrial", "roll"): "visibility.roll_facing",
     ("terrestrial", "scan_angle_offset"): "visibility.offset_as_roll",
     ("terrestrial", "range_offset"): "visibility.offset_not_kept",
@@ -69,15 +72,15 @@ REASONS: Mapping[tuple[str, str], str] = {
 
 @dataclass(frozen=True)
 class ThesisComparison:
-    """One error in the thesis and here.
+    """Comparison of the best configuration for one error with that of the thesis.
 
     Attributes
     ----------
     lines_agree : bool
-        Whether the lines of the thesis include one of each group needed here (marine site: whether
-        they are from different groups).
+        Whether the lines of the thesis contain exactly one line of each group (marine site:
+        whether they belong to different groups).
     reason : Message or None
-        Reason if they do not agree.
+        Reason if the lines or the inclination do not agree.
     """
 
     best: BestConfiguration
@@ -108,7 +111,7 @@ def compare_with_thesis(study: VisibilityStudy) -> tuple[ThesisComparison, ...]:
 def do_fewest_lines_agree(study: VisibilityStudy) -> bool:
     """Whether the fewest lines that show all errors are those of table 3.3."""
     sets = fewest_sufficient_lines([study.best_configuration(error) for error in study.site.errors])
-    return {frozenset(lines) for lines in sets} == ALL_ERRORS
+    return {frozenset(lines) for lines in sets} == SUFFICIENT_HEADINGS_DEG
 
 
 def _disagreement_reason(
@@ -127,5 +130,5 @@ def _disagreement_reason(
         note("item.apart", distance=float(metres), angle=float(turn), inclination=np.radians(place))
         for place, metres, turn in zip(places, *spreads, strict=True)
     )
-    code = REASONS.get((study.site.name, best.error), "visibility.unknown_reason")
+    code = REASON_CODES.get((study.site.name, best.error), "visibility.unknown_reason")
     return note("visibility.differs", reason=note(code), differences=differences)

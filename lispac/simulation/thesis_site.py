@@ -7,17 +7,18 @@ error hits the plane of the board (3.4.2). The points are then georeferenced wit
 Assumptions, because the thesis specifies them only in figures or not at all:
 
 - An inclination is counted from the upright board, positive where its upper edge leans towards the
-  vessel. So the boards at +60 deg are the ones that run along the beams (figure 3.9), and those of
+  vessel. With this sign, boards at +60 deg are parallel to the beams (figure 3.9), and boards of
   the marine site between 0 and 90 deg face the vessel.
 - A board turns about its lower edge, which lies on the ground or on the edge of the quay: the 19
-  inclinations fill the half circle above ground, the 28 the 270 deg about the edge of a quay.
+  inclinations of the terrestrial site cover the half circle above ground, and the 28 of the marine
+  site cover 270 deg about the edge of a quay.
 - All lines pass through one point abeam of the board, 5 m (terrestrial) or 15 m (marine) from the
-  edge. The thesis gives no distance for the terrestrial site. From 5 m the boards at +60 run along
-  the beams and the type I criterion keeps nearly the inclinations the appendix keeps; 2 or 10 m
-  do not.
+  edge. The thesis gives no distance for the terrestrial site. With 5 m, boards at +60 deg are
+  parallel to the beams, and the type I criterion accepts nearly the same inclinations as in the
+  appendix. With 2 or 10 m, it does not.
 - ``aimed`` beams are those that would hit the board without the error, and the plane of the board
-  is unlimited. Only then are points displaced far where the board is nearly parallel to the beams,
-  as described in 3.4.4.1. On a real board (``struck``), a point is displaced by at most its range
+  is unlimited. Only then are points displaced far if the board is nearly parallel to the beams, as
+  described in 3.4.4.1. On a real board (``struck``), a point is displaced by at most its range
   times the error.
 - A board is visible only from the front.
 """
@@ -37,10 +38,10 @@ from lispac.survey.trajectory import Poses
 Array = NDArray[np.float64]
 Beams = Literal["aimed", "struck"]
 
-SIDE = 1.0
+BOARD_SIDE = 1.0
 """Side of a board, metres."""
 
-SIZES: Mapping[str, float] = {
+ERROR_SIZES: Mapping[str, float] = {
     "roll": np.radians(2.0),
     "pitch": np.radians(2.0),
     "yaw": np.radians(2.0),
@@ -52,8 +53,11 @@ SIZES: Mapping[str, float] = {
 }
 """The eight errors of table 3.2, radians and metres."""
 
-MARGIN: Mapping[Beams, float] = {"aimed": 0.0, "struck": np.radians(2.5)}
-"""Extension of the profiles beyond the board: with an error, beams beside the board may hit it."""
+PROFILE_MARGINS: Mapping[Beams, float] = {"aimed": 0.0, "struck": np.radians(2.5)}
+"""Extension of the profiles beyond the board, radians.
+
+With an error, beams beside the board may hit it.
+"""
 
 
 @dataclass(frozen=True)
@@ -66,7 +70,7 @@ class ThesisSite:
         Horizontal distance when abeam, and height, of the board's lower edge from the scanner.
     inclinations : tuple of float, radians
     errors : tuple of str
-        Studied errors, names of `SIZES`.
+        Studied errors, names of `ERROR_SIZES`.
     angle_step : float, radians
         Angle between the beams of a profile.
     profile_spacing : float, metres
@@ -82,20 +86,28 @@ class ThesisSite:
     profile_spacing: float
 
     def board(self, inclination: float) -> Board:
-        """The board at an inclination, radians; its normal is that of its face."""
+        """Board with an inclination, radians; its normal points to the side of its face."""
         cosine, sine = np.cos(inclination), np.sin(inclination)
-        centre = (0.0, self.distance - SIDE / 2 * sine, self.rise + SIDE / 2 * cosine)
-        return Board(f"{np.degrees(inclination):.0f}", centre, (0.0, -cosine, -sine), SIDE, SIDE)
+        centre = (0.0, self.distance - BOARD_SIDE / 2 * sine, self.rise + BOARD_SIDE / 2 * cosine)
+        return Board(
+            f"{np.degrees(inclination):.0f}", centre, (0.0, -cosine, -sine), BOARD_SIDE, BOARD_SIDE
+        )
 
 
 def _angle_steps(first: int, last: int) -> tuple[float, ...]:
     return tuple(float(np.radians(degrees)) for degrees in range(first, last + 1, 10))
 
 
-TERRESTRIAL = ThesisSite(
-    "terrestrial", 5.0, -2.5, _angle_steps(-90, 90), tuple(SIZES), float(np.radians(0.2)), 0.03
+TERRESTRIAL_SITE = ThesisSite(
+    "terrestrial",
+    5.0,
+    -2.5,
+    _angle_steps(-90, 90),
+    tuple(ERROR_SIZES),
+    float(np.radians(0.2)),
+    0.03,
 )
-MARINE = ThesisSite(
+MARINE_SITE = ThesisSite(
     "marine",
     15.0,
     5.0,
@@ -104,29 +116,32 @@ MARINE = ThesisSite(
     float(np.radians(0.1)),
     0.03,
 )
-SITES: Mapping[str, ThesisSite] = {site.name: site for site in (TERRESTRIAL, MARINE)}
+SITES: Mapping[str, ThesisSite] = {site.name: site for site in (TERRESTRIAL_SITE, MARINE_SITE)}
 
 LINES: tuple[Course, ...] = six_courses()
+"""The six lines of the thesis."""
 HEADINGS_DEG = tuple(round(float(np.degrees(course.heading))) for course in LINES)
 """Headings of the six lines, in the order of the thesis."""
 
-NO_ERROR = Mounting(np.zeros(3), np.zeros(3))
+ERROR_FREE_MOUNTING = Mounting(np.zeros(3), np.zeros(3))
 
 
 def mounting_with_error(error: str, share: float = 1.0) -> Mounting:
     """True mounting with one of the eight errors, scaled by ``share``."""
     values = np.zeros(len(CALIBRATION))
-    values[CALIBRATION.index(error)] = share * SIZES[error]
+    values[CALIBRATION.index(error)] = share * ERROR_SIZES[error]
     return Mounting.of_values(values)
 
 
 def board_plane(board: Board) -> Plane:
-    """The plane a board lies in, its normal that of the board's face."""
+    """Plane of a board, with the normal of its face."""
     return plane_through(np.array(board.centre), np.array(board.normal))
 
 
 def is_on_board(points: Array, board: Board) -> NDArray[np.bool_]:
-    """Whether each point of its plane is on the board, (n,); 3.4.3 uses areas of four triangles.
+    """Whether each point of the plane of a board lies on the board, shape (n,).
+
+    The thesis (3.4.3) compares the areas of four triangles instead.
 
     Parameters
     ----------
@@ -152,29 +167,31 @@ def simulate_board(
     Returns
     -------
     ndarray of shape (n, 3), metres, local
-        None if the board is visible only from behind.
+        No points (``n`` = 0) if the board is visible only from behind.
     """
     board = site.board(inclination)
-    directions, poses = _beams_and_poses(site, board, course, MARGIN[beams])
+    directions, poses = _beams_and_poses(site, board, course, PROFILE_MARGINS[beams])
     ranges, hits = _intersect_board(directions, poses, error, board)
     is_hit = np.isfinite(ranges)
     if beams == "aimed":
-        meant, hits = _intersect_board(directions, poses, NO_ERROR, board)
-        is_hit &= np.isfinite(meant)
+        error_free, hits = _intersect_board(directions, poses, ERROR_FREE_MOUNTING, board)
+        is_hit &= np.isfinite(error_free)
     is_hit[is_hit] = is_on_board(hits[is_hit], board)
     measured = directions[is_hit] * ranges[is_hit, None]
-    return place_points(measured, Poses(poses.position[is_hit], poses.attitude[is_hit]), NO_ERROR)
+    return place_points(
+        measured, Poses(poses.position[is_hit], poses.attitude[is_hit]), ERROR_FREE_MOUNTING
+    )
 
 
 def _beams_and_poses(
     site: ThesisSite, board: Board, course: Course, margin: float
 ) -> tuple[Array, Poses]:
-    """Unit beams in the LiDAR frame and the poses they leave from, about the board."""
+    """Beams around the board, as unit vectors in the LiDAR frame, and the poses at their times."""
     ahead = course.direction
     left = np.array([np.sin(course.heading), np.cos(course.heading), 0.0])
     across, up = plane_axes(np.array(board.normal))
     corners = np.array(board.centre) + [
-        (u * across + v * up) * SIDE / 2 for u in (-1, 1) for v in (-1, 1)
+        (u * across + v * up) * BOARD_SIDE / 2 for u in (-1, 1) for v in (-1, 1)
     ]
     # Both grids are the same for lines run in opposite directions.
     edge = float(np.array([0.0, site.distance, 0.0]) @ ahead)

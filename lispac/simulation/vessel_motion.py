@@ -9,8 +9,10 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-RATE = 200.0  # trajectory samples per second
-SINES = 4
+SAMPLE_RATE = 200.0
+"""Samples of the trajectory per second."""
+SINE_COUNT = 4
+"""Number of sines in each component of the sea motion."""
 
 
 @dataclass(frozen=True)
@@ -22,7 +24,7 @@ class VesselHandling:
     speed, speed_abeam : float, metres per second
         On the line, and in front of the boards, where the vessel slows down.
     slow_time : float, seconds
-        Half-width of the slow part.
+        Half-width of the slow part: the reduction of the speed falls to 1/e of its maximum.
     ramp : float, seconds
         Time for acceleration before a line, and for stopping after it.
     transit : float, seconds
@@ -49,7 +51,7 @@ class VesselHandling:
     periods: tuple[float, float] = (4.0, 9.0)
 
 
-LAUNCH = VesselHandling()
+SMALL_VESSEL = VesselHandling()
 """The small vessel of the built-in survey."""
 
 
@@ -73,41 +75,45 @@ class SailedLine:
     run_in: float
     run_out: float
     starboard: bool
-    handling: VesselHandling = LAUNCH
+    handling: VesselHandling = SMALL_VESSEL
 
     @cached_property
     def times(self) -> tuple[float, float]:
         """Start and stop of recording relative to abeam, on the trajectory's samples, seconds."""
         before, after = (
-            (run + self._lost) / self.handling.speed for run in (self.run_in, self.run_out)
+            (run + self._lost_distance) / self.handling.speed for run in (self.run_in, self.run_out)
         )
-        return -float(np.ceil(before * RATE)) / RATE, float(np.ceil(after * RATE)) / RATE
+        return (
+            -float(np.ceil(before * SAMPLE_RATE)) / SAMPLE_RATE,
+            float(np.ceil(after * SAMPLE_RATE)) / SAMPLE_RATE,
+        )
 
     @property
-    def _lost(self) -> float:
-        """Reduction of the distance by the slow part, on either side of abeam, metres."""
+    def _lost_distance(self) -> float:
+        """Distance lost by slowing down, on either side of abeam, metres."""
         own = self.handling
         return float((own.speed - own.speed_abeam) * own.slow_time * np.sqrt(np.pi) / 2)
 
-    def _speed(self, time: float) -> float:
+    def _speed_at(self, time: float) -> float:
         own = self.handling
         slow = np.exp(-((time / own.slow_time) ** 2))
         return float(own.speed - (own.speed - own.speed_abeam) * slow)
 
-    def _along(self, time: Array) -> Array:
+    def _distance_along(self, time: Array) -> Array:
         from scipy.special import erf
 
         own = self.handling
-        return np.asarray(own.speed * time - self._lost * erf(time / own.slow_time))
+        return np.asarray(own.speed * time - self._lost_distance * erf(time / own.slow_time))
 
     def course(self) -> Array:
         """Positions from rest through the recorded part to rest, shape (n, 2), metres."""
         start, stop = self.times
         ramp = self.handling.ramp
-        time = np.arange(round((start - ramp) * RATE), round((stop + ramp) * RATE) + 1) / RATE
-        along = self._along(np.clip(time, start, stop))
-        along -= self._speed(start) * _ramp_distance(np.clip(start - time, 0, ramp), ramp)
-        along += self._speed(stop) * _ramp_distance(np.clip(time - stop, 0, ramp), ramp)
+        first, last = round((start - ramp) * SAMPLE_RATE), round((stop + ramp) * SAMPLE_RATE)
+        time = np.arange(first, last + 1) / SAMPLE_RATE
+        along = self._distance_along(np.clip(time, start, stop))
+        along -= self._speed_at(start) * _ramp_distance(np.clip(start - time, 0, ramp), ramp)
+        along += self._speed_at(stop) * _ramp_distance(np.clip(time - stop, 0, ramp), ramp)
         direction = np.array([np.cos(self.heading), -np.sin(self.heading)])
         return np.asarray(self.abeam + along[:, None] * direction)
 
@@ -119,7 +125,7 @@ def _ramp_distance(time: Array, ramp: float) -> Array:
 
 
 def _smooth_step(count: int) -> Array:
-    """From 0 to 1, at rest and without acceleration at both ends (ends excluded)."""
+    """Values from 0 to 1, with zero speed and acceleration at both ends, which are excluded."""
     u = np.arange(1, count) / count
     return np.asarray(u**3 * (10 - 15 * u + 6 * u**2))
 
@@ -133,7 +139,7 @@ class VesselMotion:
     time : ndarray of shape (n,), seconds from the start of the survey
     position : ndarray of shape (n, 3), metres, local
     attitude : ndarray of shape (n, 3), radians
-        Roll, pitch, heading against the axes of the local frame, without jumps.
+        Roll, pitch, heading relative to the axes of the local frame, without jumps.
     recorded : tuple of pairs of float, seconds
         Start and stop of recording of each line.
     interval : float, seconds
@@ -144,7 +150,7 @@ class VesselMotion:
     position: Array
     attitude: Array
     recorded: tuple[tuple[float, float], ...]
-    interval: float = 1 / RATE
+    interval: float = 1 / SAMPLE_RATE
 
 
 def sail_lines(
@@ -163,8 +169,8 @@ def sail_lines(
         Mean height of the POS in the local frame.
     """
     own = lines[0].handling
-    wait = round(own.wait * RATE)
-    blend = _smooth_step(round(own.transit * RATE))
+    wait = round(own.wait * SAMPLE_RATE)
+    blend = _smooth_step(round(own.transit * SAMPLE_RATE))
     courses = [each.course() for each in lines]
     heading = lines[0].heading
     stretches = [np.repeat(courses[0][:1], wait, axis=0)]
@@ -177,7 +183,7 @@ def sail_lines(
             turn = -((heading - each.heading + np.pi) % (2 * np.pi) - np.pi)
             headings.append(heading + blend * turn)
             heading += turn
-        start = sum(map(len, stretches)) / RATE + own.ramp
+        start = sum(map(len, stretches)) / SAMPLE_RATE + own.ramp
         recorded.append((start, start + each.times[1] - each.times[0]))
         stretches.append(course)
         headings.append(np.full(len(course), heading))
@@ -185,7 +191,7 @@ def sail_lines(
     headings.append(np.full(wait, heading))
 
     level = np.concatenate(stretches)
-    time = np.arange(len(level)) / RATE
+    time = np.arange(len(level)) / SAMPLE_RATE
     drift_n, drift_w, heave, roll, pitch, yaw = (
         _sea_motion(time, sigma, own.periods, stream)
         for sigma, stream in zip(
@@ -203,9 +209,9 @@ def _sea_motion(
     time: Array, sigma: float, range_of: tuple[float, float], generator: np.random.Generator
 ) -> Array:
     """Smooth motion as a sum of sines with random periods and phases."""
-    periods = generator.uniform(*range_of, SINES)
-    phases = generator.uniform(0, 2 * np.pi, SINES)
-    weights = generator.uniform(0.5, 1.0, SINES)
+    periods = generator.uniform(*range_of, SINE_COUNT)
+    phases = generator.uniform(0, 2 * np.pi, SINE_COUNT)
+    weights = generator.uniform(0.5, 1.0, SINE_COUNT)
     weights *= sigma * np.sqrt(2) / np.linalg.norm(weights)
     waves = np.sin(2 * np.pi * time / periods[:, None] + phases[:, None])
     return np.asarray(weights @ waves)

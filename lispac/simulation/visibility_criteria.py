@@ -1,4 +1,4 @@
-"""How visible a systematic error is on a board: the criteria of the thesis (section 3.4.4).
+"""Visibility of a systematic error on a board: the criteria of the thesis (section 3.4.4).
 
 The type I criterion, from planarity and centroidal distance, is a first selection. It is 1 if the
 points form a board at the position of the board, and 0 if they do not. The type II criteria,
@@ -7,11 +7,14 @@ points, by which the error is visible.
 
 Choices where the thesis is incomplete or contains misprints:
 
-- Planarity is that of West et al. (2004), whom it cites: (l2 - l3) / l1, eigenvalues descending.
+- Planarity is that of West et al. (2004), as cited by the thesis: (l2 - l3) / l1, with the
+  eigenvalues in descending order.
 - Figure 3.8 shows the combination of the two values only graphically. Here it is the planarity
-  times one minus the normalised distance, which is 1 only if both are best, and 0 if one is worst.
+  times one minus the normalised distance. This is 1 only if both have their best values, and 0 if
+  one has its worst value.
 - Figure 3.10 divides the orthogonal distance by the length of the simulated plane's normal, which
-  is 1, and omits the d of the reference plane: right only where that goes through the origin.
+  is 1, and omits the d of the reference plane. This is correct only if that plane passes through
+  the origin.
 - Figure 3.10 requires an angle from 0 to 90 deg, but its arc tangent gives up to 180 deg, since two
   normals of one plane may point to opposite sides.
 """
@@ -63,12 +66,12 @@ def points_shape(points: Array) -> PointsShape:
 
 
 def centroidal_distance(shape: PointsShape, centre: Array) -> float:
-    """Distance from the board's centre, shape (3,), local, to the points' centroid, metres."""
+    """Distance from the centre of the board, shape (3,), local, to the points' centroid, metres."""
     return float(np.linalg.norm(shape.centroid - centre))
 
 
 def normalise_distances(distances: Array) -> Array:
-    """Equation 3.4: the least of these distances becomes 0, the largest 1.
+    """Normalise distances: the smallest becomes 0, the largest 1 (equation 3.4).
 
     Parameters
     ----------
@@ -81,12 +84,12 @@ def normalise_distances(distances: Array) -> Array:
     """
     least, largest = np.nanmin(distances), np.nanmax(distances)
     if largest == least:
-        return np.asarray(distances - least)  # nothing is farther off than anything else
+        return np.asarray(distances - least)  # all distances are equal
     return np.asarray((distances - least) / (largest - least))
 
 
 def type_one_criterion(planarity: Array, normalised_distance: Array) -> Array:
-    """Near 1 where the points are flat and near the board; 0 where there are none (NaN).
+    """Type I criterion: near 1 for flat points near the board, 0 if there are no points (NaN).
 
     Parameters
     ----------
@@ -100,7 +103,7 @@ def type_one_criterion(planarity: Array, normalised_distance: Array) -> Array:
 
 
 def angular_deviation(shape: PointsShape, reference: Plane) -> float:
-    """Between the plane of the points and the board's, radians in [0, pi/2]."""
+    """Angle between the plane of the points and that of the board, radians in [0, pi/2]."""
     return shape.plane.tilt_to(reference)
 
 

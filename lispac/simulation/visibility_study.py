@@ -36,23 +36,23 @@ from lispac.simulation.visibility_criteria import (
 
 Array = NDArray[np.float64]
 
-THRESHOLD = 0.75
+TYPE_ONE_THRESHOLD = 0.75
 """Threshold of the type I criterion. The thesis gives no number, only "near 1"."""
-ALIKE = 0.1
+MAX_GROUP_DIFFERENCE = 0.1
 """Largest difference between lines with the same effect, as a share of the largest value."""
-LEAST = 0.001, np.radians(0.02)
+NEGLIGIBLE_DIFFERENCES = 0.001, np.radians(0.02)
 """Negligible differences of orthogonal distance (metres) and angular deviation (radians)."""
 
 
 @dataclass(frozen=True, eq=False)
 class VisibilityStudy:
-    """The criteria of a site.
+    """Criteria of all errors, lines and inclinations of a site.
 
     Attributes
     ----------
     points : ndarray of int, shape (errors, lines, inclinations)
     planarity, type_one : ndarray of that shape
-        NaN and 0 where there are no points on the board.
+        NaN and 0, respectively, if there are no points on the board.
     centroidal_distance, orthogonal_distance : ndarray of that shape, metres
     angular_deviation : ndarray of that shape, radians
     """
@@ -88,8 +88,8 @@ class VisibilityStudy:
         )
 
     def kept_inclinations(self, error: str) -> tuple[float, ...]:
-        """Inclinations that the type I criterion keeps, a run about the upright board, radians."""
-        good = (self.type_one[self.site.errors.index(error)] >= THRESHOLD).all(axis=0)
+        """Consecutive inclinations, from the upright board, that the criterion keeps, radians."""
+        good = (self.type_one[self.site.errors.index(error)] >= TYPE_ONE_THRESHOLD).all(axis=0)
         upright = int(np.argmin(np.abs(self.site.inclinations)))
         if not good[upright]:
             return ()
@@ -101,33 +101,47 @@ class VisibilityStudy:
         return self.site.inclinations[low : high + 1]
 
     def visibility_spread(self, error: str) -> tuple[Array, Array]:
-        """Spread of the lines at each inclination: metres and radians, each (inclinations,).
+        """Range of the type II criteria over the lines, each of shape (inclinations,).
 
-        NaN where a line has no points.
+        Orthogonal distance in metres and angular deviation in radians; NaN if a line has no points.
         """
         k = self.site.errors.index(error)
         return np.ptp(self.orthogonal_distance[k], 0), np.ptp(self.angular_deviation[k], 0)
 
     def _most_visible_inclination(self, error: str, kept: Sequence[float]) -> int | None:
-        """Place of the inclination where the lines differ most, None where they do not.
+        """Index of the inclination at which the lines differ most; None if they do not differ.
 
-        Both differences count alike, each as a share of the largest among these inclinations.
+        Both criteria have equal weights: each difference is divided by the largest among these
+        inclinations.
         """
         among = [j for j, each in enumerate(self.site.inclinations) if each in kept]
         score = np.zeros(len(among))
-        for spread, least in zip(self.visibility_spread(error), LEAST, strict=True):
+        for spread, least in zip(
+            self.visibility_spread(error), NEGLIGIBLE_DIFFERENCES, strict=True
+        ):
             largest = spread[among].max(initial=0.0)
             if largest > least:
                 score += spread[among] / largest
         return among[int(np.argmax(score))] if score.any() else None
 
     def groups(self, error: str, inclination: int) -> tuple[tuple[int, ...], ...]:
-        """Headings (deg) of lines that show the same at the inclination of this place."""
+        """Groups of lines with the same effect at an inclination, as headings in degrees.
+
+        Parameters
+        ----------
+        inclination : int
+            Index of the inclination.
+        """
         k = self.site.errors.index(error)
         shown = [
-            (values[k, :, inclination], max(least, ALIKE * np.abs(values[k, :, inclination]).max()))
+            (
+                values[k, :, inclination],
+                max(least, MAX_GROUP_DIFFERENCE * np.abs(values[k, :, inclination]).max()),
+            )
             for values, least in zip(
-                (self.orthogonal_distance, self.angular_deviation), LEAST, strict=True
+                (self.orthogonal_distance, self.angular_deviation),
+                NEGLIGIBLE_DIFFERENCES,
+                strict=True,
             )
         ]
         groups: list[list[int]] = []
@@ -150,9 +164,9 @@ class BestConfiguration:
     kept : tuple of float, radians
         Inclinations that the type I criterion accepts.
     inclination : float, radians
-        None where no lines differ at any of them: the error is invisible.
+        None if the lines do not differ at any of them: the error is invisible.
     groups : tuple of tuple of int, degrees
-        Headings of lines that show the same; one line of each is needed.
+        Headings of lines with the same effect; one line of each group is needed.
     """
 
     error: str
@@ -162,11 +176,11 @@ class BestConfiguration:
 
     @property
     def lines(self) -> tuple[int, ...]:
-        """Headings (deg) of the first line of each group; none where the error is invisible."""
+        """Headings (deg) of the first line of each group; empty if the error is invisible."""
         return () if self.inclination is None else tuple(group[0] for group in self.groups)
 
-    def is_seen_by(self, lines: Sequence[int]) -> bool:
-        """Whether these lines contain one of each group."""
+    def is_visible_on(self, lines: Sequence[int]) -> bool:
+        """Whether the error is visible on these lines: they contain one of each group."""
         return self.inclination is not None and all(
             set(group) & set(lines) for group in self.groups
         )
@@ -196,7 +210,7 @@ def study_visibility(
                 try:
                     found = points_shape(cloud)
                 except PlaneNotFound:
-                    continue  # not seen, or along one beam only
+                    continue  # no points, or only points on one straight line
                 values[:, e, k, j] = (
                     found.planarity,
                     centroidal_distance(found, np.array(board.centre)),
@@ -212,13 +226,13 @@ def study_visibility(
 def fewest_sufficient_lines(
     configurations: Sequence[BestConfiguration],
 ) -> tuple[tuple[int, ...], ...]:
-    """The smallest sets of lines, headings in degrees, that see every error any lines can see."""
+    """Smallest sets of lines that show every visible error, as headings in degrees."""
     visible = [best for best in configurations if best.inclination is not None]
     for count in range(1, len(HEADINGS_DEG) + 1):
         enough = tuple(
             lines
             for lines in combinations(HEADINGS_DEG, count)
-            if all(best.is_seen_by(lines) for best in visible)
+            if all(best.is_visible_on(lines) for best in visible)
         )
         if enough:
             return enough

@@ -70,9 +70,9 @@ def test_lines() -> None:
     """Whole lines in one thread: pulses sent, points read, with noise."""
     for name in ("port", "marine", "terrestrial"):
         setup = read_simulation(name).setup
-        motion = setup.voyage.motion(np.random.default_rng(1))
+        motion = setup.motion_source.motion(np.random.default_rng(1))
         states = (motion.time, motion.position, motion.attitude)
-        recorded, side = motion.recorded[0], setup.voyage.legs[0].starboard
+        recorded, side = motion.recorded[0], setup.motion_source.legs[0].starboard
         pulses = len(setup.scanner.pulses(*recorded, side)[0])
 
         def line(setup=setup, states=states, recorded=recorded, side=side) -> int:

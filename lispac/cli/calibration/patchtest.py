@@ -63,7 +63,7 @@ def run(arguments: Namespace) -> None:
     UsageError
         If a box is invalid or a line is unknown.
     """
-    from lispac.patchtest.object_proposal import OBJECT_COUNT
+    from lispac.patchtest.object_proposal import MAX_OBJECTS
     from lispac.progress import sub_progress
     from lispac.workflow.calibration import patch_test as workflow
     from lispac.workflow.calibration.method_runs import patch_test_result
@@ -73,7 +73,7 @@ def run(arguments: Namespace) -> None:
     given_objects = [_parse_object(name, text) for name, text in arguments.object or ()]
     if len({each.name for each in given_objects}) < len(given_objects):
         raise UsageError("patchtest: two objects have the same name.")
-    count = arguments.count if arguments.count is not None else 0 if given_objects else OBJECT_COUNT
+    count = arguments.count if arguments.count is not None else 0 if given_objects else MAX_OBJECTS
     if not given_objects and not count:
         raise UsageError("patchtest: give objects with --object, or detect some with --count.")
     with opened_project(arguments.project, change=arguments.save) as project:
@@ -105,10 +105,10 @@ def print_patch_test(result: PatchTestResult) -> None:
     """Print the angles with their sigmas, the objects and the messages."""
     import numpy as np
 
-    from lispac.patchtest.mismatch_minimisation import ANGLES
+    from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
 
     print("LiDAR patch test (deg)     result   sigma  separately   mm per 0.01 deg")
-    for k, angle in enumerate(ANGLES):
+    for k, angle in enumerate(ANGLE_NAMES):
         sigma = "none" if result.sigma is None else f"{np.degrees(result.sigma[k]):.4f}"
         print(
             f"  {angle:<18}{np.degrees(result.boresight[k]):>+13.4f}  {sigma:>6}"
@@ -118,7 +118,7 @@ def print_patch_test(result: PatchTestResult) -> None:
     print("Object            pairs  dist. (mm)       angle diff. (deg)  limit (deg)")
     for each in result.objects:
         mark = "  DIFFERS" if each.disagrees else ""
-        angle = "none" if each.angle is None else ANGLES[each.angle]
+        angle = "none" if each.angle is None else ANGLE_NAMES[each.angle]
         print(
             f"  {each.name:<16}{len(each.pairs):>5}{1000 * each.mismatch:>12.1f}"
             f"  {angle:>10}{np.degrees(each.off):>+11.4f}"
@@ -132,7 +132,7 @@ def patch_test_values(result: PatchTestResult) -> dict[str, Any]:
     """Patch test as plain values, angles in degrees."""
     import numpy as np
 
-    from lispac.patchtest.mismatch_minimisation import ANGLES
+    from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
 
     sigma = result.sigma
     return {
@@ -155,7 +155,7 @@ def patch_test_values(result: PatchTestResult) -> dict[str, Any]:
                 "name": each.name,
                 "pairs": list(each.pairs),
                 "mismatch_m": each.mismatch,
-                "angle": None if each.angle is None else ANGLES[each.angle],
+                "angle": None if each.angle is None else ANGLE_NAMES[each.angle],
                 "difference_deg": float(np.degrees(each.off)),
                 "limit_deg": float(np.degrees(each.allowed)),
                 "disagrees": each.disagrees,
@@ -168,9 +168,9 @@ def patch_test_values(result: PatchTestResult) -> dict[str, Any]:
 
 
 def _values_by_angle(values: Array) -> dict[str, float]:
-    from lispac.patchtest.mismatch_minimisation import ANGLES
+    from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
 
-    return {angle: float(value) for angle, value in zip(ANGLES, values, strict=True)}
+    return {angle: float(value) for angle, value in zip(ANGLE_NAMES, values, strict=True)}
 
 
 def _parse_object(name: str, text: str) -> PatchObject:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from lispac.design.site import Site
 
 CRITERION_NAMES = ("largest", "roll", "pitch", "yaw", "A", "D")
-"""Names of `lispac.design.objective.CRITERIA`."""
+"""Names of `lispac.design.objective.CRITERION_TEXTS`."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -58,7 +58,7 @@ def run(arguments: Namespace) -> None:
     import numpy as np
 
     from lispac.adjustment.result import ANGLES
-    from lispac.design.objective import CRITERIA, PlanObjective
+    from lispac.design.objective import CRITERION_TEXTS, PlanObjective
     from lispac.design.plan_choices import thesis_plan
     from lispac.design.plan_search import search
     from lispac.design.prediction import predict
@@ -84,7 +84,7 @@ def run(arguments: Namespace) -> None:
     if arguments.json:
         print_json(_design_values(title, site, found, usual))
         return
-    print(f"{title}: smallest {CRITERIA[objective.criterion]}")
+    print(f"{title}: smallest {CRITERION_TEXTS[objective.criterion]}")
     for name, plan in (("best plan", found.plan), ("Shahraji", usual)):
         prediction = predict(plan)
         text = "not determined"

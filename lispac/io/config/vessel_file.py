@@ -17,7 +17,7 @@ from lispac.simulation.pos_error_models import (
     combine_models,
 )
 from lispac.simulation.pos_errors import PosErrorModel
-from lispac.simulation.vessel_motion import LAUNCH, VesselHandling
+from lispac.simulation.vessel_motion import SMALL_VESSEL, VesselHandling
 from lispac.survey.georeferencing import Mounting
 
 LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST_TIME = 1e3, 10.0, 1e9
@@ -140,20 +140,20 @@ def read_mounting_errors(table: TomlTable) -> MountingErrors:
 def _read_handling(table: TomlTable) -> VesselHandling:
     with table.table("handling") as sailed, table.table("motion") as sea:
         speed = sailed.number("speed_m_s", over=0, high=50)
-        shortest = sea.number("shortest_s", LAUNCH.periods[0], over=0)
+        shortest = sea.number("shortest_s", SMALL_VESSEL.periods[0], over=0)
         return VesselHandling(
             speed=speed,
             speed_abeam=sailed.number("speed_abeam_m_s", speed, over=0, high=speed),
-            slow_time=sailed.number("slow_s", LAUNCH.slow_time, over=0),
-            ramp=sailed.number("ramp_s", LAUNCH.ramp, over=0),
-            transit=sailed.number("transit_s", LAUNCH.transit, over=0),
-            wait=sailed.number("wait_s", LAUNCH.wait, over=0),
+            slow_time=sailed.number("slow_s", SMALL_VESSEL.slow_time, over=0),
+            ramp=sailed.number("ramp_s", SMALL_VESSEL.ramp, over=0),
+            transit=sailed.number("transit_s", SMALL_VESSEL.transit, over=0),
+            wait=sailed.number("wait_s", SMALL_VESSEL.wait, over=0),
             roll=float(np.radians(sea.number("roll_deg", low=0, high=45))),
             pitch=float(np.radians(sea.number("pitch_deg", low=0, high=45))),
             yaw=float(np.radians(sea.number("yaw_deg", low=0, high=45))),
             heave=sea.number("heave_m", low=0),
             drift=sea.number("drift_m", low=0),
-            periods=(shortest, sea.number("longest_s", LAUNCH.periods[1], low=shortest)),
+            periods=(shortest, sea.number("longest_s", SMALL_VESSEL.periods[1], low=shortest)),
         )
 
 

@@ -22,8 +22,8 @@ from lispac.patchtest.mismatch_minimisation import (
     minimise_mismatch,
 )
 from lispac.patchtest.object_boxes import PatchObject
-from lispac.patchtest.object_proposal import OBJECT_COUNT, find_objects
-from lispac.patchtest.object_sample import MARGIN, ObjectSample
+from lispac.patchtest.object_proposal import MAX_OBJECTS, find_objects
+from lispac.patchtest.object_sample import BOX_MARGIN, ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
@@ -118,7 +118,7 @@ def place_lines(project: Project, survey: Survey, boresight: Array) -> dict[str,
 
 
 def propose_objects(
-    project: Project, survey: Survey, *, count: int = OBJECT_COUNT, progress: Progress = no_progress
+    project: Project, survey: Survey, *, count: int = MAX_OBJECTS, progress: Progress = no_progress
 ) -> PlacedObjects:
     """Find objects that lines share, independent of the error of the prior boresight.
 
@@ -150,7 +150,7 @@ def place_objects(
     objects: Sequence[PatchObject],
     boresight: Array,
     *,
-    margin: float = MARGIN,
+    margin: float = BOX_MARGIN,
     progress: Progress = no_progress,
 ) -> PlacedObjects:
     """Select the points of each line in the boxes of the objects.

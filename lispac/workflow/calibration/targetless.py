@@ -22,7 +22,7 @@ from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import AdjustmentError
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
-from lispac.natural.patch_choice import PATCH_COUNT, PatchChoice, choose_patches
+from lispac.natural.patch_choice import MAX_PATCHES, PatchChoice, choose_patches
 from lispac.natural.patches import Patches, find_patches
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Target
@@ -100,7 +100,7 @@ def targetless(
     project: Project,
     survey: Survey,
     *,
-    count: int = PATCH_COUNT,
+    count: int = MAX_PATCHES,
     with_targets: bool = False,
     progress: Progress = no_progress,
 ) -> TargetlessResult:
@@ -262,7 +262,7 @@ def _targets_of_patches(
                 PickedSighting(
                     line,
                     numbers,
-                    float(planes.rough[row]),
+                    float(planes.roughness[row]),
                     fingerprint=survey.scans[line].fingerprint,
                     one_in=one_in,
                 )
@@ -273,7 +273,7 @@ def _targets_of_patches(
                 name=f"N{k + 1:03d}",
                 role="target",
                 seed=tuple(planes.centre[lead].tolist()),
-                threshold=float(planes.far[rows].max()),
+                threshold=float(planes.max_distance[rows].max()),
                 radius=float(planes.reach[rows].max()),
                 sightings=tuple(sightings),
             )

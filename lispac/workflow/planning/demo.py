@@ -73,14 +73,14 @@ def make_demo(
 
 def demo_seeds() -> dict[str, tuple[Role, Triple]]:
     """Seeds of the targets of the built-in survey: role and local position by name."""
-    from lispac.simulation.port_scene import TARGETS, VALIDATION, port_scene
+    from lispac.simulation.port_scene import TARGET_NAMES, VALIDATION_NAMES, port_scene
     from lispac.simulation.scene import Rectangle
 
     scene = port_scene()
     seeds: dict[str, tuple[Role, Triple]] = {}
     roles: tuple[tuple[Role, tuple[str, ...]], ...] = (
-        ("target", TARGETS),
-        ("validation", VALIDATION),
+        ("target", TARGET_NAMES),
+        ("validation", VALIDATION_NAMES),
     )
     for role, names in roles:
         for name in names:

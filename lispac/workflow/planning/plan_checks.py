@@ -9,11 +9,11 @@ import numpy as np
 from lispac.adjustment.diagnostics.observability import assess_observability
 from lispac.adjustment.model.threads import single_blas_thread
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
-from lispac.design.objective import CRITERIA, PlanObjective
+from lispac.design.objective import CRITERION_TEXTS, PlanObjective
 from lispac.design.plan import Plan
 from lispac.design.plan_choices import have_targets_one_orientation
 from lispac.design.plan_search import DesignResult, Mapper
-from lispac.design.prediction import UNDETERMINED, predict, predicted_equations
+from lispac.design.prediction import UNDETERMINED_MESSAGE, predict, predicted_equations
 from lispac.design.scenarios import ScenarioOutcome
 from lispac.design.site import Site, clearance_from_wall, overlapping_targets
 from lispac.errors import LispacError, RankDeficient, system_reason
@@ -37,7 +37,7 @@ def observability_messages(plan: Plan, *, progress: Progress = no_progress) -> t
         if have_targets_one_orientation(plan):
             return (ONE_WAY,)
         if not predict(plan).determined:
-            return (UNDETERMINED,)
+            return (UNDETERMINED_MESSAGE,)
         with single_blas_thread():
             found = assess_observability(predicted_equations(plan), progress=progress)
             return found.messages
@@ -120,7 +120,7 @@ def write_design(
     titled = TitledPlan(title, design.plan, site.wall)
     write_plan(folder / "plan.toml", titled)
     write_field_plan(folder / "field-plan.pdf", titled)
-    figure = pareto_front_figure(design.front, CRITERIA[objective.criterion])
+    figure = pareto_front_figure(design.front, CRITERION_TEXTS[objective.criterion])
     with atomic_write(folder / "front.svg") as temporary:
         figure.savefig(temporary, format="svg", metadata={"Date": None})
     rows = [["minutes", "value_deg", "roll_deg", "pitch_deg", "yaw_deg", "targets", "lines"]]

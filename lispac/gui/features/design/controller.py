@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from lispac.design.monte_carlo import MIN_SURVEYS, MonteCarloResult
-from lispac.design.objective import CRITERIA, PlanObjective
+from lispac.design.objective import CRITERION_TEXTS, PlanObjective
 from lispac.design.plan import Plan
 from lispac.design.plan_search import DesignResult, Mapper, search
 from lispac.design.scenarios import (
@@ -316,7 +316,7 @@ class SiteDesign(QObject):
             self.workspace.edit(gettext_lazy("best survey design"), best)
             value = float(np.degrees(result.value))
             panel.show_found(SearchResult(value, objective, result.evaluated, result.exact))
-            window.pictures.show_front(result.front, CRITERIA[objective.criterion])
+            window.pictures.show_front(result.front, CRITERION_TEXTS[objective.criterion])
 
         panel.show_found(None)
         self.runner.run(gettext("Searching for the best survey design"), work, done)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from PySide6.QtCore import QLocale, Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QScrollArea, QVBoxLayout, QWidget
 
-from lispac.design.objective import CRITERIA, PlanObjective
+from lispac.design.objective import CRITERION_TEXTS, PlanObjective
 from lispac.design.site import Site
 from lispac.errors import InputError, LispacError
 from lispac.gui import widgets
@@ -288,7 +288,7 @@ class SearchPanel(QScrollArea):
         self.limits = LimitsForm()
         self.criterion = widgets.ChoiceBox(
             "search_criterion",
-            list(map(gettext, CRITERIA.values())),
+            list(map(gettext, CRITERION_TEXTS.values())),
             gettext("Quantity that the search minimises"),
         )
         self.factors = widgets.ChoiceBox(
@@ -385,7 +385,7 @@ class SearchPanel(QScrollArea):
     def objective(self) -> PlanObjective:
         """Objective of the search."""
         factors = list(FACTORS.values())[self.factors.currentIndex()]
-        return PlanObjective(list(CRITERIA)[self.criterion.currentIndex()], factors)
+        return PlanObjective(list(CRITERION_TEXTS)[self.criterion.currentIndex()], factors)
 
     def show_found(self, result_text: LazyText | None) -> None:
         """Show the result of a search; None if there is no result."""
@@ -435,7 +435,7 @@ class SearchResult:
 
     def __str__(self) -> str:
         """The text in the language and the unit in use."""
-        criterion = gettext(CRITERIA[self.objective.criterion])
+        criterion = gettext(CRITERION_TEXTS[self.objective.criterion])
         unit = units.shown_unit("°").sign
         value = sigma_text(self.value) + (unit if unit in "°′″" else f" {unit}")
         if self.all_evaluated:

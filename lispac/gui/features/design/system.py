@@ -9,7 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QScrollArea, QWidget
 
 from lispac.design.plan import System
-from lispac.design.scenarios import GRADES
+from lispac.design.scenarios import POS_CLASSES
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.features.design import edits
@@ -50,7 +50,7 @@ class SystemPanel(QScrollArea):
         self.title.setToolTip(gettext("Title of the survey plan, printed on the field plan"))
         self.title.setMaxLength(80)
         self.grade = widgets.ChoiceBox(
-            "design_grade", [*map(gettext, GRADES), gettext(USER_DEFINED)],
+            "design_grade", [*map(gettext, POS_CLASSES), gettext(USER_DEFINED)],
             gettext("Class of the POS, with typical standard deviations from data sheets"),
         )  # fmt: skip
         self.model = widgets.ChoiceBox(
@@ -154,7 +154,7 @@ class SystemPanel(QScrollArea):
         ):
             if not isclose(field.value(), value, abs_tol=EQUAL_TOLERANCE):
                 field.setValue(float(value))
-        grades = [each == pos for each in GRADES.values()]
+        grades = [each == pos for each in POS_CLASSES.values()]
         self.grade.setCurrentIndex(grades.index(True) if any(grades) else len(grades))
         self.model.setCurrentIndex(list(NAMES).index(system.pos_errors))
         if self.title.text().strip() != titled.title:
@@ -162,9 +162,9 @@ class SystemPanel(QScrollArea):
         self._showing = False
 
     def _set_pos_class(self, which: int) -> None:
-        if which < len(GRADES):
+        if which < len(POS_CLASSES):
             system = self._work.titled.plan.system
-            pos = list(GRADES.values())[which]
+            pos = list(POS_CLASSES.values())[which]
             self._set_system(gettext_lazy("POS class"), replace(system, pos=pos))
 
     def _edit(self, name: str) -> None:

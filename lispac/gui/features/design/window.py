@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from lispac.design.monte_carlo import MonteCarloResult
 from lispac.design.plan_search import ReductionStep
-from lispac.design.scenarios import OF_THE_THESIS, ScenarioOutcome
+from lispac.design.scenarios import THESIS_SCENARIOS, ScenarioOutcome
 from lispac.gui import widgets
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.status_bar import TaskStatusBar
@@ -82,7 +82,7 @@ class FiguresPanel(QWidget):
         for name in names:
             own = [each for each in outcomes if each.scenario == name]
             title = LazyText(THESIS_SCENARIO, {"scenario": LazyText(name, {})})
-            title = title if name in OF_THE_THESIS else LazyText(name, {})
+            title = title if name in THESIS_SCENARIOS else LazyText(name, {})
             self._add_figure(name, title, lambda figure, own=own: scenario_figure(own, figure))
         self.which.setCurrentIndex(0)
 

@@ -9,7 +9,7 @@ from lispac.gui import widgets
 from lispac.gui.appearance import quantities
 from lispac.gui.widgets.number_field import NumberField
 from lispac.language import N_, gettext
-from lispac.patchtest.mismatch_minimisation import ANGLES
+from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
 
 Array = NDArray[np.float64]
 
@@ -48,12 +48,13 @@ class PatchAngles(QWidget):
         self.fields: list[NumberField] = []
         self.find_buttons: list[widgets.Button] = []
         self.result_labels = [
-            widgets.label("", "muted", wrap=True, name=f"patch_{angle}_found") for angle in ANGLES
+            widgets.label("", "muted", wrap=True, name=f"patch_{angle}_found")
+            for angle in ANGLE_NAMES
         ]
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setVerticalSpacing(0)
-        for k, angle in enumerate(ANGLES):
+        for k, angle in enumerate(ANGLE_NAMES):
             slider = QSlider(Qt.Orientation.Horizontal)
             slider.setObjectName(f"patch_{angle}_slider")
             slider.setAccessibleName(gettext(_SLIDERS[k]))

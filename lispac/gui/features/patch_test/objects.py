@@ -17,7 +17,7 @@ from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, PickedPoint
 from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.language import N_, gettext
-from lispac.patchtest.object_boxes import SMALLEST, ObjectBox, object_of_box
+from lispac.patchtest.object_boxes import MIN_SIDE, ObjectBox, object_of_box
 from lispac.progress import Progress
 from lispac.workflow.calibration.patch_test import PlacedObjects, place_objects, propose_objects
 
@@ -157,4 +157,4 @@ class PatchObjects(QObject):
 def _patch_box(box: ClipBox) -> ObjectBox:
     ahead = box.axes[0]
     turn = float(np.arctan2(-ahead[1], ahead[0]))
-    return ObjectBox(np.array(box.centre), np.maximum(2 * box.half, SMALLEST), turn)
+    return ObjectBox(np.array(box.centre), np.maximum(2 * box.half, MIN_SIDE), turn)
