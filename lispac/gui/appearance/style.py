@@ -2,7 +2,7 @@
 
 from PySide6.QtGui import QColor, QPalette
 
-from lispac.gui.appearance.colour_schemes import DARK, ColourScheme
+from lispac.gui.appearance.colour_schemes import DARK_SCHEME, ColourScheme
 from lispac.installation_paths import resource_path
 
 
@@ -43,13 +43,13 @@ def palette(scheme: ColourScheme) -> QPalette:
     return made
 
 
-FRAMED = ("QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboBox",
+FRAMED_CLASSES = ("QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboBox",
           "QAbstractItemView")  # fmt: skip
 """Classes of check boxes and input widgets."""
 
 
 def framed_palette(scheme: ColourScheme) -> QPalette:
-    """Palette of the widgets named in `FRAMED`.
+    """Palette of the widgets named in `FRAMED_CLASSES`.
 
     The Fusion style draws their frames 1.4 times darker than the colour of the window, or 1.25
     times darker than the highlight if they have the focus; both would be invisible in a dark
@@ -66,7 +66,7 @@ def framed_palette(scheme: ColourScheme) -> QPalette:
 
 def _dock_icons(scheme: ColourScheme) -> str:
     """Style rules with light icons for docks in the dark scheme, as the icons of Qt are black."""
-    if scheme is not DARK:
+    if scheme is not DARK_SCHEME:
         return ""
     icons = [resource_path(f"icons/dock-{name}-dark.png").as_posix() for name in ("close", "float")]
     return f'titlebar-close-icon: url("{icons[0]}"); titlebar-normal-icon: url("{icons[1]}");'

@@ -14,8 +14,8 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QIcon, QPixmap
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
-from lispac.gui.appearance.colour_schemes import LIGHT, SCHEMES, Colour, ColourScheme
-from lispac.gui.appearance.style import FRAMED, framed_palette, palette, style_sheet
+from lispac.gui.appearance.colour_schemes import LIGHT_SCHEME, SCHEMES, Colour, ColourScheme
+from lispac.gui.appearance.style import FRAMED_CLASSES, framed_palette, palette, style_sheet
 
 TARGET_COLOUR: Colour = (220, 20, 90)
 VALIDATION_COLOUR: Colour = (130, 84, 232)
@@ -26,7 +26,7 @@ UNUSED_COLOUR: Colour = (130, 138, 146)
 SPACING = 8
 """Spacing between neighbouring widgets, pixels; the margins of a panel are twice as wide."""
 
-_scheme: ColourScheme = LIGHT
+_scheme: ColourScheme = LIGHT_SCHEME
 
 
 def __getattr__(name: str) -> str:
@@ -60,7 +60,7 @@ def rgb(name: str) -> Colour:
 def paper_colours() -> Iterator[None]:
     """Context with the light scheme, for pictures on white paper."""
     global _scheme
-    before, _scheme = _scheme, LIGHT
+    before, _scheme = _scheme, LIGHT_SCHEME
     try:
         yield
     finally:
@@ -147,7 +147,7 @@ def apply_theme(application: QApplication, choice: str = "light") -> None:
         return
     application.setStyle(QStyleFactory.create("Fusion"))
     application.setPalette(palette(_scheme))
-    for name in FRAMED:
+    for name in FRAMED_CLASSES:
         application.setPalette(framed_palette(_scheme), name)
     application.setFont(_window_font(application.font()))
     application.setStyleSheet(style_sheet(_scheme))

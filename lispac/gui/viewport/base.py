@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class PickedPoint:
-    """Point under a Ctrl+click: its line and its local coordinates in metres."""
+    """Point under the mouse: its line and its local coordinates in metres."""
 
     line: str
     position: tuple[float, float, float]
@@ -91,7 +91,7 @@ class Sketch:
     points : metres, local frame
     edges : pairs of indices of ``points``, joined by a line
     dots : whether the points are marked
-    label, at : text, and the point beside which it is placed
+    label, label_point : text, and the point beside which it is placed
     metric : label in metres, for pictures in files, if ``label`` is in another unit
     """
 
@@ -100,7 +100,7 @@ class Sketch:
     colour: Colour
     dots: bool = False
     label: str = ""
-    at: tuple[float, float, float] | None = None
+    label_point: tuple[float, float, float] | None = None
     handles: tuple[DragHandle, ...] = ()
     metric: str = ""
 
@@ -109,7 +109,7 @@ MouseMode = Literal["navigate", "point", "outline"]
 """Action of the left button: rotate the view; rotate it and pick points; draw an outline."""
 
 SELECTED_COLOUR: Colour = (60, 255, 30)
-"""Colour of the selected sighting: bright green, which nothing else has."""
+"""Colour of the selected sighting: bright green, which no other object has."""
 UNSELECTED_COLOUR: Colour = (165, 171, 178)
 """Colour of the other sightings of the target of a selected sighting."""
 
@@ -120,7 +120,7 @@ class SightingStyle:
 
     Attributes
     ----------
-    larger : size of its points in addition to that of the lines, pixels
+    larger : difference between the size of its points and that of the points of lines, pixels
     outlined : whether its points have a dark edge
     above : whether it is drawn over the other sightings
     """

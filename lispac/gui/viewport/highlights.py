@@ -1,13 +1,13 @@
 """Highlighted sightings, drawn over the lines.
 
-The 3D library is used only through the functions of `actors`.
+This module does not import VTK: the functions of `actors` create its objects.
 """
 
 from collections.abc import Sequence
 from typing import Any
 
 from lispac.gui.viewport.actors import (
-    EDGE,
+    SHADED_EDGE_COLOUR,
     clip_actors,
     darker_colour,
     point_actor,
@@ -74,7 +74,8 @@ class HighlightLayer:
             set_point_pixels([outline], (size + 3) * scale)
             set_actor_colour(actor, drawn.colour)
             set_actor_colour(
-                outline, darker_colour(drawn.colour) if highlight.shades is None else EDGE
+                outline,
+                darker_colour(drawn.colour) if highlight.shades is None else SHADED_EDGE_COLOUR,
             )
             shown = highlight.key[1] not in hidden
             actor.SetVisibility(shown)

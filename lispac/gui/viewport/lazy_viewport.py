@@ -1,4 +1,4 @@
-"""Viewport that is created when it first has content.
+"""Viewport that is created when it is first shown or has content.
 
 Importing the 3D library is the slowest part of the start of the program, and the start page does
 not need it.
@@ -14,9 +14,9 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from lispac.gui.viewport.base import Array, Colour, PointColouring, Viewport, ViewportSignals
 
 CALLS_BY_NAME = {"set_line_visible", "show_sketch"}
-"""Calls stored by the name of a line or sketch; of other calls, only the last is stored."""
+"""Methods whose last call is stored for each line or sketch; of others, only one call is stored."""
 CALLS_WITH_VALUE = {"hides", "drawn_near", "to_pixels", "picture"}
-"""Calls that return a value and therefore need the real viewport."""
+"""Methods that return a value and therefore need the real viewport."""
 
 
 class LazyViewport:

@@ -23,14 +23,14 @@ from lispac.gui.viewport.clipping import Box
 
 
 class RecordingViewport:
-    """`Viewport` on a plain widget that records all calls.
+    """`Viewport` on a plain widget that records the calls of its methods.
 
     Attributes
     ----------
     calls : list of (method name, arguments)
-        All calls, in order.
+        Calls in order, except those that only return a value.
     clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
-    mouse_mode, hint, hovering, sketches, box, wiped
+    mouse_mode, hint, hovering, sketches, box, wipe_clouds
         Content and state that a real viewport would show.
     """
 
@@ -120,7 +120,7 @@ class RecordingViewport:
         self.wipe_clouds = None if clouds is None else dict(clouds)
 
     def set_station(self, position: tuple[float, float, float]) -> None:
-        """Remember where the standard views look from."""
+        """Remember the position of the observer."""
         self._record("set_station", position)
         self.station = position
 

@@ -10,17 +10,17 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 from lispac.gui.appearance import theme, units
 from lispac.gui.viewport.base import Array, DragHandle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, ViewportSize
-from lispac.gui.viewport.navigation import SNAP_PX, Navigator
+from lispac.gui.viewport.navigation import SNAP_RADII_PX, Navigator
 from lispac.gui.viewport.overlay import Overlay, has_right_neighbour
 from lispac.gui.viewport.point_picker import pick_point
 from lispac.language import gettext
 
 GRAB_RADIUS_PX = 9.0
 """Largest distance of the mouse from a handle at which it can be dragged, pixels."""
-HOVER_MS = 40
+HOVER_DELAY_MS = 40
 """Time for which the mouse must rest before the point under it is searched for."""
 MAX_HOVER_POINTS = 250_000
-"""Largest number of drawn points that are searched for the one under the mouse."""
+"""Largest number of drawn points that are searched for the point under the mouse."""
 LABEL_TOP_PX = 42.0
 """Smallest distance of a label from the top, pixels, so that the hint does not hide it."""
 MIN_AXIS_SINE = 0.25
@@ -29,13 +29,20 @@ MIN_AXIS_SINE = 0.25
 
 @dataclass(eq=False)
 class _HandleDrag:
-    """Handle during a drag: its axis and the position of the mouse along it."""
+    """Handle during a drag.
+
+    Attributes
+    ----------
+    sketch, handle : name of the sketch and index of the handle
+    place, axis : position at the start of the drag and direction, shape (3,), local frame
+    mouse_position : last position of the mouse along the axis, metres from ``place``
+    """
 
     sketch: str
     handle: int
     place: Array
     axis: Array
-    at: float
+    mouse_position: float
 
 
 class SketchLayer(QObject):
@@ -60,7 +67,7 @@ class SketchLayer(QObject):
         self.hovering = False
         self.share = 0.5
         self._dividing = self._divides = False
-        self._hover_timer = QTimer(self, singleShot=True, interval=HOVER_MS)
+        self._hover_timer = QTimer(self, singleShot=True, interval=HOVER_DELAY_MS)
         self._hover_timer.timeout.connect(self._emit_hovered)
         mouse = navigator.mouse
         mouse.try_grab = self._grab_handle
@@ -68,7 +75,7 @@ class SketchLayer(QObject):
         mouse.handle_released.connect(self._on_handle_released)
         mouse.outlining.connect(self._extend_outline)
         mouse.outlined.connect(self._finish_outline)
-        mouse.mouse_moved.connect(self._on_mouse_rest)
+        mouse.mouse_moved.connect(self._on_mouse_moved)
         mouse.mouse_left.connect(self.stop_hovering)
         mouse.nudged.connect(self._shift_dividing_line)
         overlay.paint_hooks.append(self._paint)
@@ -91,7 +98,7 @@ class SketchLayer(QObject):
         self._overlay.update()
 
     def stop_hovering(self) -> None:
-        """Stop hovering."""
+        """Cancel the search for the point under the mouse, and report that there is none."""
         self._hover_timer.stop()
         if self.hovering:
             self._signals.hovered.emit(None)
@@ -119,7 +126,7 @@ class SketchLayer(QObject):
         away[~(away <= GRAB_RADIUS_PX)] = np.inf
         if not np.isfinite(away).any():
             return False
-        # Of overlapping handles, the one in front.
+        # Of overlapping handles, the one in front is used.
         nearest = int(np.argmin(np.where(np.isfinite(away), spots[:, 2], np.inf)))
         name, k, handle = handles[nearest]
         place, axis = np.array(handle.position), np.array(handle.axis)
@@ -137,7 +144,7 @@ class SketchLayer(QObject):
             return
         now = self._distance_along_axis(drag.place, drag.axis, x, y)
         if now is not None:
-            moved, drag.at = now - drag.at, now
+            moved, drag.mouse_position = now - drag.mouse_position, now
             self._signals.handle_moved.emit(drag.sketch, drag.handle, moved)
 
     def _move_dividing_line(self, x: float) -> None:
@@ -177,16 +184,18 @@ class SketchLayer(QObject):
         if len(corners) > 2:
             self._signals.outlined.emit(corners)
 
-    def _on_mouse_rest(self, x: float, y: float) -> None:
+    def _on_mouse_moved(self, x: float, y: float) -> None:
         if self.hovering:
             self._spot = (x, y)
-            self._hover_timer.start()
+            self._hover_timer.start()  # restarts while the mouse moves
 
     def _emit_hovered(self) -> None:
         drawn = self._navigator.drawn()
         step = -(-sum(map(len, drawn.values())) // MAX_HOVER_POINTS) or 1
         clouds = {line: points[::step] for line, points in drawn.items()}
-        hit = pick_point(clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP_PX)
+        hit = pick_point(
+            clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP_RADII_PX
+        )
         if hit is None:
             self._signals.hovered.emit(None)
             return
@@ -252,10 +261,10 @@ def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Viewp
 def _paint_labels(
     painter: QPainter, sketches: Sequence[Sketch], camera: Camera, size: ViewportSize
 ) -> None:
-    labelled = [each for each in sketches if each.label and each.at is not None]
+    labelled = [each for each in sketches if each.label and each.label_point is not None]
     if not labelled:
         return
-    spots = camera.project(np.array([each.at for each in labelled]), size)[:, :2]
+    spots = camera.project(np.array([each.label_point for each in labelled]), size)[:, :2]
     occupied: list[QRectF] = []
     for k, sketch in enumerate(labelled):
         if np.isfinite(spots[k]).all():

@@ -11,7 +11,7 @@ DETAIL_DELAY_MS = 180
 """Time for which the view must rest before the detail is drawn."""
 
 MAX_STEP_S = 0.04
-"""Longest time of the selection before events of keyboard and mouse are processed."""
+"""Longest time of the selection until events of keyboard and mouse are processed."""
 
 
 class ViewDetail:
@@ -49,7 +49,7 @@ class ViewDetail:
         self._show()
 
     def abandon(self) -> None:
-        """Abandon the steps in progress, as the view has moved."""
+        """Abandon the steps in progress, since the view has moved; a scheduled start remains."""
         self._step.stop()
 
     def stop(self) -> None:

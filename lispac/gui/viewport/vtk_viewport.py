@@ -118,7 +118,10 @@ class VtkViewport:
         colours: Mapping[str, Colour],
         shading: PointColouring | None = None,
     ) -> None:
-        """Draw the lines, each in its colour or shaded, instead of those shown; keep the camera."""
+        """Draw the lines, each in its colour or shaded, instead of those shown.
+
+        The first lines are shown in the view "isometric"; later ones do not change the camera.
+        """
         first = not self._layer.clouds
         self._overlay.shading = shading
         self._layer.set_lines(clouds, colours, shading)
@@ -221,8 +224,8 @@ class VtkViewport:
     def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""
         points = self._navigator.drawn().get(line, np.empty((0, 3)))
-        off = points - centre  # plain NumPy needs no compilation
-        return points[np.einsum("ij,ij->i", off, off) <= radius**2]
+        offsets = points - centre
+        return points[np.einsum("ij,ij->i", offsets, offsets) <= radius**2]
 
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:
         """Draw a sketch over the picture; None removes it."""
@@ -234,7 +237,7 @@ class VtkViewport:
         self._style_points()
 
     def set_point_budget(self, points: int) -> None:
-        """Set the largest number of points drawn at rest; a part is drawn during movements."""
+        """Set the largest number of points drawn at rest; fewer are drawn during movements."""
         budget = Budget(points, min(Budget().moving, points))
         if budget != self._budget:
             self._budget = budget
@@ -353,7 +356,7 @@ class VtkViewport:
         if self._detail_s > MAX_MOVING_DETAIL_S:
             self._detailed = False
         for layer in self._layers:
-            # The detail was selected for the last position at rest.
+            # The detail was selected for the camera at its last rest.
             layer.show_detail(fine=self._detailed, coarse=self._times.slice)
         self._camera_moved()
 

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
-from lispac.gui.widgets.number_field import BASES, NumberField
+from lispac.gui.widgets.number_field import BASE_OF_SUFFIX, NumberField
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, gettext
 
@@ -33,7 +33,7 @@ from lispac.language import N_, gettext
 def label(
     text: str = "", role: str = "", *, wrap: bool = False, name: str = "", rich: bool = False
 ) -> QLabel:
-    """Create a label; ``role`` is muted, heading, error or hint, as in the style sheet.
+    """Create a label; ``role`` is muted, heading, error, warning or hint (see the style sheet).
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def plain_tip(text: str) -> str:
 
 
 class Button(QPushButton):
-    """Push button that regains the focus after it was disabled for a while.
+    """Push button that gets the focus back when `update_enabled` enables it again.
 
     Enter presses the focused button, also in a dialogue with another default button.
     """
@@ -136,13 +136,13 @@ def number(
 
     Parameters
     ----------
-    suffix, decimals, low, high, step : unit and properties of the value, in its own unit
+    suffix, decimals, low, high, step : unit of the value, and its properties in this unit
     ranged : bool
         Whether the range and the unit are added to the tip.
     fixed : bool
-        Whether this unit is always used, independent of the unit chosen by the user.
+        Whether the value is always shown in this unit, independent of the units of the user.
     """
-    base = None if fixed else BASES.get(suffix)
+    base = None if fixed else BASE_OF_SUFFIX.get(suffix)
     bases = () if base is None else (base,)
     if ranged:
         tip = _tip_with_range(tip, low, high, suffix.strip(), base)
@@ -262,7 +262,7 @@ class TripleField(QWidget):
             field.blockSignals(False)
 
 
-_LEVER_ARM = (
+_LEVER_ARM_TEXTS = (
     (N_("X forward"),
      N_("Lever arm X from the POS centre to the LiDAR optical centre, metres, positive forward")),
     (N_("Y left"),
@@ -270,7 +270,7 @@ _LEVER_ARM = (
     (N_("Z up"),
      N_("Lever arm Z from the POS centre to the LiDAR optical centre, metres, positive up")),
 )  # fmt: skip
-_BORESIGHT = (
+_BORESIGHT_TEXTS = (
     (N_("Roll"), N_("Prior roll of the LiDAR in the body frame, degrees, positive port side up")),
     (N_("Pitch"), N_("Prior pitch of the LiDAR in the body frame, degrees, positive bow down")),
     (N_("Yaw"),
@@ -286,9 +286,9 @@ def lever_arm_fields(prefix: str) -> TripleField:
             f"{prefix}_{axis}", suffix=" m", decimals=4, low=-100, high=100, step=0.01,
             tip=gettext(tip),
         )
-        for axis, (_, tip) in zip("xyz", _LEVER_ARM, strict=True)
+        for axis, (_, tip) in zip("xyz", _LEVER_ARM_TEXTS, strict=True)
     ]  # fmt: skip
-    return TripleField([gettext(title) for title, _ in _LEVER_ARM], fields)
+    return TripleField([gettext(title) for title, _ in _LEVER_ARM_TEXTS], fields)
 
 
 def boresight_fields(prefix: str) -> TripleField:
@@ -298,9 +298,9 @@ def boresight_fields(prefix: str) -> TripleField:
             f"{prefix}_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=0.1,
             tip=gettext(tip),
         )
-        for angle, (_, tip) in zip(("roll", "pitch", "yaw"), _BORESIGHT, strict=True)
+        for angle, (_, tip) in zip(("roll", "pitch", "yaw"), _BORESIGHT_TEXTS, strict=True)
     ]  # fmt: skip
-    return TripleField([gettext(title) for title, _ in _BORESIGHT], fields)
+    return TripleField([gettext(title) for title, _ in _BORESIGHT_TEXTS], fields)
 
 
 def vertical_layout(parent: QWidget, margin: int = 12) -> QVBoxLayout:

@@ -1,4 +1,4 @@
-"""Matplotlib plot in the window, imported with the first plot as it takes half a second."""
+"""Matplotlib plot in the window; imported with the first plot, since this takes half a second."""
 
 import threading
 import time
@@ -41,7 +41,7 @@ class SlicedCalculation:
         return self._thread is not None
 
     def begin(self, work: Callable[[], object]) -> None:
-        """Set a calculation, which must call `pause` where it may pause; `resume` starts it."""
+        """Set a calculation; it must call `pause` where it may pause, and `resume` starts it."""
         self.abandon()
         self._done = self._abandoned = False
         self._error = None
@@ -91,7 +91,7 @@ class SlicedCalculation:
         self.resume()
 
 
-LUMA = (77, 150, 29)
+LUMA_WEIGHTS = (77, 150, 29)
 """Weights of red, green and blue in the luma, in 1/256 (ITU-R BT.601)."""
 
 
@@ -104,7 +104,9 @@ def with_inverted_lightness(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
         Red, green, blue, alpha.
     """
     colours = pixels[..., :3].astype(np.int16)
-    luma = sum(colours[..., k].astype(np.int32) * share for k, share in enumerate(LUMA)) >> 8
+    luma = (
+        sum(colours[..., k].astype(np.int32) * share for k, share in enumerate(LUMA_WEIGHTS)) >> 8
+    )
     colours += (255 - 2 * luma).astype(np.int16)[..., None]
     np.clip(colours, 0, 255, out=colours)
     result = pixels.copy()
@@ -114,8 +116,8 @@ def with_inverted_lightness(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 DRAW_DELAY_MS = 20
-"""Delay before drawing. A plot takes 0.2 to 0.5 s, half of it for the layout of its texts, so other
-changes are painted first, and keys are handled between the parts of a plot."""
+"""Delay before drawing, so that other changes are painted first. A plot takes 0.2 to 0.5 s, half of
+which is the layout of its texts; keys are handled between its parts."""
 
 
 WHITE = "white"
@@ -143,7 +145,7 @@ class Chart(FigureCanvasQTAgg):
 
     def __init__(self, width: int, height: int, ground: str = WHITE) -> None:
         """Set the minimum size in pixels and the background colour."""
-        self._dims = ground == WHITE and theme.current_scheme().is_dark
+        self._inverts_lightness = ground == WHITE and theme.current_scheme().is_dark
         self._due: IdleTask | None = None
         self._outdated = True
         self._layout = SlicedCalculation()
@@ -172,7 +174,7 @@ class Chart(FigureCanvasQTAgg):
         self._outdated = False
         localise_ticks(self.figure)
         super().draw()
-        self._last = self._rendered_image(dims=self._dims)
+        self._last = self._rendered_image(inverted=self._inverts_lightness)
 
     def get_renderer(self) -> _Renderer:
         """Renderer for the present size."""
@@ -190,7 +192,7 @@ class Chart(FigureCanvasQTAgg):
         self._layout.abandon()
 
     def _begin_drawing(self) -> None:
-        """Lay out the texts in several turns of the event loop."""
+        """Begin a picture with the layout of its texts, in several turns of the event loop."""
         if not self._outdated or self.width() <= 0 or self.height() <= 0:
             return
         self._abandon_drawing()
@@ -222,7 +224,10 @@ class Chart(FigureCanvasQTAgg):
         return sorted(parts, key=lambda each: each.get_zorder())
 
     def _continue_steps(self) -> None:
-        """Draw the next part; later changes are drawn after this picture is complete."""
+        """Continue the layout or draw the next part.
+
+        A change during the layout starts it again; a later change is drawn after this picture.
+        """
         if self._layout.is_running:
             if self._outdated:
                 self._abandon_drawing()
@@ -233,9 +238,9 @@ class Chart(FigureCanvasQTAgg):
             else:
                 self._next.start()
             return
-        if not self._left:  # restarted with another size
+        if not self._left:  # abandoned since the size has changed
             return
-        if self._left[0] not in self.figure.get_children():  # removed with the rest
+        if self._left[0] not in self.figure.get_children():  # the figure was cleared
             self._left, self._outdated = [], True
         else:
             self._left.pop(0).draw(self.renderer)
@@ -247,7 +252,7 @@ class Chart(FigureCanvasQTAgg):
 
     def _show_finished(self) -> None:
         """Show the complete picture."""
-        self._last = self._rendered_image(dims=self._dims)
+        self._last = self._rendered_image(inverted=self._inverts_lightness)
         self.callbacks.process("draw_event", DrawEvent("draw_event", self, self.renderer))
         self.update()
 
@@ -256,9 +261,9 @@ class Chart(FigureCanvasQTAgg):
         """Whether a picture was started and is not complete."""
         return self._layout.is_running or bool(self._left)
 
-    def _rendered_image(self, *, dims: bool = False) -> QImage:
+    def _rendered_image(self, *, inverted: bool = False) -> QImage:
         pixels = np.asarray(self.buffer_rgba())
-        if dims:
+        if inverted:
             pixels = with_inverted_lightness(pixels)
         height, width, _ = pixels.shape
         image = QImage(pixels.data, width, height, QImage.Format.Format_RGBA8888).copy()
@@ -269,7 +274,7 @@ class Chart(FigureCanvasQTAgg):
         """Up-to-date picture with the original colours."""
         if (self._outdated or self.is_drawing) and self.width() > 0 and self.height() > 0:
             self.draw()
-        return QPixmap.fromImage(self._rendered_image()) if self._dims else self.grab()
+        return QPixmap.fromImage(self._rendered_image()) if self._inverts_lightness else self.grab()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Draw again in the new size."""
@@ -279,7 +284,7 @@ class Chart(FigureCanvasQTAgg):
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint the picture, or the last one until a new one is complete."""
         drawn = not self._outdated and not self.is_drawing
-        if drawn and not self._dims:
+        if drawn and not self._inverts_lightness:
             super().paintEvent(event)
             return
         begins = not drawn and not self.is_drawing
@@ -287,7 +292,7 @@ class Chart(FigureCanvasQTAgg):
             self._due.start()
         painter = QPainter(self)
         ground = QColor.fromRgbF(*self.figure.get_facecolor())
-        painter.fillRect(self.rect(), theme.colour("paper") if self._dims else ground)
+        painter.fillRect(self.rect(), theme.colour("paper") if self._inverts_lightness else ground)
         if self._last is not None:
             painter.drawImage(0, 0, self._last)
         painter.end()

@@ -8,7 +8,7 @@ from lispac.errors import InputError
 from lispac.gui.widgets.number_field import NumberField
 from lispac.gui.widgets.optional_number import OptionalNumber
 
-W = TypeVar("W", bound=QWidget)
+WidgetType = TypeVar("WidgetType", bound=QWidget)
 
 
 def copy_fields(before: QWidget, after: QWidget) -> None:
@@ -41,7 +41,9 @@ def _copy_numbers(before: QWidget, after: QWidget) -> None:
         own.textChanged.emit(own.text())
 
 
-def _matching_fields(kind: type[W], before: QWidget, after: QWidget) -> list[tuple[W, W]]:
+def _matching_fields(
+    kind: type[WidgetType], before: QWidget, after: QWidget
+) -> list[tuple[WidgetType, WidgetType]]:
     """Pairs of fields of one kind with the same name in both widgets."""
     named = {each.objectName(): each for each in after.findChildren(kind) if each.objectName()}
     return [

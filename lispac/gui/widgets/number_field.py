@@ -10,10 +10,10 @@ from lispac.gui.appearance import units
 from lispac.gui.appearance.units import Base
 from lispac.language import gettext
 
-BASES: Mapping[str, Base] = {" m": "m", " mm": "mm", " °": "°"}
+BASE_OF_SUFFIX: Mapping[str, Base] = {" m": "m", " mm": "mm", " °": "°"}
 """Base unit of a field by its suffix; other units are never converted."""
 EQUAL_TOLERANCE = 1e-9
-"""Relative difference below which a converted value is considered unchanged."""
+"""Difference, in the unit of the value, below which a value is considered unchanged."""
 STORED_DECIMALS = 12
 """Decimals of the stored value, sufficient for a value typed in another unit."""
 TIP_DELAY_MS = 300

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-W = TypeVar("W", bound=QWidget)
+WidgetType = TypeVar("WidgetType", bound=QWidget)
 Reason = Qt.FocusReason
 ENTER_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
@@ -112,7 +112,7 @@ def _scroll_to(widget: QWidget) -> None:
         area = _ancestor(area, QScrollArea)
 
 
-def _ancestor(widget: QWidget, kind: type[W]) -> W | None:
+def _ancestor(widget: QWidget, kind: type[WidgetType]) -> WidgetType | None:
     above = widget.parentWidget()
     while above is not None and not isinstance(above, kind):
         above = above.parentWidget()

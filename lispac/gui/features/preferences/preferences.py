@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.gui.app.point_colours import Scale
-from lispac.gui.app.settings import POINT_SIZE, THEMES, AppSettings
+from lispac.gui.app.settings import DEFAULT_POINT_SIZE_PX, THEMES, AppSettings
 from lispac.gui.viewport.decimation import Budget
 
 
@@ -26,7 +26,7 @@ class Preferences:
     """
 
     language: str = ""
-    point_size: int = POINT_SIZE
+    point_size: int = DEFAULT_POINT_SIZE_PX
     point_budget: int = Budget().resting
     convention: str = ""
     scanner: str = ""
