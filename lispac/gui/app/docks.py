@@ -79,8 +79,8 @@ def set_initial_sizes(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> 
     """Set the initial sizes of the panels."""
     sides = [docks[WORKFLOW], docks[RESULTS]]
     window.resizeDocks(sides, [350, 400], Qt.Orientation.Horizontal)
-    below = [docks[SIGHTINGS]]
-    window.resizeDocks(below, [3 * window.height() // 10], Qt.Orientation.Vertical)
+    bottom = [docks[SIGHTINGS]]
+    window.resizeDocks(bottom, [3 * window.height() // 10], Qt.Orientation.Vertical)
 
 
 def restore_default_layout(

@@ -25,9 +25,9 @@ FULL_COLLECTION_INTERVAL_S = 15.0
 cycles with the points of the lines they used: without this interval, 1.2 GB accumulated."""
 
 MIN_NEW_MODULES = 30
-"""Number of newly imported modules above which their objects are examined once and then frozen: later
-collections skip them. The number avoids repeated examinations, a quarter of a second each, while a
-library is imported."""
+"""Number of newly imported modules above which their objects are examined once and then frozen, so
+that later collections skip them. The number avoids repeated examinations, a quarter of a second
+each, while a library is imported."""
 
 M_TRIM_THRESHOLD, M_MMAP_THRESHOLD, MMAP_THRESHOLD_BYTES = -1, -3, 2_000_000
 """Two options of the C function ``mallopt`` (malloc.h) and the value of both, bytes: a larger array

@@ -72,13 +72,13 @@ def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointCol
         name: scale[_colour_indices(each, low, high, len(scale))] for name, each in values.items()
     }
     decimals = 0 if high - low >= 20 else 1 if high - low >= 2 else 2
-    form, length = f",.{decimals}f", colouring in ("height", "range")
+    form, is_length = f",.{decimals}f", colouring in ("height", "range")
     metric = (
         units.localised(f"{low - start:{form}}"), units.localised(f"{high - start:{form}}")
     )  # fmt: skip
     shown = (
         (units.local_figure(low, "m", form), units.local_figure(high, "m", form))
-        if length
+        if is_length
         else metric
     )
     return PointColouring(colours, gettext(LEGEND_TITLES[colouring]), *shown, scale, metric)

@@ -95,8 +95,8 @@ class AppSettings:
     def save_column_mappings(self, mappings: dict[str, str]) -> None:
         """Store the meaning of columns for the next file with the same layout."""
         if mappings:
-            kept = self.column_mappings() | mappings
-            self._store.setValue("columns", json.dumps(kept))
+            all_mappings = self.column_mappings() | mappings
+            self._store.setValue("columns", json.dumps(all_mappings))
 
     @property
     def point_size(self) -> int:

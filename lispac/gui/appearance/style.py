@@ -10,7 +10,7 @@ def palette(scheme: ColourScheme) -> QPalette:
     """Palette of a scheme with all roles set, so that none comes from the system."""
     role, group = QPalette.ColorRole, QPalette.ColorGroup
     shade = (QColor(scheme.edge), QColor(scheme.window))
-    made = QPalette()
+    result = QPalette()
     for which, colour in {
         role.Window: scheme.window,
         role.WindowText: scheme.text,
@@ -34,13 +34,13 @@ def palette(scheme: ColourScheme) -> QPalette:
         role.Dark: scheme.edge_strong,
         role.Shadow: "#000000" if scheme.is_dark else scheme.muted,
     }.items():
-        made.setColor(which, QColor(colour))
+        result.setColor(which, QColor(colour))
     for which in (role.WindowText, role.Text, role.ButtonText, role.HighlightedText):
-        made.setColor(group.Disabled, which, QColor(scheme.disabled))
-    made.setColor(group.Disabled, role.Base, QColor(scheme.disabled_ground))
+        result.setColor(group.Disabled, which, QColor(scheme.disabled))
+    result.setColor(group.Disabled, role.Base, QColor(scheme.disabled_ground))
     for which in (role.Highlight, role.Accent):
-        made.setColor(group.Disabled, which, QColor(scheme.disabled_fill))
-    return made
+        result.setColor(group.Disabled, which, QColor(scheme.disabled_fill))
+    return result
 
 
 FRAMED_CLASSES = ("QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboBox",
@@ -55,13 +55,13 @@ def framed_palette(scheme: ColourScheme) -> QPalette:
     times darker than the highlight if they have the focus; both would be invisible in a dark
     window. These widgets use the colour of the window for nothing else, so it is changed here.
     """
-    made = palette(scheme)
+    result = palette(scheme)
     group, role = QPalette.ColorGroup, QPalette.ColorRole
-    made.setColor(role.Window, QColor(scheme.frame).lighter(140))
+    result.setColor(role.Window, QColor(scheme.frame).lighter(140))
     for which in (group.Active, group.Inactive):
-        made.setColor(which, role.Highlight, QColor(scheme.accent))
-        made.setColor(which, role.HighlightedText, QColor(scheme.on_accent))
-    return made
+        result.setColor(which, role.Highlight, QColor(scheme.accent))
+        result.setColor(which, role.HighlightedText, QColor(scheme.on_accent))
+    return result
 
 
 def _dock_icons(scheme: ColourScheme) -> str:

@@ -45,9 +45,9 @@ def current_scheme() -> ColourScheme:
 
 def colour(name: str, opacity: float = 1.0) -> QColor:
     """Colour of the scheme in use by field name, with an opacity from 0 to 1."""
-    made = QColor(getattr(_scheme, name))
-    made.setAlphaF(opacity)
-    return made
+    result = QColor(getattr(_scheme, name))
+    result.setAlphaF(opacity)
+    return result
 
 
 def rgb(name: str) -> Colour:
@@ -60,11 +60,11 @@ def rgb(name: str) -> Colour:
 def paper_colours() -> Iterator[None]:
     """Context with the light scheme, for pictures on white paper."""
     global _scheme
-    before, _scheme = _scheme, LIGHT_SCHEME
+    former, _scheme = _scheme, LIGHT_SCHEME
     try:
         yield
     finally:
-        _scheme = before
+        _scheme = former
 
 
 def line_colours(lines: Sequence[str]) -> dict[str, Colour]:
@@ -88,9 +88,9 @@ ICON_SIZES_PX = (16, 20, 24, 28, 32, 48, 64)
 """Sizes of icons for the various scale factors of screens, pixels."""
 
 
-def quality_icon(which: str) -> QIcon:
+def quality_icon(quality: str) -> QIcon:
     """Traffic-light icon of a quality: good, doubtful or poor."""
-    name, colour = QUALITY_ICONS[which]
+    name, colour = QUALITY_ICONS[quality]
     return _pixmap_icon(name, getattr(_scheme, colour))
 
 

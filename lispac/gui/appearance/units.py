@@ -80,12 +80,12 @@ def set_units(angles: str, lengths: str) -> None:
 @contextmanager
 def standard_units() -> Iterator[None]:
     """Context with metres and degrees, for pictures in files and reports."""
-    kept = dict(_shown_units)
+    former = dict(_shown_units)
     set_units("degrees", "metres")
     try:
         yield
     finally:
-        _shown_units.update(kept)
+        _shown_units.update(former)
 
 
 def shown_unit(base: Base) -> Unit:

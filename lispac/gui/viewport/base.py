@@ -120,19 +120,19 @@ class SightingStyle:
 
     Attributes
     ----------
-    larger : difference between the size of its points and that of the points of lines, pixels
+    extra_pixels : difference between the size of its points and that of the points of lines, pixels
     outlined : whether its points have a dark edge
     above : whether it is drawn over the other sightings
     """
 
     colour: Colour
-    larger: int
+    extra_pixels: int
     outlined: bool = False
     above: bool = False
 
 
-def highlight_emphasis(highlight: Highlight, selected: tuple[str, str] | None) -> SightingStyle:
-    """Style of a sighting while ``selected`` is selected."""
+def sighting_style(highlight: Highlight, selected: tuple[str, str] | None) -> SightingStyle:
+    """Style of a sighting while ``selected``, (target, line), is selected."""
     if selected is None or highlight.key[0] != selected[0]:
         return SightingStyle(highlight.colour, 2)
     if not selected[1]:

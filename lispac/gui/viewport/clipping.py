@@ -56,9 +56,9 @@ class Box:
         """Indices of the points (n, 3) in the box."""
         shift, found = self.axes @ self.centre, []
         for start in range(0, len(points), CHUNK_POINTS):
-            near = np.abs(points[start : start + CHUNK_POINTS] @ self.axes.T - shift) <= self.half
+            within = np.abs(points[start : start + CHUNK_POINTS] @ self.axes.T - shift) <= self.half
             # Column by column, since `np.all` along rows of three takes three times as long
-            found.append(np.flatnonzero(near[:, 0] & near[:, 1] & near[:, 2]) + start)
+            found.append(np.flatnonzero(within[:, 0] & within[:, 1] & within[:, 2]) + start)
         return np.concatenate(found) if found else np.empty(0, np.int64)
 
     def with_side_moved(self, side: int, metres: float) -> "Box":

@@ -12,8 +12,8 @@ from lispac.gui.viewport.decimation import Budget
 Kind = Literal["moving", "resting"]
 
 TARGET_FRAME_S: dict[Kind, float] = {"moving": 0.07, "resting": 0.14}
-"""Target time for drawing a frame. The selection of points and the work of Qt add a third; with over
-0.2 s in total, the window seems to hang each time the view comes to rest."""
+"""Target time for drawing a frame. The selection of points and the work of Qt add a third. If the
+total exceeds 0.2 s, the window seems to hang each time the view comes to rest."""
 
 MAX_PICTURE_S = 1.0
 """Longest time to draw a picture for a file."""
@@ -84,8 +84,8 @@ class FrameTimes:
     def _fitting_slice(self, whole: int) -> int:
         fitting = max(self._rates["moving"]) * TARGET_FRAME_S["moving"]
         chosen = 0
-        for k, part in enumerate(SLICE_FRACTIONS):
+        for k, fraction in enumerate(SLICE_FRACTIONS):
             limit = fitting if k <= self.slice else SLICE_HYSTERESIS * fitting
-            if part * whole <= max(limit, MIN_POINTS["moving"]):
+            if fraction * whole <= max(limit, MIN_POINTS["moving"]):
                 chosen = k
         return chosen

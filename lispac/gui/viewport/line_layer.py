@@ -85,8 +85,8 @@ class LineLayer:
         self._ranks = {}
         for line, points in self._clouds.items():
             known = former.get(line)
-            same = known is not None and len(known) == len(points)  # perhaps placed differently
-            self._ranks[line] = known if same else random_ranks(len(points))
+            is_same = known is not None and len(known) == len(points)  # perhaps placed differently
+            self._ranks[line] = known if is_same else random_ranks(len(points))
         self._indices_in_box, self._box = {}, None
         self._orders = {
             line: order for line, order in self._orders.items()
@@ -115,8 +115,8 @@ class LineLayer:
             chosen = self._ordered_points(line, share[line])
             sparse = self.sparse[line] = points.take(chosen, axis=0)
             start = 0
-            for k, part in enumerate(SLICE_FRACTIONS):
-                end = -int(-part * len(chosen) // 1)
+            for k, fraction in enumerate(SLICE_FRACTIONS):
+                end = -int(-fraction * len(chosen) // 1)
                 part_points, indices = sparse[start:end], chosen[start:end]
                 start = end
                 if len(part_points):

@@ -108,8 +108,8 @@ class Navigator(QObject):
 
     def view_along(self, direction: Array, points: Array) -> None:
         """Look at points (n, 3) along a direction, shape (3,), from the station's side of them."""
-        towards = points.mean(axis=0) - self.station
-        self.camera = self.camera.along(direction if direction @ towards >= 0 else -direction)
+        from_station = points.mean(axis=0) - self.station
+        self.camera = self.camera.along(direction if direction @ from_station >= 0 else -direction)
         self.fit(points)
 
     def project_parallel(self, parallel: bool) -> None:

@@ -166,10 +166,12 @@ class Overlay(QWidget):
         painter.setFont(font)
         for k in np.argsort(-directions[2]):  # axes that point away are painted first
             name, colour = AXIS_LABELS[k]
-            way = QPointF(directions[0, k], -directions[1, k])
-            tip = centre + way * 28.0
-            # At a constant distance beyond the tip, also for an axis that points at the viewer
-            letter = tip + way * (9.0 / max(float(np.hypot(way.x(), way.y())), 1e-3))
+            direction = QPointF(directions[0, k], -directions[1, k])
+            tip = centre + direction * 28.0
+            # At a constant distance beyond the tip, also for an axis that nearly points at the viewer
+            letter = tip + direction * (
+                9.0 / max(float(np.hypot(direction.x(), direction.y())), 1e-3)
+            )
             pen = QPen(theme.colour(colour), 2.4)
             pen.setCapStyle(Qt.PenCapStyle.RoundCap)
             painter.setPen(pen)

@@ -17,7 +17,7 @@ from lispac.gui.viewport.base import (
     SightingStyle,
     Sketch,
     ViewportSignals,
-    highlight_emphasis,
+    sighting_style,
 )
 from lispac.gui.viewport.clipping import Box
 
@@ -211,7 +211,7 @@ class RecordingViewport:
     @property
     def highlight_styles(self) -> dict[tuple[str, str], SightingStyle]:
         """Style of each sighting."""
-        return {each.key: highlight_emphasis(each, self.selected) for each in self.highlights}
+        return {each.key: sighting_style(each, self.selected) for each in self.highlights}
 
     def _record(self, name: str, *arguments: object) -> None:
         self.calls.append((name, arguments))

@@ -122,12 +122,12 @@ class SketchLayer(QObject):
             return False
         places = np.array([handle.position for _, _, handle in handles])
         spots = self._navigator.camera.project(places, self._navigator.size)
-        away = np.hypot(spots[:, 0] - x, spots[:, 1] - y)
-        away[~(away <= GRAB_RADIUS_PX)] = np.inf
-        if not np.isfinite(away).any():
+        distances = np.hypot(spots[:, 0] - x, spots[:, 1] - y)
+        distances[~(distances <= GRAB_RADIUS_PX)] = np.inf
+        if not np.isfinite(distances).any():
             return False
         # Of overlapping handles, the one in front is used.
-        nearest = int(np.argmin(np.where(np.isfinite(away), spots[:, 2], np.inf)))
+        nearest = int(np.argmin(np.where(np.isfinite(distances), spots[:, 2], np.inf)))
         name, k, handle = handles[nearest]
         place, axis = np.array(handle.position), np.array(handle.axis)
         self._drag = _HandleDrag(
@@ -161,12 +161,12 @@ class SketchLayer(QObject):
         eye = camera.point_at(x, y, 0.0, size)
         ray = camera.point_at(x, y, 1.0, size) - eye
         ray /= np.linalg.norm(ray)
-        slant = float(axis @ ray)
-        if 1.0 - slant**2 < MIN_AXIS_SINE**2:
+        cosine = float(axis @ ray)
+        if 1.0 - cosine**2 < MIN_AXIS_SINE**2:
             return None
         # The point of the axis nearest to the ray through the mouse.
         to_eye = eye - place
-        return float(axis @ to_eye - slant * (ray @ to_eye)) / (1.0 - slant**2)
+        return float(axis @ to_eye - cosine * (ray @ to_eye)) / (1.0 - cosine**2)
 
     def _on_handle_released(self) -> None:
         drag, self._drag, self._dividing = self._drag, None, False

@@ -237,7 +237,7 @@ class VtkViewport:
         self._style_points()
 
     def set_point_budget(self, points: int) -> None:
-        """Set the largest number of points drawn at rest; fewer are drawn during movements."""
+        """Set the largest number of points drawn at rest; no more are drawn during movements."""
         budget = Budget(points, min(Budget().moving, points))
         if budget != self._budget:
             self._budget = budget

@@ -40,14 +40,14 @@ def label(
     rich : bool
         Whether the text is HTML, in which names must be escaped.
     """
-    made = QLabel(text)
-    made.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
-    made.setProperty("role", role)
-    made.setWordWrap(wrap)
-    made.setObjectName(name)
+    widget = QLabel(text)
+    widget.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
+    widget.setProperty("role", role)
+    widget.setWordWrap(wrap)
+    widget.setObjectName(name)
     if wrap:
-        made.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
-    return made
+        widget.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+    return widget
 
 
 class MessageBox(QMessageBox):
@@ -101,22 +101,22 @@ class Button(QPushButton):
 
 def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool = False) -> Button:
     """Create a push button."""
-    made = Button(text)
-    made.setObjectName(name)
-    made.setToolTip(tip)
+    widget = Button(text)
+    widget.setObjectName(name)
+    widget.setToolTip(tip)
     if primary:
-        made.setProperty("primary", True)
+        widget.setProperty("primary", True)
     if icon:
-        made.setIcon(theme.icon(icon, theme.ON_FILL if primary else ""))
-        made.setIconSize(QSize(16, 16))
-    return made
+        widget.setIcon(theme.icon(icon, theme.ON_FILL if primary else ""))
+        widget.setIconSize(QSize(16, 16))
+    return widget
 
 
 def in_platform_order(accept: QPushButton, reject: QPushButton) -> tuple[QPushButton, QPushButton]:
     """Return two buttons from left to right, in the order used by dialogues of the system."""
     layouts = QDialogButtonBox.ButtonLayout
-    how = QApplication.style().styleHint(QStyle.StyleHint.SH_DialogButtonLayout)
-    accept_first = how in (layouts.WinLayout.value, layouts.KdeLayout.value)
+    layout = QApplication.style().styleHint(QStyle.StyleHint.SH_DialogButtonLayout)
+    accept_first = layout in (layouts.WinLayout.value, layouts.KdeLayout.value)
     return (accept, reject) if accept_first else (reject, accept)
 
 
@@ -147,25 +147,25 @@ def number(
     if ranged:
         tip = _tip_with_range(tip, low, high, suffix.strip(), base)
     tip = units.convert_unit_signs(tip, *bases, figures=ranged)
-    made = NumberField(base)
-    made.setObjectName(name)
-    made.setAccessibleName(tip or name)
-    made.setDecimals(decimals)
-    made.setRange(low, high)
-    made.setSingleStep(step if base is None else units.shown_step(step, base))
-    made.setSuffix(f" {units.shown_unit(base).sign}" if units.is_converted(base) else suffix)
-    made.setToolTip(tip)
-    made.setAlignment(Qt.AlignmentFlag.AlignRight)
-    made.setFont(theme.tabular_font(made.font()))
-    made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-    made.setKeyboardTracking(True)
-    return made
+    field = NumberField(base)
+    field.setObjectName(name)
+    field.setAccessibleName(tip or name)
+    field.setDecimals(decimals)
+    field.setRange(low, high)
+    field.setSingleStep(step if base is None else units.shown_step(step, base))
+    field.setSuffix(f" {units.shown_unit(base).sign}" if units.is_converted(base) else suffix)
+    field.setToolTip(tip)
+    field.setAlignment(Qt.AlignmentFlag.AlignRight)
+    field.setFont(theme.tabular_font(field.font()))
+    field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    field.setKeyboardTracking(True)
+    return field
 
 
-def convert_tip_units(made: QWidget, *bases: Base) -> None:
+def convert_tip_units(widget: QWidget, *bases: Base) -> None:
     """Replace the signs of base units in the tooltip of a widget by those of the units shown."""
-    made.setToolTip(units.convert_unit_signs(made.toolTip(), *bases))
-    made.setAccessibleName(units.convert_unit_signs(made.accessibleName(), *bases))
+    widget.setToolTip(units.convert_unit_signs(widget.toolTip(), *bases))
+    widget.setAccessibleName(units.convert_unit_signs(widget.accessibleName(), *bases))
 
 
 def _tip_with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
@@ -218,9 +218,9 @@ class VerticalScrollArea(QScrollArea):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Update the width when the content becomes wider."""
         if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
-            wide = self.minimumSizeHint().width()
-            if wide != self._content_width:
-                self._content_width = wide
+            width = self.minimumSizeHint().width()
+            if width != self._content_width:
+                self._content_width = width
                 self.updateGeometry()
         return super().eventFilter(watched, event)
 
@@ -242,9 +242,9 @@ class TripleField(QWidget):
         grid.setHorizontalSpacing(6)
         grid.setVerticalSpacing(2)
         for column, (title, field) in enumerate(zip(titles, fields, strict=True)):
-            above = label(title, "muted")
-            above.setBuddy(field)
-            grid.addWidget(above, 0, column)
+            title_label = label(title, "muted")
+            title_label.setBuddy(field)
+            grid.addWidget(title_label, 0, column)
             field.setMinimumWidth(86)
             grid.addWidget(field, 1, column)
             grid.setColumnStretch(column, 1)

@@ -146,21 +146,21 @@ class Chart(FigureCanvasQTAgg):
     def __init__(self, width: int, height: int, ground: str = WHITE) -> None:
         """Set the minimum size in pixels and the background colour."""
         self._inverts_lightness = ground == WHITE and theme.current_scheme().is_dark
-        self._due: IdleTask | None = None
+        self._drawing_task: IdleTask | None = None
         self._outdated = True
         self._layout = SlicedCalculation()
         """Layout of the texts, possibly in progress."""
         self._hurried = False
         """Whether the plot changed before the layout was complete."""
-        self._left: list[Artist] = []
+        self._remaining_artists: list[Artist] = []
         """Parts of an incomplete picture that are still to be drawn."""
-        self._last: QImage | None = None
+        self._last_image: QImage | None = None
         """Last complete picture as shown; None if there is none."""
         self._drawn_with: tuple[float, float, float] | None = None
         super().__init__(Figure(layout="constrained", facecolor=ground))
         self.destroyed.connect(self._layout.abandon)
-        self._due = IdleTask(self._begin_drawing, self, DRAW_DELAY_MS)
-        self._next = IdleTask(self._continue_steps, self)
+        self._drawing_task = IdleTask(self._begin_drawing, self, DRAW_DELAY_MS)
+        self._next_step_task = IdleTask(self._continue_steps, self)
         self.setMinimumSize(width, height)
 
     def draw_idle(self) -> None:
@@ -174,7 +174,7 @@ class Chart(FigureCanvasQTAgg):
         self._outdated = False
         localise_ticks(self.figure)
         super().draw()
-        self._last = self._rendered_image(inverted=self._inverts_lightness)
+        self._last_image = self._rendered_image(inverted=self._inverts_lightness)
 
     def get_renderer(self) -> _Renderer:
         """Renderer for the present size."""
@@ -188,7 +188,7 @@ class Chart(FigureCanvasQTAgg):
 
     def _abandon_drawing(self) -> None:
         """Abandon an incomplete picture."""
-        self._left = []
+        self._remaining_artists = []
         self._layout.abandon()
 
     def _begin_drawing(self) -> None:
@@ -212,9 +212,9 @@ class Chart(FigureCanvasQTAgg):
         self._hurried = False
         self.get_renderer().clear()
         self.figure.patch.draw(self.renderer)
-        self._left = self._artists()
-        if self._left:
-            self._next.start()
+        self._remaining_artists = self._artists()
+        if self._remaining_artists:
+            self._next_step_task.start()
         else:
             self._show_finished()
 
@@ -236,30 +236,30 @@ class Chart(FigureCanvasQTAgg):
             elif self._layout.resume():
                 self._begin_parts()
             else:
-                self._next.start()
+                self._next_step_task.start()
             return
-        if not self._left:  # abandoned since the size has changed
+        if not self._remaining_artists:  # abandoned since the size has changed
             return
-        if self._left[0] not in self.figure.get_children():  # the figure was cleared
-            self._left, self._outdated = [], True
+        if self._remaining_artists[0] not in self.figure.get_children():  # the figure was cleared
+            self._remaining_artists, self._outdated = [], True
         else:
-            self._left.pop(0).draw(self.renderer)
-            if self._left:
-                self._next.start()
+            self._remaining_artists.pop(0).draw(self.renderer)
+            if self._remaining_artists:
+                self._next_step_task.start()
                 return
             self._show_finished()
         self.update()
 
     def _show_finished(self) -> None:
         """Show the complete picture."""
-        self._last = self._rendered_image(inverted=self._inverts_lightness)
+        self._last_image = self._rendered_image(inverted=self._inverts_lightness)
         self.callbacks.process("draw_event", DrawEvent("draw_event", self, self.renderer))
         self.update()
 
     @property
     def is_drawing(self) -> bool:
         """Whether a picture was started and is not complete."""
-        return self._layout.is_running or bool(self._left)
+        return self._layout.is_running or bool(self._remaining_artists)
 
     def _rendered_image(self, *, inverted: bool = False) -> QImage:
         pixels = np.asarray(self.buffer_rgba())
@@ -288,11 +288,11 @@ class Chart(FigureCanvasQTAgg):
             super().paintEvent(event)
             return
         begins = not drawn and not self.is_drawing
-        if begins and self._due is not None and not self._due.isActive():
-            self._due.start()
+        if begins and self._drawing_task is not None and not self._drawing_task.isActive():
+            self._drawing_task.start()
         painter = QPainter(self)
         ground = QColor.fromRgbF(*self.figure.get_facecolor())
         painter.fillRect(self.rect(), theme.colour("paper") if self._inverts_lightness else ground)
-        if self._last is not None:
-            painter.drawImage(0, 0, self._last)
+        if self._last_image is not None:
+            painter.drawImage(0, 0, self._last_image)
         painter.end()

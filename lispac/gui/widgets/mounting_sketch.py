@@ -163,15 +163,15 @@ class MountingSketch(QWidget):
         metrics = QFontMetricsF(self._font)
         line = metrics.height()
         top, bottom, port, starboard = (gettext(label) for label in _SIDE_LABELS[view])
-        wide = {
+        widths = {
             each: metrics.horizontalAdvance(each) + 2 for each in (top, bottom, port, starboard)
         }
         side, middle = y + half * _SIDE_LABEL_Y, left + width / 2
         return {
-            top: QRectF(middle - wide[top] / 2, y - half - line - 3, wide[top], line),
-            bottom: QRectF(middle - wide[bottom] / 2, side + line, wide[bottom], line),
-            port: QRectF(left + 4, side, wide[port], line),
-            starboard: QRectF(left + width - 4 - wide[starboard], side, wide[starboard], line),
+            top: QRectF(middle - widths[top] / 2, y - half - line - 3, widths[top], line),
+            bottom: QRectF(middle - widths[bottom] / 2, side + line, widths[bottom], line),
+            port: QRectF(left + 4, side, widths[port], line),
+            starboard: QRectF(left + width - 4 - widths[starboard], side, widths[starboard], line),
         }
 
     @property
@@ -229,16 +229,16 @@ class MountingSketch(QWidget):
         painter.drawRect(QRectF(centre.x() - 3, centre.y() - 3, 6, 6))
         painter.setPen(QColor(theme.TEXT))
         # On the side of the POS centre that is away from the scanner.
-        away, metrics = centre - self.pixel_of(view, self.lever_arm), painter.fontMetrics()
-        x = 7.0 if away.x() > 0 else -7.0 - metrics.horizontalAdvance(gettext("POS"))
-        y = 4.0 + metrics.ascent() if away.y() >= 0 else -7.0
+        from_scanner, metrics = centre - self.pixel_of(view, self.lever_arm), painter.fontMetrics()
+        x = 7.0 if from_scanner.x() > 0 else -7.0 - metrics.horizontalAdvance(gettext("POS"))
+        y = 4.0 + metrics.ascent() if from_scanner.y() >= 0 else -7.0
         painter.drawText(centre + QPointF(x, y), gettext("POS"))
 
     def _paint_lever_arm(self, painter: QPainter, view: View) -> None:
         """Paint the lever arm along the axes of the view, with its components."""
-        onto = _VIEW_AXES[view]
-        along_up = np.abs(onto[1]) * self.lever_arm  # first vertically, then horizontally
-        across = np.abs(onto[0]) * self.lever_arm
+        view_axes = _VIEW_AXES[view]
+        along_up = np.abs(view_axes[1]) * self.lever_arm  # first vertically, then horizontally
+        across = np.abs(view_axes[0]) * self.lever_arm
         corner, end = self.pixel_of(view, along_up), self.pixel_of(view, self.lever_arm)
         pen = QPen(self._colour, 1.2, Qt.PenStyle.DashLine)
         painter.setPen(pen)
@@ -253,14 +253,14 @@ class MountingSketch(QWidget):
             if amount * self.pixels_per_metre < _MIN_LABELLED_PX:
                 continue  # included in the text below the sketch
             label = length_with_unit(amount, ".2f")
-            width, high = painter.fontMetrics().horizontalAdvance(label), 12.0
+            width, height = painter.fontMetrics().horizontalAdvance(label), 12.0
             if place.x() == corner.x() == self._centre(view).x():  # beside the vertical part
                 x = place.x() + 5 if leftwards else place.x() - 5 - width
-                box = QRectF(x, place.y() - high / 2, width, high)
+                box = QRectF(x, place.y() - height / 2, width, height)
             else:
                 lower = end.y() >= self._centre(view).y()
-                y = place.y() + 3 if lower else place.y() - 3 - high
-                box = QRectF(place.x() - width / 2, y, width, high)
+                y = place.y() + 3 if lower else place.y() - 3 - height
+                box = QRectF(place.x() - width / 2, y, width, height)
             painter.fillRect(box.adjusted(-1, 0, 1, 0), theme.colour("paper", 0.75))
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, label)
 
@@ -294,8 +294,8 @@ class MountingSketch(QWidget):
         painter.drawLine(QPointF(x - bar, y), QPointF(x, y))
         for end in (x - bar, x):
             painter.drawLine(QPointF(end, y - 3), QPointF(end, y + 3))
-        wide = painter.fontMetrics().horizontalAdvance(label)
-        painter.drawText(QPointF(x - bar - wide - 5, y + 4), label)
+        label_width = painter.fontMetrics().horizontalAdvance(label)
+        painter.drawText(QPointF(x - bar - label_width - 5, y + 4), label)
         painter.drawText(QPointF(7, y + 4), exaggeration_text(self.factor))
 
 

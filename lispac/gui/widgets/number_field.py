@@ -160,9 +160,9 @@ class NumberField(QDoubleSpinBox):
         return self._without_unit(text) in ("-", "\N{MINUS SIGN}")
 
     def _is_out_of_range(self, text: str) -> bool:
-        number, is_one = self.locale().toDouble(self._without_unit(text))
+        number, is_number = self.locale().toDouble(self._without_unit(text))
         face = self._face
-        return is_one and not face.minimum() <= number <= face.maximum()
+        return is_number and not face.minimum() <= number <= face.maximum()
 
     def _without_unit(self, text: str) -> str:
         return self._with_local_decimal_sign(text).removesuffix(self.suffix()).strip()

@@ -33,9 +33,9 @@ def exaggeration_factor(boresight: np.ndarray) -> int:
     ----------
     boresight : ndarray of shape (3,), radians
     """
-    turn = np.degrees(np.linalg.norm(_rotation_vector(boresight)))
-    fitting = [factor for factor in EXAGGERATION_FACTORS if factor * turn <= MAX_SHOWN_DEG]
-    return fitting[-1] if fitting and turn > 1e-6 else 1
+    angle_deg = np.degrees(np.linalg.norm(_rotation_vector(boresight)))
+    fitting = [factor for factor in EXAGGERATION_FACTORS if factor * angle_deg <= MAX_SHOWN_DEG]
+    return fitting[-1] if fitting and angle_deg > 1e-6 else 1
 
 
 def exaggerated_rotation(boresight: np.ndarray) -> tuple[int, np.ndarray]:

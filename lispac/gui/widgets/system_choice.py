@@ -32,12 +32,14 @@ def system_box(
     found.setToolTip(gettext("Choose or type an EPSG code, such as EPSG:2959 or EPSG:6347+5703"))
     zone = utm_zone(trajectory)
     try:
-        own = common_system(project)
+        line_system = common_system(project)
     except LispacError:
-        own = None  # the lines are in different systems
+        line_system = None  # the lines are in different systems
     items = [(gettext("{zone} – UTM zone of the trajectory (WGS 84)", zone=zone), zone)]
-    if own is not None:
-        items.insert(0, (gettext("System of the line files – {system}", system=own.name), ""))
+    if line_system is not None:
+        items.insert(
+            0, (gettext("System of the line files – {system}", system=line_system.name), "")
+        )
     items.insert(0 if local_first else len(items), (gettext(LOCAL_FRAME_TEXT), LOCAL))
     for text, code in items:
         found.addItem(text, code)

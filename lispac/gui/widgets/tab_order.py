@@ -113,7 +113,7 @@ def _scroll_to(widget: QWidget) -> None:
 
 
 def _ancestor(widget: QWidget, kind: type[WidgetType]) -> WidgetType | None:
-    above = widget.parentWidget()
-    while above is not None and not isinstance(above, kind):
-        above = above.parentWidget()
-    return above
+    parent = widget.parentWidget()
+    while parent is not None and not isinstance(parent, kind):
+        parent = parent.parentWidget()
+    return parent

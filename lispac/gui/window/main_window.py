@@ -148,7 +148,7 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         document.changed.connect(self._set_title)
         document.modified.connect(lambda _modified: self._set_title())
-        self.target_work = TargetActions(
+        self.target_actions = TargetActions(
             document, runner, control, dialogs, actions, panels.targets, panels.table
         )
         control.accepted.connect(self._select_accepted)
@@ -179,7 +179,7 @@ class MainWindow(QMainWindow):
             lambda: self.recovery_copies.problem,
         )  # fmt: skip
         self.recovery_copies.problem_changed.connect(self.warning_list.update)
-        quality = self.target_work.quality_computation
+        quality = self.target_actions.quality_computation
         quality.qualities_changed.connect(self.warning_list.set_qualities)
         self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._select)
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
@@ -208,14 +208,14 @@ class MainWindow(QMainWindow):
         self.actions_.fill_menus(docks.dock_actions(self.docks))
         screen = self.screen().availableGeometry()
         self.resize(min(1600, screen.width()), min(1000, screen.height()))
-        kept = self.settings.layout()
-        if kept is None:
+        stored_layout = self.settings.layout()
+        if stored_layout is None:
             if screen.height() < self.height() + MAX_TITLE_BAR_HEIGHT_PX:
                 self.setWindowState(Qt.WindowState.WindowMaximized)
             docks.set_initial_sizes(self, self.docks)
         else:
-            self.restoreGeometry(kept[0])
-            self.restoreState(kept[1])
+            self.restoreGeometry(stored_layout[0])
+            self.restoreState(stored_layout[1])
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""
@@ -346,7 +346,7 @@ class MainWindow(QMainWindow):
             self._select(new.strip(), "")
 
     def rebuild_window(self) -> None:
-        """Request a new window with the present settings, after the end of tasks that are not quiet."""
+        """Request a new window with the present settings, after tasks that are not quiet."""
         for runner in (self.runner, *self.site_design.runners):
             if runner.busy:
                 self._note(

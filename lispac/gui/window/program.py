@@ -104,8 +104,8 @@ def _create_viewport() -> "Viewport":
 
 def _is_screen_missing() -> bool:
     """Whether Linux has no display, without which Qt would abort the process."""
-    named = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
-    return sys.platform.startswith("linux") and not any(os.environ.get(name) for name in named)
+    variables = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    return sys.platform.startswith("linux") and not any(os.environ.get(name) for name in variables)
 
 
 if __name__ == "__main__":
