@@ -121,7 +121,7 @@ class AppSettings:
         self._store.setValue("point_budget", points)
 
     @property
-    def language_chosen(self) -> str:
+    def chosen_language(self) -> str:
         """Code of the chosen language; empty for the language of the system."""
         chosen = str(self._store.value("language", ""))
         return chosen if chosen in LANGUAGES else ""
@@ -165,12 +165,12 @@ class AppSettings:
         return self._sensors
 
     @property
-    def usual_sensors(self) -> tuple[str, str]:
+    def default_sensors(self) -> tuple[str, str]:
         """Names of the default scanner and INS/GNSS of new projects; empty for none."""
         return str(self._store.value("scanner", "")), str(self._store.value("pos", ""))
 
-    @usual_sensors.setter
-    def usual_sensors(self, names: tuple[str, str]) -> None:
+    @default_sensors.setter
+    def default_sensors(self, names: tuple[str, str]) -> None:
         for key, name in zip(("scanner", "pos"), names, strict=True):
             self._store.setValue(key, name)
 

@@ -177,7 +177,7 @@ class Viewport(Protocol):
     def set_line_visible(self, line: str, visible: bool) -> None:
         """Show or hide one line."""
 
-    def hides(self, line: str) -> bool:
+    def is_line_hidden(self, line: str) -> bool:
         """Whether a line is hidden."""
 
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:

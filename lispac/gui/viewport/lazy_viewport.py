@@ -15,7 +15,7 @@ from lispac.gui.viewport.base import Array, Colour, PointColouring, Viewport, Vi
 
 CALLS_BY_NAME = {"set_line_visible", "show_sketch"}
 """Methods whose last call is stored for each line or sketch; of others, only one call is stored."""
-CALLS_WITH_VALUE = {"hides", "drawn_near", "to_pixels", "picture"}
+CALLS_WITH_VALUE = {"is_line_hidden", "drawn_near", "to_pixels", "picture"}
 """Methods that return a value and therefore need the real viewport."""
 
 

@@ -56,12 +56,13 @@ class LineLayer:
         self._indices_in_box: dict[str, NDArray[np.int64] | None] = {}
         self._box: Box | None = None
         self.half: Any = None
-        self._coarse: list[tuple[int, Any]] = []
+        self._coarse: list[tuple[int, Any]] = []  # index of the slice, and its actor
         self._ranks: dict[str, NDArray[np.float32]] = {}
+        # Number of points, indices in the box, and indices of the points ordered by rank
         self._orders: dict[str, tuple[int, NDArray[np.int64] | None, NDArray[np.int64]]] = {}
         self._fine: list[Any] = []
         self._rims: list[Any] = []
-        self._fine_id: tuple[Camera, int] | None = None
+        self._fine_key: tuple[Camera, int] | None = None  # camera and budget of the fine points
         self.visible: dict[str, Array] = {}
         self.sparse: dict[str, Array] = {}
         self.detail: dict[str, Array] = {}
@@ -69,7 +70,7 @@ class LineLayer:
 
     @property
     def clouds(self) -> Mapping[str, Array]:
-        """All lines, including hidden ones."""
+        """All lines that have points, including hidden ones."""
         return self._clouds
 
     def set_lines(
@@ -136,7 +137,8 @@ class LineLayer:
         drawing, line by line. The drawn points are replaced at the end of the iteration. There are
         no steps if camera and budget are those of the points drawn already.
         """
-        if self._fine_id is not None and self._fine_id[0] is camera and self._fine_id[1] == budget:
+        drawn = self._fine_key
+        if drawn is not None and drawn[0] is camera and drawn[1] == budget:
             return
         found = {}
         for line, points in self.visible.items():
@@ -163,7 +165,7 @@ class LineLayer:
             )
             yield
         self._remove_detail()
-        self._fine_id = camera, budget
+        self._fine_key = camera, budget
         self.detail, self._fine, self._rims = detail, fine, rims
         clip_actors([*fine, *rims], self.half)
         for actor in (*fine, *rims):
@@ -207,7 +209,7 @@ class LineLayer:
     def _remove_detail(self) -> None:
         self._remove(self._fine)
         self._remove(self._rims)
-        self._fine, self._rims, self._fine_id, self.detail = [], [], None, {}
+        self._fine, self._rims, self._fine_key, self.detail = [], [], None, {}
 
     def _remove(self, actors: list[Any]) -> None:
         for actor in actors:

@@ -168,7 +168,7 @@ class Overlay(QWidget):
             name, colour = AXIS_LABELS[k]
             direction = QPointF(directions[0, k], -directions[1, k])
             tip = centre + direction * 28.0
-            # At a constant distance beyond the tip, also for an axis that nearly points at the viewer
+            # At a constant distance beyond the tip, even if the axis nearly points at the viewer
             letter = tip + direction * (
                 9.0 / max(float(np.hypot(direction.x(), direction.y())), 1e-3)
             )

@@ -90,7 +90,7 @@ class RecordingViewport:
         else:
             self.hidden.add(line)
 
-    def hides(self, line: str) -> bool:
+    def is_line_hidden(self, line: str) -> bool:
         """Whether a line is hidden."""
         return line in self.hidden
 

@@ -139,7 +139,7 @@ class VtkViewport:
         (self._hidden.discard if visible else self._hidden.add)(line)
         self._draw_clouds()
 
-    def hides(self, line: str) -> bool:
+    def is_line_hidden(self, line: str) -> bool:
         """Whether a line is hidden."""
         return line in self._hidden
 

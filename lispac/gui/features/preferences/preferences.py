@@ -40,9 +40,9 @@ class Preferences:
     @classmethod
     def of(cls, settings: AppSettings) -> "Preferences":
         """Read the preferences from the settings."""
-        scanner, pos = settings.usual_sensors
+        scanner, pos = settings.default_sensors
         return cls(
-            settings.language_chosen, settings.point_size, settings.point_budget,
+            settings.chosen_language, settings.point_size, settings.point_budget,
             settings.report_choice()[2], scanner, pos, *settings.units,
             settings.cache_folder, settings.theme, settings.colour_scale,
         )  # fmt: skip
@@ -61,7 +61,7 @@ class Preferences:
         settings.point_budget = self.point_budget
         template, page, _, language = settings.report_choice()
         settings.save_report_choice((template, page, self.convention, language))
-        settings.usual_sensors = (self.scanner, self.pos)
+        settings.default_sensors = (self.scanner, self.pos)
         settings.units = (self.angles, self.lengths)
         settings.theme, settings.colour_scale = self.theme, self.scale
         settings.sync()
