@@ -158,11 +158,11 @@ def test_on_a_low_screen_it_is_seen_beside_the_field(opened: Driver) -> None:
 def test_a_scanner_far_below_is_a_warning(opened: Driver) -> None:
     view = opened.window.data.mounting
     typed(opened, ("1.2", "0.35", "-2.1"))
-    assert view.file_warnings.isVisible()
+    assert view.warnings_label.isVisible()
     below = warning("mounting.lever_arm_below", below=2.10)
-    assert message_text(below) in view.file_warnings.text()
+    assert message_text(below) in view.warnings_label.text()
     typed(opened, ("1.2", "0.35", "2.1"))
-    assert not view.file_warnings.isVisible()
+    assert not view.warnings_label.isVisible()
 
 
 @pytest.mark.parametrize(("height", "lever_arm"), [(768, "-2.1"), (1000, "-2.1"), (768, "-42")])
@@ -171,7 +171,7 @@ def test_a_warning_is_fully_visible_while_it_is_typed(opened: Driver, height, le
     view, field = opened.window.data.mounting, opened.window.data.lever_arm.fields[2]
     typed(opened, ("1.2", "0.35", "2.1"))
     type_into(opened, field, lever_arm)
-    opened.bot.waitUntil(lambda: is_whole(view.file_warnings))
+    opened.bot.waitUntil(lambda: is_whole(view.warnings_label))
     assert is_whole(field)
 
 
@@ -237,11 +237,11 @@ def test_the_import_dialogue_shows_warnings_on_every_page(
         field.setFocus()
         field.selectAll()
         qtbot.keyClicks(field, typed_in)
-        told = page.view.file_warnings.text().splitlines()
+        told = page.view.warnings_label.text().splitlines()
         assert len(told) == file_warnings
         assert filled.reason.text() == f"{told[0]} See the tab Mounting and accuracies{said}."
-        qtbot.waitUntil(lambda: is_whole(page.view.file_warnings) and is_whole(filled.reason))
+        qtbot.waitUntil(lambda: is_whole(page.view.warnings_label) and is_whole(filled.reason))
     field.selectAll()
     qtbot.keyClicks(field, "2.419")
     assert filled.reason.text() == ""
-    assert not page.view.file_warnings.isVisible()
+    assert not page.view.warnings_label.isVisible()

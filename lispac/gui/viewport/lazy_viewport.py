@@ -24,11 +24,13 @@ class LazyViewport:
 
     Parameters
     ----------
-    make : function that creates the real viewport
+    create_viewport : function that creates the real viewport
     """
 
-    def __init__(self, make: Callable[[], Viewport], parent: QWidget | None = None) -> None:
-        self._make = make
+    def __init__(
+        self, create_viewport: Callable[[], Viewport], parent: QWidget | None = None
+    ) -> None:
+        self._create_viewport = create_viewport
         self._view: Viewport | None = None
         self._stored_calls: dict[tuple[str, ...], Callable[[Viewport], None]] = {}
         self._placeholder = _Placeholder(parent)
@@ -53,7 +55,7 @@ class LazyViewport:
 
     def create_empty_viewport(self) -> "LazyViewport":
         """New empty lazy viewport."""
-        return LazyViewport(self._make)
+        return LazyViewport(self._create_viewport)
 
     def close(self) -> None:
         """Release the graphics, if there are any."""
@@ -75,7 +77,7 @@ class LazyViewport:
 
     def _real_viewport(self) -> Viewport:
         if self._view is None:
-            view = self._view = self._make()
+            view = self._view = self._create_viewport()
             for name in ("seed_clicked", "missed", "pointed", "outlined", "hovered",
                          "handle_moved", "handle_released"):  # fmt: skip
                 getattr(view.signals, name).connect(getattr(self.signals, name))

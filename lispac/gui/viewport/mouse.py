@@ -33,6 +33,8 @@ _PAGE_KEY_NOTCHES = {Qt.Key.Key_PageUp: 1.0, Qt.Key.Key_PageDown: -1.0}
 
 
 class _Drag(Enum):
+    """Action of a pressed mouse button."""
+
     NONE = auto()
     ROTATE = auto()
     PAN = auto()

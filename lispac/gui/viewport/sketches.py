@@ -63,10 +63,10 @@ class SketchLayer(QObject):
         self._sketches: dict[str, Sketch] = {}
         self._outline: list[QPointF] = []
         self._drag: _HandleDrag | None = None
-        self._spot = (0.0, 0.0)
+        self._mouse_position = (0.0, 0.0)
         self.hovering = False
         self.share = 0.5
-        self._dividing = self._divides = False
+        self._drags_dividing_line = self._shows_dividing_line = False
         self._hover_timer = QTimer(self, singleShot=True, interval=HOVER_DELAY_MS)
         self._hover_timer.timeout.connect(self._emit_hovered)
         mouse = navigator.mouse
@@ -92,9 +92,9 @@ class SketchLayer(QObject):
         self._sketches, self._outline, self._drag = {}, [], None
         self.stop_hovering()
 
-    def show_dividing_line(self, divides: bool) -> None:
+    def show_dividing_line(self, visible: bool) -> None:
         """Show or hide the line that divides the picture."""
-        self._divides, self.share = divides, 0.5
+        self._shows_dividing_line, self.share = visible, 0.5
         self._overlay.update()
 
     def stop_hovering(self) -> None:
@@ -114,8 +114,10 @@ class SketchLayer(QObject):
 
     def _grab_handle(self, x: float, y: float) -> bool:
         width = self._navigator.size.width
-        self._dividing = self._divides and abs(x - self.share * width) <= GRAB_RADIUS_PX
-        if self._dividing:
+        self._drags_dividing_line = (
+            self._shows_dividing_line and abs(x - self.share * width) <= GRAB_RADIUS_PX
+        )
+        if self._drags_dividing_line:
             return True
         handles = self._handles()
         if not handles:
@@ -136,7 +138,7 @@ class SketchLayer(QObject):
         return True
 
     def _drag_handle(self, x: float, y: float) -> None:
-        if self._dividing:
+        if self._drags_dividing_line:
             self._move_dividing_line(x)
             return
         drag = self._drag
@@ -152,7 +154,7 @@ class SketchLayer(QObject):
         self.divider_moved.emit()
 
     def _shift_dividing_line(self, right: float) -> None:
-        if self._divides:
+        if self._shows_dividing_line:
             self._move_dividing_line(self.share * self._navigator.size.width + right)
 
     def _distance_along_axis(self, place: Array, axis: Array, x: float, y: float) -> float | None:
@@ -169,7 +171,7 @@ class SketchLayer(QObject):
         return float(axis @ to_eye - cosine * (ray @ to_eye)) / (1.0 - cosine**2)
 
     def _on_handle_released(self) -> None:
-        drag, self._drag, self._dividing = self._drag, None, False
+        drag, self._drag, self._drags_dividing_line = self._drag, None, False
         if drag is not None:
             self._signals.handle_released.emit(drag.sketch)
 
@@ -186,7 +188,7 @@ class SketchLayer(QObject):
 
     def _on_mouse_moved(self, x: float, y: float) -> None:
         if self.hovering:
-            self._spot = (x, y)
+            self._mouse_position = (x, y)
             self._hover_timer.start()  # restarts while the mouse moves
 
     def _emit_hovered(self) -> None:
@@ -194,7 +196,11 @@ class SketchLayer(QObject):
         step = -(-sum(map(len, drawn.values())) // MAX_HOVER_POINTS) or 1
         clouds = {line: points[::step] for line, points in drawn.items()}
         hit = pick_point(
-            clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP_RADII_PX
+            clouds,
+            self._navigator.camera,
+            *self._mouse_position,
+            self._navigator.size,
+            SNAP_RADII_PX,
         )
         if hit is None:
             self._signals.hovered.emit(None)
@@ -209,7 +215,7 @@ class SketchLayer(QObject):
             _paint_sketch(painter, sketch, camera, size)
         # Labels last: no line crosses them, and none overlap
         _paint_labels(painter, list(self._sketches.values()), camera, size)
-        if self._divides:
+        if self._shows_dividing_line:
             _paint_dividing_line(painter, self.share * size.width, size)
         if len(self._outline) > 1:
             painter.setBrush(QColor(*theme.CANDIDATE_COLOUR, 45))

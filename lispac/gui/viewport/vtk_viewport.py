@@ -71,9 +71,9 @@ class VtkViewport:
         self._highlight_layer = HighlightLayer(self._renderer)
         self._point_size = 2
         self._closed = False
-        self._detailed = False
-        self._detail_s = np.inf
-        self._began = 0.0
+        self._shows_detail = False
+        self._detail_render_s = np.inf
+        self._frame_start = 0.0
 
         self._observers = [
             self.canvas.ren_win.AddObserver(event, slot)
@@ -300,7 +300,7 @@ class VtkViewport:
             layer.draw(self._hidden, self._budget.moving // len(self._layers), self._box)
             layer.show_detail(fine=False, coarse=self._times.slice)
         self._navigator.clouds, self._navigator.coarse = self._layer.visible, self._layer.sparse
-        self._detailed = False
+        self._shows_detail = False
         self._style_points()
         self._view_detail.schedule()
 
@@ -326,13 +326,13 @@ class VtkViewport:
         self._overlay.update()
 
     def _on_frame_start(self, *_: object) -> None:
-        self._began = time.perf_counter()
+        self._frame_start = time.perf_counter()
 
     def _on_frame_end(self, *_: object) -> None:
         """Record the time of a complete frame, including software rendering."""
-        seconds = time.perf_counter() - self._began
-        if self._detailed:
-            self._detail_s = seconds
+        seconds = time.perf_counter() - self._frame_start
+        if self._shows_detail:
+            self._detail_render_s = seconds
             points = _count_points(layer.detail for layer in self._layers)
             self._times.record("resting", points, seconds)
         else:
@@ -346,18 +346,18 @@ class VtkViewport:
             yield from layer.refinement_steps(camera, size, budget)
 
     def _show_detail(self) -> None:
-        self._detailed = True
+        self._shows_detail = True
         for layer in self._layers:
             layer.show_detail(fine=True, coarse=None)
         self._style_points()
 
     def _on_moved(self) -> None:
         self._view_detail.abandon()
-        if self._detail_s > MAX_MOVING_DETAIL_S:
-            self._detailed = False
+        if self._detail_render_s > MAX_MOVING_DETAIL_S:
+            self._shows_detail = False
         for layer in self._layers:
             # The detail was selected for the camera at its last rest.
-            layer.show_detail(fine=self._detailed, coarse=self._times.slice)
+            layer.show_detail(fine=self._shows_detail, coarse=self._times.slice)
         self._camera_moved()
 
     @property

@@ -29,7 +29,7 @@ class SlicedCalculation:
     """Calculation that pauses after each slice until the caller continues it."""
 
     def __init__(self) -> None:
-        self._turn, self._back = threading.Semaphore(0), threading.Semaphore(0)
+        self._may_continue, self._has_paused = threading.Semaphore(0), threading.Semaphore(0)
         self._thread: threading.Thread | None = None
         self._done = self._abandoned = False
         self._error: BaseException | None = None
@@ -47,7 +47,7 @@ class SlicedCalculation:
         self._error = None
 
         def run() -> None:
-            self._turn.acquire()
+            self._may_continue.acquire()
             self._until = time.perf_counter() + SLICE_S
             try:
                 if not self._abandoned:
@@ -57,7 +57,7 @@ class SlicedCalculation:
             except BaseException as error:
                 self._error = error
             self._done = True
-            self._back.release()
+            self._has_paused.release()
 
         self._thread = threading.Thread(target=run, daemon=True, name="slices")
         self._thread.start()
@@ -66,8 +66,8 @@ class SlicedCalculation:
         """Calculate for one slice; return True if finished. Raises errors of the calculation."""
         if self._thread is None:
             return True
-        self._turn.release()
-        self._back.acquire()
+        self._may_continue.release()
+        self._has_paused.acquire()
         if self._done:
             self._thread.join()
             self._thread = None
@@ -79,8 +79,8 @@ class SlicedCalculation:
         """Pause the calculation if its slice is over; called by the calculation."""
         if threading.current_thread() is not self._thread or time.perf_counter() < self._until:
             return
-        self._back.release()
-        self._turn.acquire()
+        self._has_paused.release()
+        self._may_continue.acquire()
         if self._abandoned:
             raise _CalculationAbandoned
         self._until = time.perf_counter() + SLICE_S

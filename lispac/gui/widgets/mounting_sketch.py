@@ -309,11 +309,11 @@ class MountingView(QWidget):
         super().__init__()
         self.sketch = MountingSketch()
         self.text_label = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
-        self.file_warnings = widgets.label("", "warning", wrap=True, name=f"{prefix}_file_warnings")
+        self.warnings_label = widgets.label("", "warning", wrap=True, name=f"{prefix}_warnings")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        for each in (self.file_warnings, self.sketch, self.text_label):
+        for each in (self.warnings_label, self.sketch, self.text_label):
             column.addWidget(each)
         self.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
@@ -323,9 +323,9 @@ class MountingView(QWidget):
         text = f"{lever_arm_sentence(lever_arm)} {boresight_sentence(np.radians(boresight_deg))}"
         self.text_label.setText(text)
         self.sketch.setAccessibleDescription(text)
-        file_warnings = lever_arm_warnings(lever_arm)
-        self.file_warnings.setText("\n".join(map(message_text, file_warnings)))
-        self.file_warnings.setVisible(bool(file_warnings))
+        warnings = lever_arm_warnings(lever_arm)
+        self.warnings_label.setText("\n".join(map(message_text, warnings)))
+        self.warnings_label.setVisible(bool(warnings))
 
 
 def length_with_unit(length: float, form: str) -> str:
