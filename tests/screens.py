@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QWidget
 from lispac.errors import InputError
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
-from lispac.gui.appearance.units import ANGLES, LENGTHS
+from lispac.gui.appearance.units import ANGLE_UNITS, LENGTH_UNITS
 from lispac.gui.features.estimate.diagnostics_panel import TITLE as DIAGNOSTICS
 from lispac.gui.features.inspect.clipping_panel import TITLE as CLIPPING
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
@@ -265,8 +265,8 @@ def main() -> None:
     parser.add_argument("--looks", nargs="+", default=LOOKS, choices=LOOKS)
     parser.add_argument("--languages", nargs="+", default=LANGUAGES, choices=LANGUAGES)
     parser.add_argument("--sizes", nargs="+", default=SIZES, metavar="WIDTHxHEIGHT")
-    parser.add_argument("--angles", default="degrees", choices=ANGLES)
-    parser.add_argument("--lengths", default="metres", choices=LENGTHS)
+    parser.add_argument("--angles", default="degrees", choices=ANGLE_UNITS)
+    parser.add_argument("--lengths", default="metres", choices=LENGTH_UNITS)
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     application = QApplication(sys.argv[:1])

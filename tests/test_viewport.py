@@ -242,7 +242,7 @@ def test_where_frames_take_long_fewer_points_move_and_never_more_than_the_budget
     view._view_detail.compute_now(view._refinement_steps(view._times.rest_points))
     assert drawn() == 2 * 4000  # with their rims
     view._times.slice = 1
-    view._detail_s = 1.0
+    view._detail_render_s = 1.0
     assert move() == 250
     view._view_detail.compute_now(view._refinement_steps(view._times.rest_points))
     assert drawn() == 2 * 4000

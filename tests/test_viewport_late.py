@@ -81,7 +81,7 @@ def test_it_is_made_when_it_is_seen(late: LazyViewport, made: Made, qtbot: QtBot
 
 def test_it_is_made_for_an_answer(late: LazyViewport, made: Made) -> None:
     late.set_line_visible("A", False)
-    assert late.hides("A")
+    assert late.is_line_hidden("A")
     assert len(made.all) == 1
     late.close()
     assert made.all[0].calls[-1] == ("close", ())

@@ -97,7 +97,9 @@ def test_sketches_lie_where_their_points_are_and_go_away(viewport):
     viewport.view("front")
     without = picture(viewport)
     ends = ((-4.0, 15.0, 1.0), (4.0, 15.0, 1.0))
-    viewport.show_sketch("a", Sketch(ends, ((0, 1),), INKED, dots=True, label="8 m", at=ends[0]))
+    viewport.show_sketch(
+        "a", Sketch(ends, ((0, 1),), INKED, dots=True, label="8 m", label_point=ends[0])
+    )
     drawn = picture(viewport)
     rows, columns = np.nonzero(np.abs(drawn.astype(int) - INKED).max(axis=2) <= 2)
     spots = viewport.to_pixels(np.array(ends))

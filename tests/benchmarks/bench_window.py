@@ -132,7 +132,7 @@ def report(folder: Path) -> None:
     print(f"  picture at rest {timed(rested, 5)}")
     window.actions_["hover"].trigger()
     until(lambda: viewport._sketch_layer.hovering and not window.runner.active)
-    viewport._sketch_layer._spot = tuple(viewport.to_pixels(middle[None])[0])
+    viewport._sketch_layer._mouse_position = tuple(viewport.to_pixels(middle[None])[0])
     print(f"  hover preview {timed(viewport._sketching._look, 21)}")
     assert "hover" in viewport._sketch_layer._sketches
     assert open_project(folder).lines

@@ -318,7 +318,7 @@ def main() -> int:
     for scheme in ("file", "http", "https"):
         QDesktopServices.setUrlHandler(scheme, links, "follow")
     from lispac.gui.app.garbage_collection import GuiThreadGarbageCollector
-    from lispac.gui.app.log_file import LOG, LogFile
+    from lispac.gui.app.log_file import LOGGER, LogFile
     from lispac.gui.app.settings import AppSettings
     from lispac.gui.project import controller
     from lispac.gui.window.session import Session
@@ -335,7 +335,7 @@ def main() -> int:
     # The first report takes a quarter of a gigabyte for good, fonts and what typst keeps, the next
     # ones nothing: where it came late, it looked like growth
     write_pdf(sample_content(sample_project(home / "sample")), home / "sample.pdf", {})
-    for logger in (LOG, logging.getLogger("py.warnings")):
+    for logger in (LOGGER, logging.getLogger("py.warnings")):
         logger.addHandler(Records(monkey))
     sys.unraisablehook = lambda known: monkey.caught(
         "".join(traceback.format_exception(known.exc_value)) if known.exc_value else str(known)

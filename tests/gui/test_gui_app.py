@@ -61,7 +61,7 @@ def inspect_window():
     print(window.settings.folder)
     QApplication.exit(0)
 
-program.IMPORT_AFTER_MS = 3_600_000
+program.IMPORT_DELAY_MS = 3_600_000
 application = QApplication(sys.argv[:1])
 QTimer.singleShot(0, inspect_window)
 sys.exit(program.main([]))

@@ -6,7 +6,7 @@ from math import radians
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 
-from lispac.gui.window.main_window import TITLE_BAR_HEIGHT
+from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX
 from lispac.targets.finder_settings import USUAL, FinderChoices
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
 from tests.gui.test_gui_seed_coordinates import hand
@@ -74,7 +74,7 @@ def test_the_answer_to_what_was_found_is_in_sight_on_a_low_screen(
     opened: Driver, demo: Demo
 ) -> None:
     window = opened.window
-    window.resize(1366, 768 - TITLE_BAR_HEIGHT)
+    window.resize(1366, 768 - MAX_TITLE_BAR_HEIGHT_PX)
     opened.rest()
     window.controller.set_candidate(demo.picked.target("T1"))
     for answer in (window.targets.candidate.accept, window.targets.candidate.reject):

@@ -6,8 +6,14 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QColor
 
-from lispac.gui.app.point_colours import COLOURINGS, SCALES, Scale, point_shading, set_colour_scale
-from lispac.gui.appearance.colour_schemes import DARK, LIGHT
+from lispac.gui.app.point_colours import (
+    COLOUR_SCALES,
+    COLOURINGS,
+    Scale,
+    point_shading,
+    set_colour_scale,
+)
+from lispac.gui.appearance.colour_schemes import DARK_SCHEME, LIGHT_SCHEME
 from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from tests.gui.support import Demo, Driver, Key, press
 
@@ -35,7 +41,7 @@ def test_colours_follow_the_values(demo: Demo) -> None:
     assert float(time.low) == 0
 
 
-@pytest.mark.parametrize("scale", SCALES)
+@pytest.mark.parametrize("scale", COLOUR_SCALES)
 def test_a_scale_is_seen_on_either_ground(demo: Demo, scale: Scale) -> None:
     """No colour of it comes near to that of the view, bright or dark."""
     set_colour_scale(scale)
@@ -46,7 +52,7 @@ def test_a_scale_is_seen_on_either_ground(demo: Demo, scale: Scale) -> None:
     assert shaded is not None
     colours = shaded.scale.astype(float)
     assert len(np.unique(shaded.scale, axis=0)) > 100  # greys have no more between the ends
-    for scheme in (LIGHT, DARK):
+    for scheme in (LIGHT_SCHEME, DARK_SCHEME):
         for ground in (scheme.ground, scheme.sky):
             away = np.array(QColor(ground).getRgb()[:3], dtype=float)
             assert np.linalg.norm(colours - away, axis=1).min() > 25

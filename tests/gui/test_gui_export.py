@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.features.export.actions import ACTIONS
-from lispac.gui.features.export.export_dialog import CONTENTS, DELAY_MS, ExportDialog
+from lispac.gui.features.export.export_dialog import CHECK_DELAY_MS, CONTENTS, ExportDialog
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.output.export_request import ENDINGS, ExportRequest
 from lispac.workflow.output.output_crs import utm_zone
@@ -62,7 +62,7 @@ def test_a_wrong_system_is_reported_while_it_is_typed(dialog: ExportDialog, qtbo
     field.selectAll()
     qtbot.keyClicks(field, "EPSG:2")
     assert not ok(dialog).isEnabled()
-    qtbot.wait(DELAY_MS + 200)
+    qtbot.wait(CHECK_DELAY_MS + 200)
     assert not ok(dialog).isEnabled()
     assert "EPSG:2" in dialog.message_label.text()
     qtbot.keyClicks(field, "959")

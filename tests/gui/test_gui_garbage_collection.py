@@ -18,9 +18,9 @@ from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.garbage_collection import (
-    FULL_INTERVAL_S,
+    FULL_COLLECTION_INTERVAL_S,
     MIN_NEW_MODULES,
-    MIN_YOUNG,
+    MIN_NEW_OBJECTS,
     TRIM_INTERVAL_S,
     GuiThreadGarbageCollector,
     MemoryTrimming,
@@ -41,7 +41,7 @@ def busy(stop: threading.Event) -> None:
     """Make objects as a worker does that reads, so many that Python would collect."""
     kept = []
     while not stop.is_set():
-        kept = [[each] for each in range(50 * MIN_YOUNG)]
+        kept = [[each] for each in range(50 * MIN_NEW_OBJECTS)]
         time.sleep(0.001)
     del kept
 
@@ -75,8 +75,9 @@ def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.Mo
     monkeypatch.setattr(gc, "collect", collected.append)
     try:
         for later, counts in (
-            (FULL_INTERVAL_S, (MIN_YOUNG, 99, 999)), (0.0, (MIN_YOUNG + 1, 3, 999)),
-            (0.1, (800, 11, 0)), (0.1, (800, 0, 0)), (FULL_INTERVAL_S, (800, 0, 0)),
+            (FULL_COLLECTION_INTERVAL_S, (MIN_NEW_OBJECTS, 99, 999)),
+            (0.0, (MIN_NEW_OBJECTS + 1, 3, 999)),
+            (0.1, (800, 11, 0)), (0.1, (800, 0, 0)), (FULL_COLLECTION_INTERVAL_S, (800, 0, 0)),
         ):  # fmt: skip
             now[0] += later
             monkeypatch.setattr(gc, "get_count", lambda counts=counts: counts)
@@ -91,16 +92,16 @@ def test_modules_that_came_are_not_examined_again(
 ) -> None:
     now, done = [100.0], []
     monkeypatch.setattr(GuiThreadGarbageCollector, "frozen_modules", 0)
-    monkeypatch.setattr(GuiThreadGarbageCollector, "with_window", False)
+    monkeypatch.setattr(GuiThreadGarbageCollector, "may_have_frozen_window", False)
     monkeypatch.setattr(time, "monotonic", lambda: now[0])
     monkeypatch.setattr(gc, "collect", lambda generation: done.append(f"collect {generation}"))
     monkeypatch.setattr(gc, "freeze", lambda: done.append("leave alone"))
-    monkeypatch.setattr(gc, "get_count", lambda: (MIN_YOUNG + 1, 0, 0))
+    monkeypatch.setattr(gc, "get_count", lambda: (MIN_NEW_OBJECTS + 1, 0, 0))
     tidying = GuiThreadGarbageCollector()
 
     def later() -> list[str]:
         done.clear()
-        now[0] += FULL_INTERVAL_S + 1
+        now[0] += FULL_COLLECTION_INTERVAL_S + 1
         tidying.collect_due()
         return done
 
@@ -121,7 +122,9 @@ def test_modules_that_came_are_not_examined_again(
 def test_what_a_window_leaves_goes_though_modules_came_while_it_was_there(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for name, now in (("frozen_modules", len(sys.modules)), ("with_window", True)):
+    for name, now in (
+        ("frozen_modules", len(sys.modules)), ("may_have_frozen_window", True),
+    ):  # fmt: skip
         monkeypatch.setattr(GuiThreadGarbageCollector, name, now)
     gone: list[str] = []
     window = Cycle()

@@ -79,7 +79,7 @@ def test_the_language_is_chosen_and_chosen_back(
     assert {"File", "Settings…", "Undo"} <= {word.split(" ")[0] for word in english}
 
     speak_by_keys(hands, "File", "Settings", "Français")
-    assert AppSettings(kept).language_chosen == "fr"
+    assert AppSettings(kept).chosen_language == "fr"
     french = words(hands.window.menuBar())
     assert len(french) == len(english)
     assert {"Fichier", "Édition", "Affichage", "Préférences…"} <= set(french)
@@ -91,7 +91,7 @@ def test_the_language_is_chosen_and_chosen_back(
     press(hands, Key.Key_Y, Control)
 
     speak_by_keys(hands, "Fichier", "Préférences", "English")
-    assert AppSettings(kept).language_chosen == "en"
+    assert AppSettings(kept).chosen_language == "en"
     assert words(hands.window.menuBar()) == english
     assert hands.window.isWindowModified()
     shows_something(hands, tmp_path / "english.png")

@@ -8,7 +8,12 @@ from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
-from lispac.gui.widgets.mounting_sketch import HEIGHT, VIEWS, MountingSketch, length_with_unit
+from lispac.gui.widgets.mounting_sketch import (
+    SKETCH_HEIGHT_PX,
+    VIEWS,
+    MountingSketch,
+    length_with_unit,
+)
 from lispac.message_texts import message_text
 from lispac.messages import warning
 from lispac.survey.georeferencing import Mounting, place_points
@@ -32,7 +37,7 @@ def placed(lever_arm, boresight_deg) -> np.ndarray:
 
 def offsets(sketch: MountingSketch, view: str) -> np.ndarray:
     """Of the scanner from the POS centre as drawn, metres to the right and up."""
-    way = sketch.at(view, sketch.lever_arm) - sketch.at(view, (0.0, 0.0, 0.0))
+    way = sketch.pixel_of(view, sketch.lever_arm) - sketch.pixel_of(view, (0.0, 0.0, 0.0))
     return np.array([way.x(), -way.y()]) / sketch.pixels_per_metre
 
 
@@ -51,7 +56,7 @@ def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray
         and all(picture.pixelColor(x + d, y + e) == wanted for d, e in ((2, 0), (0, 2), (-2, 0)))
     ]
     assert found, f"no dot from {view}"
-    origin = sketch.at(view, (0.0, 0.0, 0.0))
+    origin = sketch.pixel_of(view, (0.0, 0.0, 0.0))
     middle = np.mean(found, axis=0) / scale
     return np.array([middle[0] + 0.5 - origin.x(), origin.y() - middle[1] - 0.5])
 
@@ -64,7 +69,9 @@ def typed(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketc
                            (*lever_arm, *boresight), strict=True):  # fmt: skip
         type_into(driver, field, text)
     sketch = data.mounting.sketch
-    driver.bot.waitUntil(lambda: sketch.isVisible() and sketch.height() == HEIGHT)  # laid out
+    driver.bot.waitUntil(
+        lambda: sketch.isVisible() and sketch.height() == SKETCH_HEIGHT_PX
+    )  # laid out
     return sketch
 
 
@@ -151,11 +158,11 @@ def test_on_a_low_screen_it_is_seen_beside_the_field(opened: Driver) -> None:
 def test_a_scanner_far_below_is_a_warning(opened: Driver) -> None:
     view = opened.window.data.mounting
     typed(opened, ("1.2", "0.35", "-2.1"))
-    assert view.file_warnings.isVisible()
+    assert view.warnings_label.isVisible()
     below = warning("mounting.lever_arm_below", below=2.10)
-    assert message_text(below) in view.file_warnings.text()
+    assert message_text(below) in view.warnings_label.text()
     typed(opened, ("1.2", "0.35", "2.1"))
-    assert not view.file_warnings.isVisible()
+    assert not view.warnings_label.isVisible()
 
 
 @pytest.mark.parametrize(("height", "lever_arm"), [(768, "-2.1"), (1000, "-2.1"), (768, "-42")])
@@ -164,7 +171,7 @@ def test_a_warning_is_fully_visible_while_it_is_typed(opened: Driver, height, le
     view, field = opened.window.data.mounting, opened.window.data.lever_arm.fields[2]
     typed(opened, ("1.2", "0.35", "2.1"))
     type_into(opened, field, lever_arm)
-    opened.bot.waitUntil(lambda: is_whole(view.file_warnings))
+    opened.bot.waitUntil(lambda: is_whole(view.warnings_label))
     assert is_whole(field)
 
 
@@ -193,7 +200,7 @@ def test_everything_stays_inside_at_every_size(qtbot, size) -> None:
         for sign in (-1.0, 1.0):
             sketch.show_mounting((sign * longest, sign * longest, sign * longest), (0, 0, 0))
             for k, view in enumerate(VIEWS):
-                dot = sketch.at(view, sketch.lever_arm)
+                dot = sketch.pixel_of(view, sketch.lever_arm)
                 assert k * size[0] / 2 < dot.x() - 5 < dot.x() + 5 < (k + 1) * size[0] / 2
                 assert 0 < dot.y() - 5 < dot.y() + 5 < size[1]
 
@@ -230,11 +237,11 @@ def test_the_import_dialogue_shows_warnings_on_every_page(
         field.setFocus()
         field.selectAll()
         qtbot.keyClicks(field, typed_in)
-        told = page.view.file_warnings.text().splitlines()
+        told = page.view.warnings_label.text().splitlines()
         assert len(told) == file_warnings
         assert filled.reason.text() == f"{told[0]} See the tab Mounting and accuracies{said}."
-        qtbot.waitUntil(lambda: is_whole(page.view.file_warnings) and is_whole(filled.reason))
+        qtbot.waitUntil(lambda: is_whole(page.view.warnings_label) and is_whole(filled.reason))
     field.selectAll()
     qtbot.keyClicks(field, "2.419")
     assert filled.reason.text() == ""
-    assert not page.view.file_warnings.isVisible()
+    assert not page.view.warnings_label.isVisible()

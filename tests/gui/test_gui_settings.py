@@ -252,7 +252,7 @@ def test_a_new_project_begins_with_the_usual_sensors_and_names_them(
     dialog: ImportDialog, qtbot: QtBot, tmp_path: Path
 ) -> None:
     settings = AppSettings(tmp_path / "settings.ini")
-    settings.usual_sensors = ("zf-9012", "apogee:ppk")
+    settings.default_sensors = ("zf-9012", "apogee:ppk")
     other = ImportDialog(settings)
     qtbot.addWidget(other)
     stated = other.mounting.settings()
@@ -287,7 +287,7 @@ def test_chosen_sensors_fill_fields_that_can_be_changed(
 def test_the_cache_goes_to_the_chosen_folder(
     driver: Driver, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    wanted = Preferences(language=driver.window.settings.language_chosen, cache=tmp_path / "fast")
+    wanted = Preferences(language=driver.window.settings.chosen_language, cache=tmp_path / "fast")
     answers(driver, monkeypatch, wanted)
     driver.window.actions_["settings"].trigger()
     assert driver.window.settings.cache_folder == tmp_path / "fast"

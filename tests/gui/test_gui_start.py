@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QCommandLinkButton
 from lispac.gui.app.language import set_language
 from lispac.gui.features.help.tour import SAME_ORIENTATION, STEPS
 from lispac.gui.features.open_project.start_page import StartPage
-from lispac.gui.window.main_window import TITLE_BAR_HEIGHT, MainWindow
+from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX, MainWindow
 from lispac.io.project.project_file import FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
@@ -68,7 +68,7 @@ def test_every_way_to_begin_is_an_action(driver: Driver) -> None:
 def test_every_way_to_begin_is_in_sight_on_a_low_screen(
     driver: Driver, code: str, height: int
 ) -> None:
-    driver.window.resize(1366, height - TITLE_BAR_HEIGHT)
+    driver.window.resize(1366, height - MAX_TITLE_BAR_HEIGHT_PX)
     set_language(code)
     try:
         page = StartPage()

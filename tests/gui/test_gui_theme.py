@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
-from lispac.gui.appearance.colour_schemes import DARK, LIGHT, ColourScheme, luminance
+from lispac.gui.appearance.colour_schemes import DARK_SCHEME, LIGHT_SCHEME, ColourScheme, luminance
 from lispac.gui.features.design import edits
 from lispac.gui.features.help.dialogs import about_box
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
@@ -23,7 +23,9 @@ from tests.gui.support import Demo, in_front
 from tests.gui.test_gui_language import SOON_MS, choose, open_menu
 
 Scheming = Qt.ColorScheme
-BOTH = pytest.mark.parametrize("scheme", [LIGHT, DARK], ids=lambda scheme: scheme.name)
+BOTH = pytest.mark.parametrize(
+    "scheme", [LIGHT_SCHEME, DARK_SCHEME], ids=lambda scheme: scheme.name
+)
 
 
 def contrast(one: str, other: str) -> float:
@@ -143,14 +145,14 @@ def test_dark_and_light_are_chosen_and_nothing_is_lost(
     edited = session.window.document.project
     change(session, qtbot, "Dark")
     dark = session.window
-    assert theme.current_scheme() is DARK
+    assert theme.current_scheme() is DARK_SCHEME
     assert dark.settings.theme == "dark"
     assert dark.actions_["theme_dark"].isChecked()
     assert dark.document.project is edited
     assert dark.document.undo_stack.canUndo()
     assert ground(dark).lightnessF() < 0.2
     change(session, qtbot, "Light")
-    assert theme.current_scheme() is LIGHT
+    assert theme.current_scheme() is LIGHT_SCHEME
     assert ground(session.window).lightnessF() > 0.9
     assert AppSettings(Path(session.window.settings._store.fileName())).theme == "light"
 
@@ -175,7 +177,7 @@ def test_the_window_follows_the_system(
     assert session.window is window  # nothing goes from under an open menu or dialogue
     menu.close()
     qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
-    assert theme.current_scheme() is (DARK if other else LIGHT)
+    assert theme.current_scheme() is (DARK_SCHEME if other else LIGHT_SCHEME)
 
 
 def test_the_design_window_follows_the_system_and_stays_in_front(
@@ -195,7 +197,7 @@ def test_the_design_window_follows_the_system_and_stays_in_front(
     qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
     heir = session.window.site_design.window
     qtbot.waitUntil(heir.isActiveWindow, timeout=SOON_MS)
-    assert theme.current_scheme() is (DARK if other else LIGHT)
+    assert theme.current_scheme() is (DARK_SCHEME if other else LIGHT_SCHEME)
 
 
 def test_a_chosen_theme_does_not_follow_the_system(
@@ -206,7 +208,7 @@ def test_a_chosen_theme_does_not_follow_the_system(
     qapp.styleHints().colorSchemeChanged.emit(Scheming.Dark)
     qtbot.wait(3 * THEME_DELAY_MS)
     assert session.window is window
-    assert theme.current_scheme() is LIGHT
+    assert theme.current_scheme() is LIGHT_SCHEME
 
 
 @pytest.mark.parametrize("choice", ["light", "dark"])
@@ -283,7 +285,7 @@ def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     if choice == "Dark":
         change(session, qtbot, "Dark")
     window, ground = session.window, theme.PAPER
-    assert ground == (DARK if choice == "Dark" else LIGHT).paper
+    assert ground == (DARK_SCHEME if choice == "Dark" else LIGHT_SCHEME).paper
     window.document.open(validated, demo.survey)
     window.docks["Histograms"].raise_()
     qtbot.waitUntil(lambda: not window.runner.active, timeout=SOON_MS)
@@ -318,14 +320,16 @@ def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
         assert window.grab().save(str(tmp_path / "window.png"))
 
 
-@pytest.mark.parametrize("colour", [*LIGHT.series, LIGHT.before, LIGHT.after, LIGHT.text])
+@pytest.mark.parametrize(
+    "colour", [*LIGHT_SCHEME.series, LIGHT_SCHEME.before, LIGHT_SCHEME.after, LIGHT_SCHEME.text]
+)
 def test_what_is_drawn_on_white_is_read_on_dark_in_its_own_hue(
     monkeypatch: pytest.MonkeyPatch, colour: str
 ) -> None:
-    monkeypatch.setattr(theme, "_scheme", DARK)
+    monkeypatch.setattr(theme, "_scheme", DARK_SCHEME)
     on_white = QColor(colour)
     pixel = np.array([[[*on_white.getRgb()]]], dtype=np.uint8)
     shown = QColor(*(int(each) for each in with_inverted_lightness(pixel)[0, 0]))
-    assert contrast(shown.name(), DARK.paper) > 4.5
+    assert contrast(shown.name(), DARK_SCHEME.paper) > 4.5
     if on_white.saturationF() > 0.5:
         assert abs(shown.hue() - on_white.hue()) < 12

@@ -79,8 +79,8 @@ def field(suffix: str, decimals: int) -> NumberField:
 
 
 @pytest.mark.parametrize("code", ["en", "fr"])
-@pytest.mark.parametrize("lengths", units.LENGTHS)
-@pytest.mark.parametrize("angles", units.ANGLES)
+@pytest.mark.parametrize("lengths", units.LENGTH_UNITS)
+@pytest.mark.parametrize("angles", units.ANGLE_UNITS)
 @settings(
     max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )

@@ -92,8 +92,8 @@ class Actions(QObject):
 
     Parameters
     ----------
-    records, menus : by name
-    prefix : beginning of the object names
+    records, menus : descriptions of the actions and menus, by name
+    prefix : beginning of the object names of the actions
     """
 
     def __init__(
@@ -116,7 +116,7 @@ class Actions(QObject):
         return self._by_name[name]
 
     def connect_slots(self, slots: Mapping[str, Callable[[], object]]) -> None:
-        """Call a function without arguments when the action of its name is triggered."""
+        """Call each function, without arguments, when the action of that name is triggered."""
         for name, slot in slots.items():
             self[name].triggered.connect(lambda _=False, slot=slot: slot())
 
@@ -142,7 +142,7 @@ class Actions(QObject):
         self["redo"].setIconText(gettext("Redo"))
 
     def fill_menus(self, panels: Iterable[QAction] = ()) -> None:
-        """Build the menu bar; ``panels`` are the actions at the top of the menu of the panels."""
+        """Build the menu bar; ``panels`` are the first actions of the menu "Panels"."""
         for action in panels:
             self.submenus["Panels"].addAction(action)
         for name, menu in self._menus.items():

@@ -14,12 +14,12 @@ Docks = dict[str, QDockWidget]
 
 WORKFLOW, RESULTS, SIGHTINGS = N_("Workflow"), N_("Results"), N_("Targets by line")
 HISTOGRAMS, LOG = N_("Histograms"), N_("Log")
-"""English titles of docks: keys of `Docks`, and basis of the names in a saved layout."""
+"""English titles of docks: keys of `Docks`; the object names in a saved layout come from them."""
 
 
 def create_docks(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]) -> Docks:
     """Create the docks of the panels by title; docks on one side are tabs, the first in front."""
-    # Without this, Qt leaves tab bars without docks.
+    # With an enabled layout, Qt leaves empty tab bars behind
     window.layout().setEnabled(False)
     docks: Docks = {}
     last: dict[Area, QDockWidget] = {}
@@ -53,11 +53,11 @@ def dock_actions(docks: Mapping[str, QDockWidget]) -> list[QAction]:
 
 
 def _dock_action(dock: QDockWidget) -> QAction:
-    made = QAction(dock.windowTitle(), dock)
-    made.setCheckable(True)
-    dock.visibilityChanged.connect(made.setChecked)  # also False for a dock hidden behind another
-    made.triggered.connect(lambda visible: focus_dock(dock) if visible else dock.close())
-    return made
+    action = QAction(dock.windowTitle(), dock)
+    action.setCheckable(True)
+    dock.visibilityChanged.connect(action.setChecked)  # also False for a dock behind another
+    action.triggered.connect(lambda visible: focus_dock(dock) if visible else dock.close())
+    return action
 
 
 def focus_dock(dock: QDockWidget) -> None:
@@ -79,21 +79,22 @@ def set_initial_sizes(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> 
     """Set the initial sizes of the panels."""
     sides = [docks[WORKFLOW], docks[RESULTS]]
     window.resizeDocks(sides, [350, 400], Qt.Orientation.Horizontal)
-    below = [docks[SIGHTINGS]]
-    window.resizeDocks(below, [3 * window.height() // 10], Qt.Orientation.Vertical)
+    bottom = [docks[SIGHTINGS]]
+    window.resizeDocks(bottom, [3 * window.height() // 10], Qt.Orientation.Vertical)
 
 
 def restore_default_layout(
-    window: QMainWindow, docks: Mapping[str, QDockWidget], at_first: QByteArray
+    window: QMainWindow, docks: Mapping[str, QDockWidget], initial_state: QByteArray
 ) -> None:
     """Restore the initial layout, including closed and floating panels.
 
     Parameters
     ----------
-    at_first : state of the window when the panels were laid out
+    initial_state : state of the window when its panels were created
     """
-    window.restoreState(at_first)
-    set_initial_sizes(window, docks)  # the saved state predates the size of the window
+    window.restoreState(initial_state)
+    # The state contains the sizes of panels before the window got its own size
+    set_initial_sizes(window, docks)
 
 
 def show_window_and_docks(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:

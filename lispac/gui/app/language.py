@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QApplication
 
 from lispac.language import N_, gettext, short_datetime, use_language
 
-_qt: list[QTranslator] = []
+_qt_translators: list[QTranslator] = []
 
-LACKING = {
+TEXTS_MISSING_IN_QT = {
     "QFileDialog": (N_("&Look in:"), N_("Files of &type:")),
     "QAbstractFileIconProvider": (
         N_("Drive"), N_("Folder"), N_("File Folder"), N_("Shortcut"), N_("Alias"), N_("Unknown"),
@@ -33,7 +33,7 @@ class _MissingTexts(QTranslator):
         self, context: str, source: str, disambiguation: str | None = None, n: int = -1
     ) -> str | None:
         """Text in the user's language; None if it is not one of these texts."""
-        return gettext(source) if source in LACKING.get(context, ()) else None
+        return gettext(source) if source in TEXTS_MISSING_IN_QT.get(context, ()) else None
 
 
 def set_language(code: str) -> None:
@@ -50,14 +50,14 @@ def set_language(code: str) -> None:
     application = QApplication.instance()
     if application is None:
         return
-    while _qt:
-        application.removeTranslator(_qt.pop())
+    while _qt_translators:
+        application.removeTranslator(_qt_translators.pop())
     if code == "en":
         return
     qtbase, folder = QTranslator(application), QLibraryInfo.LibraryPath.TranslationsPath
     qtbase.load(f"qtbase_{code}", QLibraryInfo.path(folder))
-    _qt.extend((_MissingTexts(application), qtbase))
-    for each in _qt:  # Qt searches the last one first
+    _qt_translators.extend((_MissingTexts(application), qtbase))
+    for each in _qt_translators:  # Qt searches the last one first
         application.installTranslator(each)
 
 

@@ -1,7 +1,7 @@
-"""Log file of the program, for messages and errors that the window does not show.
+"""Log file of the program, since a program without a console cannot print.
 
-A program without a console cannot print. The log file contains notes, errors with their traceback,
-exceptions of threads, warnings of libraries and of Qt, and the traceback of a crash.
+The log file contains the notes and errors that the window shows, unexpected errors with their
+traceback, and warnings of libraries and of Qt. A second file contains the traceback of a crash.
 """
 
 import faulthandler
@@ -16,11 +16,11 @@ from typing import Any
 
 from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
 
-LOG = logging.getLogger("lispac")
+LOGGER = logging.getLogger("lispac")
 LOG_NAME, CRASH_LOG_NAME = "lispac.log", "lispac-crash.log"
-MAX_BYTES, BACKUPS = 1_000_000, 3
+MAX_LOG_BYTES, OLD_LOG_FILES_KEPT = 1_000_000, 3
 """Largest size of the log file, bytes, and number of older files that are kept."""
-_LEVELS = {
+_LEVEL_OF_QT_TYPE = {
     QtMsgType.QtDebugMsg: logging.DEBUG, QtMsgType.QtInfoMsg: logging.INFO,
     QtMsgType.QtWarningMsg: logging.WARNING, QtMsgType.QtCriticalMsg: logging.ERROR,
     QtMsgType.QtFatalMsg: logging.CRITICAL,
@@ -33,7 +33,7 @@ class LogFile:
     Parameters
     ----------
     folder : folder of the log files
-    on_uncaught : function that shows an uncaught exception to the user
+    on_uncaught : function that logs an uncaught exception and shows it to the user
     """
 
     def __init__(self, folder: Path, on_uncaught: Callable[[BaseException], None]) -> None:
@@ -47,22 +47,26 @@ class LogFile:
         try:
             self.file.parent.mkdir(parents=True, exist_ok=True)
             self._handler = RotatingFileHandler(
-                self.file, maxBytes=MAX_BYTES, backupCount=BACKUPS, encoding="utf-8", delay=False
+                self.file,
+                maxBytes=MAX_LOG_BYTES,
+                backupCount=OLD_LOG_FILES_KEPT,
+                encoding="utf-8",
+                delay=False,
             )
             self._crash = (self.file.with_name(CRASH_LOG_NAME)).open("w", encoding="utf-8")
         except OSError:
             self._handler = logging.NullHandler()
         self._handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(message)s"))
-        for logger in (LOG, logging.getLogger("py.warnings")):
+        for logger in (LOGGER, logging.getLogger("py.warnings")):
             logger.addHandler(self._handler)
-        LOG.setLevel(logging.INFO)
+        LOGGER.setLevel(logging.INFO)
         logging.captureWarnings(True)
         if self._crash is not None:
             faulthandler.enable(self._crash)
         qInstallMessageHandler(_log_qt_message)
         sys.excepthook = self._report_uncaught
-        threading.excepthook = lambda known: self._report_uncaught(
-            known.exc_type, known.exc_value, known.exc_traceback
+        threading.excepthook = lambda details: self._report_uncaught(
+            details.exc_type, details.exc_value, details.exc_traceback
         )
 
     def end(self) -> None:
@@ -70,7 +74,7 @@ class LogFile:
         sys.excepthook, threading.excepthook = sys.__excepthook__, threading.__excepthook__
         qInstallMessageHandler(None)
         logging.captureWarnings(False)
-        for logger in (LOG, logging.getLogger("py.warnings")):
+        for logger in (LOGGER, logging.getLogger("py.warnings")):
             logger.removeHandler(self._handler)
         self._handler.close()
         if self._crash is not None:
@@ -88,4 +92,4 @@ class LogFile:
 
 
 def _log_qt_message(kind: QtMsgType, _context: QMessageLogContext, text: str) -> None:
-    LOG.log(_LEVELS[kind], "Qt: %s", text)
+    LOGGER.log(_LEVEL_OF_QT_TYPE[kind], "Qt: %s", text)

@@ -13,7 +13,7 @@ from lispac.language import gettext
 class MouseTool(QObject):
     """Assigns the left mouse button to one tool at a time.
 
-    Esc ends the active tool; without an active tool, it rejects the detected plane.
+    Esc ends the active tool; without an active tool, it rejects the detected target.
     """
 
     def __init__(self, viewport: Viewport, actions: Actions) -> None:
@@ -46,6 +46,7 @@ class MouseTool(QObject):
 
         Parameters
         ----------
+        tool : name of the action
         hint : effect of a click, shown above the view
         pointed, outlined : called with each point, or with each outline in pixels, shape (n, 2)
         ended : called once when the tool is ended

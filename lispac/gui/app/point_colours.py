@@ -1,6 +1,6 @@
 """Colours of the points: by line, or by a value of each point.
 
-Module `residuals` computes the colours of residuals at the points of targets.
+Module `lispac.gui.project.residuals` computes the colours of residuals at the points of targets.
 """
 
 from collections.abc import Mapping
@@ -19,7 +19,7 @@ Colouring = Literal["line", "height", "intensity", "range", "time", "residual"]
 COLOURINGS: tuple[Colouring, ...] = get_args(Colouring)
 
 Scale = Literal["viridis", "cividis", "gray", "turbo"]
-SCALES: Mapping[Scale, tuple[float, float]] = MappingProxyType(
+COLOUR_SCALES: Mapping[Scale, tuple[float, float]] = MappingProxyType(
     {"viridis": (0.0, 0.94), "cividis": (0.0, 0.94), "gray": (0.30, 0.74), "turbo": (0.03, 0.97)}
 )
 """Colour scales of measured values, and the range that is used of each, between 0 and 1.
@@ -27,12 +27,13 @@ SCALES: Mapping[Scale, tuple[float, float]] = MappingProxyType(
 The first scale varies uniformly in lightness, so that it can be read with any colour vision. The
 ends of the scales are omitted where they have too little contrast with a light or dark background.
 """
-OUTER_PERCENT = 2.0
-"""Percent of the points at either end that get the end colour, so that outliers have no effect."""
-MAX_SAMPLE = 100_000
-"""Largest number of points of a line that determine the ends of the scale."""
+END_COLOUR_PERCENT = 2.0
+"""Percent of the points beyond each end of the scale, so that outliers have no effect on it; 0 for
+times."""
+MAX_SAMPLE_POINTS = 100_000
+"""Largest number of points of each line that are used to determine the ends of the scale."""
 
-TITLES: dict[Colouring, str] = {
+LEGEND_TITLES: dict[Colouring, str] = {
     "height": N_("Height (m)"),
     "intensity": N_("Intensity"),
     "range": N_("Range (m)"),
@@ -40,13 +41,13 @@ TITLES: dict[Colouring, str] = {
 }
 
 
-_scale: Scale = "viridis"
+_colour_scale: Scale = "viridis"
 
 
 def set_colour_scale(scale: Scale) -> None:
     """Set the colour scale for the next window that is created."""
-    global _scale
-    _scale = scale
+    global _colour_scale
+    _colour_scale = scale
 
 
 def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointColouring | None:
@@ -60,25 +61,27 @@ def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointCol
     if colouring == "line" or not clouds:
         return None
     values = {name: _point_values(colouring, name, cloud) for name, cloud in clouds.items()}
-    sample = np.concatenate([some[:: len(some) // MAX_SAMPLE + 1] for some in values.values()])
-    outer = 0.0 if colouring == "time" else OUTER_PERCENT
+    sample = np.concatenate(
+        [each[:: len(each) // MAX_SAMPLE_POINTS + 1] for each in values.values()]
+    )
+    outer = 0.0 if colouring == "time" else END_COLOUR_PERCENT
     low, high = (float(end) for end in np.percentile(sample, [outer, 100 - outer]))
     start = low if colouring == "time" else 0.0
     scale = _colour_table()
     colours = {
-        name: scale[_colour_indices(some, low, high, len(scale))] for name, some in values.items()
+        name: scale[_colour_indices(each, low, high, len(scale))] for name, each in values.items()
     }
     decimals = 0 if high - low >= 20 else 1 if high - low >= 2 else 2
-    form, length = f",.{decimals}f", colouring in ("height", "range")
+    form, is_length = f",.{decimals}f", colouring in ("height", "range")
     metric = (
         units.localised(f"{low - start:{form}}"), units.localised(f"{high - start:{form}}")
     )  # fmt: skip
     shown = (
         (units.local_figure(low, "m", form), units.local_figure(high, "m", form))
-        if length
+        if is_length
         else metric
     )
-    return PointColouring(colours, gettext(TITLES[colouring]), *shown, scale, metric)
+    return PointColouring(colours, gettext(LEGEND_TITLES[colouring]), *shown, scale, metric)
 
 
 def _point_values(colouring: Colouring, name: str, cloud: Cloud) -> Array:
@@ -102,5 +105,5 @@ def _colour_indices(values: Array, low: float, high: float, count: int) -> NDArr
 def _colour_table() -> NDArray[np.uint8]:
     from matplotlib import colormaps
 
-    shares = np.linspace(*SCALES[_scale], 256)
-    return np.asarray(np.round(255 * colormaps[_scale](shares)[:, :3]), dtype=np.uint8)
+    shares = np.linspace(*COLOUR_SCALES[_colour_scale], 256)
+    return np.asarray(np.round(255 * colormaps[_colour_scale](shares)[:, :3]), dtype=np.uint8)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QPushButton, QW
 
 from lispac.errors import LispacError
 from lispac.gui import widgets
-from lispac.gui.app.log_file import LOG
+from lispac.gui.app.log_file import LOGGER
 from lispac.gui.widgets.error_box import error_box, error_text_and_details
 from lispac.language import Plural, gettext
 
@@ -80,7 +80,7 @@ class Questions:
         return "discard" if chosen == buttons.Discard else "cancel"
 
     def ask_about_candidate(self, name: str) -> CandidateChoice:
-        """Ask whether to accept or reject the candidate before estimating."""
+        """Ask whether to accept or reject the candidate before the adjustment."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
             gettext("{target} has been found but not accepted yet.", target=name),
@@ -217,8 +217,8 @@ class Questions:
         return chosen
 
     def show_error(self, error: BaseException) -> None:
-        """Show an error, unless another one is being shown."""
-        LOG.error(
+        """Log an error, and show it unless another one is being shown."""
+        LOGGER.error(
             error_text_and_details(error)[0],
             exc_info=None if isinstance(error, LispacError) else error,
         )

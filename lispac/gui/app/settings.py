@@ -7,20 +7,21 @@ from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
 
 from lispac import caches
 from lispac.caches import usable_cache_folder
-from lispac.gui.app.point_colours import SCALES, Scale
-from lispac.gui.appearance.units import ANGLES, LENGTHS
+from lispac.gui.app.point_colours import COLOUR_SCALES, Scale
+from lispac.gui.appearance.units import ANGLE_UNITS, LENGTH_UNITS
 from lispac.gui.viewport.decimation import Budget
 from lispac.installation_paths import home_folder
 from lispac.language import LANGUAGES
 from lispac.untrusted_values import json_values
 from lispac.workflow.planning.sensors import user_sensors_folder
 
-MAX_RECENT = 8
-REPORT_KEYS = ("template", "page", "convention", "language")
+MAX_RECENT_PROJECTS = 8
+REPORT_CHOICE_KEYS = ("template", "page", "convention", "language")
 THEMES = ("system", "light", "dark")
-POINT_SIZES = range(1, 13)  # pixels
-POINT_SIZE = 2
+POINT_SIZES_PX = range(1, 13)
+DEFAULT_POINT_SIZE_PX = 2
 POINT_BUDGETS = range(100_000, 20_000_001)
+"""Numbers of points that can be chosen as the largest number of drawn points."""
 
 
 class AppSettings:
@@ -33,15 +34,14 @@ class AppSettings:
     """
 
     def __init__(self, file: Path | None = None) -> None:
-        # The program writes only to project folders and to the cache folder; these settings are
-        # convenient, but their loss is harmless.
+        # These settings are convenient, but their loss is harmless, so they are in the cache
         cache = QStandardPaths.writableLocation(
             QStandardPaths.StandardLocation.GenericCacheLocation
         )
         place = caches.cache_folder_in(Path(cache))
         path = caches.writable_or_temporary_folder(place) / "window.ini" if file is None else file
         self.folder = path.parent
-        # User-defined sensors must not be lost, so they are stored outside the cache.
+        # User-defined sensors must not be lost, so they are stored outside the cache
         self._config = None if file is None else path.parent
         self._sensors = user_sensors_folder() if file is None else path.parent / "sensors"
         self._store = QSettings(str(path), QSettings.Format.IniFormat)
@@ -55,7 +55,7 @@ class AppSettings:
     def add_recent(self, folder: Path) -> None:
         """Put a project folder first in the list of recent projects."""
         others = [known for known in self.recent() if known != folder]
-        self._store.setValue("recent", [str(p) for p in [folder, *others][:MAX_RECENT]])
+        self._store.setValue("recent", [str(p) for p in [folder, *others][:MAX_RECENT_PROJECTS]])
 
     def clear_recent(self) -> None:
         """Clear the list of recent projects."""
@@ -63,7 +63,7 @@ class AppSettings:
 
     @property
     def last_project(self) -> Path | None:
-        """The project that was open when the program ended without being closed."""
+        """Folder of the project that is open, or was open at a crash; None after a normal end."""
         name = str(self._store.value("left_open", ""))
         return Path(name) if name else None
 
@@ -85,7 +85,7 @@ class AppSettings:
         self._store.setValue("docks", state)
 
     def column_mappings(self) -> dict[str, str]:
-        """Columns chosen for text files, by their layout."""
+        """Meaning of the columns of text files, by the layout of the file."""
         try:
             stored = json_values(str(self._store.value("columns", "{}")))
         except ValueError:
@@ -93,17 +93,17 @@ class AppSettings:
         return {str(k): str(v) for k, v in stored.items()} if isinstance(stored, dict) else {}
 
     def save_column_mappings(self, mappings: dict[str, str]) -> None:
-        """Store the columns for the next file with the same layout."""
+        """Store the meaning of columns for the next file with the same layout."""
         if mappings:
-            kept = self.column_mappings() | mappings
-            self._store.setValue("columns", json.dumps(kept))
+            all_mappings = self.column_mappings() | mappings
+            self._store.setValue("columns", json.dumps(all_mappings))
 
     @property
     def point_size(self) -> int:
         """Size of a drawn point, pixels."""
-        stored = str(self._store.value("point_size", POINT_SIZE))
-        known = {str(size): size for size in POINT_SIZES}
-        return known.get(stored, POINT_SIZE)
+        stored = str(self._store.value("point_size", DEFAULT_POINT_SIZE_PX))
+        known = {str(size): size for size in POINT_SIZES_PX}
+        return known.get(stored, DEFAULT_POINT_SIZE_PX)
 
     @point_size.setter
     def point_size(self, pixels: int) -> None:
@@ -121,7 +121,7 @@ class AppSettings:
         self._store.setValue("point_budget", points)
 
     @property
-    def language_chosen(self) -> str:
+    def chosen_language(self) -> str:
         """Code of the chosen language; empty for the language of the system."""
         chosen = str(self._store.value("language", ""))
         return chosen if chosen in LANGUAGES else ""
@@ -151,7 +151,9 @@ class AppSettings:
     def colour_scale(self) -> Scale:
         """Colour scale of measured values at the points."""
         chosen = str(self._store.value("colour_scale", ""))
-        return next((scale for scale in SCALES if scale == chosen), next(iter(SCALES)))
+        return next(
+            (scale for scale in COLOUR_SCALES if scale == chosen), next(iter(COLOUR_SCALES))
+        )
 
     @colour_scale.setter
     def colour_scale(self, scale: Scale) -> None:
@@ -163,12 +165,12 @@ class AppSettings:
         return self._sensors
 
     @property
-    def usual_sensors(self) -> tuple[str, str]:
+    def default_sensors(self) -> tuple[str, str]:
         """Names of the default scanner and INS/GNSS of new projects; empty for none."""
         return str(self._store.value("scanner", "")), str(self._store.value("pos", ""))
 
-    @usual_sensors.setter
-    def usual_sensors(self, names: tuple[str, str]) -> None:
+    @default_sensors.setter
+    def default_sensors(self, names: tuple[str, str]) -> None:
         for key, name in zip(("scanner", "pos"), names, strict=True):
             self._store.setValue(key, name)
 
@@ -177,8 +179,8 @@ class AppSettings:
         """Keys of the units of angles and lengths that the window shows."""
         angles, lengths = (str(self._store.value(key, "")) for key in ("angles", "lengths"))
         return (
-            angles if angles in ANGLES else next(iter(ANGLES)),
-            lengths if lengths in LENGTHS else next(iter(LENGTHS)),
+            angles if angles in ANGLE_UNITS else next(iter(ANGLE_UNITS)),
+            lengths if lengths in LENGTH_UNITS else next(iter(LENGTH_UNITS)),
         )
 
     @units.setter
@@ -197,12 +199,12 @@ class AppSettings:
 
     def report_choice(self) -> tuple[str, str, str, str]:
         """Template, page, convention and language that were last used for a report."""
-        a, b, c, d = (str(self._store.value(f"report_{k}", "")) for k in REPORT_KEYS)
+        a, b, c, d = (str(self._store.value(f"report_{k}", "")) for k in REPORT_CHOICE_KEYS)
         return a, b, c, d
 
     def save_report_choice(self, choice: tuple[str, str, str, str]) -> None:
         """Store the choices for the next report."""
-        for key, text in zip(REPORT_KEYS, choice, strict=True):
+        for key, text in zip(REPORT_CHOICE_KEYS, choice, strict=True):
             self._store.setValue(f"report_{key}", text)
 
     def sync(self) -> None:

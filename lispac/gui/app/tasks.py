@@ -22,7 +22,7 @@ from lispac.gui.app.garbage_collection import MemoryTrimming
 from lispac.language import gettext
 from lispac.progress import Progress, Step
 
-REFRESH_MS = 50
+REFRESH_INTERVAL_MS = 50
 
 
 @dataclass(eq=False)
@@ -33,8 +33,8 @@ class Task:
     ----------
     work : function that takes a Progress and returns a value; runs in the worker
     done : function that takes the value; runs on the GUI thread
-    quiet : the user does not wait for the task, and other tasks take precedence
-    key : a later quiet task with the same key replaces the task
+    quiet : the user does not wait for the task, and any task that is not quiet cancels it
+    key : a later task with the same key cancels and replaces the task; empty for no replacement
     persistent : the task writes files, and cannot be cancelled after they are written
     modal : the value is shown in a dialogue
     superseded : the task was cancelled in favour of another task, not by the user
@@ -64,7 +64,7 @@ class Task:
             self.step = step
 
     def clear_data(self) -> None:
-        """Release the data of an ended task; how it ended is kept."""
+        """Release the data of an ended task, but keep its state and its error."""
         self.work, self.done, self.value = _ignore, _ignore, None
         if self.error is not None:
             self.error.__traceback__ = None  # its traceback refers to the data as well
@@ -87,7 +87,7 @@ class TaskRunner(QObject):
     failed = Signal(object)
     """Exception that ended a task."""
     stopped = Signal(str)
-    """Title of a cancelled task."""
+    """Title of a cancelled task that was not quiet."""
     cancelled_too_late = Signal(str)
     """Text that says that a task was completed before it could be cancelled."""
     idle = Signal()
@@ -102,7 +102,7 @@ class TaskRunner(QObject):
         self._worker: threading.Thread | None = None
         self._closed = False
         self._timer = QTimer(self)
-        self._timer.setInterval(REFRESH_MS)
+        self._timer.setInterval(REFRESH_INTERVAL_MS)
         self._timer.timeout.connect(self.progress_changed)
         self.changed.connect(self.progress_changed)
         self._ended.connect(self._finish_task, Qt.ConnectionType.QueuedConnection)
@@ -192,7 +192,7 @@ class TaskRunner(QObject):
         if self.current is None or self._closed:
             return
         if self.current.modal and QApplication.activeModalWidget() is not None:
-            QTimer.singleShot(REFRESH_MS, self, self._finish_task)
+            QTimer.singleShot(REFRESH_INTERVAL_MS, self, self._finish_task)
             return
         task, self.current = self.current, None
         self._timer.stop()
@@ -223,6 +223,6 @@ def _ignore(_ignored: object) -> None:
 
 
 def preload_matplotlib() -> None:
-    """Import Matplotlib in the worker, which takes half a second."""
+    """Import Matplotlib, which takes half a second; called in the worker."""
     import lispac.report.distance_profiles  # noqa: F401
     import lispac.report.histograms  # noqa: F401

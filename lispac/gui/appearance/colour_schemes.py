@@ -113,7 +113,7 @@ def luminance(colour: str) -> float:
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
-LIGHT = ColourScheme(
+LIGHT_SCHEME = ColourScheme(
     name="light",
     window="#f3f5f8",
     paper="#ffffff",
@@ -196,7 +196,7 @@ LIGHT = ColourScheme(
     ),
 )
 
-DARK = ColourScheme(
+DARK_SCHEME = ColourScheme(
     name="dark",
     window="#1f252c",
     paper="#171c22",
@@ -276,4 +276,5 @@ DARK = ColourScheme(
         (70, 165, 90),
     ),
 )
-SCHEMES = {scheme.name: scheme for scheme in (LIGHT, DARK)}
+SCHEMES = {scheme.name: scheme for scheme in (LIGHT_SCHEME, DARK_SCHEME)}
+"""Colour schemes by name."""

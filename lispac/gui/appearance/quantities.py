@@ -4,7 +4,7 @@ from lispac.gui.appearance import units
 from lispac.gui.appearance.units import Base
 from lispac.language import number
 
-_MINUS = "\N{MINUS SIGN}"
+_MINUS_SIGN = "\N{MINUS SIGN}"
 _ANGLE_SIGNS = "°′″"
 """Signs that follow a number without a space."""
 
@@ -15,7 +15,7 @@ def figure(value: float, base: Base, decimals: int, *, sign: bool = False) -> st
     Parameters
     ----------
     value : float
-        Value in the base unit: metres, millimetres or degrees.
+        Value in the base unit.
     decimals : int
         Decimals in the base unit; their number is adapted to the unit shown.
     """
@@ -35,4 +35,4 @@ def unit_suffix(base: Base) -> str:
 
 def signed_number(value: float, decimals: int, *, sign: bool = True) -> str:
     """Text of a number in the language of the user, with a true minus sign."""
-    return number(float(value), decimals, sign=sign).replace("-", _MINUS)
+    return number(float(value), decimals, sign=sign).replace("-", _MINUS_SIGN)

@@ -2,7 +2,7 @@
 
 from PySide6.QtGui import QColor, QPalette
 
-from lispac.gui.appearance.colour_schemes import DARK, ColourScheme
+from lispac.gui.appearance.colour_schemes import DARK_SCHEME, ColourScheme
 from lispac.installation_paths import resource_path
 
 
@@ -10,7 +10,7 @@ def palette(scheme: ColourScheme) -> QPalette:
     """Palette of a scheme with all roles set, so that none comes from the system."""
     role, group = QPalette.ColorRole, QPalette.ColorGroup
     shade = (QColor(scheme.edge), QColor(scheme.window))
-    made = QPalette()
+    result = QPalette()
     for which, colour in {
         role.Window: scheme.window,
         role.WindowText: scheme.text,
@@ -34,39 +34,39 @@ def palette(scheme: ColourScheme) -> QPalette:
         role.Dark: scheme.edge_strong,
         role.Shadow: "#000000" if scheme.is_dark else scheme.muted,
     }.items():
-        made.setColor(which, QColor(colour))
+        result.setColor(which, QColor(colour))
     for which in (role.WindowText, role.Text, role.ButtonText, role.HighlightedText):
-        made.setColor(group.Disabled, which, QColor(scheme.disabled))
-    made.setColor(group.Disabled, role.Base, QColor(scheme.disabled_ground))
+        result.setColor(group.Disabled, which, QColor(scheme.disabled))
+    result.setColor(group.Disabled, role.Base, QColor(scheme.disabled_ground))
     for which in (role.Highlight, role.Accent):
-        made.setColor(group.Disabled, which, QColor(scheme.disabled_fill))
-    return made
+        result.setColor(group.Disabled, which, QColor(scheme.disabled_fill))
+    return result
 
 
-FRAMED = ("QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboBox",
+FRAMED_CLASSES = ("QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboBox",
           "QAbstractItemView")  # fmt: skip
 """Classes of check boxes and input widgets."""
 
 
 def framed_palette(scheme: ColourScheme) -> QPalette:
-    """Palette of the widgets named in `FRAMED`.
+    """Palette of the widgets named in `FRAMED_CLASSES`.
 
     The Fusion style draws their frames 1.4 times darker than the colour of the window, or 1.25
     times darker than the highlight if they have the focus; both would be invisible in a dark
     window. These widgets use the colour of the window for nothing else, so it is changed here.
     """
-    made = palette(scheme)
+    result = palette(scheme)
     group, role = QPalette.ColorGroup, QPalette.ColorRole
-    made.setColor(role.Window, QColor(scheme.frame).lighter(140))
+    result.setColor(role.Window, QColor(scheme.frame).lighter(140))
     for which in (group.Active, group.Inactive):
-        made.setColor(which, role.Highlight, QColor(scheme.accent))
-        made.setColor(which, role.HighlightedText, QColor(scheme.on_accent))
-    return made
+        result.setColor(which, role.Highlight, QColor(scheme.accent))
+        result.setColor(which, role.HighlightedText, QColor(scheme.on_accent))
+    return result
 
 
 def _dock_icons(scheme: ColourScheme) -> str:
     """Style rules with light icons for docks in the dark scheme, as the icons of Qt are black."""
-    if scheme is not DARK:
+    if scheme is not DARK_SCHEME:
         return ""
     icons = [resource_path(f"icons/dock-{name}-dark.png").as_posix() for name in ("close", "float")]
     return f'titlebar-close-icon: url("{icons[0]}"); titlebar-normal-icon: url("{icons[1]}");'

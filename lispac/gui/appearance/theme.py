@@ -14,8 +14,8 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QIcon, QPixmap
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
-from lispac.gui.appearance.colour_schemes import LIGHT, SCHEMES, Colour, ColourScheme
-from lispac.gui.appearance.style import FRAMED, framed_palette, palette, style_sheet
+from lispac.gui.appearance.colour_schemes import LIGHT_SCHEME, SCHEMES, Colour, ColourScheme
+from lispac.gui.appearance.style import FRAMED_CLASSES, framed_palette, palette, style_sheet
 
 TARGET_COLOUR: Colour = (220, 20, 90)
 VALIDATION_COLOUR: Colour = (130, 84, 232)
@@ -26,7 +26,7 @@ UNUSED_COLOUR: Colour = (130, 138, 146)
 SPACING = 8
 """Spacing between neighbouring widgets, pixels; the margins of a panel are twice as wide."""
 
-_scheme: ColourScheme = LIGHT
+_scheme: ColourScheme = LIGHT_SCHEME
 
 
 def __getattr__(name: str) -> str:
@@ -45,9 +45,9 @@ def current_scheme() -> ColourScheme:
 
 def colour(name: str, opacity: float = 1.0) -> QColor:
     """Colour of the scheme in use by field name, with an opacity from 0 to 1."""
-    made = QColor(getattr(_scheme, name))
-    made.setAlphaF(opacity)
-    return made
+    result = QColor(getattr(_scheme, name))
+    result.setAlphaF(opacity)
+    return result
 
 
 def rgb(name: str) -> Colour:
@@ -60,11 +60,11 @@ def rgb(name: str) -> Colour:
 def paper_colours() -> Iterator[None]:
     """Context with the light scheme, for pictures on white paper."""
     global _scheme
-    before, _scheme = _scheme, LIGHT
+    former, _scheme = _scheme, LIGHT_SCHEME
     try:
         yield
     finally:
-        _scheme = before
+        _scheme = former
 
 
 def line_colours(lines: Sequence[str]) -> dict[str, Colour]:
@@ -88,9 +88,9 @@ ICON_SIZES_PX = (16, 20, 24, 28, 32, 48, 64)
 """Sizes of icons for the various scale factors of screens, pixels."""
 
 
-def quality_icon(which: str) -> QIcon:
+def quality_icon(quality: str) -> QIcon:
     """Traffic-light icon of a quality: good, doubtful or poor."""
-    name, colour = QUALITY_ICONS[which]
+    name, colour = QUALITY_ICONS[quality]
     return _pixmap_icon(name, getattr(_scheme, colour))
 
 
@@ -147,7 +147,7 @@ def apply_theme(application: QApplication, choice: str = "light") -> None:
         return
     application.setStyle(QStyleFactory.create("Fusion"))
     application.setPalette(palette(_scheme))
-    for name in FRAMED:
+    for name in FRAMED_CLASSES:
         application.setPalette(framed_palette(_scheme), name)
     application.setFont(_window_font(application.font()))
     application.setStyleSheet(style_sheet(_scheme))

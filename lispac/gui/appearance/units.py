@@ -38,19 +38,19 @@ def _feet_units(sign: str, metres: float) -> Mapping[Base, Unit]:
     return {"m": Unit(sign, 1.0 / metres), "mm": Unit(sign, 1e-3 / metres, 3)}
 
 
-METRES: Mapping[Base, Unit] = {"m": Unit("m"), "mm": Unit("mm")}
-DEGREES: Mapping[Base, Unit] = {"°": Unit("°"), "m°": Unit("0.001°")}
-LENGTHS: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
+METRE_UNITS: Mapping[Base, Unit] = {"m": Unit("m"), "mm": Unit("mm")}
+DEGREE_UNITS: Mapping[Base, Unit] = {"°": Unit("°"), "m°": Unit("0.001°")}
+LENGTH_UNITS: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
     {
-        "metres": METRES,
+        "metres": METRE_UNITS,
         "feet": _feet_units("ft", 0.3048),
         "survey feet": _feet_units("ftUS", 1200 / 3937),
     }
 )
-"""Units of lengths by their stored key; small lengths are also given in feet, as usual."""
-ANGLES: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
+"""Units of lengths by their stored key; with feet, small lengths are in decimals of a foot."""
+ANGLE_UNITS: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
     {
-        "degrees": DEGREES,
+        "degrees": DEGREE_UNITS,
         "milliradians": {
             "°": Unit("mrad", 1e3 * radians(1), -1),
             "m°": Unit("µrad", 1e3 * radians(1), -1),
@@ -59,37 +59,38 @@ ANGLES: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
     }
 )
 ROUNDING_TOLERANCE = 1e-3
-"""Relative error of a limit that is shown with four digits."""
-_units: dict[Base, Unit] = {**METRES, **DEGREES}
+"""Relative tolerance for a typed limit that was shown rounded to four digits."""
+_shown_units: dict[Base, Unit] = {**METRE_UNITS, **DEGREE_UNITS}
 
-_SIGNS: Mapping[Base, str] = {
+_SIGN_PATTERNS: Mapping[Base, str] = {
     "m": r"(?:(?<=[\s(])m(?![\w²³/'’])|\bmetres\b|\bmètres\b)",
     "mm": r"(?:\bmm\b|\bmillimetres\b|\bmillimètres\b)",
     "°": r"(?:\bdeg\b|°|\bdegrees\b|\bdegrés\b)",
     "m°": r"0[.,]001\s?°",
 }
-_FORM = re.compile(r"(?P<before>[+,]*)\.(?P<decimals>\d+)f")
+"""Regular expressions of the signs and names of the base units in English and French texts."""
+_FORMAT_PATTERN = re.compile(r"(?P<before>[+,]*)\.(?P<decimals>\d+)f")
 
 
 def set_units(angles: str, lengths: str) -> None:
     """Set the units, given by their keys, for the next window that is created."""
-    _units.update({**ANGLES[angles], **LENGTHS[lengths]})
+    _shown_units.update({**ANGLE_UNITS[angles], **LENGTH_UNITS[lengths]})
 
 
 @contextmanager
 def standard_units() -> Iterator[None]:
     """Context with metres and degrees, for pictures in files and reports."""
-    kept = dict(_units)
+    former = dict(_shown_units)
     set_units("degrees", "metres")
     try:
         yield
     finally:
-        _units.update(kept)
+        _shown_units.update(former)
 
 
 def shown_unit(base: Base) -> Unit:
     """Unit shown instead of a base unit."""
-    return _units[base]
+    return _shown_units[base]
 
 
 def figure(value: float, base: Base, form: str) -> str:
@@ -100,8 +101,8 @@ def figure(value: float, base: Base, form: str) -> str:
     form : str
         Format in the base unit, as in ``f"{value:{form}}"``; its decimals are adapted to the unit.
     """
-    shown = _units[base]
-    fixed = _FORM.fullmatch(form)
+    shown = _shown_units[base]
+    fixed = _FORMAT_PATTERN.fullmatch(form)
     if fixed is not None and shown.finer:
         form = f"{fixed['before']}.{shown_decimals(int(fixed['decimals']), base)}f"
     return f"{value * shown.factor:{form}}"
@@ -109,7 +110,7 @@ def figure(value: float, base: Base, form: str) -> str:
 
 def amount(value: float, base: Base, form: str) -> str:
     """Text of a value with the sign of the unit shown; the value is in the base unit."""
-    sign = _units[base].sign
+    sign = _shown_units[base].sign
     return figure(value, base, form) + (sign if sign in "°′″" else f" {sign}")
 
 
@@ -122,13 +123,13 @@ def localised(text: str) -> str:
 
 
 def local_figure(value: float, base: Base, form: str) -> str:
-    """Text as of `figure`, in the user's language."""
+    """Text of `figure`, in the user's language."""
     return localised(figure(value, base, form))
 
 
 def local_sign(base: Base) -> str:
     """Sign of the unit shown, in the user's language."""
-    sign = _units[base].sign
+    sign = _shown_units[base].sign
     return f"{localised(sign[:-1])}°" if sign[0].isdigit() else sign
 
 
@@ -141,7 +142,7 @@ def local_amount(value: float, base: Base, form: str) -> str:
 
 def limit_text(value: float, base: Base) -> str:
     """Text of a limit of a range, with four digits if it is converted."""
-    shown = float(f"{value * _units[base].factor:.4g}") if is_converted(base) else value
+    shown = float(f"{value * _shown_units[base].factor:.4g}") if is_converted(base) else value
     return f"{shown:,.10g}"
 
 
@@ -156,12 +157,12 @@ def snap_to_limits(value: float, base: Base | None, low: float, high: float) -> 
 
 def shown_decimals(usual: int, base: Base) -> int:
     """Number of decimals in the unit shown, for ``usual`` decimals in the base unit."""
-    return max(usual + _units[base].finer, 0)
+    return max(usual + _shown_units[base].finer, 0)
 
 
 def shown_step(usual: float, base: Base) -> float:
-    """Step of a field in the base unit, rounded to 1, 2 or 5 of the unit shown."""
-    shown = _units[base]
+    """Step in the base unit that is 1, 2 or 5 times a power of ten in the unit shown."""
+    shown = _shown_units[base]
     if shown.factor == 1.0:
         return usual
     usual_step = usual * shown.factor
@@ -173,7 +174,7 @@ def shown_step(usual: float, base: Base) -> float:
 
 def is_converted(base: Base | None) -> bool:
     """Whether the unit shown differs from the base unit."""
-    return base is not None and _units[base].factor != 1.0
+    return base is not None and _shown_units[base].factor != 1.0
 
 
 def convert_unit_signs(text: str, *bases: Base, figures: bool = True) -> str:
@@ -195,7 +196,7 @@ def convert_unit_signs(text: str, *bases: Base, figures: bool = True) -> str:
         return before[0] + ("" if shown.sign in "°′″" else "\N{NO-BREAK SPACE}") + shown.sign
 
     for base in bases:
-        shown = _units[base]
+        shown = _shown_units[base]
         if shown.factor != 1.0:
-            text = re.sub(rf"(?P<before>\d\s?)?{_SIGNS[base]}", replaced, text)
+            text = re.sub(rf"(?P<before>\d\s?)?{_SIGN_PATTERNS[base]}", replaced, text)
     return text

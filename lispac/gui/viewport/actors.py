@@ -12,8 +12,8 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.viewport.camera import VIEW_ANGLE, Camera
 
-EDGE: Colour = (62, 70, 78)
-"""Edge colour of shaded points."""
+SHADED_EDGE_COLOUR: Colour = (62, 70, 78)
+"""Colour of the edges of points that have a colour for each point."""
 
 
 def point_polydata(points: Array, shades: NDArray[np.uint8] | None = None) -> vtkPolyData:
@@ -23,7 +23,7 @@ def point_polydata(points: Array, shades: NDArray[np.uint8] | None = None) -> vt
     ----------
     points : ndarray of shape (n, 3), metres, relative to an origin near them
     shades : uint8 ndarray of shape (n, 3), optional
-        Colour of each point, for `shaded` actors.
+        Colour of each point, for a `point_actor` with ``shaded=True``.
     """
     count = len(points)
     coordinates = vtkPoints()
@@ -97,8 +97,8 @@ def set_point_pixels(actors: Iterable[vtkActor], pixels: float) -> None:
 def shift_depth(actor: vtkActor, camera: Camera, origin: Array, part: float) -> None:
     """Increase the depth of an actor by a share of its distance, without moving its pixels.
 
-    In perspective, the actor is scaled about the eye; in a parallel projection, it is shifted along
-    the direction of view.
+    A negative ``part`` moves it towards the eye. In perspective, the actor is scaled about the eye;
+    in a parallel projection, it is shifted along the direction of view.
     """
     if camera.parallel:
         actor.SetScale(1.0)

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class PickedPoint:
-    """Point under a Ctrl+click: its line and its local coordinates in metres."""
+    """Point under the mouse: its line and its local coordinates in metres."""
 
     line: str
     position: tuple[float, float, float]
@@ -91,7 +91,7 @@ class Sketch:
     points : metres, local frame
     edges : pairs of indices of ``points``, joined by a line
     dots : whether the points are marked
-    label, at : text, and the point beside which it is placed
+    label, label_point : text, and the point beside which it is placed
     metric : label in metres, for pictures in files, if ``label`` is in another unit
     """
 
@@ -100,7 +100,7 @@ class Sketch:
     colour: Colour
     dots: bool = False
     label: str = ""
-    at: tuple[float, float, float] | None = None
+    label_point: tuple[float, float, float] | None = None
     handles: tuple[DragHandle, ...] = ()
     metric: str = ""
 
@@ -109,7 +109,7 @@ MouseMode = Literal["navigate", "point", "outline"]
 """Action of the left button: rotate the view; rotate it and pick points; draw an outline."""
 
 SELECTED_COLOUR: Colour = (60, 255, 30)
-"""Colour of the selected sighting: bright green, which nothing else has."""
+"""Colour of the selected sighting: bright green, which no other object has."""
 UNSELECTED_COLOUR: Colour = (165, 171, 178)
 """Colour of the other sightings of the target of a selected sighting."""
 
@@ -120,19 +120,19 @@ class SightingStyle:
 
     Attributes
     ----------
-    larger : size of its points in addition to that of the lines, pixels
+    extra_pixels : difference between the size of its points and that of the points of lines, pixels
     outlined : whether its points have a dark edge
     above : whether it is drawn over the other sightings
     """
 
     colour: Colour
-    larger: int
+    extra_pixels: int
     outlined: bool = False
     above: bool = False
 
 
-def highlight_emphasis(highlight: Highlight, selected: tuple[str, str] | None) -> SightingStyle:
-    """Style of a sighting while ``selected`` is selected."""
+def sighting_style(highlight: Highlight, selected: tuple[str, str] | None) -> SightingStyle:
+    """Style of a sighting while ``selected``, (target, line), is selected."""
     if selected is None or highlight.key[0] != selected[0]:
         return SightingStyle(highlight.colour, 2)
     if not selected[1]:
@@ -177,7 +177,7 @@ class Viewport(Protocol):
     def set_line_visible(self, line: str, visible: bool) -> None:
         """Show or hide one line."""
 
-    def hides(self, line: str) -> bool:
+    def is_line_hidden(self, line: str) -> bool:
         """Whether a line is hidden."""
 
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:

@@ -14,13 +14,13 @@ Array = NDArray[np.float64]
 VIEW_ANGLE = float(np.radians(30.0))
 """Vertical angle of the field of view, radians."""
 
-ORBIT_RATE = float(np.radians(0.35))
+ORBIT_ANGLE_PER_PIXEL = float(np.radians(0.35))
 """Rotation per pixel of mouse movement, radians."""
 
-MIN_DISTANCE = 0.02
-"""Shortest distance from the eye to the focal point, metres."""
+MIN_DISTANCE_M = 0.02
+"""Shortest distance from the eye to the focal point."""
 
-PARALLEL_OFFSET = 5000.0
+PARALLEL_OFFSET_M = 5000.0
 """Distance added for a parallel projection, metres, so that all points are in front of the eye."""
 
 
@@ -81,7 +81,7 @@ class Camera:
     @property
     def focal_depth(self) -> float:
         """Distance from the camera to the focal point, metres."""
-        return self.distance + (PARALLEL_OFFSET if self.parallel else 0.0)
+        return self.distance + (PARALLEL_OFFSET_M if self.parallel else 0.0)
 
     def scale_depth(self, depth: Array | float) -> Array | float:
         """Depth that determines the scale; constant in a parallel projection."""
@@ -125,7 +125,7 @@ class Camera:
 
     def with_focal_depth(self, depth: float) -> "Camera":
         """Camera with the same picture and the focal point at another depth."""
-        depth = max(depth, MIN_DISTANCE)
+        depth = max(depth, MIN_DISTANCE_M)
         focal = self.position + depth * self.axes[2]
         return replace(self, focal=focal, distance=float(self.scale_depth(depth)))
 
@@ -149,8 +149,8 @@ class Camera:
         limit = 0.5 * np.pi
         turned = replace(
             self,
-            azimuth=float(np.remainder(self.azimuth + dx * ORBIT_RATE, 2.0 * np.pi)),
-            elevation=float(np.clip(self.elevation + dy * ORBIT_RATE, -limit, limit)),
+            azimuth=float(np.remainder(self.azimuth + dx * ORBIT_ANGLE_PER_PIXEL, 2.0 * np.pi)),
+            elevation=float(np.clip(self.elevation + dy * ORBIT_ANGLE_PER_PIXEL, -limit, limit)),
         )
         rotation = turned.axes.T @ self.axes
         return replace(turned, focal=pivot + rotation @ (self.focal - pivot))
@@ -160,12 +160,12 @@ class Camera:
         step = self.scale_depth(depth) / size.pixels_per_tangent
         return replace(self, focal=self.focal + step * (np.array([-dx, dy, 0.0]) @ self.axes))
 
-    def zoomed(self, factor: float, target: Array) -> "Camera":
-        """Camera at ``factor`` times the distance to ``target``, which stays at its pixel."""
-        factor = max(factor, MIN_DISTANCE / self.distance)
+    def zoomed(self, factor: float, fixed_point: Array) -> "Camera":
+        """Camera at ``factor`` times the distance to a point, which stays at its pixel."""
+        factor = max(factor, MIN_DISTANCE_M / self.distance)
         return replace(
             self,
-            focal=target + factor * (self.focal - target),
+            focal=fixed_point + factor * (self.focal - fixed_point),
             distance=factor * self.distance,
         )
 
@@ -176,18 +176,18 @@ class Camera:
         rotated = points @ self.axes.T
         # Perspective shifts the centre of the picture, so it is found by iteration.
         centre = 0.5 * (rotated.min(axis=0) + rotated.max(axis=0))
-        # The limits are linear in the points, so one iteration is enough.
+        # The limits are linear in the points, so the points are processed only once.
         ahead = 0.0 if self.parallel else rotated[:, 2]
         extremes = [
             [float((sign * rotated[:, k] / tangent[k] - ahead).max()) for k in (0, 1)]
             for sign in (-1, 1)
         ]
-        distance = MIN_DISTANCE
+        distance = MIN_DISTANCE_M
         for _ in range(6):
             lateral, depth = centre[:2] / tangent, 0.0 if self.parallel else centre[2]
             low, high = extremes[0] + lateral + depth, extremes[1] - lateral + depth
-            distance = float(max(low.max(), high.max(), MIN_DISTANCE))
+            distance = float(max(low.max(), high.max(), MIN_DISTANCE_M))
             centre[:2] += 0.5 * (high - low) * tangent
         return replace(
-            self, focal=centre @ self.axes, distance=max(margin * distance, 5.0 * MIN_DISTANCE)
+            self, focal=centre @ self.axes, distance=max(margin * distance, 5.0 * MIN_DISTANCE_M)
         )

@@ -1,4 +1,4 @@
-"""Clip box, and the plane that divides the picture between two placements."""
+"""Clip box, and the plane that divides the picture between two placements of the lines."""
 
 from dataclasses import dataclass, replace
 
@@ -9,11 +9,11 @@ from lispac.gui.viewport.camera import Camera, ViewportSize
 
 Array = NDArray[np.float64]
 
-CHUNK = 1 << 14
+CHUNK_POINTS = 1 << 14
 """Number of points processed at a time, whose intermediate results fit in the processor cache."""
 
-MIN_SIDE = 0.05
-"""Smallest side of a box, metres."""
+MIN_SIDE_M = 0.05
+"""Smallest length of a side of a box."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,7 +34,15 @@ class Box:
 
     @classmethod
     def around(cls, points: Array, ahead: Array, margin: float) -> "Box":
-        """Box around points (n, 3), with two sides perpendicular to ``ahead``, shape (3,)."""
+        """Upright box around points.
+
+        Parameters
+        ----------
+        points : ndarray of shape (n, 3), metres, local frame
+        ahead : ndarray of shape (3,), unit vector, local frame
+            Two sides are perpendicular to its horizontal direction; to north if it is steep.
+        margin : distance of the sides from the points, metres
+        """
         level = np.array([ahead[0], ahead[1], 0.0])
         length = np.linalg.norm(level)
         along = level / length if length > 0.2 else np.array([1.0, 0.0, 0.0])
@@ -47,27 +55,27 @@ class Box:
     def inside(self, points: Array) -> NDArray[np.int64]:
         """Indices of the points (n, 3) in the box."""
         shift, found = self.axes @ self.centre, []
-        for start in range(0, len(points), CHUNK):
-            near = np.abs(points[start : start + CHUNK] @ self.axes.T - shift) <= self.half
+        for start in range(0, len(points), CHUNK_POINTS):
+            within = np.abs(points[start : start + CHUNK_POINTS] @ self.axes.T - shift) <= self.half
             # Column by column, since `np.all` along rows of three takes three times as long
-            found.append(np.flatnonzero(near[:, 0] & near[:, 1] & near[:, 2]) + start)
+            found.append(np.flatnonzero(within[:, 0] & within[:, 1] & within[:, 2]) + start)
         return np.concatenate(found) if found else np.empty(0, np.int64)
 
     def with_side_moved(self, side: int, metres: float) -> "Box":
-        """Box with one side moved outwards; 0 and 1 are the ends of the first axis, and so on."""
+        """Box with one side moved outwards; sides are numbered as in `sides`."""
         axis, sign = side // 2, 1.0 if side % 2 else -1.0
-        metres = max(metres, MIN_SIDE - 2.0 * self.half[axis])
+        metres = max(metres, MIN_SIDE_M - 2.0 * self.half[axis])
         half = self.half.copy()
         half[axis] += 0.5 * metres
         return replace(self, centre=self.centre + 0.5 * sign * metres * self.axes[axis], half=half)
 
     def with_lengths(self, lengths: Array) -> "Box":
         """Box with the same centre and other lengths, shape (3,), metres."""
-        return replace(self, half=0.5 * np.maximum(lengths, MIN_SIDE))
+        return replace(self, half=0.5 * np.maximum(lengths, MIN_SIDE_M))
 
     @property
     def sides(self) -> list[tuple[Array, Array]]:
-        """Centre and outward direction of each side."""
+        """Centre and outward direction of the six sides: negative and positive end of each axis."""
         return [
             (self.centre + sign * self.half[k] * self.axes[k], sign * self.axes[k])
             for k in range(3)
@@ -76,17 +84,18 @@ class Box:
 
     @property
     def corners(self) -> Array:
-        """Corners, shape (8, 3), metres; see `EDGES`."""
-        signs = np.array([(a, b, c) for c in (-1, 1) for a, b in RING])
+        """Corners, shape (8, 3), metres; see `BOX_EDGES`."""
+        signs = np.array([(a, b, c) for c in (-1, 1) for a, b in FACE_CORNERS])
         corners: Array = self.centre + (signs * self.half) @ self.axes
         return corners
 
 
-RING = ((-1, -1), (1, -1), (1, 1), (-1, 1))
-_RING_EDGES = [(k, (k + 1) % 4) for k in range(4)]
-EDGES = (
-    *_RING_EDGES,
-    *((a + 4, b + 4) for a, b in _RING_EDGES),
+FACE_CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+"""Corners of a face in their order around it, in units of half the lengths."""
+_FACE_EDGES = [(k, (k + 1) % 4) for k in range(4)]
+BOX_EDGES = (
+    *_FACE_EDGES,
+    *((a + 4, b + 4) for a, b in _FACE_EDGES),
     *((k, k + 4) for k in range(4)),
 )
 """Pairs of corners of a box that are joined by an edge."""

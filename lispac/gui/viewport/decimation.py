@@ -1,7 +1,7 @@
-"""Selection of the drawn points of large lines, thinned evenly to a budget of points.
+"""Random selection of the points of large lines that are drawn, within a budget of points.
 
-While the camera moves, a coarse sample of each line is drawn. At rest, the points in view are drawn
-from all points, so that a close view shows every point.
+While the camera moves, a coarse sample of each line is drawn. At rest, the drawn points are
+selected from all points in view, so that a close view shows every point.
 """
 
 from collections.abc import Mapping
@@ -14,13 +14,16 @@ from lispac.gui.viewport.camera import Camera, ViewportSize
 
 Array = NDArray[np.float64]
 
-CHUNK = 1 << 14
+CHUNK_POINTS = 1 << 14
 """Number of points processed at a time, whose intermediate results fit in the processor cache."""
 
 
 @dataclass(frozen=True)
 class Budget:
-    """Largest total number of drawn points; fewer are drawn if drawing takes too long."""
+    """Largest total number of drawn points, at rest and while the camera moves.
+
+    Fewer points are drawn if drawing takes too long.
+    """
 
     resting: int = 1_000_000
     moving: int = 250_000
@@ -47,7 +50,8 @@ def random_ranks(count: int) -> NDArray[np.float32]:
 
 
 def lowest_ranked(ranks: NDArray[np.float32], number: int) -> NDArray[np.int64]:
-    """Indices, ascending, of the ``number`` points of lowest rank; smaller sets are subsets."""
+    """Indices, ascending, of the ``number`` points of lowest rank."""
+    # A smaller number gives a subset, so that points do not flicker when the number changes
     count = len(ranks)
     if number >= count:
         return np.arange(count)
@@ -66,8 +70,8 @@ def points_in_view(points: Array, camera: Camera, size: ViewportSize) -> NDArray
     half = 0.55 * np.array([size.width, size.height]) / size.pixels_per_tangent
     axes, shift = camera.axes.T, camera.axes @ camera.position
     found = []
-    for start in range(0, len(points), CHUNK):
-        xyz = points[start : start + CHUNK] @ axes - shift
+    for start in range(0, len(points), CHUNK_POINTS):
+        xyz = points[start : start + CHUNK_POINTS] @ axes - shift
         reach = camera.scale_depth(xyz[:, 2])
         inside = (np.abs(xyz[:, 0]) <= half[0] * reach) & (np.abs(xyz[:, 1]) <= half[1] * reach)
         found.append(np.flatnonzero(inside) + start)
@@ -84,7 +88,7 @@ def trimmed_points(points: Array, percent: float = 0.05) -> Array:
     Returns
     -------
     ndarray of shape (m, 3)
-        All of them where fewer than 100 would make a percentile meaningless.
+        All points if there are fewer than 100, since percentiles are then meaningless.
     """
     if len(points) < 100:
         return points

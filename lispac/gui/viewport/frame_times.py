@@ -12,8 +12,8 @@ from lispac.gui.viewport.decimation import Budget
 Kind = Literal["moving", "resting"]
 
 TARGET_FRAME_S: dict[Kind, float] = {"moving": 0.07, "resting": 0.14}
-"""Target time of a frame, without the selection of points and Qt, which add a third. With more than
-0.2 s in total, the window seems to hang each time the view comes to rest."""
+"""Target time for drawing a frame. The selection of points and the work of Qt add a third. If the
+total exceeds 0.2 s, the window seems to hang each time the view comes to rest."""
 
 MAX_PICTURE_S = 1.0
 """Longest time to draw a picture for a file."""
@@ -22,16 +22,16 @@ MIN_POINTS: dict[Kind, int] = {"moving": 20_000, "resting": 100_000}
 """Smallest number of drawn points, independent of the time: fewer points show no shapes."""
 
 MIN_TIMED_POINTS = 10_000
-"""Smallest number of points of a frame that is timed; that of others depends on other work."""
+"""Frames with fewer points are not timed, since other work dominates their time."""
 
 FRAMES_KEPT = 3
 """Number of stored frame times; the fastest is used, since other work slows some frames."""
 
 SLICE_FRACTIONS = (0.0625, 0.125, 0.25, 0.5, 1.0)
-"""Shares of the points drawn while the camera moves, ascending."""
+"""Shares of the coarse points that can be drawn while the camera moves, ascending."""
 
 SLICE_HYSTERESIS = 0.7
-"""Share of the limit that a larger slice must meet, which prevents repeated switching."""
+"""Factor on the limit for a change to a larger slice, which prevents repeated switching."""
 
 
 class FrameTimes:
@@ -84,8 +84,8 @@ class FrameTimes:
     def _fitting_slice(self, whole: int) -> int:
         fitting = max(self._rates["moving"]) * TARGET_FRAME_S["moving"]
         chosen = 0
-        for k, part in enumerate(SLICE_FRACTIONS):
+        for k, fraction in enumerate(SLICE_FRACTIONS):
             limit = fitting if k <= self.slice else SLICE_HYSTERESIS * fitting
-            if part * whole <= max(limit, MIN_POINTS["moving"]):
+            if fraction * whole <= max(limit, MIN_POINTS["moving"]):
                 chosen = k
         return chosen

@@ -1,13 +1,13 @@
 """Highlighted sightings, drawn over the lines.
 
-The 3D library is used only through the functions of `actors`.
+This module does not import VTK: the functions of `actors` create its objects.
 """
 
 from collections.abc import Sequence
 from typing import Any
 
 from lispac.gui.viewport.actors import (
-    EDGE,
+    SHADED_EDGE_COLOUR,
     clip_actors,
     darker_colour,
     point_actor,
@@ -16,7 +16,7 @@ from lispac.gui.viewport.actors import (
     set_point_pixels,
     shift_depth,
 )
-from lispac.gui.viewport.base import Array, Highlight, highlight_emphasis
+from lispac.gui.viewport.base import Array, Highlight, sighting_style
 from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.clipping import Box
 
@@ -68,13 +68,14 @@ class HighlightLayer:
     def style(self, pixels: int, scale: float, hidden: set[str]) -> None:
         """Set size and colour of the points by selection, and hide sightings of hidden lines."""
         for highlight, actor, outline in self._drawn:
-            drawn = highlight_emphasis(highlight, self.selected)
-            size = pixels + drawn.larger
+            drawn = sighting_style(highlight, self.selected)
+            size = pixels + drawn.extra_pixels
             set_point_pixels([actor], size * scale)
             set_point_pixels([outline], (size + 3) * scale)
             set_actor_colour(actor, drawn.colour)
             set_actor_colour(
-                outline, darker_colour(drawn.colour) if highlight.shades is None else EDGE
+                outline,
+                darker_colour(drawn.colour) if highlight.shades is None else SHADED_EDGE_COLOUR,
             )
             shown = highlight.key[1] not in hidden
             actor.SetVisibility(shown)
@@ -83,7 +84,7 @@ class HighlightLayer:
     def update_depth(self, camera: Camera, origin: Array) -> None:
         """Keep the sightings in front of their lines."""
         for highlight, actor, outline in self._drawn:
-            shift = DEPTH_SHIFT * (2 if highlight_emphasis(highlight, self.selected).above else 1)
+            shift = DEPTH_SHIFT * (2 if sighting_style(highlight, self.selected).above else 1)
             shift_depth(actor, camera, origin, -shift)
             shift_depth(outline, camera, origin, 0.3 * DEPTH_SHIFT - shift)
 

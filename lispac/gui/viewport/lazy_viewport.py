@@ -1,4 +1,4 @@
-"""Viewport that is created when it first has content.
+"""Viewport that is created when it is first shown or has content.
 
 Importing the 3D library is the slowest part of the start of the program, and the start page does
 not need it.
@@ -14,9 +14,9 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from lispac.gui.viewport.base import Array, Colour, PointColouring, Viewport, ViewportSignals
 
 CALLS_BY_NAME = {"set_line_visible", "show_sketch"}
-"""Calls stored by the name of a line or sketch; of other calls, only the last is stored."""
-CALLS_WITH_VALUE = {"hides", "drawn_near", "to_pixels", "picture"}
-"""Calls that return a value and therefore need the real viewport."""
+"""Methods whose last call is stored for each line or sketch; of others, only one call is stored."""
+CALLS_WITH_VALUE = {"is_line_hidden", "drawn_near", "to_pixels", "picture"}
+"""Methods that return a value and therefore need the real viewport."""
 
 
 class LazyViewport:
@@ -24,11 +24,13 @@ class LazyViewport:
 
     Parameters
     ----------
-    make : function that creates the real viewport
+    create_viewport : function that creates the real viewport
     """
 
-    def __init__(self, make: Callable[[], Viewport], parent: QWidget | None = None) -> None:
-        self._make = make
+    def __init__(
+        self, create_viewport: Callable[[], Viewport], parent: QWidget | None = None
+    ) -> None:
+        self._create_viewport = create_viewport
         self._view: Viewport | None = None
         self._stored_calls: dict[tuple[str, ...], Callable[[Viewport], None]] = {}
         self._placeholder = _Placeholder(parent)
@@ -53,7 +55,7 @@ class LazyViewport:
 
     def create_empty_viewport(self) -> "LazyViewport":
         """New empty lazy viewport."""
-        return LazyViewport(self._make)
+        return LazyViewport(self._create_viewport)
 
     def close(self) -> None:
         """Release the graphics, if there are any."""
@@ -75,7 +77,7 @@ class LazyViewport:
 
     def _real_viewport(self) -> Viewport:
         if self._view is None:
-            view = self._view = self._make()
+            view = self._view = self._create_viewport()
             for name in ("seed_clicked", "missed", "pointed", "outlined", "hovered",
                          "handle_moved", "handle_released"):  # fmt: skip
                 getattr(view.signals, name).connect(getattr(self.signals, name))

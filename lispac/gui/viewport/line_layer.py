@@ -1,6 +1,6 @@
 """Drawn lines of one placement: coarse during camera movements, detailed at rest.
 
-The 3D library is used only through the functions of `actors`.
+This module does not import VTK: the functions of `actors` create its objects.
 """
 
 from collections.abc import Iterator, Mapping
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.gui.viewport.actors import (
-    EDGE,
+    SHADED_EDGE_COLOUR,
     clip_actors,
     darker_colour,
     point_actor,
@@ -24,11 +24,14 @@ from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.decimation import line_budgets, lowest_ranked, points_in_view, random_ranks
 from lispac.gui.viewport.frame_times import SLICE_FRACTIONS
 
-MAX_COORDINATE = 1e4
-"""Largest coordinate, metres, without a common origin: float32 then resolves a millimetre."""
+MAX_COORDINATE_M = 1e4
+"""Largest coordinate of the middle of lines that are drawn relative to the local origin.
 
-RIM_DEPTH = 0.006
-"""Shift of the rims behind their points, as a share of the distance."""
+Drawn coordinates are float32, which resolves a millimetre up to this coordinate.
+"""
+
+RIM_DEPTH_SHIFT = 0.006
+"""Shift of the rims behind their points, as a share of the distance from the eye."""
 
 
 class LineLayer:
@@ -37,9 +40,9 @@ class LineLayer:
     Attributes
     ----------
     colours, shading : colour of each line, and colours of single points, which have priority
-    visible : all points (n, 3) of the lines that are shown, metres, local frame
-    sparse : points drawn while the camera moves
-    detail : points in view drawn when the camera last rested; empty if there are none
+    visible : points (n, 3) in the clip box of each line that is not hidden, metres, local frame
+    sparse : points of each line that can be drawn while the camera moves
+    detail : points of each line in view that were drawn at the last rest of the camera
     origin : ndarray of shape (3,), metres, local frame
         Origin of the drawn coordinates.
     half : half space to which the drawing is limited; None for no limit
@@ -53,12 +56,13 @@ class LineLayer:
         self._indices_in_box: dict[str, NDArray[np.int64] | None] = {}
         self._box: Box | None = None
         self.half: Any = None
-        self._coarse: list[tuple[int, Any]] = []
+        self._coarse: list[tuple[int, Any]] = []  # index of the slice, and its actor
         self._ranks: dict[str, NDArray[np.float32]] = {}
+        # Number of points, indices in the box, and indices of the points ordered by rank
         self._orders: dict[str, tuple[int, NDArray[np.int64] | None, NDArray[np.int64]]] = {}
         self._fine: list[Any] = []
         self._rims: list[Any] = []
-        self._fine_id: tuple[Camera, int] | None = None
+        self._fine_key: tuple[Camera, int] | None = None  # camera and budget of the fine points
         self.visible: dict[str, Array] = {}
         self.sparse: dict[str, Array] = {}
         self.detail: dict[str, Array] = {}
@@ -66,7 +70,7 @@ class LineLayer:
 
     @property
     def clouds(self) -> Mapping[str, Array]:
-        """All lines, including hidden ones."""
+        """All lines that have points, including hidden ones."""
         return self._clouds
 
     def set_lines(
@@ -82,8 +86,8 @@ class LineLayer:
         self._ranks = {}
         for line, points in self._clouds.items():
             known = former.get(line)
-            same = known is not None and len(known) == len(points)  # placed otherwise
-            self._ranks[line] = known if same else random_ranks(len(points))
+            is_same = known is not None and len(known) == len(points)  # perhaps placed differently
+            self._ranks[line] = known if is_same else random_ranks(len(points))
         self._indices_in_box, self._box = {}, None
         self._orders = {
             line: order for line, order in self._orders.items()
@@ -91,7 +95,7 @@ class LineLayer:
         }  # fmt: skip
 
     def draw(self, hidden: set[str], budget: int, box: Box | None = None) -> None:
-        """Draw the visible lines coarsely, within the box.
+        """Draw the lines that are not hidden coarsely, within the box.
 
         Parameters
         ----------
@@ -112,12 +116,13 @@ class LineLayer:
             chosen = self._ordered_points(line, share[line])
             sparse = self.sparse[line] = points.take(chosen, axis=0)
             start = 0
-            for k, part in enumerate(SLICE_FRACTIONS):
-                end = -int(-part * len(chosen) // 1)
-                some, where = sparse[start:end], chosen[start:end]
+            for k, fraction in enumerate(SLICE_FRACTIONS):
+                end = -int(-fraction * len(chosen) // 1)
+                part_points, indices = sparse[start:end], chosen[start:end]
                 start = end
-                if len(some):
-                    data = point_polydata(some - self.origin, self._point_colours(line, where))
+                if len(part_points):
+                    shades = self._point_colours(line, indices)
+                    data = point_polydata(part_points - self.origin, shades)
                     actor = point_actor(data, self.colours[line], shaded=shaded)
                     self._coarse.append((k, actor))
         actors = [actor for _, actor in self._coarse]
@@ -128,9 +133,12 @@ class LineLayer:
     def refinement_steps(self, camera: Camera, size: ViewportSize, budget: int) -> Iterator[None]:
         """Draw the points in view with rims, at most ``budget`` in total, step by step.
 
-        Each step processes one line; the last step replaces the drawn points.
+        The first steps find the points in view, line by line; the next steps prepare them for
+        drawing, line by line. The drawn points are replaced at the end of the iteration. There are
+        no steps if camera and budget are those of the points drawn already.
         """
-        if self._fine_id is not None and self._fine_id[0] is camera and self._fine_id[1] == budget:
+        drawn = self._fine_key
+        if drawn is not None and drawn[0] is camera and drawn[1] == budget:
             return
         found = {}
         for line, points in self.visible.items():
@@ -148,12 +156,16 @@ class LineLayer:
             detail[line] = self.visible[line].take(chosen, axis=0)
             data = point_polydata(detail[line] - self.origin, self._point_colours(line, chosen))
             fine.append(point_actor(data, self.colours[line], shaded=shaded))
-            # The same points, larger, darker and slightly deeper: they form an edge where a near
-            # object is in front of a far one, and are hidden within a surface.
-            rims.append(point_actor(data, EDGE if shaded else darker_colour(self.colours[line])))
+            # Rims are the same points, larger, darker and slightly deeper. They are visible as an
+            # edge where a near object is in front of a far one, and hidden within a surface.
+            rims.append(
+                point_actor(
+                    data, SHADED_EDGE_COLOUR if shaded else darker_colour(self.colours[line])
+                )
+            )
             yield
         self._remove_detail()
-        self._fine_id = camera, budget
+        self._fine_key = camera, budget
         self.detail, self._fine, self._rims = detail, fine, rims
         clip_actors([*fine, *rims], self.half)
         for actor in (*fine, *rims):
@@ -180,7 +192,7 @@ class LineLayer:
     def update_depth(self, camera: Camera) -> None:
         """Keep the rims behind their points."""
         for rim in self._rims:
-            shift_depth(rim, camera, self.origin, RIM_DEPTH)
+            shift_depth(rim, camera, self.origin, RIM_DEPTH_SHIFT)
 
     def remove(self) -> None:
         """Remove the drawn points."""
@@ -197,19 +209,19 @@ class LineLayer:
     def _remove_detail(self) -> None:
         self._remove(self._fine)
         self._remove(self._rims)
-        self._fine, self._rims, self._fine_id, self.detail = [], [], None, {}
+        self._fine, self._rims, self._fine_key, self.detail = [], [], None, {}
 
     def _remove(self, actors: list[Any]) -> None:
         for actor in actors:
             self._renderer.RemoveActor(actor)
 
     def _ordered_points(self, line: str, count: int) -> NDArray[np.int64]:
-        """Indices of the points of a line to draw, ordered by rank."""
+        """Indices, among the points in the box, of ``count`` points to draw, ordered by rank."""
         order = self._orders.get(line)
         if order is None or order[0] != count or order[1] is not self._indices_in_box[line]:
-            places = self._point_ranks(line)
-            chosen = lowest_ranked(places, count)
-            order = count, self._indices_in_box[line], chosen[np.argsort(places[chosen])]
+            ranks = self._point_ranks(line)
+            chosen = lowest_ranked(ranks, count)
+            order = count, self._indices_in_box[line], chosen[np.argsort(ranks[chosen])]
             self._orders[line] = order
         return order[2]
 
@@ -230,9 +242,9 @@ class LineLayer:
 
 
 def common_origin(clouds: Mapping[str, Array]) -> Array:
-    """Origin of drawn coordinates: zero, or a rounded point near lines far from zero."""
+    """Origin of drawn coordinates: zero, or the rounded middle of lines that are far from zero."""
     if not clouds:
         return np.zeros(3)
     middle = np.median([np.median(points[:: max(1, len(points) // 1000)], axis=0)
                         for points in clouds.values()], axis=0)  # fmt: skip
-    return np.round(middle, -2) if np.abs(middle).max() > MAX_COORDINATE else np.zeros(3)
+    return np.round(middle, -2) if np.abs(middle).max() > MAX_COORDINATE_M else np.zeros(3)

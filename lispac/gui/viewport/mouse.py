@@ -1,10 +1,10 @@
 """Mouse and keys of the viewport, converted to signals.
 
 Left drag: rotate. Middle, right or Shift+left drag: pan. Wheel: zoom. Ctrl+click: pick. Double
-click: centre the view on a point. Arrows: rotate. Shift+arrows: pan. Page up and Page down: zoom at
-the centre. A Ctrl+drag is ignored, so that a click with an unsteady hand picks nothing. In the mode
+click: centre the view on a point. Arrows: rotate. Shift+arrows: pan. Ctrl+left and Ctrl+right: move
+the dividing line. Page up and Page down: zoom at the centre. A Ctrl+drag has no effect. In the mode
 "point", a click emits a point and a drag still rotates; in the mode "outline", a left drag draws.
-If `try_grab` accepts a press, the drag moves a handle.
+If `try_grab` accepts the press of the left button, the drag moves a handle.
 """
 
 from collections.abc import Callable
@@ -16,23 +16,25 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from lispac.gui.viewport.base import MouseMode
 
-WHEEL_STEP = 120.0
-"""Angle units of one notch of a wheel; touch pads send smaller amounts."""
+WHEEL_NOTCH_ANGLE = 120.0
+"""Angle of one notch of a wheel, eighths of a degree as in Qt; touch pads send smaller angles."""
 
 
-KEY_STEP = 24.0
-"""Length of a drag, pixels, that is equivalent to one press of an arrow key."""
+KEY_STEP_PX = 24.0
+"""Length of a drag that is equivalent to one press of an arrow key."""
 
-_ARROWS = {
-    Qt.Key.Key_Left: (-KEY_STEP, 0.0),
-    Qt.Key.Key_Right: (KEY_STEP, 0.0),
-    Qt.Key.Key_Up: (0.0, -KEY_STEP),
-    Qt.Key.Key_Down: (0.0, KEY_STEP),
+_ARROW_KEY_DRAGS = {
+    Qt.Key.Key_Left: (-KEY_STEP_PX, 0.0),
+    Qt.Key.Key_Right: (KEY_STEP_PX, 0.0),
+    Qt.Key.Key_Up: (0.0, -KEY_STEP_PX),
+    Qt.Key.Key_Down: (0.0, KEY_STEP_PX),
 }
-_PAGES = {Qt.Key.Key_PageUp: 1.0, Qt.Key.Key_PageDown: -1.0}
+_PAGE_KEY_NOTCHES = {Qt.Key.Key_PageUp: 1.0, Qt.Key.Key_PageDown: -1.0}
 
 
 class _Drag(Enum):
+    """Action of a pressed mouse button."""
+
     NONE = auto()
     ROTATE = auto()
     PAN = auto()
@@ -91,7 +93,7 @@ class ViewportMouse(QObject):
             event.accept()
             return True
         if isinstance(event, QWheelEvent):
-            notches = event.angleDelta().y() / WHEEL_STEP
+            notches = event.angleDelta().y() / WHEEL_NOTCH_ANGLE
             if notches:
                 self.zoomed.emit(notches, event.position().x(), event.position().y())
             event.accept()
@@ -123,12 +125,12 @@ class ViewportMouse(QObject):
             return False
         key = Qt.Key(event.key())
         x, y = 0.5 * self._widget.width(), 0.5 * self._widget.height()
-        if key in _PAGES:
-            self.zoomed.emit(_PAGES[key], x, y)
+        if key in _PAGE_KEY_NOTCHES:
+            self.zoomed.emit(_PAGE_KEY_NOTCHES[key], x, y)
             return True
-        if key not in _ARROWS:
+        if key not in _ARROW_KEY_DRAGS:
             return False
-        right, down = _ARROWS[key]
+        right, down = _ARROW_KEY_DRAGS[key]
         if _is_control_pressed(event.modifiers()):
             self.nudged.emit(right)
             return True
@@ -178,8 +180,8 @@ class ViewportMouse(QObject):
             self.outlined.emit()
         elif drag is _Drag.GRAB:
             self.handle_released.emit()
-        way = (event.position() - self._press).manhattanLength()
-        if way < QApplication.startDragDistance():
+        distance = (event.position() - self._press).manhattanLength()
+        if distance < QApplication.startDragDistance():
             if drag is _Drag.PICK:
                 self.picked.emit(self._press.x(), self._press.y())
             elif drag is _Drag.ROTATE and self.mode == "point":
@@ -195,8 +197,8 @@ class ViewportMouse(QObject):
             self._pressed(event)  # two quick clicks are two picks
 
     def _show_cursor(self, picking: bool) -> None:
-        crossed = picking or self.mode != "navigate"
-        shape = Qt.CursorShape.CrossCursor if crossed else Qt.CursorShape.ArrowCursor
+        has_cross = picking or self.mode != "navigate"
+        shape = Qt.CursorShape.CrossCursor if has_cross else Qt.CursorShape.ArrowCursor
         if self._widget.cursor().shape() != shape:
             self._widget.setCursor(shape)
 

@@ -1,4 +1,4 @@
-"""Camera movements by the mouse: rotate, pan, zoom, fit, standard views; picking of points."""
+"""Camera movements: rotate, pan, zoom, fit, standard views; picking of points by the mouse."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -16,11 +16,11 @@ from lispac.gui.viewport.point_picker import pick_point
 WHEEL_FACTOR = 0.85
 """Factor on the distance for one notch of the wheel."""
 
-SNAP_PX = (3.0, 8.0, 20.0)
-"""Search radii, pixels, for the surface point about which a drag rotates or the wheel zooms."""
+SNAP_RADII_PX = (3.0, 8.0, 20.0)
+"""Search radii for the point about which a drag rotates or the wheel zooms, or that is hovered."""
 
 MAX_FIT_POINTS = 60_000
-"""Largest number of points that determine the extent; the first coarse points are a sample."""
+"""Largest number of points that determine the extent: the first coarse points, in random order."""
 
 VIEWS_DEG = {
     "front": (0.0, 0.0),
@@ -29,7 +29,7 @@ VIEWS_DEG = {
     "right": (-90.0, 0.0),
     "isometric": (30.0, 26.0),
 }
-"""Azimuth from the front, and elevation, degrees; "top" is omitted, since it has north up."""
+"""Azimuth relative to the view "front", and elevation; the view "top" always has north up."""
 
 
 class Navigator(QObject):
@@ -38,9 +38,9 @@ class Navigator(QObject):
     Attributes
     ----------
     camera : the present camera
-    clouds : all points (n, 3) of the visible lines, which can be picked
+    clouds : points (n, 3) of the visible lines in the clip box, which can be picked
     coarse : thinned points (n, 3) of the visible lines, used for navigation
-    drawn : function that returns the points (n, 3) on the screen, which hovering searches
+    drawn : function that returns the drawn points (n, 3) by line, for the search while hovering
     station : ndarray of shape (3,), metres, local frame
         Position from which the view "front" looks.
     """
@@ -108,8 +108,8 @@ class Navigator(QObject):
 
     def view_along(self, direction: Array, points: Array) -> None:
         """Look at points (n, 3) along a direction, shape (3,), from the station's side of them."""
-        towards = points.mean(axis=0) - self.station
-        self.camera = self.camera.along(direction if direction @ towards >= 0 else -direction)
+        from_station = points.mean(axis=0) - self.station
+        self.camera = self.camera.along(direction if direction @ from_station >= 0 else -direction)
         self.fit(points)
 
     def project_parallel(self, parallel: bool) -> None:
@@ -118,7 +118,7 @@ class Navigator(QObject):
         self.refit()
 
     def _extent_points(self) -> Array:
-        """Sample of all drawn points, cached."""
+        """Sample of the coarse points without the outermost ones, cached."""
         if self._extent_sample is None or self._extent_sample[0] is not self.coarse:
             self._extent_sample = self.coarse, self._thinned_points()
         return self._extent_sample[1]
@@ -174,7 +174,7 @@ class Navigator(QObject):
 
     def _surface_at(self, x: float, y: float) -> Array:
         """Surface point at a pixel, or the point behind it at the focal depth."""
-        hit = pick_point(self.coarse, self.camera, x, y, self.size, SNAP_PX)
+        hit = pick_point(self.coarse, self.camera, x, y, self.size, SNAP_RADII_PX)
         if hit is not None:
             surface: Array = self.coarse[hit.line][hit.index]
             return surface

@@ -21,21 +21,24 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from lispac.gui.appearance import theme, units
-from lispac.gui.appearance.colour_schemes import LIGHT
+from lispac.gui.appearance.colour_schemes import LIGHT_SCHEME
 from lispac.gui.viewport.base import Array, Marker, PointColouring
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.language import N_, gettext
 
 EMPTY_TITLE = N_("No project open")
 EMPTY_HINT = N_("Open or create a project to see its lines here")
-HELP = N_("Drag: rotate   ·   Shift+drag: pan   ·   Wheel: zoom   ·   Ctrl+click: pick a target")
+MOUSE_HELP = N_(
+    "Drag: rotate   ·   Shift+drag: pan   ·   Wheel: zoom   ·   Ctrl+click: pick a target"
+)
 
-AXES = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
+AXIS_LABELS = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
 """Letters of the axes, with the names of their colours in the scheme."""
 
-MARGIN = 14.0
+MARGIN_PX = 14.0
+"""Distance of axes, scale bar, legend and help from the edges."""
 NEIGHBOUR_RADIUS_PX = 40.0
-"""Distance of two spots below which their labels would overlap, pixels."""
+"""Distance of two points on the screen below which their labels would overlap."""
 
 
 def scale_bar_length(metres_per_pixel: float, longest: float = 150.0) -> float:
@@ -84,7 +87,7 @@ class Overlay(QWidget):
         self.markers: Sequence[Marker] = ()
         self.shading: PointColouring | None = None
         self.hint = ""
-        """Text on the action of the mouse, if it differs from the usual one."""
+        """Text on the action of the mouse, shown instead of the usual help."""
         self.paint_hooks: list[Callable[[QPainter, Camera, ViewportSize], None]] = []
         """Functions that paint after the markers and before axes, scale and help."""
 
@@ -153,20 +156,22 @@ class Overlay(QWidget):
             _paint_marker(painter, spot, box, marker)
 
     def _paint_axes(self, painter: QPainter, camera: Camera) -> None:
-        centre = QPointF(MARGIN + 42.0, self.height() - MARGIN - 42.0)
+        centre = QPointF(MARGIN_PX + 42.0, self.height() - MARGIN_PX - 42.0)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.8))
         painter.drawEllipse(centre, 44.0, 44.0)
-        seen = camera.axes  # columns: directions of north, west and up on the screen
+        directions = camera.axes  # columns: north, west and up as seen on the screen
         font = _scaled_font(self.font(), 0.95)
         font.setBold(True)
         painter.setFont(font)
-        for k in np.argsort(-seen[2]):  # axes that point away are painted first
-            name, colour = AXES[k]
-            way = QPointF(seen[0, k], -seen[1, k])
-            tip = centre + way * 28.0
-            # Always beyond the tip, also of an axis that is seen foreshortened
-            letter = tip + way * (9.0 / max(float(np.hypot(way.x(), way.y())), 1e-3))
+        for k in np.argsort(-directions[2]):  # axes that point away are painted first
+            name, colour = AXIS_LABELS[k]
+            direction = QPointF(directions[0, k], -directions[1, k])
+            tip = centre + direction * 28.0
+            # At a constant distance beyond the tip, even if the axis nearly points at the viewer
+            letter = tip + direction * (
+                9.0 / max(float(np.hypot(direction.x(), direction.y())), 1e-3)
+            )
             pen = QPen(theme.colour(colour), 2.4)
             pen.setCapStyle(Qt.PenCapStyle.RoundCap)
             painter.setPen(pen)
@@ -177,7 +182,7 @@ class Overlay(QWidget):
     def _paint_scale(self, painter: QPainter, metres_per_pixel: float) -> None:
         metres = scale_bar_length(metres_per_pixel)
         pixels = metres / metres_per_pixel
-        right, base = self.width() - MARGIN - 4.0, self.height() - MARGIN - 6.0
+        right, base = self.width() - MARGIN_PX - 4.0, self.height() - MARGIN_PX - 6.0
         left = right - pixels
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.85))
@@ -206,7 +211,7 @@ class Overlay(QWidget):
         title, low, high = legend_texts(shading)
         ends = metrics.horizontalAdvance(low) + metrics.horizontalAdvance(high)
         width = max(180.0, metrics.horizontalAdvance(title), ends + 24.0)
-        return QRectF(MARGIN, MARGIN, width + 24.0, 66.0)
+        return QRectF(MARGIN_PX, MARGIN_PX, width + 24.0, 66.0)
 
     def _paint_legend(self, painter: QPainter, shading: PointColouring) -> None:
         painter.setFont(_scaled_font(self.font(), 0.95))
@@ -234,14 +239,14 @@ class Overlay(QWidget):
         painter.setFont(font)
         # The help is between axes and scale bar, and omitted in a narrow window; a hint is at the
         # top.
-        left, right = MARGIN + 100.0, self.width() - MARGIN - 180.0
+        left, right = MARGIN_PX + 100.0, self.width() - MARGIN_PX - 180.0
         if self.hint:
             left, right = 0.0, float(self.width())
-        text = self.hint or gettext(HELP)
+        text = self.hint or gettext(MOUSE_HELP)
         width = QFontMetricsF(font).horizontalAdvance(text) + 24.0
         if width < right - left or self.hint:
             middle = 0.5 * (left + right)
-            top = MARGIN if self.hint else self.height() - MARGIN - 22.0
+            top = MARGIN_PX if self.hint else self.height() - MARGIN_PX - 22.0
             box = QRectF(middle - 0.5 * width, top, width, 22.0)
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(
@@ -279,9 +284,9 @@ class OverlaidView(QWidget):
 
 
 def has_right_neighbour(spots: Array, k: int) -> bool:
-    """Whether another spot is close on the right, and none on the left.
+    """Whether spot ``k`` has a close neighbour on the right, and none on the left.
 
-    In this case the label is placed on the left; otherwise the lines to both labels would cross.
+    In this case its label is placed on the left; otherwise the lines to both labels would cross.
 
     Parameters
     ----------
@@ -327,9 +332,9 @@ def _paint_marker(painter: QPainter, spot: QPointF, box: QRectF, marker: Marker)
     painter.setPen(QPen(colour.darker(130), 1.5))
     painter.drawLine(spot, label)
     # A dark and a light ring distinguish the dot from points of its colour.
-    painter.setPen(QPen(QColor(LIGHT.text), 4.2))
+    painter.setPen(QPen(QColor(LIGHT_SCHEME.text), 4.2))
     painter.drawEllipse(spot, 5.0, 5.0)
-    painter.setPen(QPen(QColor(LIGHT.paper), 1.8))
+    painter.setPen(QPen(QColor(LIGHT_SCHEME.paper), 1.8))
     painter.setBrush(colour)
     painter.drawEllipse(spot, 5.0, 5.0)
     if not marker.label:

@@ -17,7 +17,7 @@ A point exactly under the cursor takes precedence over the edge of a nearer obje
 The larger radii are for sparse clouds, in which the cursor may be between the points of a surface.
 """
 
-CHUNK = 1 << 14
+CHUNK_POINTS = 1 << 14
 """Number of points processed at a time; the intermediate results fit in the processor cache."""
 
 
@@ -44,6 +44,7 @@ def pick_point(
     ----------
     clouds : ndarray of shape (n, 3) by line, metres, local frame
     x, y : pixels of the widget
+    radii : search radii, pixels, ascending; a larger one is used if a smaller one has no points
     """
     names = list(clouds)
     found = [_points_near_pixel(clouds[name], camera, x, y, size, radii[-1]) for name in names]
@@ -80,8 +81,8 @@ def _points_near_pixel(
         lateral = np.zeros(3)
     shift = position @ across + lateral
     indices, distances, depths = [], [], []
-    for start in range(0, len(points), CHUNK):
-        offsets = points[start : start + CHUNK] @ across - shift
+    for start in range(0, len(points), CHUNK_POINTS):
+        offsets = points[start : start + CHUNK_POINTS] @ across - shift
         reach = camera.scale_depth(offsets[:, 2]) * (radius / focal)
         near = np.flatnonzero((np.abs(offsets[:, 0]) <= reach) & (np.abs(offsets[:, 1]) <= reach))
         near = near[offsets[near, 2] > 0.0]

@@ -17,20 +17,20 @@ from lispac.gui.viewport.base import (
     SightingStyle,
     Sketch,
     ViewportSignals,
-    highlight_emphasis,
+    sighting_style,
 )
 from lispac.gui.viewport.clipping import Box
 
 
 class RecordingViewport:
-    """`Viewport` on a plain widget that records all calls.
+    """`Viewport` on a plain widget that records the calls of its methods.
 
     Attributes
     ----------
     calls : list of (method name, arguments)
-        All calls, in order.
+        Calls in order, except those that only return a value.
     clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
-    mouse_mode, hint, hovering, sketches, box, wiped
+    mouse_mode, hint, hovering, sketches, box, wipe_clouds
         Content and state that a real viewport would show.
     """
 
@@ -90,7 +90,7 @@ class RecordingViewport:
         else:
             self.hidden.add(line)
 
-    def hides(self, line: str) -> bool:
+    def is_line_hidden(self, line: str) -> bool:
         """Whether a line is hidden."""
         return line in self.hidden
 
@@ -120,7 +120,7 @@ class RecordingViewport:
         self.wipe_clouds = None if clouds is None else dict(clouds)
 
     def set_station(self, position: tuple[float, float, float]) -> None:
-        """Remember where the standard views look from."""
+        """Remember the position of the observer."""
         self._record("set_station", position)
         self.station = position
 
@@ -211,7 +211,7 @@ class RecordingViewport:
     @property
     def highlight_styles(self) -> dict[tuple[str, str], SightingStyle]:
         """Style of each sighting."""
-        return {each.key: highlight_emphasis(each, self.selected) for each in self.highlights}
+        return {each.key: sighting_style(each, self.selected) for each in self.highlights}
 
     def _record(self, name: str, *arguments: object) -> None:
         self.calls.append((name, arguments))

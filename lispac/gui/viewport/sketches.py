@@ -10,17 +10,17 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 from lispac.gui.appearance import theme, units
 from lispac.gui.viewport.base import Array, DragHandle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, ViewportSize
-from lispac.gui.viewport.navigation import SNAP_PX, Navigator
+from lispac.gui.viewport.navigation import SNAP_RADII_PX, Navigator
 from lispac.gui.viewport.overlay import Overlay, has_right_neighbour
 from lispac.gui.viewport.point_picker import pick_point
 from lispac.language import gettext
 
 GRAB_RADIUS_PX = 9.0
 """Largest distance of the mouse from a handle at which it can be dragged, pixels."""
-HOVER_MS = 40
+HOVER_DELAY_MS = 40
 """Time for which the mouse must rest before the point under it is searched for."""
 MAX_HOVER_POINTS = 250_000
-"""Largest number of drawn points that are searched for the one under the mouse."""
+"""Largest number of drawn points that are searched for the point under the mouse."""
 LABEL_TOP_PX = 42.0
 """Smallest distance of a label from the top, pixels, so that the hint does not hide it."""
 MIN_AXIS_SINE = 0.25
@@ -29,13 +29,20 @@ MIN_AXIS_SINE = 0.25
 
 @dataclass(eq=False)
 class _HandleDrag:
-    """Handle during a drag: its axis and the position of the mouse along it."""
+    """Handle during a drag.
+
+    Attributes
+    ----------
+    sketch, handle : name of the sketch and index of the handle
+    place, axis : position at the start of the drag and direction, shape (3,), local frame
+    mouse_position : last position of the mouse along the axis, metres from ``place``
+    """
 
     sketch: str
     handle: int
     place: Array
     axis: Array
-    at: float
+    mouse_position: float
 
 
 class SketchLayer(QObject):
@@ -56,11 +63,11 @@ class SketchLayer(QObject):
         self._sketches: dict[str, Sketch] = {}
         self._outline: list[QPointF] = []
         self._drag: _HandleDrag | None = None
-        self._spot = (0.0, 0.0)
+        self._mouse_position = (0.0, 0.0)
         self.hovering = False
         self.share = 0.5
-        self._dividing = self._divides = False
-        self._hover_timer = QTimer(self, singleShot=True, interval=HOVER_MS)
+        self._drags_dividing_line = self._shows_dividing_line = False
+        self._hover_timer = QTimer(self, singleShot=True, interval=HOVER_DELAY_MS)
         self._hover_timer.timeout.connect(self._emit_hovered)
         mouse = navigator.mouse
         mouse.try_grab = self._grab_handle
@@ -68,7 +75,7 @@ class SketchLayer(QObject):
         mouse.handle_released.connect(self._on_handle_released)
         mouse.outlining.connect(self._extend_outline)
         mouse.outlined.connect(self._finish_outline)
-        mouse.mouse_moved.connect(self._on_mouse_rest)
+        mouse.mouse_moved.connect(self._on_mouse_moved)
         mouse.mouse_left.connect(self.stop_hovering)
         mouse.nudged.connect(self._shift_dividing_line)
         overlay.paint_hooks.append(self._paint)
@@ -85,13 +92,13 @@ class SketchLayer(QObject):
         self._sketches, self._outline, self._drag = {}, [], None
         self.stop_hovering()
 
-    def show_dividing_line(self, divides: bool) -> None:
+    def show_dividing_line(self, visible: bool) -> None:
         """Show or hide the line that divides the picture."""
-        self._divides, self.share = divides, 0.5
+        self._shows_dividing_line, self.share = visible, 0.5
         self._overlay.update()
 
     def stop_hovering(self) -> None:
-        """Stop hovering."""
+        """Cancel the search for the point under the mouse, and report that there is none."""
         self._hover_timer.stop()
         if self.hovering:
             self._signals.hovered.emit(None)
@@ -107,20 +114,22 @@ class SketchLayer(QObject):
 
     def _grab_handle(self, x: float, y: float) -> bool:
         width = self._navigator.size.width
-        self._dividing = self._divides and abs(x - self.share * width) <= GRAB_RADIUS_PX
-        if self._dividing:
+        self._drags_dividing_line = (
+            self._shows_dividing_line and abs(x - self.share * width) <= GRAB_RADIUS_PX
+        )
+        if self._drags_dividing_line:
             return True
         handles = self._handles()
         if not handles:
             return False
         places = np.array([handle.position for _, _, handle in handles])
         spots = self._navigator.camera.project(places, self._navigator.size)
-        away = np.hypot(spots[:, 0] - x, spots[:, 1] - y)
-        away[~(away <= GRAB_RADIUS_PX)] = np.inf
-        if not np.isfinite(away).any():
+        distances = np.hypot(spots[:, 0] - x, spots[:, 1] - y)
+        distances[~(distances <= GRAB_RADIUS_PX)] = np.inf
+        if not np.isfinite(distances).any():
             return False
-        # Of overlapping handles, the one in front.
-        nearest = int(np.argmin(np.where(np.isfinite(away), spots[:, 2], np.inf)))
+        # Of overlapping handles, the one in front is used.
+        nearest = int(np.argmin(np.where(np.isfinite(distances), spots[:, 2], np.inf)))
         name, k, handle = handles[nearest]
         place, axis = np.array(handle.position), np.array(handle.axis)
         self._drag = _HandleDrag(
@@ -129,7 +138,7 @@ class SketchLayer(QObject):
         return True
 
     def _drag_handle(self, x: float, y: float) -> None:
-        if self._dividing:
+        if self._drags_dividing_line:
             self._move_dividing_line(x)
             return
         drag = self._drag
@@ -137,7 +146,7 @@ class SketchLayer(QObject):
             return
         now = self._distance_along_axis(drag.place, drag.axis, x, y)
         if now is not None:
-            moved, drag.at = now - drag.at, now
+            moved, drag.mouse_position = now - drag.mouse_position, now
             self._signals.handle_moved.emit(drag.sketch, drag.handle, moved)
 
     def _move_dividing_line(self, x: float) -> None:
@@ -145,7 +154,7 @@ class SketchLayer(QObject):
         self.divider_moved.emit()
 
     def _shift_dividing_line(self, right: float) -> None:
-        if self._divides:
+        if self._shows_dividing_line:
             self._move_dividing_line(self.share * self._navigator.size.width + right)
 
     def _distance_along_axis(self, place: Array, axis: Array, x: float, y: float) -> float | None:
@@ -154,15 +163,15 @@ class SketchLayer(QObject):
         eye = camera.point_at(x, y, 0.0, size)
         ray = camera.point_at(x, y, 1.0, size) - eye
         ray /= np.linalg.norm(ray)
-        slant = float(axis @ ray)
-        if 1.0 - slant**2 < MIN_AXIS_SINE**2:
+        cosine = float(axis @ ray)
+        if 1.0 - cosine**2 < MIN_AXIS_SINE**2:
             return None
         # The point of the axis nearest to the ray through the mouse.
         to_eye = eye - place
-        return float(axis @ to_eye - slant * (ray @ to_eye)) / (1.0 - slant**2)
+        return float(axis @ to_eye - cosine * (ray @ to_eye)) / (1.0 - cosine**2)
 
     def _on_handle_released(self) -> None:
-        drag, self._drag, self._dividing = self._drag, None, False
+        drag, self._drag, self._drags_dividing_line = self._drag, None, False
         if drag is not None:
             self._signals.handle_released.emit(drag.sketch)
 
@@ -177,16 +186,22 @@ class SketchLayer(QObject):
         if len(corners) > 2:
             self._signals.outlined.emit(corners)
 
-    def _on_mouse_rest(self, x: float, y: float) -> None:
+    def _on_mouse_moved(self, x: float, y: float) -> None:
         if self.hovering:
-            self._spot = (x, y)
-            self._hover_timer.start()
+            self._mouse_position = (x, y)
+            self._hover_timer.start()  # restarts while the mouse moves
 
     def _emit_hovered(self) -> None:
         drawn = self._navigator.drawn()
         step = -(-sum(map(len, drawn.values())) // MAX_HOVER_POINTS) or 1
         clouds = {line: points[::step] for line, points in drawn.items()}
-        hit = pick_point(clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP_PX)
+        hit = pick_point(
+            clouds,
+            self._navigator.camera,
+            *self._mouse_position,
+            self._navigator.size,
+            SNAP_RADII_PX,
+        )
         if hit is None:
             self._signals.hovered.emit(None)
             return
@@ -200,7 +215,7 @@ class SketchLayer(QObject):
             _paint_sketch(painter, sketch, camera, size)
         # Labels last: no line crosses them, and none overlap
         _paint_labels(painter, list(self._sketches.values()), camera, size)
-        if self._divides:
+        if self._shows_dividing_line:
             _paint_dividing_line(painter, self.share * size.width, size)
         if len(self._outline) > 1:
             painter.setBrush(QColor(*theme.CANDIDATE_COLOUR, 45))
@@ -252,10 +267,10 @@ def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Viewp
 def _paint_labels(
     painter: QPainter, sketches: Sequence[Sketch], camera: Camera, size: ViewportSize
 ) -> None:
-    labelled = [each for each in sketches if each.label and each.at is not None]
+    labelled = [each for each in sketches if each.label and each.label_point is not None]
     if not labelled:
         return
-    spots = camera.project(np.array([each.at for each in labelled]), size)[:, :2]
+    spots = camera.project(np.array([each.label_point for each in labelled]), size)[:, :2]
     occupied: list[QRectF] = []
     for k, sketch in enumerate(labelled):
         if np.isfinite(spots[k]).all():

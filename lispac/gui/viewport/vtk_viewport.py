@@ -71,9 +71,9 @@ class VtkViewport:
         self._highlight_layer = HighlightLayer(self._renderer)
         self._point_size = 2
         self._closed = False
-        self._detailed = False
-        self._detail_s = np.inf
-        self._began = 0.0
+        self._shows_detail = False
+        self._detail_render_s = np.inf
+        self._frame_start = 0.0
 
         self._observers = [
             self.canvas.ren_win.AddObserver(event, slot)
@@ -118,7 +118,10 @@ class VtkViewport:
         colours: Mapping[str, Colour],
         shading: PointColouring | None = None,
     ) -> None:
-        """Draw the lines, each in its colour or shaded, instead of those shown; keep the camera."""
+        """Draw the lines, each in its colour or shaded, instead of those shown.
+
+        The first lines are shown in the view "isometric"; later ones do not change the camera.
+        """
         first = not self._layer.clouds
         self._overlay.shading = shading
         self._layer.set_lines(clouds, colours, shading)
@@ -136,7 +139,7 @@ class VtkViewport:
         (self._hidden.discard if visible else self._hidden.add)(line)
         self._draw_clouds()
 
-    def hides(self, line: str) -> bool:
+    def is_line_hidden(self, line: str) -> bool:
         """Whether a line is hidden."""
         return line in self._hidden
 
@@ -221,8 +224,8 @@ class VtkViewport:
     def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
         """Drawn points of a line within a sphere, shape (n, 3)."""
         points = self._navigator.drawn().get(line, np.empty((0, 3)))
-        off = points - centre  # plain NumPy needs no compilation
-        return points[np.einsum("ij,ij->i", off, off) <= radius**2]
+        offsets = points - centre
+        return points[np.einsum("ij,ij->i", offsets, offsets) <= radius**2]
 
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:
         """Draw a sketch over the picture; None removes it."""
@@ -234,7 +237,7 @@ class VtkViewport:
         self._style_points()
 
     def set_point_budget(self, points: int) -> None:
-        """Set the largest number of points drawn at rest; a part is drawn during movements."""
+        """Set the largest number of points drawn at rest; no more are drawn during movements."""
         budget = Budget(points, min(Budget().moving, points))
         if budget != self._budget:
             self._budget = budget
@@ -297,7 +300,7 @@ class VtkViewport:
             layer.draw(self._hidden, self._budget.moving // len(self._layers), self._box)
             layer.show_detail(fine=False, coarse=self._times.slice)
         self._navigator.clouds, self._navigator.coarse = self._layer.visible, self._layer.sparse
-        self._detailed = False
+        self._shows_detail = False
         self._style_points()
         self._view_detail.schedule()
 
@@ -323,13 +326,13 @@ class VtkViewport:
         self._overlay.update()
 
     def _on_frame_start(self, *_: object) -> None:
-        self._began = time.perf_counter()
+        self._frame_start = time.perf_counter()
 
     def _on_frame_end(self, *_: object) -> None:
         """Record the time of a complete frame, including software rendering."""
-        seconds = time.perf_counter() - self._began
-        if self._detailed:
-            self._detail_s = seconds
+        seconds = time.perf_counter() - self._frame_start
+        if self._shows_detail:
+            self._detail_render_s = seconds
             points = _count_points(layer.detail for layer in self._layers)
             self._times.record("resting", points, seconds)
         else:
@@ -343,18 +346,18 @@ class VtkViewport:
             yield from layer.refinement_steps(camera, size, budget)
 
     def _show_detail(self) -> None:
-        self._detailed = True
+        self._shows_detail = True
         for layer in self._layers:
             layer.show_detail(fine=True, coarse=None)
         self._style_points()
 
     def _on_moved(self) -> None:
         self._view_detail.abandon()
-        if self._detail_s > MAX_MOVING_DETAIL_S:
-            self._detailed = False
+        if self._detail_render_s > MAX_MOVING_DETAIL_S:
+            self._shows_detail = False
         for layer in self._layers:
-            # The detail was selected for the last position at rest.
-            layer.show_detail(fine=self._detailed, coarse=self._times.slice)
+            # The detail was selected for the camera at its last rest.
+            layer.show_detail(fine=self._shows_detail, coarse=self._times.slice)
         self._camera_moved()
 
     @property

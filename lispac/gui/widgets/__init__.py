@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
-from lispac.gui.widgets.number_field import BASES, NumberField
+from lispac.gui.widgets.number_field import BASE_OF_SUFFIX, NumberField
 from lispac.gui.widgets.tab_order import ENTER_KEYS
 from lispac.language import N_, gettext
 
@@ -33,21 +33,21 @@ from lispac.language import N_, gettext
 def label(
     text: str = "", role: str = "", *, wrap: bool = False, name: str = "", rich: bool = False
 ) -> QLabel:
-    """Create a label; ``role`` is muted, heading, error or hint, as in the style sheet.
+    """Create a label; ``role`` is muted, heading, error, warning or hint (see the style sheet).
 
     Parameters
     ----------
     rich : bool
         Whether the text is HTML, in which names must be escaped.
     """
-    made = QLabel(text)
-    made.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
-    made.setProperty("role", role)
-    made.setWordWrap(wrap)
-    made.setObjectName(name)
+    widget = QLabel(text)
+    widget.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
+    widget.setProperty("role", role)
+    widget.setWordWrap(wrap)
+    widget.setObjectName(name)
     if wrap:
-        made.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
-    return made
+        widget.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+    return widget
 
 
 class MessageBox(QMessageBox):
@@ -70,7 +70,7 @@ def plain_tip(text: str) -> str:
 
 
 class Button(QPushButton):
-    """Push button that regains the focus after it was disabled for a while.
+    """Push button that gets the focus back when `update_enabled` enables it again.
 
     Enter presses the focused button, also in a dialogue with another default button.
     """
@@ -101,22 +101,22 @@ class Button(QPushButton):
 
 def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool = False) -> Button:
     """Create a push button."""
-    made = Button(text)
-    made.setObjectName(name)
-    made.setToolTip(tip)
+    widget = Button(text)
+    widget.setObjectName(name)
+    widget.setToolTip(tip)
     if primary:
-        made.setProperty("primary", True)
+        widget.setProperty("primary", True)
     if icon:
-        made.setIcon(theme.icon(icon, theme.ON_FILL if primary else ""))
-        made.setIconSize(QSize(16, 16))
-    return made
+        widget.setIcon(theme.icon(icon, theme.ON_FILL if primary else ""))
+        widget.setIconSize(QSize(16, 16))
+    return widget
 
 
 def in_platform_order(accept: QPushButton, reject: QPushButton) -> tuple[QPushButton, QPushButton]:
     """Return two buttons from left to right, in the order used by dialogues of the system."""
     layouts = QDialogButtonBox.ButtonLayout
-    how = QApplication.style().styleHint(QStyle.StyleHint.SH_DialogButtonLayout)
-    accept_first = how in (layouts.WinLayout.value, layouts.KdeLayout.value)
+    layout = QApplication.style().styleHint(QStyle.StyleHint.SH_DialogButtonLayout)
+    accept_first = layout in (layouts.WinLayout.value, layouts.KdeLayout.value)
     return (accept, reject) if accept_first else (reject, accept)
 
 
@@ -136,36 +136,36 @@ def number(
 
     Parameters
     ----------
-    suffix, decimals, low, high, step : unit and properties of the value, in its own unit
+    suffix, decimals, low, high, step : unit of the value, and its properties in this unit
     ranged : bool
         Whether the range and the unit are added to the tip.
     fixed : bool
-        Whether this unit is always used, independent of the unit chosen by the user.
+        Whether the value is always shown in this unit, independent of the units of the user.
     """
-    base = None if fixed else BASES.get(suffix)
+    base = None if fixed else BASE_OF_SUFFIX.get(suffix)
     bases = () if base is None else (base,)
     if ranged:
         tip = _tip_with_range(tip, low, high, suffix.strip(), base)
     tip = units.convert_unit_signs(tip, *bases, figures=ranged)
-    made = NumberField(base)
-    made.setObjectName(name)
-    made.setAccessibleName(tip or name)
-    made.setDecimals(decimals)
-    made.setRange(low, high)
-    made.setSingleStep(step if base is None else units.shown_step(step, base))
-    made.setSuffix(f" {units.shown_unit(base).sign}" if units.is_converted(base) else suffix)
-    made.setToolTip(tip)
-    made.setAlignment(Qt.AlignmentFlag.AlignRight)
-    made.setFont(theme.tabular_font(made.font()))
-    made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-    made.setKeyboardTracking(True)
-    return made
+    field = NumberField(base)
+    field.setObjectName(name)
+    field.setAccessibleName(tip or name)
+    field.setDecimals(decimals)
+    field.setRange(low, high)
+    field.setSingleStep(step if base is None else units.shown_step(step, base))
+    field.setSuffix(f" {units.shown_unit(base).sign}" if units.is_converted(base) else suffix)
+    field.setToolTip(tip)
+    field.setAlignment(Qt.AlignmentFlag.AlignRight)
+    field.setFont(theme.tabular_font(field.font()))
+    field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    field.setKeyboardTracking(True)
+    return field
 
 
-def convert_tip_units(made: QWidget, *bases: Base) -> None:
+def convert_tip_units(widget: QWidget, *bases: Base) -> None:
     """Replace the signs of base units in the tooltip of a widget by those of the units shown."""
-    made.setToolTip(units.convert_unit_signs(made.toolTip(), *bases))
-    made.setAccessibleName(units.convert_unit_signs(made.accessibleName(), *bases))
+    widget.setToolTip(units.convert_unit_signs(widget.toolTip(), *bases))
+    widget.setAccessibleName(units.convert_unit_signs(widget.accessibleName(), *bases))
 
 
 def _tip_with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
@@ -218,9 +218,9 @@ class VerticalScrollArea(QScrollArea):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Update the width when the content becomes wider."""
         if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
-            wide = self.minimumSizeHint().width()
-            if wide != self._content_width:
-                self._content_width = wide
+            width = self.minimumSizeHint().width()
+            if width != self._content_width:
+                self._content_width = width
                 self.updateGeometry()
         return super().eventFilter(watched, event)
 
@@ -242,9 +242,9 @@ class TripleField(QWidget):
         grid.setHorizontalSpacing(6)
         grid.setVerticalSpacing(2)
         for column, (title, field) in enumerate(zip(titles, fields, strict=True)):
-            above = label(title, "muted")
-            above.setBuddy(field)
-            grid.addWidget(above, 0, column)
+            title_label = label(title, "muted")
+            title_label.setBuddy(field)
+            grid.addWidget(title_label, 0, column)
             field.setMinimumWidth(86)
             grid.addWidget(field, 1, column)
             grid.setColumnStretch(column, 1)
@@ -262,7 +262,7 @@ class TripleField(QWidget):
             field.blockSignals(False)
 
 
-_LEVER_ARM = (
+_LEVER_ARM_TEXTS = (
     (N_("X forward"),
      N_("Lever arm X from the POS centre to the LiDAR optical centre, metres, positive forward")),
     (N_("Y left"),
@@ -270,7 +270,7 @@ _LEVER_ARM = (
     (N_("Z up"),
      N_("Lever arm Z from the POS centre to the LiDAR optical centre, metres, positive up")),
 )  # fmt: skip
-_BORESIGHT = (
+_BORESIGHT_TEXTS = (
     (N_("Roll"), N_("Prior roll of the LiDAR in the body frame, degrees, positive port side up")),
     (N_("Pitch"), N_("Prior pitch of the LiDAR in the body frame, degrees, positive bow down")),
     (N_("Yaw"),
@@ -286,9 +286,9 @@ def lever_arm_fields(prefix: str) -> TripleField:
             f"{prefix}_{axis}", suffix=" m", decimals=4, low=-100, high=100, step=0.01,
             tip=gettext(tip),
         )
-        for axis, (_, tip) in zip("xyz", _LEVER_ARM, strict=True)
+        for axis, (_, tip) in zip("xyz", _LEVER_ARM_TEXTS, strict=True)
     ]  # fmt: skip
-    return TripleField([gettext(title) for title, _ in _LEVER_ARM], fields)
+    return TripleField([gettext(title) for title, _ in _LEVER_ARM_TEXTS], fields)
 
 
 def boresight_fields(prefix: str) -> TripleField:
@@ -298,9 +298,9 @@ def boresight_fields(prefix: str) -> TripleField:
             f"{prefix}_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=0.1,
             tip=gettext(tip),
         )
-        for angle, (_, tip) in zip(("roll", "pitch", "yaw"), _BORESIGHT, strict=True)
+        for angle, (_, tip) in zip(("roll", "pitch", "yaw"), _BORESIGHT_TEXTS, strict=True)
     ]  # fmt: skip
-    return TripleField([gettext(title) for title, _ in _BORESIGHT], fields)
+    return TripleField([gettext(title) for title, _ in _BORESIGHT_TEXTS], fields)
 
 
 def vertical_layout(parent: QWidget, margin: int = 12) -> QVBoxLayout:

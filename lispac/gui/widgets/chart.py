@@ -1,4 +1,4 @@
-"""Matplotlib plot in the window, imported with the first plot as it takes half a second."""
+"""Matplotlib plot in the window; imported with the first plot, since this takes half a second."""
 
 import threading
 import time
@@ -29,7 +29,7 @@ class SlicedCalculation:
     """Calculation that pauses after each slice until the caller continues it."""
 
     def __init__(self) -> None:
-        self._turn, self._back = threading.Semaphore(0), threading.Semaphore(0)
+        self._may_continue, self._has_paused = threading.Semaphore(0), threading.Semaphore(0)
         self._thread: threading.Thread | None = None
         self._done = self._abandoned = False
         self._error: BaseException | None = None
@@ -41,13 +41,13 @@ class SlicedCalculation:
         return self._thread is not None
 
     def begin(self, work: Callable[[], object]) -> None:
-        """Set a calculation, which must call `pause` where it may pause; `resume` starts it."""
+        """Set a calculation; it must call `pause` where it may pause, and `resume` starts it."""
         self.abandon()
         self._done = self._abandoned = False
         self._error = None
 
         def run() -> None:
-            self._turn.acquire()
+            self._may_continue.acquire()
             self._until = time.perf_counter() + SLICE_S
             try:
                 if not self._abandoned:
@@ -57,7 +57,7 @@ class SlicedCalculation:
             except BaseException as error:
                 self._error = error
             self._done = True
-            self._back.release()
+            self._has_paused.release()
 
         self._thread = threading.Thread(target=run, daemon=True, name="slices")
         self._thread.start()
@@ -66,8 +66,8 @@ class SlicedCalculation:
         """Calculate for one slice; return True if finished. Raises errors of the calculation."""
         if self._thread is None:
             return True
-        self._turn.release()
-        self._back.acquire()
+        self._may_continue.release()
+        self._has_paused.acquire()
         if self._done:
             self._thread.join()
             self._thread = None
@@ -79,8 +79,8 @@ class SlicedCalculation:
         """Pause the calculation if its slice is over; called by the calculation."""
         if threading.current_thread() is not self._thread or time.perf_counter() < self._until:
             return
-        self._back.release()
-        self._turn.acquire()
+        self._has_paused.release()
+        self._may_continue.acquire()
         if self._abandoned:
             raise _CalculationAbandoned
         self._until = time.perf_counter() + SLICE_S
@@ -91,7 +91,7 @@ class SlicedCalculation:
         self.resume()
 
 
-LUMA = (77, 150, 29)
+LUMA_WEIGHTS = (77, 150, 29)
 """Weights of red, green and blue in the luma, in 1/256 (ITU-R BT.601)."""
 
 
@@ -104,7 +104,9 @@ def with_inverted_lightness(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
         Red, green, blue, alpha.
     """
     colours = pixels[..., :3].astype(np.int16)
-    luma = sum(colours[..., k].astype(np.int32) * share for k, share in enumerate(LUMA)) >> 8
+    luma = (
+        sum(colours[..., k].astype(np.int32) * share for k, share in enumerate(LUMA_WEIGHTS)) >> 8
+    )
     colours += (255 - 2 * luma).astype(np.int16)[..., None]
     np.clip(colours, 0, 255, out=colours)
     result = pixels.copy()
@@ -114,8 +116,8 @@ def with_inverted_lightness(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 DRAW_DELAY_MS = 20
-"""Delay before drawing. A plot takes 0.2 to 0.5 s, half of it for the layout of its texts, so other
-changes are painted first, and keys are handled between the parts of a plot."""
+"""Delay before drawing, so that other changes are painted first. A plot takes 0.2 to 0.5 s, half of
+which is the layout of its texts; keys are handled between its parts."""
 
 
 WHITE = "white"
@@ -143,22 +145,22 @@ class Chart(FigureCanvasQTAgg):
 
     def __init__(self, width: int, height: int, ground: str = WHITE) -> None:
         """Set the minimum size in pixels and the background colour."""
-        self._dims = ground == WHITE and theme.current_scheme().is_dark
-        self._due: IdleTask | None = None
+        self._inverts_lightness = ground == WHITE and theme.current_scheme().is_dark
+        self._drawing_task: IdleTask | None = None
         self._outdated = True
         self._layout = SlicedCalculation()
         """Layout of the texts, possibly in progress."""
         self._hurried = False
         """Whether the plot changed before the layout was complete."""
-        self._left: list[Artist] = []
+        self._remaining_artists: list[Artist] = []
         """Parts of an incomplete picture that are still to be drawn."""
-        self._last: QImage | None = None
+        self._last_image: QImage | None = None
         """Last complete picture as shown; None if there is none."""
         self._drawn_with: tuple[float, float, float] | None = None
         super().__init__(Figure(layout="constrained", facecolor=ground))
         self.destroyed.connect(self._layout.abandon)
-        self._due = IdleTask(self._begin_drawing, self, DRAW_DELAY_MS)
-        self._next = IdleTask(self._continue_steps, self)
+        self._drawing_task = IdleTask(self._begin_drawing, self, DRAW_DELAY_MS)
+        self._next_step_task = IdleTask(self._continue_steps, self)
         self.setMinimumSize(width, height)
 
     def draw_idle(self) -> None:
@@ -172,7 +174,7 @@ class Chart(FigureCanvasQTAgg):
         self._outdated = False
         localise_ticks(self.figure)
         super().draw()
-        self._last = self._rendered_image(dims=self._dims)
+        self._last_image = self._rendered_image(inverted=self._inverts_lightness)
 
     def get_renderer(self) -> _Renderer:
         """Renderer for the present size."""
@@ -186,11 +188,11 @@ class Chart(FigureCanvasQTAgg):
 
     def _abandon_drawing(self) -> None:
         """Abandon an incomplete picture."""
-        self._left = []
+        self._remaining_artists = []
         self._layout.abandon()
 
     def _begin_drawing(self) -> None:
-        """Lay out the texts in several turns of the event loop."""
+        """Begin a picture with the layout of its texts, in several turns of the event loop."""
         if not self._outdated or self.width() <= 0 or self.height() <= 0:
             return
         self._abandon_drawing()
@@ -210,9 +212,9 @@ class Chart(FigureCanvasQTAgg):
         self._hurried = False
         self.get_renderer().clear()
         self.figure.patch.draw(self.renderer)
-        self._left = self._artists()
-        if self._left:
-            self._next.start()
+        self._remaining_artists = self._artists()
+        if self._remaining_artists:
+            self._next_step_task.start()
         else:
             self._show_finished()
 
@@ -222,7 +224,10 @@ class Chart(FigureCanvasQTAgg):
         return sorted(parts, key=lambda each: each.get_zorder())
 
     def _continue_steps(self) -> None:
-        """Draw the next part; later changes are drawn after this picture is complete."""
+        """Continue the layout or draw the next part.
+
+        A change during the layout starts it again; a later change is drawn after this picture.
+        """
         if self._layout.is_running:
             if self._outdated:
                 self._abandon_drawing()
@@ -231,34 +236,34 @@ class Chart(FigureCanvasQTAgg):
             elif self._layout.resume():
                 self._begin_parts()
             else:
-                self._next.start()
+                self._next_step_task.start()
             return
-        if not self._left:  # restarted with another size
+        if not self._remaining_artists:  # abandoned since the size has changed
             return
-        if self._left[0] not in self.figure.get_children():  # removed with the rest
-            self._left, self._outdated = [], True
+        if self._remaining_artists[0] not in self.figure.get_children():  # the figure was cleared
+            self._remaining_artists, self._outdated = [], True
         else:
-            self._left.pop(0).draw(self.renderer)
-            if self._left:
-                self._next.start()
+            self._remaining_artists.pop(0).draw(self.renderer)
+            if self._remaining_artists:
+                self._next_step_task.start()
                 return
             self._show_finished()
         self.update()
 
     def _show_finished(self) -> None:
         """Show the complete picture."""
-        self._last = self._rendered_image(dims=self._dims)
+        self._last_image = self._rendered_image(inverted=self._inverts_lightness)
         self.callbacks.process("draw_event", DrawEvent("draw_event", self, self.renderer))
         self.update()
 
     @property
     def is_drawing(self) -> bool:
         """Whether a picture was started and is not complete."""
-        return self._layout.is_running or bool(self._left)
+        return self._layout.is_running or bool(self._remaining_artists)
 
-    def _rendered_image(self, *, dims: bool = False) -> QImage:
+    def _rendered_image(self, *, inverted: bool = False) -> QImage:
         pixels = np.asarray(self.buffer_rgba())
-        if dims:
+        if inverted:
             pixels = with_inverted_lightness(pixels)
         height, width, _ = pixels.shape
         image = QImage(pixels.data, width, height, QImage.Format.Format_RGBA8888).copy()
@@ -269,7 +274,7 @@ class Chart(FigureCanvasQTAgg):
         """Up-to-date picture with the original colours."""
         if (self._outdated or self.is_drawing) and self.width() > 0 and self.height() > 0:
             self.draw()
-        return QPixmap.fromImage(self._rendered_image()) if self._dims else self.grab()
+        return QPixmap.fromImage(self._rendered_image()) if self._inverts_lightness else self.grab()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Draw again in the new size."""
@@ -279,15 +284,15 @@ class Chart(FigureCanvasQTAgg):
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint the picture, or the last one until a new one is complete."""
         drawn = not self._outdated and not self.is_drawing
-        if drawn and not self._dims:
+        if drawn and not self._inverts_lightness:
             super().paintEvent(event)
             return
         begins = not drawn and not self.is_drawing
-        if begins and self._due is not None and not self._due.isActive():
-            self._due.start()
+        if begins and self._drawing_task is not None and not self._drawing_task.isActive():
+            self._drawing_task.start()
         painter = QPainter(self)
         ground = QColor.fromRgbF(*self.figure.get_facecolor())
-        painter.fillRect(self.rect(), theme.colour("paper") if self._dims else ground)
-        if self._last is not None:
-            painter.drawImage(0, 0, self._last)
+        painter.fillRect(self.rect(), theme.colour("paper") if self._inverts_lightness else ground)
+        if self._last_image is not None:
+            painter.drawImage(0, 0, self._last_image)
         painter.end()

@@ -13,8 +13,8 @@ from lispac.gui.appearance.units import Base
 from lispac.language import gettext
 
 Key = tuple[str, str]
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_ALIGNED_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_ALIGNED_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Cell:
     figure: tuple[str, float] | None = None
     """Format of the number, and factor from the unit of ``value`` to the column's base unit."""
     shown: str = ""
-    """Text shown instead of `text`, by which the cell is sorted."""
+    """Text shown instead of `text`; a cell without a number is sorted by `text`."""
 
 
 @dataclass(frozen=True)
@@ -102,11 +102,11 @@ class DiagnosticsTable(QTableWidget):
             head = self.horizontalHeaderItem(k)
             tip = _convert_units(column.tip, column)
             head.setToolTip(f"{tip}\n{sorting}")
-            head.setTextAlignment(_LEFT if column.is_text else _RIGHT)
+            head.setTextAlignment(_ALIGNED_LEFT if column.is_text else _ALIGNED_RIGHT)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
         self.setShowGrid(False)
-        self.setProperty("rows", True)  # no frame around a cell, like a button
+        self.setProperty("rows", True)  # no focus frame around a single cell
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -126,7 +126,7 @@ class DiagnosticsTable(QTableWidget):
         """Show rows, sorted as before."""
         selected, header = self.key(self.currentRow()), self.horizontalHeader()
         self.setSortingEnabled(False)
-        # Else Qt measures the whole column again for each added cell
+        # Otherwise Qt measures the whole column again for each added cell
         header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self._rows = list(rows)
         self.setRowCount(len(rows))
@@ -135,7 +135,9 @@ class DiagnosticsTable(QTableWidget):
             for column, cell in enumerate(row.cells):
                 item = _SortedItem(cell, self._columns[column].base)
                 item.setData(Qt.ItemDataRole.UserRole, number)
-                item.setTextAlignment(_LEFT if self._columns[column].is_text else _RIGHT)
+                item.setTextAlignment(
+                    _ALIGNED_LEFT if self._columns[column].is_text else _ALIGNED_RIGHT
+                )
                 item.setFont(font)
                 if row.marked:
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))

@@ -18,10 +18,12 @@ def exception_text(error: LispacError) -> str:
 
 
 def error_text_and_details(error: BaseException) -> tuple[str, str]:
-    """Text of an error in the user's language, and the traceback of an unexpected error."""
+    """Text of an error in the user's language, and the traceback if its cause is unexpected."""
     if isinstance(error, LispacError):
-        foreign = error.__cause__ is not None and not isinstance(error.__cause__, LispacError)
-        return exception_text(error), "".join(traceback.format_exception(error)) if foreign else ""
+        cause = error.__cause__
+        has_other_cause = cause is not None and not isinstance(cause, LispacError)
+        details = "".join(traceback.format_exception(error)) if has_other_cause else ""
+        return exception_text(error), details
     if isinstance(error, MemoryError):
         return gettext("Not enough memory. Close other programs or use fewer lines."), ""
     if isinstance(error, OSError) and error.strerror:

@@ -8,7 +8,7 @@ from lispac.errors import InputError
 from lispac.gui.widgets.number_field import NumberField
 from lispac.gui.widgets.optional_number import OptionalNumber
 
-W = TypeVar("W", bound=QWidget)
+WidgetType = TypeVar("WidgetType", bound=QWidget)
 
 
 def copy_fields(before: QWidget, after: QWidget) -> None:
@@ -21,27 +21,29 @@ def copy_fields(before: QWidget, after: QWidget) -> None:
 
 
 def _copy_choices(before: QWidget, after: QWidget) -> None:
-    for list_, own in _matching_fields(QComboBox, before, after):
-        if list_.count() == own.count():
-            own.setCurrentIndex(list_.currentIndex())
-    for button, own in _matching_fields(QAbstractButton, before, after):
+    for box, copied in _matching_fields(QComboBox, before, after):
+        if box.count() == copied.count():
+            copied.setCurrentIndex(box.currentIndex())
+    for button, copied in _matching_fields(QAbstractButton, before, after):
         # A radio button is switched off only by switching on another one.
-        if button.isCheckable() and (button.isChecked() or not own.autoExclusive()):
-            own.setChecked(button.isChecked())
+        if button.isCheckable() and (button.isChecked() or not copied.autoExclusive()):
+            copied.setChecked(button.isChecked())
 
 
 def _copy_numbers(before: QWidget, after: QWidget) -> None:
-    for number, own in _matching_fields(NumberField, before, after):
-        own.setValue(number.value())
-    for optional, own in _matching_fields(OptionalNumber, before, after):
+    for number, copied in _matching_fields(NumberField, before, after):
+        copied.setValue(number.value())
+    for optional, copied in _matching_fields(OptionalNumber, before, after):
         try:
-            own.show_value(optional.value())
+            copied.show_value(optional.value())
         except InputError:
-            own.setText(optional.text())
-        own.textChanged.emit(own.text())
+            copied.setText(optional.text())
+        copied.textChanged.emit(copied.text())
 
 
-def _matching_fields(kind: type[W], before: QWidget, after: QWidget) -> list[tuple[W, W]]:
+def _matching_fields(
+    kind: type[WidgetType], before: QWidget, after: QWidget
+) -> list[tuple[WidgetType, WidgetType]]:
     """Pairs of fields of one kind with the same name in both widgets."""
     named = {each.objectName(): each for each in after.findChildren(kind) if each.objectName()}
     return [

@@ -1,6 +1,7 @@
-"""Mounting of the scanner on the vessel, drawn to scale from above and from starboard, and as text.
+"""Mounting of the scanner on a vessel, as a sketch from above and from starboard, and as text.
 
-A wrong sign of the lever arm is obvious in the sketch: the scanner is on the wrong side.
+The lever arm is to scale, the vessel is not. A wrong sign of the lever arm is obvious in the
+sketch: the scanner is on the wrong side.
 """
 
 from collections.abc import Sequence
@@ -33,26 +34,26 @@ from lispac.survey.lever_arm_warnings import lever_arm_warnings
 
 View = Literal["above", "starboard"]
 VIEWS: tuple[View, ...] = ("above", "starboard")
-TITLES: dict[View, str] = {"above": N_("From above"), "starboard": N_("From starboard")}
+VIEW_TITLES: dict[View, str] = {"above": N_("From above"), "starboard": N_("From starboard")}
 
-_ONTO: dict[View, np.ndarray] = {
+_VIEW_AXES: dict[View, np.ndarray] = {
     "above": np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]]),
     "starboard": np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
 }
 """Right and up directions of each view in the body frame (forward, left, up)."""
-_SIDES: dict[View, tuple[str, str, str, str]] = {
+_SIDE_LABELS: dict[View, tuple[str, str, str, str]] = {
     "above": (N_("bow +X"), N_("stern"), N_("port +Y"), N_("starboard")),
     "starboard": (N_("up +Z"), N_("down"), N_("stern"), N_("bow +X")),
 }
 """Labels at the top, bottom, left and right of each view, with the positive axes."""
-_HULLS: dict[View, tuple[tuple[float, float], ...]] = {
+_HULL_OUTLINES: dict[View, tuple[tuple[float, float], ...]] = {
     "above": ((0.0, 0.86), (0.3, 0.45), (0.34, 0.1), (0.32, -0.84), (-0.32, -0.84), (-0.34, 0.1),
               (-0.3, 0.45)),
     "starboard": ((0.9, 0.14), (0.62, -0.4), (-0.8, -0.4), (-0.86, 0.06), (0.3, 0.06)),
 }  # fmt: skip
 """Outline of a vessel, not to scale: right and up, in units of half the view."""
 
-EXTENTS = (
+VIEW_EXTENTS_M = (
     0.5,
     0.75,
     1.0,
@@ -70,18 +71,20 @@ EXTENTS = (
     100.0,
     150.0,
 )
-"""Possible distances from the POS centre to the edge, metres; typing rarely changes the scale."""
-_BARS = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
+"""Possible distances from the POS centre to the edge; few, so that the scale rarely changes."""
+_SCALE_BAR_LENGTHS = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
 """Possible lengths of the scale bar, in the unit shown."""
-HEIGHT = 220
-"""Height of the sketch, pixels."""
+SKETCH_HEIGHT_PX = 220
 _MAX_ARM_SHARE = 0.66
 """Largest component of a lever arm, as a share of the distance to the edge."""
-_AXIS, _BODY_AXIS, _DOT, _MIN_LABEL = 22.0, 20.0, 5.0, 24.0
-"""Lengths of the scanner axes and of the body axes, radius of the scanner dot, and shortest length
-with a label, pixels. The body axes are shorter, so that they do not cross the scanner letters."""
+_SCANNER_AXIS_PX, _BODY_AXIS_PX, _SCANNER_DOT_PX, _MIN_LABELLED_PX = 22.0, 20.0, 5.0, 24.0
+"""Lengths of the scanner axes and of the body axes, radius of the dot of the scanner, and shortest
+component of a lever arm that has a label. The body axes are shorter, so that they do not cross the
+letters of the scanner axes."""
 _SIDE_LABEL_Y = 0.86
-"""Vertical position of the labels at the left and right, as a share of the height; below the hull.
+"""Distance of the side labels below the centre of a view, as a share of half the view.
+
+The labels are below the hull.
 """
 _MIN_AXIS_SHARE = 0.25
 """Smallest visible share of the length of a drawn axis; a shorter one points at the viewer."""
@@ -108,11 +111,11 @@ class MountingSketch(QWidget):
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""
-        return QSize(330, HEIGHT)
+        return QSize(330, SKETCH_HEIGHT_PX)
 
     def minimumSizeHint(self) -> QSize:
         """Smallest useful size, in pixels."""
-        return QSize(300, HEIGHT)
+        return QSize(300, SKETCH_HEIGHT_PX)
 
     def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
         """Draw a lever arm (metres; forward, left, up) and a boresight (roll, pitch, yaw)."""
@@ -127,28 +130,31 @@ class MountingSketch(QWidget):
     def extent(self) -> float:
         """Metres from the POS centre to the edge of a view."""
         longest = float(np.abs(self.lever_arm).max())
-        return next((each for each in EXTENTS if longest <= _MAX_ARM_SHARE * each), EXTENTS[-1])
+        return next(
+            (each for each in VIEW_EXTENTS_M if longest <= _MAX_ARM_SHARE * each),
+            VIEW_EXTENTS_M[-1],
+        )
 
     @property
     def pixels_per_metre(self) -> float:
         """Scale of both views, along all axes."""
         return self._half_size / self.extent
 
-    def at(self, view: View, point_body: Sequence[float] | np.ndarray) -> QPointF:
+    def pixel_of(self, view: View, point_body: Sequence[float] | np.ndarray) -> QPointF:
         """Pixel of a point of the body frame (metres from the POS centre) in a view."""
-        right, up = self.pixels_per_metre * (_ONTO[view] @ np.asarray(point_body, dtype=float))
+        right, up = self.pixels_per_metre * (_VIEW_AXES[view] @ np.asarray(point_body, dtype=float))
         return self._centre(view) + QPointF(float(right), -float(up))
 
     def axis_ends(self, view: View, axis: int) -> tuple[QPointF, QPointF]:
         """Start and end of an axis of the scanner in a view."""
-        start = self.at(view, self.lever_arm)
-        right, up = _AXIS * (_ONTO[view] @ self._rotation_body_scanner[:, axis])
+        start = self.pixel_of(view, self.lever_arm)
+        right, up = _SCANNER_AXIS_PX * (_VIEW_AXES[view] @ self._rotation_body_scanner[:, axis])
         return start, start + QPointF(float(right), -float(up))
 
     def hull(self, view: View) -> QPolygonF:
         """Outline of the vessel in a view."""
         centre, half = self._centre(view), self._half_size
-        return QPolygonF([centre + QPointF(half * x, -half * y) for x, y in _HULLS[view]])
+        return QPolygonF([centre + QPointF(half * x, -half * y) for x, y in _HULL_OUTLINES[view]])
 
     def side_labels(self, view: View) -> dict[str, QRectF]:
         """Labels at the sides of a view, with their places."""
@@ -156,16 +162,16 @@ class MountingSketch(QWidget):
         half, y = self._half_size, self._centre(view).y()
         metrics = QFontMetricsF(self._font)
         line = metrics.height()
-        top, bottom, port, starboard = (gettext(label) for label in _SIDES[view])
-        wide = {
+        top, bottom, port, starboard = (gettext(label) for label in _SIDE_LABELS[view])
+        widths = {
             each: metrics.horizontalAdvance(each) + 2 for each in (top, bottom, port, starboard)
         }
         side, middle = y + half * _SIDE_LABEL_Y, left + width / 2
         return {
-            top: QRectF(middle - wide[top] / 2, y - half - line - 3, wide[top], line),
-            bottom: QRectF(middle - wide[bottom] / 2, side + line, wide[bottom], line),
-            port: QRectF(left + 4, side, wide[port], line),
-            starboard: QRectF(left + width - 4 - wide[starboard], side, wide[starboard], line),
+            top: QRectF(middle - widths[top] / 2, y - half - line - 3, widths[top], line),
+            bottom: QRectF(middle - widths[bottom] / 2, side + line, widths[bottom], line),
+            port: QRectF(left + 4, side, widths[port], line),
+            starboard: QRectF(left + width - 4 - widths[starboard], side, widths[starboard], line),
         }
 
     @property
@@ -209,7 +215,7 @@ class MountingSketch(QWidget):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QColor(theme.TEXT))
         left = self.width() / 2 * VIEWS.index(view)
-        painter.drawText(QPointF(left + 7, 15), gettext(TITLES[view]))
+        painter.drawText(QPointF(left + 7, 15), gettext(VIEW_TITLES[view]))
         painter.setPen(QColor(theme.MUTED))
         for label, area in self.side_labels(view).items():
             painter.drawText(area, Qt.AlignmentFlag.AlignCenter, label)
@@ -217,23 +223,23 @@ class MountingSketch(QWidget):
     def _paint_body_axes(self, painter: QPainter, view: View) -> None:
         centre = self._centre(view)
         painter.setPen(QPen(theme.colour("body_axis"), 1.5))
-        for right, up in _ONTO[view].T:
-            painter.drawLine(centre, centre + _BODY_AXIS * QPointF(float(right), -float(up)))
+        for right, up in _VIEW_AXES[view].T:
+            painter.drawLine(centre, centre + _BODY_AXIS_PX * QPointF(float(right), -float(up)))
         painter.setBrush(QColor(theme.MUTED))
         painter.drawRect(QRectF(centre.x() - 3, centre.y() - 3, 6, 6))
         painter.setPen(QColor(theme.TEXT))
         # On the side of the POS centre that is away from the scanner.
-        away, metrics = centre - self.at(view, self.lever_arm), painter.fontMetrics()
-        x = 7.0 if away.x() > 0 else -7.0 - metrics.horizontalAdvance(gettext("POS"))
-        y = 4.0 + metrics.ascent() if away.y() >= 0 else -7.0
+        from_scanner, metrics = centre - self.pixel_of(view, self.lever_arm), painter.fontMetrics()
+        x = 7.0 if from_scanner.x() > 0 else -7.0 - metrics.horizontalAdvance(gettext("POS"))
+        y = 4.0 + metrics.ascent() if from_scanner.y() >= 0 else -7.0
         painter.drawText(centre + QPointF(x, y), gettext("POS"))
 
     def _paint_lever_arm(self, painter: QPainter, view: View) -> None:
         """Paint the lever arm along the axes of the view, with its components."""
-        onto = _ONTO[view]
-        along_up = np.abs(onto[1]) * self.lever_arm  # first vertically, then horizontally
-        across = np.abs(onto[0]) * self.lever_arm
-        corner, end = self.at(view, along_up), self.at(view, self.lever_arm)
+        view_axes = _VIEW_AXES[view]
+        along_up = np.abs(view_axes[1]) * self.lever_arm  # first vertically, then horizontally
+        across = np.abs(view_axes[0]) * self.lever_arm
+        corner, end = self.pixel_of(view, along_up), self.pixel_of(view, self.lever_arm)
         pen = QPen(self._colour, 1.2, Qt.PenStyle.DashLine)
         painter.setPen(pen)
         painter.drawLine(self._centre(view), corner)
@@ -244,17 +250,17 @@ class MountingSketch(QWidget):
             (np.abs(along_up).max(), (self._centre(view) + corner) / 2),
             (np.abs(across).max(), (corner + end) / 2),
         ):
-            if amount * self.pixels_per_metre < _MIN_LABEL:
+            if amount * self.pixels_per_metre < _MIN_LABELLED_PX:
                 continue  # included in the text below the sketch
             label = length_with_unit(amount, ".2f")
-            width, high = painter.fontMetrics().horizontalAdvance(label), 12.0
+            width, height = painter.fontMetrics().horizontalAdvance(label), 12.0
             if place.x() == corner.x() == self._centre(view).x():  # beside the vertical part
                 x = place.x() + 5 if leftwards else place.x() - 5 - width
-                box = QRectF(x, place.y() - high / 2, width, high)
+                box = QRectF(x, place.y() - height / 2, width, height)
             else:
                 lower = end.y() >= self._centre(view).y()
-                y = place.y() + 3 if lower else place.y() - 3 - high
-                box = QRectF(place.x() - width / 2, y, width, high)
+                y = place.y() + 3 if lower else place.y() - 3 - height
+                box = QRectF(place.x() - width / 2, y, width, height)
             painter.fillRect(box.adjusted(-1, 0, 1, 0), theme.colour("paper", 0.75))
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, label)
 
@@ -262,14 +268,14 @@ class MountingSketch(QWidget):
         for axis, (letter, colour) in enumerate(SCANNER_AXES):
             start, tip = self.axis_ends(view, axis)
             direction = tip - start
-            if np.hypot(direction.x(), direction.y()) < _MIN_AXIS_SHARE * _AXIS:
+            if np.hypot(direction.x(), direction.y()) < _MIN_AXIS_SHARE * _SCANNER_AXIS_PX:
                 continue
             painter.setPen(QPen(theme.colour(colour), 2.2))
             painter.drawLine(start, tip)
             _paint_axis_letter(painter, start, tip, letter)
         painter.setPen(QPen(QColor(theme.PAPER)))
         painter.setBrush(self._colour)
-        painter.drawEllipse(self.at(view, self.lever_arm), _DOT, _DOT)
+        painter.drawEllipse(self.pixel_of(view, self.lever_arm), _SCANNER_DOT_PX, _SCANNER_DOT_PX)
 
     @property
     def _colour(self) -> QColor:
@@ -278,7 +284,8 @@ class MountingSketch(QWidget):
     def _paint_scale(self, painter: QPainter) -> None:
         metres = 1 / units.shown_unit("m").factor  # metres in one unit shown
         length = metres * max(
-            (bar for bar in _BARS if metres * bar <= self.extent / 2), default=_BARS[0]
+            (bar for bar in _SCALE_BAR_LENGTHS if metres * bar <= self.extent / 2),
+            default=_SCALE_BAR_LENGTHS[0],
         )
         y, x = self.height() - 9, self.width() - 8.0
         bar = length * self.pixels_per_metre
@@ -287,8 +294,8 @@ class MountingSketch(QWidget):
         painter.drawLine(QPointF(x - bar, y), QPointF(x, y))
         for end in (x - bar, x):
             painter.drawLine(QPointF(end, y - 3), QPointF(end, y + 3))
-        wide = painter.fontMetrics().horizontalAdvance(label)
-        painter.drawText(QPointF(x - bar - wide - 5, y + 4), label)
+        label_width = painter.fontMetrics().horizontalAdvance(label)
+        painter.drawText(QPointF(x - bar - label_width - 5, y + 4), label)
         painter.drawText(QPointF(7, y + 4), exaggeration_text(self.factor))
 
 
@@ -302,11 +309,11 @@ class MountingView(QWidget):
         super().__init__()
         self.sketch = MountingSketch()
         self.text_label = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
-        self.file_warnings = widgets.label("", "warning", wrap=True, name=f"{prefix}_file_warnings")
+        self.warnings_label = widgets.label("", "warning", wrap=True, name=f"{prefix}_warnings")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        for each in (self.file_warnings, self.sketch, self.text_label):
+        for each in (self.warnings_label, self.sketch, self.text_label):
             column.addWidget(each)
         self.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
@@ -316,9 +323,9 @@ class MountingView(QWidget):
         text = f"{lever_arm_sentence(lever_arm)} {boresight_sentence(np.radians(boresight_deg))}"
         self.text_label.setText(text)
         self.sketch.setAccessibleDescription(text)
-        file_warnings = lever_arm_warnings(lever_arm)
-        self.file_warnings.setText("\n".join(map(message_text, file_warnings)))
-        self.file_warnings.setVisible(bool(file_warnings))
+        warnings = lever_arm_warnings(lever_arm)
+        self.warnings_label.setText("\n".join(map(message_text, warnings)))
+        self.warnings_label.setVisible(bool(warnings))
 
 
 def length_with_unit(length: float, form: str) -> str:

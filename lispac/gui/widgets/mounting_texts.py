@@ -9,10 +9,12 @@ from lispac.gui.appearance import units
 from lispac.language import N_, gettext
 from lispac.survey.conventions.mounting_texts import decimals_of, lever_arm_text, orientation_text
 
-_FRAMES = N_("The boresight rotates LiDAR coordinates into the body frame (forward, left, up):")
-_FORMULA = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
-_ROTATIONS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
-_SIGNS = N_(
+_FRAMES_TEXT = N_(
+    "The boresight rotates LiDAR coordinates into the body frame (forward, left, up):"
+)
+_FORMULA_TEXT = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
+_ROTATION_SYMBOLS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
+_SIGNS_TEXT = N_(
     "Roll is positive port side up, pitch positive bow down, yaw positive clockwise seen from "
     "above."
 )
@@ -30,8 +32,8 @@ def boresight_sentence(boresight: NDArray[np.float64]) -> str:
 
 def convention_html() -> str:
     """Definition of the three angles."""
-    formula = gettext(_FORMULA, **_ROTATIONS)
-    return f"{gettext(_FRAMES)}<br><b>{formula}</b><br>{gettext(_SIGNS)}"
+    formula = gettext(_FORMULA_TEXT, **_ROTATION_SYMBOLS)
+    return f"{gettext(_FRAMES_TEXT)}<br><b>{formula}</b><br>{gettext(_SIGNS_TEXT)}"
 
 
 def _amount_texts(values: Sequence[float], base: units.Base) -> list[str]:

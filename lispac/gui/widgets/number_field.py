@@ -10,10 +10,10 @@ from lispac.gui.appearance import units
 from lispac.gui.appearance.units import Base
 from lispac.language import gettext
 
-BASES: Mapping[str, Base] = {" m": "m", " mm": "mm", " °": "°"}
+BASE_OF_SUFFIX: Mapping[str, Base] = {" m": "m", " mm": "mm", " °": "°"}
 """Base unit of a field by its suffix; other units are never converted."""
 EQUAL_TOLERANCE = 1e-9
-"""Relative difference below which a converted value is considered unchanged."""
+"""Difference, in the unit of the value, below which a value is considered unchanged."""
 STORED_DECIMALS = 12
 """Decimals of the stored value, sufficient for a value typed in another unit."""
 TIP_DELAY_MS = 300
@@ -160,9 +160,9 @@ class NumberField(QDoubleSpinBox):
         return self._without_unit(text) in ("-", "\N{MINUS SIGN}")
 
     def _is_out_of_range(self, text: str) -> bool:
-        number, is_one = self.locale().toDouble(self._without_unit(text))
+        number, is_number = self.locale().toDouble(self._without_unit(text))
         face = self._face
-        return is_one and not face.minimum() <= number <= face.maximum()
+        return is_number and not face.minimum() <= number <= face.maximum()
 
     def _without_unit(self, text: str) -> str:
         return self._with_local_decimal_sign(text).removesuffix(self.suffix()).strip()

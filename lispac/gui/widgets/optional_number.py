@@ -11,7 +11,7 @@ from lispac.gui.appearance.units import Base
 from lispac.language import gettext
 from lispac.messages import error
 
-BASES: dict[str, Base] = {"m": "m", "mm": "mm", "°": "°"}
+BASE_OF_SIGN: dict[str, Base] = {"m": "m", "mm": "mm", "°": "°"}
 
 
 class OptionalNumber(QLineEdit):
@@ -38,7 +38,7 @@ class OptionalNumber(QLineEdit):
     ) -> None:
         super().__init__()
         self.setObjectName(name)
-        base = BASES.get(unit)
+        base = BASE_OF_SIGN.get(unit)
         shown = units.shown_unit(base) if units.is_converted(base) else units.Unit(unit)
         self.setAccessibleName(f"{title}, {shown.sign}")
         if needed:
@@ -93,7 +93,7 @@ class OptionalNumber(QLineEdit):
         self._mark_invalid()
 
     def _mark_invalid(self) -> None:
-        """Set the colour of the frame if the text is not a valid standard deviation."""
+        """Mark the field as wrong if its text is not a number or is negative."""
         try:
             wrong = (self.value() or 0.0) < 0
         except InputError:

@@ -13,7 +13,7 @@ from lispac.present.tables import Format, Table, Unit, title_text
 from lispac.present.tables import Row as ResultRow
 from lispac.present.text_format import UNKNOWN, with_unit
 
-BASES: Mapping[Unit, Base] = {"m": "m", "mm": "mm", "deg": "°", "mdeg": "m°"}
+BASE_OF_UNIT: Mapping[Unit, Base] = {"m": "m", "mm": "mm", "deg": "°", "mdeg": "m°"}
 
 
 def window_columns(table: Table[ResultRow]) -> tuple[Column, ...]:
@@ -26,7 +26,7 @@ def _window_column(column: ResultColumn[ResultRow]) -> Column:
     tip = title_text(column.tip) or title
     if not column.unit:
         return Column(title, tip, column.is_text)
-    base = BASES.get(column.unit)
+    base = BASE_OF_UNIT.get(column.unit)
     sign = column.unit if base is None else units.local_sign(base)
     return Column(f"{title} ({sign})", tip, column.is_text, base)
 
@@ -60,7 +60,7 @@ def _cell(column: ResultColumn[ResultRow], row: ResultRow) -> Cell:
             "{error} (σ {sigma})", error=_number(value, form), sigma=_number(sigma, form)
         )
         return Cell(text, value)
-    if form.unit not in BASES:
+    if form.unit not in BASE_OF_UNIT:
         return Cell(form.text(value), value)
     return number_cell(value, _python_form(form), form.factor)
 
@@ -71,14 +71,14 @@ def _python_form(form: Format) -> str:
 
 
 def _number(value: float, form: Format) -> str:
-    base = BASES.get(form.unit)
+    base = BASE_OF_UNIT.get(form.unit)
     if base is None:
         return form.text(value)
     return units.local_figure(form.factor * value, base, _python_form(form))
 
 
 def _with_unit(value: float, form: Format) -> str:
-    base = BASES.get(form.unit)
+    base = BASE_OF_UNIT.get(form.unit)
     if base is None:
         return with_unit(form.text(value), form.unit)
     return units.local_amount(form.factor * value, base, _python_form(form))

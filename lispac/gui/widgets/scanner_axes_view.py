@@ -9,15 +9,21 @@ from lispac.geometry.rotations import rotation_matrix
 from lispac.gui.appearance import theme
 from lispac.language import N_, gettext
 
-FACTORS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
+EXAGGERATION_FACTORS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
+"""Possible factors by which the rotation is enlarged, ascending."""
 MAX_SHOWN_DEG = 25.0
-"""Largest exaggerated rotation, degrees, at which the axes can still be recognised."""
+"""Largest enlarged rotation; with a larger one, the axes would be hard to recognise."""
 SCANNER_AXES = (("X", "axis_x"), ("Y", "axis_y"), ("Z", "axis_z"))
-_BODY = (N_("forward"), N_("port"), N_("up"))
-_HULL = np.array([[1.0, 0, 0], [0.55, 0.3, 0], [-0.75, 0.3, 0], [-0.75, -0.3, 0], [0.55, -0.3, 0]])
-_VIEW_DEG = (-142.0, 26.0)
+"""Letters of the scanner axes, with the names of their colours in the scheme."""
+_BODY_AXIS_NAMES = (N_("forward"), N_("port"), N_("up"))
+_HULL_OUTLINE = np.array(
+    [[1.0, 0, 0], [0.55, 0.3, 0], [-0.75, 0.3, 0], [-0.75, -0.3, 0], [0.55, -0.3, 0]]
+)
+"""Corners of the vessel in the body frame; the drawn body axes have a length of 1.2."""
+_INITIAL_VIEW_DEG = (-142.0, 26.0)
+"""Azimuth of the eye, counter-clockwise from ahead, and elevation."""
 _DEGREES_PER_PIXEL = 0.5
-_STEP_DEG = 5.0
+_KEY_STEP_DEG = 5.0
 
 
 def exaggeration_factor(boresight: np.ndarray) -> int:
@@ -27,9 +33,9 @@ def exaggeration_factor(boresight: np.ndarray) -> int:
     ----------
     boresight : ndarray of shape (3,), radians
     """
-    turn = np.degrees(np.linalg.norm(_rotation_vector(boresight)))
-    fitting = [factor for factor in FACTORS if factor * turn <= MAX_SHOWN_DEG]
-    return fitting[-1] if fitting and turn > 1e-6 else 1
+    angle_deg = np.degrees(np.linalg.norm(_rotation_vector(boresight)))
+    fitting = [factor for factor in EXAGGERATION_FACTORS if factor * angle_deg <= MAX_SHOWN_DEG]
+    return fitting[-1] if fitting and angle_deg > 1e-6 else 1
 
 
 def exaggerated_rotation(boresight: np.ndarray) -> tuple[int, np.ndarray]:
@@ -80,7 +86,7 @@ class ScannerAxesView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.OpenHandCursor)
-        self.view_deg = _VIEW_DEG
+        self.view_deg = _INITIAL_VIEW_DEG
         self.factor = 1
         self._rotation_body_scanner = np.eye(3)
         self._last: QPointF | None = None
@@ -100,12 +106,12 @@ class ScannerAxesView(QWidget):
         return self._rotation_body_scanner.T
 
     def reset_view(self) -> None:
-        """Reset the view to a point above the starboard quarter."""
-        self.view_deg = _VIEW_DEG
+        """Reset the view to the initial one, from above the starboard quarter."""
+        self.view_deg = _INITIAL_VIEW_DEG
         self.update()
 
     def turn_view(self, azimuth_deg: float, elevation_deg: float) -> None:
-        """Turn the view, at most to the zenith."""
+        """Turn the view; the elevation is limited to 89 degrees up and down."""
         azimuth, elevation = self.view_deg
         azimuth = (azimuth + azimuth_deg + 180) % 360 - 180
         self.view_deg = (azimuth, float(np.clip(elevation + elevation_deg, -89.0, 89.0)))
@@ -132,11 +138,11 @@ class ScannerAxesView(QWidget):
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
         painter.setPen(QPen(QColor(theme.EDGE)))
         painter.setBrush(QColor(theme.HULL))
-        painter.drawPolygon(QPolygonF([self._pixel(corner) for corner in _HULL]))
-        # Objects farther from the eye are drawn first.
+        painter.drawPolygon(QPolygonF([self._pixel(corner) for corner in _HULL_OUTLINE]))
+        # Axes farther from the eye are drawn first.
         drawn = [
             (1.2 * axis, "body_axis", gettext(name), 1.5)
-            for axis, name in zip(np.eye(3), _BODY, strict=True)
+            for axis, name in zip(np.eye(3), _BODY_AXIS_NAMES, strict=True)
         ]
         drawn += [
             (0.95 * axis, colour, letter, 3.0)
@@ -195,10 +201,10 @@ class ScannerAxesView(QWidget):
     def keyPressEvent(self, event) -> None:
         """Turn the view with the arrows."""
         turns = {
-            Qt.Key.Key_Left: (_STEP_DEG, 0.0),
-            Qt.Key.Key_Right: (-_STEP_DEG, 0.0),
-            Qt.Key.Key_Up: (0.0, -_STEP_DEG),
-            Qt.Key.Key_Down: (0.0, _STEP_DEG),
+            Qt.Key.Key_Left: (_KEY_STEP_DEG, 0.0),
+            Qt.Key.Key_Right: (-_KEY_STEP_DEG, 0.0),
+            Qt.Key.Key_Up: (0.0, -_KEY_STEP_DEG),
+            Qt.Key.Key_Down: (0.0, _KEY_STEP_DEG),
         }
         if event.key() in turns:
             self.turn_view(*turns[event.key()])

@@ -8,8 +8,8 @@ from lispac.io.config.sensor_file import PosAccuracy, PosSpecification, ScannerS
 from lispac.language import N_, gettext
 from lispac.workflow.planning.sensors import SensorLibrary, source_text
 
-OTHER = N_("Other (enter specifications)")
-SOLUTIONS = {"rtk": "RTK", "ppk": "PPK", "degraded": N_("degraded GNSS")}
+OTHER_SENSOR_TEXT = N_("Other (enter specifications)")
+SOLUTION_NAMES = {"rtk": "RTK", "ppk": "PPK", "degraded": N_("degraded GNSS")}
 """Displayed names of the GNSS solutions."""
 
 
@@ -34,12 +34,12 @@ class SensorChoice(QWidget):
             ),
         ]
         self.scanner = widgets.ChoiceBox(
-            f"{prefix}_scanner", [gettext(OTHER)],
+            f"{prefix}_scanner", [gettext(OTHER_SENSOR_TEXT)],
             gettext("The LiDAR noise of the chosen scanner is filled in. Check it against your "
                     "instrument."),
         )  # fmt: skip
         self.pos = widgets.ChoiceBox(
-            f"{prefix}_pos", [gettext(OTHER)],
+            f"{prefix}_pos", [gettext(OTHER_SENSOR_TEXT)],
             gettext(
                 "The position and attitude standard deviations of the chosen INS/GNSS are filled "
                 "in. They apply if there is no accuracy file."
@@ -99,7 +99,7 @@ class SensorChoice(QWidget):
 def _pos_title(entry: tuple[str, tuple[PosSpecification, PosAccuracy] | None]) -> str:
     assert entry[1] is not None
     figures, state = entry[1]
-    return f"{figures.title}, {gettext(SOLUTIONS[state.name])}"
+    return f"{figures.title}, {gettext(SOLUTION_NAMES[state.name])}"
 
 
 def _show_origin(label: QWidget, figures: ScannerSpecification | PosAccuracy | None) -> None:

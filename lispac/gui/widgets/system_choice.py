@@ -14,10 +14,11 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.output.export_request import output_system_of
 from lispac.workflow.output.output_crs import LOCAL, common_system, utm_zone
 
-DELAY_MS = 300
-LOCAL_NAME = N_("Local frame – North, West, Up")
-HEIGHTS = N_("From the coordinate system, otherwise ellipsoidal heights")
-HEIGHTS_TIP = N_("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif) or “ellipsoid”")
+CHECK_DELAY_MS = 300
+"""Delay after the last typed character until the text is checked."""
+LOCAL_FRAME_TEXT = N_("Local frame – North, West, Up")
+HEIGHT_PLACEHOLDER = N_("From the coordinate system, otherwise ellipsoidal heights")
+HEIGHT_TIP = N_("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif) or “ellipsoid”")
 
 
 def system_box(
@@ -31,13 +32,15 @@ def system_box(
     found.setToolTip(gettext("Choose or type an EPSG code, such as EPSG:2959 or EPSG:6347+5703"))
     zone = utm_zone(trajectory)
     try:
-        own = common_system(project)
+        line_system = common_system(project)
     except LispacError:
-        own = None  # the lines are in different systems
+        line_system = None  # the lines are in different systems
     items = [(gettext("{zone} – UTM zone of the trajectory (WGS 84)", zone=zone), zone)]
-    if own is not None:
-        items.insert(0, (gettext("System of the line files – {system}", system=own.name), ""))
-    items.insert(0 if local_first else len(items), (gettext(LOCAL_NAME), LOCAL))
+    if line_system is not None:
+        items.insert(
+            0, (gettext("System of the line files – {system}", system=line_system.name), "")
+        )
+    items.insert(0 if local_first else len(items), (gettext(LOCAL_FRAME_TEXT), LOCAL))
     for text, code in items:
         found.addItem(text, code)
     return found
@@ -73,15 +76,15 @@ class CoordinateSystemFields(QObject):
         self.box = system_box(f"{prefix}_system", project, trajectory, local_first=True)
         self.height = QLineEdit()
         self.height.setObjectName(f"{prefix}_height")
-        self.height.setPlaceholderText(gettext(HEIGHTS))
-        self.height.setToolTip(gettext(HEIGHTS_TIP))
+        self.height.setPlaceholderText(gettext(HEIGHT_PLACEHOLDER))
+        self.height.setToolTip(gettext(HEIGHT_TIP))
         self.system: CoordinateSystem | None = None
         self.problem: LispacError | None = None
         self.waiting = False
         self._form: QFormLayout | None = None
         self._debounce = QTimer(self)
         self._debounce.setSingleShot(True)
-        self._debounce.setInterval(DELAY_MS)
+        self._debounce.setInterval(CHECK_DELAY_MS)
         self._debounce.timeout.connect(self._resolve_system)
         self.box.editTextChanged.connect(self._on_typed)
         self.height.textChanged.connect(self._on_typed)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-W = TypeVar("W", bound=QWidget)
+WidgetType = TypeVar("WidgetType", bound=QWidget)
 Reason = Qt.FocusReason
 ENTER_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
@@ -84,7 +84,7 @@ def _is_stop(widget: QWidget, window: QMainWindow) -> bool:
         and widget.isVisible()
         and widget.window() == window
         and _is_in_front(_ancestor(widget, QDockWidget))
-        and not (isinstance(widget, QScrollArea) and _is_passed_over(widget))
+        and not (isinstance(widget, QScrollArea) and _needs_no_focus(widget))
     )
 
 
@@ -97,7 +97,7 @@ def _is_in_front(dock: QWidget | None) -> bool:
     return dock is None or not dock.visibleRegion().isEmpty()
 
 
-def _is_passed_over(area: QScrollArea) -> bool:
+def _needs_no_focus(area: QScrollArea) -> bool:
     """Whether an area needs no focus: nothing to scroll, or it contains tab stops."""
     bars = area.verticalScrollBar(), area.horizontalScrollBar()
     return not any(bar.maximum() for bar in bars) or any(
@@ -112,8 +112,8 @@ def _scroll_to(widget: QWidget) -> None:
         area = _ancestor(area, QScrollArea)
 
 
-def _ancestor(widget: QWidget, kind: type[W]) -> W | None:
-    above = widget.parentWidget()
-    while above is not None and not isinstance(above, kind):
-        above = above.parentWidget()
-    return above
+def _ancestor(widget: QWidget, kind: type[WidgetType]) -> WidgetType | None:
+    parent = widget.parentWidget()
+    while parent is not None and not isinstance(parent, kind):
+        parent = parent.parentWidget()
+    return parent

@@ -37,7 +37,7 @@ class CauseNavigation(QObject):
 
     def show_cause(self, cause: Cause) -> None:
         """Go to the cause of a warning: open, select and focus it."""
-        go = {
+        functions = {
             "line": self._go_to_line,
             "target": self._go_to_sighting,
             "sighting": self._go_to_sighting,
@@ -47,7 +47,7 @@ class CauseNavigation(QObject):
             "step": self._go_to_step,
             "result": self._go_to_result,
         }
-        go[cause.kind](cause)
+        functions[cause.kind](cause)
 
     def _go_to_line(self, cause: Cause) -> None:
         data, scene = self._panels.data, self._scene
@@ -114,13 +114,13 @@ class CauseNavigation(QObject):
 
 def _focus_widget(widget: QWidget) -> None:
     """Give a widget the focus, unfold the groups around it and scroll to it."""
-    above, areas = widget.parentWidget(), []
-    while above is not None:
-        if isinstance(above, FoldableGroup):
-            above.open()
-        if isinstance(above, QScrollArea):
-            areas.append(above)
-        above = above.parentWidget()
+    parent, areas = widget.parentWidget(), []
+    while parent is not None:
+        if isinstance(parent, FoldableGroup):
+            parent.open()
+        if isinstance(parent, QScrollArea):
+            areas.append(parent)
+        parent = parent.parentWidget()
     widget.setFocus(Qt.FocusReason.OtherFocusReason)
     for area in areas:
         area.ensureWidgetVisible(widget)

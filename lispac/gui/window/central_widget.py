@@ -9,7 +9,7 @@ from lispac.gui.features.help.tour import TourCard
 from lispac.gui.features.open_project.start_page import StartPage
 from lispac.gui.viewport.base import Viewport
 
-FRAME_WIDTH = 2
+FRAME_WIDTH_PX = 2
 """Width of the frame that shows the keyboard focus of the view, pixels."""
 
 
@@ -42,7 +42,7 @@ class _FocusFrame(QWidget):
         super().__init__()
         self._view, self._drawn = view, False
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(FRAME_WIDTH, FRAME_WIDTH, FRAME_WIDTH, FRAME_WIDTH)
+        layout.setContentsMargins(FRAME_WIDTH_PX, FRAME_WIDTH_PX, FRAME_WIDTH_PX, FRAME_WIDTH_PX)
         layout.addWidget(pages)
         QApplication.instance().focusChanged.connect(self._update_frame)
 
@@ -53,7 +53,9 @@ class _FocusFrame(QWidget):
             self.update(QRegion(self.rect()).subtracted(self._inner_rect()))
 
     def _inner_rect(self) -> QRect:
-        return self.rect().adjusted(FRAME_WIDTH, FRAME_WIDTH, -FRAME_WIDTH, -FRAME_WIDTH)
+        return self.rect().adjusted(
+            FRAME_WIDTH_PX, FRAME_WIDTH_PX, -FRAME_WIDTH_PX, -FRAME_WIDTH_PX
+        )
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._drawn:

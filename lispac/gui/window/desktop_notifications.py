@@ -39,13 +39,13 @@ class DesktopNotifications(QObject):
         ended, self._task = self._task, self._runner.current
         if ended is None or ended is self._task or ended.quiet or ended.cancel.is_set():
             return
-        took = time.monotonic() - ended.started
-        if took >= MIN_TASK_S and not self._window.isActiveWindow():
+        duration = time.monotonic() - ended.started
+        if duration >= MIN_TASK_S and not self._window.isActiveWindow():
             if ended.error is None:
                 template = N_("{task}: completed after {time}")
             else:
                 template = N_("{task}: failed after {time}")
-            self._show(gettext(template, task=ended.title, time=duration_text(took)))
+            self._show(gettext(template, task=ended.title, time=duration_text(duration)))
 
     def _notify(self, text: str) -> None:
         QApplication.alert(self._window)  # highlights the window's entry in the task bar

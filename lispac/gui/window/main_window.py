@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QMainWindow
 
 from lispac.gui.app import docks
 from lispac.gui.app.actions import Actions
-from lispac.gui.app.log_file import LOG
 from lispac.gui.app.log_file import LOG_NAME as LOG_NAME
+from lispac.gui.app.log_file import LOGGER
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.status_bar import TaskStatusBar
 from lispac.gui.app.tasks import TaskRunner
@@ -53,8 +53,9 @@ from lispac.gui.window.panels import Panels
 from lispac.gui.window.tools import InspectionTools
 from lispac.language import gettext
 
-NOTE_MS = 6000
-TITLE_BAR_HEIGHT = 40
+NOTE_DURATION_MS = 6000
+"""Time for which a note is shown in the status bar."""
+MAX_TITLE_BAR_HEIGHT_PX = 40
 """Largest height of a title bar, pixels, which the size of a window does not include."""
 
 
@@ -66,13 +67,13 @@ class MainWindow(QMainWindow):
     viewport : Viewport
         View of the lines, which the window owns from then on.
     settings, dialogs
-        Replacements for those of the user, for tests.
+        If None, the stored settings and the dialogues of the program.
     document : Document, optional
         Document to show, which the window owns from then on.
     """
 
     renewal_requested = Signal()
-    """The language or theme was changed, and a new window must replace this one."""
+    """Language, theme, units or colour scale were changed; a new window must replace this one."""
 
     def __init__(
         self,
@@ -147,7 +148,7 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         document.changed.connect(self._set_title)
         document.modified.connect(lambda _modified: self._set_title())
-        self.target_work = TargetActions(
+        self.target_actions = TargetActions(
             document, runner, control, dialogs, actions, panels.targets, panels.table
         )
         control.accepted.connect(self._select_accepted)
@@ -178,7 +179,7 @@ class MainWindow(QMainWindow):
             lambda: self.recovery_copies.problem,
         )  # fmt: skip
         self.recovery_copies.problem_changed.connect(self.warning_list.update)
-        quality = self.target_work.quality_computation
+        quality = self.target_actions.quality_computation
         quality.qualities_changed.connect(self.warning_list.set_qualities)
         self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._select)
         panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
@@ -201,20 +202,20 @@ class MainWindow(QMainWindow):
         self.setStatusBar(self.task_bar)
         self.actions_.create_toolbar("toolbar")
         self.docks = docks.create_docks(self, self.panels.docks(self.tools.panels))
-        self._at_first = self.saveState()
-        # A dock behind another also counts as visible; only this signal is reliable.
+        self._initial_state = self.saveState()
+        # `isVisible` is also True for a dock behind another; only this signal is reliable
         self.docks[SECTION].visibilityChanged.connect(self.tools.sections.set_panel_visible)
         self.actions_.fill_menus(docks.dock_actions(self.docks))
         screen = self.screen().availableGeometry()
         self.resize(min(1600, screen.width()), min(1000, screen.height()))
-        kept = self.settings.layout()
-        if kept is None:
-            if screen.height() < self.height() + TITLE_BAR_HEIGHT:
+        stored_layout = self.settings.layout()
+        if stored_layout is None:
+            if screen.height() < self.height() + MAX_TITLE_BAR_HEIGHT_PX:
                 self.setWindowState(Qt.WindowState.WindowMaximized)
             docks.set_initial_sizes(self, self.docks)
         else:
-            self.restoreGeometry(kept[0])
-            self.restoreState(kept[1])
+            self.restoreGeometry(stored_layout[0])
+            self.restoreState(stored_layout[1])
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""
@@ -261,7 +262,9 @@ class MainWindow(QMainWindow):
                 "validate": self.computations.validate,
                 "cancel": self.runner.cancel,
                 **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
-                "arrange": lambda: docks.restore_default_layout(self, self.docks, self._at_first),
+                "arrange": lambda: docks.restore_default_layout(
+                    self, self.docks, self._initial_state
+                ),
                 "keys": self.dialogs.shortcuts,
                 "tour": lambda: self.tour.start(),
                 "log_file": self._open_log_file,
@@ -270,7 +273,8 @@ class MainWindow(QMainWindow):
         )
 
     def _connect_tasks(self) -> None:
-        self.document.changed.connect(self.task_bar.clearMessage)  # it referred to the former state
+        # The note in the status bar referred to the former state
+        self.document.changed.connect(self.task_bar.clearMessage)
         self.task_bar.cancel_requested.connect(self.runner.cancel)
         self.runner.progress_changed.connect(lambda: self.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self.dialogs.show_error)
@@ -290,9 +294,9 @@ class MainWindow(QMainWindow):
         self._note(gettext("{task}: cancelled", task=task))
 
     def _note(self, text: str) -> None:
-        LOG.info(text)
+        LOGGER.info(text)
         self.log.note(text)
-        self.task_bar.showMessage(text, NOTE_MS)
+        self.task_bar.showMessage(text, NOTE_DURATION_MS)
 
     # -- requests --------------------------------------------------------------------------
 
@@ -342,7 +346,7 @@ class MainWindow(QMainWindow):
             self._select(new.strip(), "")
 
     def rebuild_window(self) -> None:
-        """Request a new window with the language and theme of the settings, once no task runs."""
+        """Request a new window with the present settings, after tasks that are not quiet."""
         for runner in (self.runner, *self.site_design.runners):
             if runner.busy:
                 self._note(
@@ -373,7 +377,7 @@ class MainWindow(QMainWindow):
         if former.tour.is_running:
             self.tour.resume()
 
-    # -- the end -----------------------------------------------------------------------------
+    # -- closing -----------------------------------------------------------------------------
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Close the window, unless the user keeps unsaved changes."""

@@ -25,8 +25,11 @@ from lispac.gui.features.warnings.warnings_panel import WarningsPanel
 from lispac.gui.window.workflow_panel import WorkflowPanel
 from lispac.language import N_, gettext
 
-MAX_LINES = 2000
-EMPTY = N_("Actions, assumptions and errors of the program are listed here with their time.")
+MAX_LOG_LINES = 2000
+"""Largest number of lines of the log; older ones are removed."""
+EMPTY_LOG_TEXT = N_(
+    "Actions, assumptions and errors of the program are listed here with their time."
+)
 
 
 class LogPanel(QPlainTextEdit):
@@ -37,8 +40,8 @@ class LogPanel(QPlainTextEdit):
         self.setObjectName("log")
         self.setAccessibleName(gettext("Log"))
         self.setReadOnly(True)
-        self.setPlaceholderText(gettext(EMPTY))
-        self.setMaximumBlockCount(MAX_LINES)
+        self.setPlaceholderText(gettext(EMPTY_LOG_TEXT))
+        self.setMaximumBlockCount(MAX_LOG_LINES)
         self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
 

@@ -20,7 +20,8 @@ from lispac.installation_paths import resource_path
 if TYPE_CHECKING:
     from lispac.gui.viewport.base import Viewport
 
-IMPORT_AFTER_MS = 300
+IMPORT_DELAY_MS = 300
+"""Delay before the 3D library is imported, so that the window is drawn first."""
 
 
 class Application(QApplication):
@@ -68,9 +69,9 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     collector = GuiThreadGarbageCollector(application)
     session = Session(application, lambda: LazyViewport(_create_viewport))
-    # Imported in the background after the window is drawn, while the first project is read
+    # The 3D library is imported in the background, while the user opens the first project
     importing = threading.Thread(target=_import_viewport, name="lispac-import")
-    QTimer.singleShot(IMPORT_AFTER_MS, importing.start)
+    QTimer.singleShot(IMPORT_DELAY_MS, importing.start)
     if isinstance(application, Application):
         application.document_requested.connect(lambda path: session.window.open_project(path))
     logbook = LogFile(session.log_folder, session.report_uncaught)
@@ -103,8 +104,8 @@ def _create_viewport() -> "Viewport":
 
 def _is_screen_missing() -> bool:
     """Whether Linux has no display, without which Qt would abort the process."""
-    named = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
-    return sys.platform.startswith("linux") and not any(os.environ.get(name) for name in named)
+    variables = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    return sys.platform.startswith("linux") and not any(os.environ.get(name) for name in variables)
 
 
 if __name__ == "__main__":

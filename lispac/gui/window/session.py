@@ -1,4 +1,4 @@
-"""Window on the screen, and its replacement when language or theme change.
+"""Window on the screen, and its replacement when language, theme, units or colours change.
 
 Widgets get their texts and colours when they are created. Therefore the window is rebuilt with the
 same document; the project, its data and all undo steps are kept.
@@ -31,7 +31,7 @@ class Session(QObject):
     Parameters
     ----------
     viewport : function that creates the 3D view of a window
-    settings, dialogs : replacements for those of the user, for tests
+    settings, dialogs : if None, the stored settings and the dialogues of the program
     """
 
     _uncaught = Signal(object)
@@ -86,7 +86,7 @@ class Session(QObject):
             self._uncaught.emit(error)
 
     def crashed_project(self) -> Path | None:
-        """Project with unsaved changes that the program did not close; None if there is none."""
+        """Project with unsaved changes that was open at a crash; None if there is none."""
         folder = self._settings.last_project
         if folder is None or not (folder / UNSAVED_NAME).is_file():
             return None
@@ -99,7 +99,7 @@ class Session(QObject):
         self._theme_timer.start()
 
     def _follow_system_theme(self) -> None:
-        """Apply the theme of the system, unless a dialogue is open or a plan is dragged."""
+        """Apply the theme of the system, unless a dialogue is open or a site plan is dragged."""
         if theme.choose_scheme(self._application, self._settings.theme) is theme.current_scheme():
             return
         if (
@@ -112,13 +112,12 @@ class Session(QObject):
             self.window.rebuild_window()
 
     def rebuild_window(self) -> None:
-        """Replace the window by a new one in the language and theme of the settings."""
+        """Replace the window by a new one with the present settings."""
         former = self.window
         former.save_layout()
         former.recovery_copies.stop()
-        self.window = self._create_window(
-            former
-        )  # shown before the former one is closed, since closing the last window ends Qt
+        # Shown before the former one is closed, since Qt ends when the last window is closed
+        self.window = self._create_window(former)
         former.stop_and_hide()
         former.deleteLater()
         # Frees the points and graphics of the former window immediately.

@@ -51,7 +51,9 @@ class InspectionTools(QObject):
         self.sections = SectionTool(
             document, runner, scene, viewport, actions, self.mouse_tool, raise_panel
         )
-        self.curtain = BeforeAfterWipe(document, scene, computations, viewport, actions, note)
+        self.before_after_wipe = BeforeAfterWipe(
+            document, scene, computations, viewport, actions, note
+        )
         self.clipping = ClipBoxController(scene, viewport, actions, raise_panel, note)
         self.patch_test_controller = PatchTestController(
             document, runner, scene, viewport, controller, actions, self.mouse_tool,

@@ -18,7 +18,8 @@ from lispac.gui.appearance import theme
 from lispac.gui.project.status import STEPS, State, StepStatus
 from lispac.language import N_, gettext
 
-_HEIGHT = 46
+_HEADER_HEIGHT_PX = 46
+"""Height of the header of a step."""
 _STATE_STYLES: dict[State, tuple[str, str, str]] = {
     "empty": ("circle-outline", "waiting", N_("not started")),
     "todo": ("circle-slice-4", "accent", N_("to do")),
@@ -83,7 +84,7 @@ class _StepHeader(QPushButton):
         self.setObjectName(f"step_{title.lower()}")
         self.setProperty("step", True)
         self.setCheckable(True)
-        self.setMinimumHeight(_HEIGHT)
+        self.setMinimumHeight(_HEADER_HEIGHT_PX)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self._title = f"{number}  {gettext(title)}"
         row = QHBoxLayout(self)
@@ -103,7 +104,7 @@ class _StepHeader(QPushButton):
             inner.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     def sizeHint(self) -> QSize:
-        return QSize(300, _HEIGHT)
+        return QSize(300, _HEADER_HEIGHT_PX)
 
     def show_status(self, status: StepStatus) -> None:
         icon, colour, state = _STATE_STYLES[status.state]

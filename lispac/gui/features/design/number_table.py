@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from lispac.errors import InputError
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
-from lispac.gui.widgets.number_field import BASES
+from lispac.gui.widgets.number_field import BASE_OF_SUFFIX
 from lispac.language import gettext
 from lispac.messages import error
 
@@ -57,7 +57,7 @@ class TableColumn:
     @property
     def base(self) -> Base | None:
         """Unit of lengths and speeds that the settings convert; None for angles."""
-        return BASES.get(" " + self.unit.removesuffix("/s"))
+        return BASE_OF_SUFFIX.get(" " + self.unit.removesuffix("/s"))
 
     @property
     def sign(self) -> str:

@@ -15,7 +15,7 @@ from lispac.gui.appearance.units import Base
 from lispac.gui.features.design.predicted_precision import sigma_text
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.widgets.field_transfer import copy_fields
-from lispac.gui.widgets.number_field import BASES
+from lispac.gui.widgets.number_field import BASE_OF_SUFFIX
 from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, LazyText, gettext
 from lispac.messages import error
@@ -53,7 +53,7 @@ def parse_numbers(
         If a part of the text is not a number or is out of range.
     """
     text = text.replace(";", " ").replace("−", "-")
-    base = BASES.get(f" {unit}")
+    base = BASE_OF_SUFFIX.get(f" {unit}")
     shown, factor = unit, 1.0
     if base is not None:
         shown, factor = units.shown_unit(base).sign, units.shown_unit(base).factor
@@ -124,7 +124,7 @@ class LimitsForm(QWidget):
         for name, (label, unit, low, high, tip) in LIST_FIELDS.items():
             field = QLineEdit()
             field.setObjectName(f"limit_{name}")
-            base = BASES.get(f" {unit}")
+            base = BASE_OF_SUFFIX.get(f" {unit}")
             shown = unit if base is None else units.shown_unit(base).sign
             field.setAccessibleName(f"{gettext(label)}, {shown}")
             field.setToolTip(
@@ -248,7 +248,7 @@ class LimitsForm(QWidget):
 
 def _list_text(values: Sequence[float], unit: str) -> str:
     """Text of a list of numbers, in the user's language and unit."""
-    decimal, base = QLocale().decimalPoint(), BASES.get(f" {unit}")
+    decimal, base = QLocale().decimalPoint(), BASE_OF_SUFFIX.get(f" {unit}")
     between = ", " if decimal == "." else "; "
     shown = (f"{v:g}" if base is None else units.figure(v, base, "g") for v in values)
     return between.join(each.replace(".", decimal) for each in shown)

@@ -133,7 +133,8 @@ def plan_sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketc
         barbs = [last - ARROW_LENGTH * along + 0.5 * s * ARROW_LENGTH * lateral for s in (1, -1)]
         drawn[f"line {k}"] = Sketch(
             tuple(map(_as_tuple, (first, last, *barbs))), ((0, 1), (1, 2), (1, 3)),
-            theme.rgb("moved" if k == line else "before"), label=f"{k + 1}", at=_as_tuple(first),
+            theme.rgb("moved" if k == line else "before"), label=f"{k + 1}",
+            label_point=_as_tuple(first),
         )  # fmt: skip
     right, out, up = np.array([*wall.rightward, 0.0]), np.array([*wall.outward, 0.0]), np.eye(3)[2]
     for k, each in enumerate(plan.targets):
@@ -148,7 +149,7 @@ def plan_sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketc
             )
         drawn[f"target {k}"] = Sketch(
             tuple(map(_as_tuple, corners)), edges, theme.rgb("moved" if k == target else "after"),
-            label=each.name, at=_as_tuple(middle), handles=handles,
+            label=each.name, label_point=_as_tuple(middle), handles=handles,
         )  # fmt: skip
     return drawn
 

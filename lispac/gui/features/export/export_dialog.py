@@ -23,7 +23,13 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
 from lispac.gui.features.export.actions import ACTIONS
 from lispac.gui.widgets.error_box import exception_text
-from lispac.gui.widgets.system_choice import DELAY_MS, HEIGHTS, HEIGHTS_TIP, system_box, system_text
+from lispac.gui.widgets.system_choice import (
+    CHECK_DELAY_MS,
+    HEIGHT_PLACEHOLDER,
+    HEIGHT_TIP,
+    system_box,
+    system_text,
+)
 from lispac.installation_paths import expand_user
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -81,8 +87,8 @@ class ExportDialog(QDialog):
         self.system = system_box("export_system", project, trajectory)
         self.height = QLineEdit()
         self.height.setObjectName("export_height")
-        self.height.setPlaceholderText(gettext(HEIGHTS))
-        self.height.setToolTip(gettext(HEIGHTS_TIP))
+        self.height.setPlaceholderText(gettext(HEIGHT_PLACEHOLDER))
+        self.height.setToolTip(gettext(HEIGHT_TIP))
         self.datum, self.epoch = QLineEdit(), QLineEdit()
         self.datum.setObjectName("export_datum")
         self.datum.setPlaceholderText(gettext("Same as the coordinate system (no datum shift)"))
@@ -137,7 +143,7 @@ class ExportDialog(QDialog):
         layout.addWidget(self.buttons)
         self._debounce = QTimer(self)
         self._debounce.setSingleShot(True)
-        self._debounce.setInterval(DELAY_MS)
+        self._debounce.setInterval(CHECK_DELAY_MS)
         self._debounce.timeout.connect(self._check_input)
         self.what.currentIndexChanged.connect(self._show_fields)
         self.system.editTextChanged.connect(self._on_typed)

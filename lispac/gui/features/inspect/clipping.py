@@ -9,7 +9,7 @@ from lispac.gui.app.actions import Actions
 from lispac.gui.features.inspect.clipping_panel import ClippingPanel
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Colour, DragHandle, Sketch, Viewport
-from lispac.gui.viewport.clipping import EDGES, Array, Box
+from lispac.gui.viewport.clipping import BOX_EDGES, Array, Box
 from lispac.gui.viewport.decimation import trimmed_points
 from lispac.language import gettext
 from lispac.targets.cross_section import common_normal
@@ -101,4 +101,4 @@ def _box_sketch(box: Box) -> Sketch:
         return float(point[0]), float(point[1]), float(point[2])
 
     handles = tuple(DragHandle(place(middle), place(out)) for middle, out in box.sides)
-    return Sketch(tuple(map(place, box.corners)), EDGES, SKETCH_COLOUR, handles=handles)
+    return Sketch(tuple(map(place, box.corners)), BOX_EDGES, SKETCH_COLOUR, handles=handles)

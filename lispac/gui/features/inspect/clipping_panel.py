@@ -5,7 +5,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QWidget
 
 from lispac.gui import widgets
-from lispac.gui.viewport.clipping import MIN_SIDE, Box
+from lispac.gui.viewport.clipping import MIN_SIDE_M, Box
 from lispac.language import N_, gettext
 
 TITLE = N_("Clip box")
@@ -39,7 +39,7 @@ class ClippingPanel(QWidget):
         self.fields = []
         for key, title, tip in LENGTHS:
             field = widgets.number(
-                f"clip_{key}", suffix=" m", decimals=2, low=MIN_SIDE, high=10_000,
+                f"clip_{key}", suffix=" m", decimals=2, low=MIN_SIDE_M, high=10_000,
                 step=0.1, tip=gettext(tip),
             )  # fmt: skip
             field.setFixedWidth(130)
@@ -76,6 +76,6 @@ class ClippingPanel(QWidget):
             field.setEnabled(box is not None)
             field.setSpecialValueText("" if box is not None else NO_BOX)
             field.blockSignals(True)
-            field.setValue(MIN_SIDE if box is None else 2.0 * float(box.half[k]))
+            field.setValue(MIN_SIDE_M if box is None else 2.0 * float(box.half[k]))
             field.blockSignals(False)
         self.reset.setEnabled(box is not None)

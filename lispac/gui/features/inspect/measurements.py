@@ -109,8 +109,10 @@ def angle_text(first: Array, vertex: Array, second: Array) -> str:
 def _measurement_sketch(points: list[Array], text: str, metric: str) -> Sketch:
     places = tuple((float(p[0]), float(p[1]), float(p[2])) for p in points)
     edges = tuple((k, k + 1) for k in range(len(places) - 1))
-    at = None
+    label_point = None
     if text:
         middle = points[1] if len(points) == 3 else 0.5 * (points[0] + points[1])
-        at = (float(middle[0]), float(middle[1]), float(middle[2]))
-    return Sketch(places, edges, SKETCH_COLOUR, dots=True, label=text, at=at, metric=metric)
+        label_point = (float(middle[0]), float(middle[1]), float(middle[2]))
+    return Sketch(
+        places, edges, SKETCH_COLOUR, dots=True, label=text, label_point=label_point, metric=metric
+    )

@@ -14,7 +14,7 @@ from lispac.gui.features.inspect.section_panel import EMPTY, SectionPanel
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
-from lispac.gui.viewport.clipping import EDGES, Box
+from lispac.gui.viewport.clipping import BOX_EDGES, Box
 from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.targets.cross_section import Section
@@ -180,4 +180,4 @@ def section_box_sketch(section: Section) -> Sketch:
     half = 0.5 * np.array([section.width, section.height, section.thickness])
     box = Box(section.centre, np.array([section.right, section.up, section.across]), half)
     places = tuple((float(x), float(y), float(z)) for x, y, z in box.corners)
-    return Sketch(places, EDGES, SKETCH_COLOUR)
+    return Sketch(places, BOX_EDGES, SKETCH_COLOUR)

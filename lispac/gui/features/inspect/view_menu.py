@@ -5,7 +5,7 @@ from PySide6.QtCore import QObject
 
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.point_colours import COLOURINGS, Colouring
-from lispac.gui.app.settings import POINT_SIZES, AppSettings
+from lispac.gui.app.settings import POINT_SIZES_PX, AppSettings
 from lispac.gui.features.inspect.actions import COLOUR_ACTIONS, VIEWS
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
@@ -54,7 +54,7 @@ class ViewMenu(QObject):
         actions.connect_slots(slots)
 
     def _resize_points(self, by: int) -> None:
-        pixels = min(max(self._settings.point_size + by, POINT_SIZES[0]), POINT_SIZES[-1])
+        pixels = min(max(self._settings.point_size + by, POINT_SIZES_PX[0]), POINT_SIZES_PX[-1])
         self._settings.point_size = pixels
         self._viewport.set_point_size(pixels)
 

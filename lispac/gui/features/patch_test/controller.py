@@ -17,7 +17,7 @@ from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Colour, Sketch, Viewport
-from lispac.gui.viewport.clipping import EDGES
+from lispac.gui.viewport.clipping import BOX_EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -151,10 +151,10 @@ class PatchTestController(QObject):
         self._draw_sketch(
             Sketch(
                 tuple((float(x), float(y), float(z)) for x, y, z in corners),
-                EDGES,
+                BOX_EDGES,
                 SKETCH_COLOUR,
                 label=each.name,
-                at=tuple(each.box.centre.tolist()),
+                label_point=tuple(each.box.centre.tolist()),
             )
         )
         one = self._laid.sample.of_objects([each.name])

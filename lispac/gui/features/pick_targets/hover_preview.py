@@ -152,4 +152,4 @@ def patch_sketch(points: Array, patch: PlanePatch, line: str) -> Sketch:
     )
     top = places[int(np.argmax(corners[:, 2]))]
     edges = tuple((k, (k + 1) % count) for k in range(count))
-    return Sketch(places, edges, CANDIDATE_COLOUR, label=text, at=top)
+    return Sketch(places, edges, CANDIDATE_COLOUR, label=text, label_point=top)

@@ -91,7 +91,7 @@ class Lasso(QObject):
         shown = {
             each: cloud
             for each, cloud in self._scene.clouds.items()
-            if not self._viewport.hides(each)
+            if not self._viewport.is_line_hidden(each)
         }
         try:
             target, changed = edit(

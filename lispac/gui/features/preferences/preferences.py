@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.gui.app.point_colours import Scale
-from lispac.gui.app.settings import POINT_SIZE, THEMES, AppSettings
+from lispac.gui.app.settings import DEFAULT_POINT_SIZE_PX, THEMES, AppSettings
 from lispac.gui.viewport.decimation import Budget
 
 
@@ -26,7 +26,7 @@ class Preferences:
     """
 
     language: str = ""
-    point_size: int = POINT_SIZE
+    point_size: int = DEFAULT_POINT_SIZE_PX
     point_budget: int = Budget().resting
     convention: str = ""
     scanner: str = ""
@@ -40,9 +40,9 @@ class Preferences:
     @classmethod
     def of(cls, settings: AppSettings) -> "Preferences":
         """Read the preferences from the settings."""
-        scanner, pos = settings.usual_sensors
+        scanner, pos = settings.default_sensors
         return cls(
-            settings.language_chosen, settings.point_size, settings.point_budget,
+            settings.chosen_language, settings.point_size, settings.point_budget,
             settings.report_choice()[2], scanner, pos, *settings.units,
             settings.cache_folder, settings.theme, settings.colour_scale,
         )  # fmt: skip
@@ -61,7 +61,7 @@ class Preferences:
         settings.point_budget = self.point_budget
         template, page, _, language = settings.report_choice()
         settings.save_report_choice((template, page, self.convention, language))
-        settings.usual_sensors = (self.scanner, self.pos)
+        settings.default_sensors = (self.scanner, self.pos)
         settings.units = (self.angles, self.lengths)
         settings.theme, settings.colour_scale = self.theme, self.scale
         settings.sync()

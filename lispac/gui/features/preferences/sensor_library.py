@@ -22,7 +22,7 @@ from lispac.gui.appearance import units
 from lispac.gui.appearance.units import Base
 from lispac.gui.features.preferences.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
 from lispac.gui.widgets.error_box import exception_text
-from lispac.gui.widgets.sensor_choice import SOLUTIONS
+from lispac.gui.widgets.sensor_choice import SOLUTION_NAMES
 from lispac.io.config.sensor_file import (
     Figures,
     PosAccuracy,
@@ -229,7 +229,7 @@ def sensor_texts(figures: Figures) -> tuple[str, str]:
             divergence=figures.divergence_mrad,
         )
         return text, source_text(figures)
-    named = [(gettext(SOLUTIONS[each.name]), each) for each in figures.states]
+    named = [(gettext(SOLUTION_NAMES[each.name]), each) for each in figures.states]
     sigmas = [
         gettext("{solution}: {text}", solution=solution, text=_sigmas_text(state))
         for solution, state in named

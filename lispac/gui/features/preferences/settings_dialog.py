@@ -19,9 +19,9 @@ from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.point_colours import Scale
-from lispac.gui.app.settings import POINT_BUDGETS, POINT_SIZES
+from lispac.gui.app.settings import POINT_BUDGETS, POINT_SIZES_PX
 from lispac.gui.appearance import theme
-from lispac.gui.appearance.units import ANGLES, LENGTHS
+from lispac.gui.appearance.units import ANGLE_UNITS, LENGTH_UNITS
 from lispac.gui.features.preferences.actions import ACTIONS
 from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.sensor_library import SensorLibraryPage
@@ -218,8 +218,8 @@ class SettingsDialog(QDialog):
             ["", *(each.key for each in OTHER_SYSTEMS)][self.convention.currentIndex()],
             scanner,
             pos,
-            list(ANGLES)[self.angles.currentIndex()],
-            list(LENGTHS)[self.lengths.currentIndex()],
+            list(ANGLE_UNITS)[self.angles.currentIndex()],
+            list(LENGTH_UNITS)[self.lengths.currentIndex()],
             self.cache.folder,
             list(THEMES)[self.theme_box.currentIndex()],
             list(SCALES)[self.scale.currentIndex()],
@@ -235,8 +235,8 @@ class SettingsDialog(QDialog):
             keys.index(preferences.convention) if preferences.convention in keys else 0
         )
         self.choice.choose(preferences.scanner, preferences.pos)
-        self.angles.setCurrentIndex(list(ANGLES).index(preferences.angles))
-        self.lengths.setCurrentIndex(list(LENGTHS).index(preferences.lengths))
+        self.angles.setCurrentIndex(list(ANGLE_UNITS).index(preferences.angles))
+        self.lengths.setCurrentIndex(list(LENGTH_UNITS).index(preferences.lengths))
         self.cache.show_folder(preferences.cache)
         self.theme_box.setCurrentIndex(list(THEMES).index(preferences.theme))
         self.scale.setCurrentIndex(list(SCALES).index(preferences.scale))
@@ -248,8 +248,8 @@ class SettingsDialog(QDialog):
         )  # fmt: skip
         pixels, million = gettext("pixels"), gettext("million")
         self.point_size = widgets.number(
-            "settings_point_size", suffix=f" {pixels}", decimals=0, low=POINT_SIZES[0],
-            high=POINT_SIZES[-1], step=1, tip=gettext("Size of a point in the 3D view"),
+            "settings_point_size", suffix=f" {pixels}", decimals=0, low=POINT_SIZES_PX[0],
+            high=POINT_SIZES_PX[-1], step=1, tip=gettext("Size of a point in the 3D view"),
         )  # fmt: skip
         self.point_budget = widgets.number(
             "settings_point_budget", suffix=f" {million}", decimals=1,
@@ -260,7 +260,7 @@ class SettingsDialog(QDialog):
             ),
         )  # fmt: skip
         self.angles = widgets.ChoiceBox(
-            "settings_angles", [gettext(UNITS[key]) for key in ANGLES],
+            "settings_angles", [gettext(UNITS[key]) for key in ANGLE_UNITS],
             gettext(
                 "Unit of the boresight angles, attitudes and their standard deviations in the "
                 "window. Headings and inclinations stay in degrees. Files, reports and scripts "
@@ -268,7 +268,7 @@ class SettingsDialog(QDialog):
             ),
         )  # fmt: skip
         self.lengths = widgets.ChoiceBox(
-            "settings_lengths", [gettext(UNITS[key]) for key in LENGTHS],
+            "settings_lengths", [gettext(UNITS[key]) for key in LENGTH_UNITS],
             gettext("Unit of lengths in the window. Files, reports and scripts remain metric."),
         )  # fmt: skip
         self.theme_box = widgets.ChoiceBox(

@@ -18,7 +18,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
-from lispac.gui.widgets.system_choice import HEIGHTS, system_box, system_text
+from lispac.gui.widgets.system_choice import HEIGHT_PLACEHOLDER, system_box, system_text
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.absolute import (
@@ -134,7 +134,7 @@ class CheckDialog(QDialog):
         self.system.setCurrentIndex(0)
         self.height = QLineEdit()
         self.height.setObjectName("check_height")
-        self.height.setPlaceholderText(gettext(HEIGHTS))
+        self.height.setPlaceholderText(gettext(HEIGHT_PLACEHOLDER))
         self.sigma = widgets.number(
             "check_sigma", suffix=" mm", decimals=1, low=0, high=1000, step=1,
             tip=gettext(

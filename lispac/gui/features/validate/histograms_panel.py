@@ -319,7 +319,7 @@ class HistogramsPanel(QWidget):
             share = self.plot.currentIndex() == PERCENT_PLOT
             histogram_figure(comparison, canvas.figure, share=share)
         self._show_units(canvas.figure)
-        self._zooming.set_home(upright=self.plot.currentIndex() == PROFILE_PLOT)
+        self._zooming.set_home(zooms_vertically=self.plot.currentIndex() == PROFILE_PLOT)
         self.reading.setText(gettext(ZOOM_HINT))
         canvas.draw_idle()
         canvas.setAccessibleName(

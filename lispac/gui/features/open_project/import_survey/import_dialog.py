@@ -141,7 +141,7 @@ class ImportDialog(QDialog):
             QualityPage(),
             MountingPage(read_library(self._settings.sensors)),
         )
-        self.mounting.sensors.choose(*self._settings.usual_sensors)
+        self.mounting.sensors.choose(*self._settings.default_sensors)
         self.tabs.addTab(self.file_page, gettext("Selected file"))
         self.tabs.addTab(self.timeline, gettext("Timeline"))
         self.tabs.addTab(self.quality, gettext("Trajectory quality"))
