@@ -122,12 +122,7 @@ class MonteCarloResult:
         return tuple(
             (title, *(number(float(value), decimals, sign=sign) for value in values))
             for title, values, decimals, sign in (
-                (
-                    gettext("standard deviation of errors (deg)"),
-                    np.degrees(self.empirical_sigma),
-                    4,
-                    False,
-                ),
+                (gettext("RMS error (deg)"), np.degrees(self.empirical_sigma), 4, False),
                 (
                     gettext("σ from the adjustment (deg)"),
                     np.degrees(self.mean_formal_sigma),
@@ -135,7 +130,7 @@ class MonteCarloResult:
                     False,
                 ),
                 (gettext("predicted σ (deg)"), np.degrees(self.predicted), 4, False),
-                (gettext("σ of errors / predicted σ"), self.ratio, 2, False),
+                (gettext("RMS error / predicted σ"), self.ratio, 2, False),
                 (gettext("σ of this ratio"), self.ratio * self.ratio_sigma, 2, False),
                 (
                     gettext("coverage of the 95 % intervals (%)"),
@@ -144,7 +139,7 @@ class MonteCarloResult:
                     False,
                 ),
                 (gettext("mean error (deg)"), np.degrees(self.bias), 4, True),
-                (gettext("σ of mean error"), np.degrees(self.sigma_bias), 4, False),
+                (gettext("σ of mean error (deg)"), np.degrees(self.sigma_bias), 4, False),
             )
         )
 

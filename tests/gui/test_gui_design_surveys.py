@@ -174,12 +174,12 @@ def test_an_answer_leaves_nothing_of_the_one_before(driver: Driver, coarse: Desi
     shown, plan_ = coarse.surveys.result_table, plan(coarse)
     counts, head = [], gettext_lazy("Simulate surveys")
     for k in range(30):
-        rows = [("standard deviation of errors (deg)", f"{k}", "0.2", "-0.3")] * 7
+        rows = [("RMS error (deg)", f"{k}", "0.2", "-0.3")] * 7
         shown.show_result(head, SimpleNamespace(rows=rows, summary_texts=("remark",)), plan_)
         coarse.pictures.show_errors(surveyed_once())
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         counts.append(len(coarse.findChildren(QObject)))
-    assert shown.cells[1] == ["standard deviation of errors (deg)", "29", "0.2", "−0.3"]
+    assert shown.cells[1] == ["RMS error (deg)", "29", "0.2", "−0.3"]
     assert len(set(counts[1:])) == 1
 
 

@@ -162,12 +162,6 @@ def number(
     return field
 
 
-def convert_tip_units(widget: QWidget, *bases: Base) -> None:
-    """Replace the signs of base units in the tooltip of a widget by those of the units shown."""
-    widget.setToolTip(units.convert_unit_signs(widget.toolTip(), *bases))
-    widget.setAccessibleName(units.convert_unit_signs(widget.accessibleName(), *bases))
-
-
 def _tip_with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
     first, last = (f"{v:,.10g}" if base is None else units.limit_text(v, base) for v in (low, high))
     sign = "deg" if unit == "°" else unit

@@ -349,11 +349,7 @@ class MainWindow(QMainWindow):
         """Request a new window with the present settings, after tasks that are not quiet."""
         for runner in (self.runner, *self.site_design.runners):
             if runner.busy:
-                self._note(
-                    gettext(
-                        "A task is running. The new language or theme is used when it has ended."
-                    )
-                )
+                self._note(gettext("A task is running. The change takes effect when it has ended."))
                 runner.idle.connect(self.rebuild_window, Qt.ConnectionType.SingleShotConnection)
                 return
         self.renewal_requested.emit()
