@@ -28,7 +28,7 @@ from lispac.io.config.scene_file import read_scene
 from lispac.io.config.sensor_file import read_pos_specification, read_scanner_specification
 from lispac.io.config.vessel_file import read_vessel
 from lispac.io.format_types import FilePreview
-from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of
+from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS, format_of
 from lispac.io.points.mesh_file import MeshReader, read_mesh
 from lispac.io.points.point_reader_common import usable_points
 from lispac.io.points.static_scan import open_static_scan
@@ -52,7 +52,9 @@ from tests.test_trajectory_bad_input import anything, good
 __all__ = ["small"]
 
 ROOT = Path(__file__).parents[1]
-FORMATS = {format.key: format for format in (*TRAJECTORIES, *ACCURACIES, *POINTS)}
+FORMATS = {
+    format.key: format for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS, *POINT_FORMATS)
+}
 SHORT = 15
 
 Sources = list[st.SearchStrategy[bytes]]

@@ -70,7 +70,7 @@ def test_a_separator_by_which_no_row_has_numbers(tmp_path: Path) -> None:
 def test_a_file_that_ends_with_a_chunk(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, chunk: int
 ) -> None:
-    monkeypatch.setattr(text_chunks, "CHUNK", chunk)
+    monkeypatch.setattr(text_chunks, "POINTS_PER_CHUNK", chunk)
     chunks = list(TEXT.read(files.text(tmp_path / "a.csv", head=files.CSV_HEAD), {}))
     assert [len(each.time) for each in chunks] == [chunk] * (files.COUNT // chunk)
     np.testing.assert_array_equal(np.concatenate([each.xyz for each in chunks]), files.XYZ)

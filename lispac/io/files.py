@@ -24,7 +24,7 @@ from lispac.survey.line_source import printable
 from lispac.survey.time_quality import assess_times
 from lispac.untrusted_values import LARGEST_QUANTITY
 
-KINDS: Mapping[str, Message] = {
+TRANSLATED_FILE_KINDS: Mapping[str, Message] = {
     "line": note("file.kind_line"),
     "trajectory": note("file.kind_trajectory"),
     "trajectory accuracy": note("file.kind_accuracy"),
@@ -54,7 +54,7 @@ KINDS: Mapping[str, Message] = {
 
 def file_kind_message(what: str) -> Message | str:
     """Kind of a file, as the parameter ``kind`` of a message: ``line``, ``SBET``."""
-    return KINDS.get(what, what)
+    return TRANSLATED_FILE_KINDS.get(what, what)
 
 
 def require_file(path: Path, what: str) -> Path:
@@ -246,7 +246,7 @@ def message_with_file_name(failure: LispacError, path: Path) -> Message:
     return replace(message, params={**message.params, "file": name})
 
 
-TEMPORARY = ".part"
+TEMPORARY_NAME_PART = ".part"
 """Part of the temporary name of a file that is being written, before its suffix."""
 
 
@@ -271,7 +271,7 @@ def atomic_write(path: Path) -> Iterator[Path]:
         remove_abandoned_files(path)
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(
-            prefix=f".{path.stem}-", suffix=f"{TEMPORARY}{path.suffix}", dir=path.parent
+            prefix=f".{path.stem}-", suffix=f"{TEMPORARY_NAME_PART}{path.suffix}", dir=path.parent
         )
     except ValueError as failure:
         raise bad_name_error(path) from failure
@@ -299,7 +299,7 @@ def atomic_write(path: Path) -> Iterator[Path]:
         remove_empty_folders(made)
 
 
-ABANDONED_AFTER, LOCKED_AFTER = 60.0, 0.1
+ABANDONED_AFTER_S, UNLOCKED_ABANDONED_AFTER_S = 60.0, 0.1
 """Seconds without a change after which a temporary file is considered abandoned: if locks cannot be
 checked, and if the file is not locked (a program that writes a file locks it within this time)."""
 
@@ -307,7 +307,7 @@ checked, and if the file is not locked (a program that writes a file locks it wi
 def remove_abandoned_files(path: Path) -> None:
     """Remove the temporary files that interrupted writing left beside ``path``."""
     named = re.compile(
-        rf"\.{re.escape(path.stem)}-[a-z0-9_]{{8}}{TEMPORARY}{re.escape(path.suffix)}"
+        rf"\.{re.escape(path.stem)}-[a-z0-9_]{{8}}{TEMPORARY_NAME_PART}{re.escape(path.suffix)}"
     )
     try:
         with os.scandir(path.parent) as entries:
@@ -323,7 +323,7 @@ def remove_abandoned_files(path: Path) -> None:
 def _abandonment_delay(path: Path) -> float:
     """Seconds without a change after which a temporary file is considered abandoned."""
     locked = None if sys.platform == "win32" else is_locked(path)
-    return {True: math.inf, False: LOCKED_AFTER, None: ABANDONED_AFTER}[locked]
+    return {True: math.inf, False: UNLOCKED_ABANDONED_AFTER_S, None: ABANDONED_AFTER_S}[locked]
 
 
 def bad_name_error(path: Path) -> InputError:

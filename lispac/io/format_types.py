@@ -22,9 +22,9 @@ Choice = Mapping[str, Any]
 """Options by name, given by the user or detected."""
 Fact = str | int | Message
 """Fact found in a file: a text from the file, a count, or a message."""
-SAME_TIME_BASE = note("assumed.same_time_base")
+SAME_TIME_BASE_NOTE = note("assumed.same_time_base")
 
-SURE, LIKELY, POSSIBLE, NOT = 1.0, 0.7, 0.3, 0.0
+SURE, LIKELY, POSSIBLE, IMPOSSIBLE = 1.0, 0.7, 0.3, 0.0
 """Likelihoods that a file is of a format: its signature or structure is unique to the format; its
 structure and values fit; nothing contradicts the format; it is not of the format."""
 

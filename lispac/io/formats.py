@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.format_types import NOT, FileFormat, Kind
-from lispac.io.points.point_formats import POINTS
+from lispac.io.format_types import IMPOSSIBLE, FileFormat, Kind
+from lispac.io.points.point_formats import POINT_FORMATS
 from lispac.io.trajectory.trajectory_formats import (
     ASCII,
     CIDCO_ACCURACY,
@@ -18,13 +18,13 @@ from lispac.io.trajectory.trajectory_formats import (
 )
 from lispac.messages import error
 
-TRAJECTORIES: tuple[FileFormat, ...] = (SBET, EXAIL, POSPAC, ASCII, CIDCO_STATES)
-ACCURACIES: tuple[FileFormat, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY, CIDCO_ACCURACY)
+TRAJECTORY_FORMATS: tuple[FileFormat, ...] = (SBET, EXAIL, POSPAC, ASCII, CIDCO_STATES)
+ACCURACY_FORMATS: tuple[FileFormat, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY, CIDCO_ACCURACY)
 
 __all__ = [
-    "ACCURACIES",
-    "POINTS",
-    "TRAJECTORIES",
+    "ACCURACY_FORMATS",
+    "POINT_FORMATS",
+    "TRAJECTORY_FORMATS",
     "format_of",
     "formats_of",
     "has_suggested_time_base",
@@ -35,7 +35,11 @@ __all__ = [
 
 def formats_of(kind: Kind) -> tuple[FileFormat, ...]:
     """All formats of a kind, the most common first."""
-    return {"trajectory": TRAJECTORIES, "accuracy": ACCURACIES, "points": POINTS}[kind]
+    return {
+        "trajectory": TRAJECTORY_FORMATS,
+        "accuracy": ACCURACY_FORMATS,
+        "points": POINT_FORMATS,
+    }[kind]
 
 
 def format_of(key: str) -> FileFormat:
@@ -46,7 +50,9 @@ def format_of(key: str) -> FileFormat:
     InputError
         If no format has that key.
     """
-    known = {format.key: format for format in (*TRAJECTORIES, *ACCURACIES, *POINTS)}
+    known = {
+        format.key: format for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS, *POINT_FORMATS)
+    }
     if key not in known:
         raise InputError(error("formats.unknown", format=key, formats=tuple(known)))
     return known[key]
@@ -67,7 +73,7 @@ def is_las(path: Path) -> bool:
     unknown format.
     """
     path, las = Path(path), format_of("las")
-    if las.sniff(path) > NOT:
+    if las.sniff(path) > IMPOSSIBLE:
         return True
     return path.suffix.lower() in las.endings and not recognise_formats(path, "points")
 
@@ -83,6 +89,6 @@ def recognise_formats(path: Path, kind: Kind) -> list[tuple[FileFormat, float]]:
     found = [(format, format.sniff(path)) for format in formats_of(kind)]
     ending = path.suffix.lower()
     return sorted(
-        ((format, confidence) for format, confidence in found if confidence > NOT),
+        ((format, confidence) for format, confidence in found if confidence > IMPOSSIBLE),
         key=lambda pair: (-pair[1], ending not in pair[0].endings),
     )

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.format_types import (
-    NOT,
-    SAME_TIME_BASE,
+    IMPOSSIBLE,
+    SAME_TIME_BASE_NOTE,
     SURE,
     Choice,
     Fact,
@@ -26,11 +26,11 @@ from lispac.io.las.las_header_check import require_sound_header
 from lispac.io.las.mounting_record import MountingRecord
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.point_reader_common import (
-    CHUNK,
-    GEOREFERENCED,
-    PLACE,
+    COMMON_OPTIONS,
+    GEOREFERENCED_FRAME,
+    POINTS_PER_CHUNK,
     PREVIEW_POINTS,
-    USE_FEET,
+    USE_FEET_ACTIONS,
     coordinate_scale,
     frame_facts,
     head_sniffer,
@@ -95,7 +95,7 @@ class PackedColumns(Mapping[str, NDArray[Any]]):
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the signature: LAS and LAZ files start with ``LASF``."""
-    return SURE if head[:4] == b"LASF" else NOT
+    return SURE if head[:4] == b"LASF" else IMPOSSIBLE
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
@@ -134,7 +134,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         low, high = xyz.min(axis=0), xyz.max(axis=0)
     seen = check_first_points(xyz, time, file=file, crs=header_crs.text, low=low, high=high)
     if frame is not None:  # the warnings on map coordinates do not apply there
-        seen = replace(seen, frame=GEOREFERENCED, file_warnings=())
+        seen = replace(seen, frame=GEOREFERENCED_FRAME, file_warnings=())
     base = _time_base(header)
     found = {
         "frame": seen.frame,
@@ -168,7 +168,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
             *(() if choice.get("time_base") else time_base_warnings(time, base, file)),
             *_header_warnings(header, header_crs.text, xyz, file),
         ),
-        (SAME_TIME_BASE, *_waveform_notes(header)),
+        (SAME_TIME_BASE_NOTE, *_waveform_notes(header)),
         (
             # A project stores the system that is used; the conflict is reported only with that one.
             *(header_crs.messages if choice.get("crs") in (None, "", header_crs.text) else ()),
@@ -310,7 +310,7 @@ def _record_chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleA
 
 
 def _chunk_size(header: laspy.LasHeader) -> int:
-    return max(1, min(CHUNK, LARGEST_CHUNK // header.point_format.size))
+    return max(1, min(POINTS_PER_CHUNK, LARGEST_CHUNK // header.point_format.size))
 
 
 def _time_base(header: laspy.LasHeader) -> str:
@@ -341,7 +341,7 @@ def _header_warnings(
         if abs(power - round(power)) < 1e-4:
             yield warning(
                 "points.resolution_in_feet", file=file, resolution=float(header.scales[0]),
-                actions=USE_FEET,
+                actions=USE_FEET_ACTIONS,
             )  # fmt: skip
 
 
@@ -355,7 +355,7 @@ LAS = FileFormat(
     "las",
     "points",
     (".las", ".laz"),
-    PLACE,
+    COMMON_OPTIONS,
     sniff,
     preview_file,
     read,

@@ -15,7 +15,7 @@ from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, WktCoordinat
 from pyproj import CRS
 from pyproj.exceptions import CRSError
 
-from lispac.io.points.point_reader_common import CHOOSE_SYSTEM
+from lispac.io.points.point_reader_common import CHOOSE_SYSTEM_ACTION
 from lispac.messages import Action, Level, Message, warning
 
 CHECK_SYSTEM = Action("check_system", {"name": "crs"})
@@ -122,7 +122,7 @@ def _crs_from_wkt(wkt: str, file: str) -> HeaderCrs:
     crs = _parse_crs(wkt)
     if crs is None:
         return HeaderCrs(
-            file_warnings=(warning("las.unknown_wkt", file=file, actions=(CHOOSE_SYSTEM,)),)
+            file_warnings=(warning("las.unknown_wkt", file=file, actions=(CHOOSE_SYSTEM_ACTION,)),)
         )
     code = crs.to_epsg()
     return HeaderCrs(f"EPSG:{code}" if code and CRS(code) == crs else wkt, crs.name)
@@ -165,7 +165,10 @@ def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: s
                 )
             )  # fmt: skip
     if crs is None:
-        name, actions = texts.get(PROJECTED_CITATION) or texts.get(CITATION), (CHOOSE_SYSTEM,)
+        name, actions = (
+            texts.get(PROJECTED_CITATION) or texts.get(CITATION),
+            (CHOOSE_SYSTEM_ACTION,),
+        )
         if name:
             unknown = warning("las.system_without_code", file=file, name=name, actions=actions)
         else:
@@ -177,7 +180,7 @@ def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: s
         file_warnings.append(
             warning(
                 "las.unit_contradicts_system", file=file, unit=unit, system=crs.name,
-                system_unit=own, actions=(CHOOSE_SYSTEM,),
+                system_unit=own, actions=(CHOOSE_SYSTEM_ACTION,),
             )
         )  # fmt: skip
         return HeaderCrs(file_warnings=tuple(file_warnings))

@@ -9,12 +9,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.format_types import SAME_TIME_BASE, Choice, Fact, FileFormat, FilePreview, PointChunk
+from lispac.io.format_types import (
+    SAME_TIME_BASE_NOTE,
+    Choice,
+    Fact,
+    FileFormat,
+    FilePreview,
+    PointChunk,
+)
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.point_counts import Flags, Rows, count_records, count_rows
 from lispac.io.points.point_reader_common import (
     PREVIEW_POINTS,
-    SECONDS,
+    SECONDS_PER_UNIT,
     coordinate_scale,
     find_time_field,
     frame_facts,
@@ -30,7 +37,7 @@ from lispac.messages import Message, error, note, warning
 from lispac.survey.line_source import printable
 from lispac.survey.point_screening import LARGEST as LARGEST_COORDINATE
 
-LARGEST = 1 << 28  # bytes of records read at once
+BYTES_PER_READ = 1 << 28  # bytes of records read at once
 Columns = Mapping[str, NDArray[Any]]
 
 
@@ -122,7 +129,7 @@ def read_record_columns(records: PointRecords, rows: int) -> Iterator[Columns]:
         If the file ends early.
     """
     records.require_whole()
-    rows = max(1, min(rows, LARGEST // records.dtype.itemsize))
+    rows = max(1, min(rows, BYTES_PER_READ // records.dtype.itemsize))
     with records.path.open("rb") as file:
         file.seek(records.start)
         done = 0
@@ -190,7 +197,7 @@ def point_chunk(
         raise InputError(error("file.several_values", file=str(path), field=name))
     xyz = np.stack([columns[axis].astype(np.float64) for axis in "xyz"], axis=1)
     time = columns[name]
-    factor = SECONDS[choice["time_unit"]]
+    factor = SECONDS_PER_UNIT[choice["time_unit"]]
     in_seconds = time * np.float32(factor) if time.dtype == np.float32 else time * factor
     require_usable_points(xyz, in_seconds, path, done)
     extra = {
@@ -228,7 +235,7 @@ def preview_records(
     file = printable(path.name)
     seen = check_first_points(chunk.xyz, chunk.time, file=file, crs=str(choice["crs"]))
     file_warnings = list(seen.file_warnings)
-    step = time_resolution(stored_time, SECONDS[choice["time_unit"]])
+    step = time_resolution(stored_time, SECONDS_PER_UNIT[choice["time_unit"]])
     if step > 1e-4 and not any(each.code == "times.coarse" for each in file_warnings):
         file_warnings.append(warning("times.coarse", file=file, step=step))
     if np.issubdtype(stored_time.dtype, np.integer) and choice["time_unit"] == "second":
@@ -256,9 +263,9 @@ def preview_records(
         (
             note(
                 "assumed.time_field", field=field,
-                unit=TIME_UNIT_NAMES[SECONDS[choice["time_unit"]]],
+                unit=TIME_UNIT_NAMES[SECONDS_PER_UNIT[choice["time_unit"]]],
             ),
-            SAME_TIME_BASE,
+            SAME_TIME_BASE_NOTE,
         ),
         records.messages,
     )  # fmt: skip

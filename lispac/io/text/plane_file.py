@@ -18,13 +18,13 @@ from lispac.io.points.compressed_files import require_uncompressed
 from lispac.messages import error
 
 N_COLUMNS = 25
-PASS_GAP = 10.0
+LINE_GAP_S = 10.0
 """Smallest time without points between two lines, seconds. The scanner crosses a board in about a
 second, and a vessel needs longer than this to turn for the next line."""
 
 
 def read_plane_files(
-    paths: Sequence[Path], lidar_sigma: float, *, pass_gap: float = PASS_GAP
+    paths: Sequence[Path], lidar_sigma: float, *, pass_gap: float = LINE_GAP_S
 ) -> tuple[Observations, NDArray[np.float64]]:
     """Read plane files into observations; gaps in time separate the sightings.
 

@@ -10,40 +10,47 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.text.text_layout import COMMENT_MARKS, MEANINGS
+from lispac.io.text.text_layout import COLUMN_MEANINGS, COMMENT_MARKS
 from lispac.io.text.text_table import (
-    HEMISPHERES,
-    SEPARATORS,
+    HEMISPHERE_SIGNS,
+    SEPARATOR_NAMES,
     is_number,
     numbered_lines,
     parse_coordinate,
     split_fields,
 )
-from lispac.io.text.units import FOOT, UNITS, UNKNOWN, direction_of, split_title, title_unit
+from lispac.io.text.units import (
+    INTERNATIONAL_FOOT_M,
+    UNITS,
+    UNKNOWN,
+    direction_of,
+    split_title,
+    title_unit,
+)
 from lispac.messages import Message, error
 from lispac.picked_targets import Role, require_target_name
 
-WHAT = "coordinate list"
+FILE_KIND = "coordinate list"
 MAX_ROWS = 1_000
 """Largest number of rows; a longer file is considered a cloud and not a list of targets."""
 NAME, ROLE, UNUSED = "name", "role", "-"
 COORDINATES = ("x", "y", "z")
-COLUMNS = (NAME, *COORDINATES, ROLE)
+USED_COLUMNS = (NAME, *COORDINATES, ROLE)
 """Meanings of the columns that are used."""
 SIGMA, PLANE = "sigma", "plane"
-CHECK_NAMES = {
+CHECK_COLUMN_NAMES = {
     **dict.fromkeys(("sigma", "s", "std", "stdev", "accuracy", "uncertainty"), SIGMA),
     **dict.fromkeys(("plane", "surface", "face"), PLANE),
 }
 """Further columns of a list of check points."""
-_NAMES = {
+_COLUMN_NAMES = {
     **dict.fromkeys(("name", "point", "pointname", "pointid", "pt", "id", "no", "nr", "number",
                      "target", "pointno", "station", "label"), NAME),
     **dict.fromkeys(("role", "use", "kind"), ROLE),
 }  # fmt: skip
-LOCAL_NAMES = {"north": "x", "n": "x", "northing": "x", "west": "y", "w": "y"}
+LOCAL_AXIS_NAMES = {"north": "x", "n": "x", "northing": "x", "west": "y", "w": "y"}
 """Column names with another meaning in the local frame: x points north and y west."""
-ROLES: dict[str, Role] = {
+ROLES_BY_WORD: dict[str, Role] = {
     **dict.fromkeys(("target", "t", "adjustment"), "target"),
     **dict.fromkeys(("validation", "v", "check", "validation plane"), "validation"),
 }
@@ -83,7 +90,7 @@ class PointList:
     Attributes
     ----------
     columns : tuple of str
-        Meaning of the columns from the left: one of `COLUMNS`, or ``-`` for an unused column.
+        Meaning of the columns from the left: one of `USED_COLUMNS`, or ``-`` for an unused column.
     are_columns_given : bool
         Whether a header row or the caller gives the meanings; otherwise their order does.
     """
@@ -108,7 +115,8 @@ def read_point_list(
     Parameters
     ----------
     columns : sequence of str
-        Meanings of the columns, to override the file; names not in `COLUMNS` are unused columns.
+        Meanings of the columns, to override the file; names not in `USED_COLUMNS` are unused
+        columns.
     local : bool
         Whether coordinates are in the local frame: x is then north and y west; otherwise x is
         easting or longitude and y northing or latitude.
@@ -159,7 +167,7 @@ def read_point_list(
     if not points:
         raise InputError(error("seeds.only_names", file=str(path)))
     for k, found in letters.items() if degrees else ():
-        if found <= {*HEMISPHERES, "O"}:
+        if found <= {*HEMISPHERE_SIGNS, "O"}:
             raise InputError(
                 error(
                     "seeds.hemispheres", file=str(path), column=k + 1, letters=tuple(sorted(found))
@@ -187,7 +195,7 @@ def _data_rows(path: Path) -> Iterator[tuple[int, str]]:
         If there are too many rows for a list of targets.
     """
     count = 0
-    for number, line in numbered_lines(path, WHAT):
+    for number, line in numbered_lines(path, FILE_KIND):
         text = line.strip()
         if not text.strip(' ,;\t"'):
             continue
@@ -206,19 +214,20 @@ def separator_of(row: str) -> str:
     """Separator of the columns in a row, used for all rows of the file."""
     whole = split_fields(row)
     return next(
-        (name for name in SEPARATORS if name != "auto" and split_fields(row, name) == whole), "auto"
+        (name for name in SEPARATOR_NAMES if name != "auto" and split_fields(row, name) == whole),
+        "auto",
     )
 
 
 def _column_meaning(word: str, local: bool) -> str:
     bare = split_title(word)[0].lower()
     joined = re.sub(r"[\s_.#-]+", "", bare)
-    if local and joined in LOCAL_NAMES:
-        return LOCAL_NAMES[joined]
+    if local and joined in LOCAL_AXIS_NAMES:
+        return LOCAL_AXIS_NAMES[joined]
     if joined in ("e", "east", "easting", "lon", "longitude", "lat", "latitude") and local:
         return f"{joined}?"
-    found = _NAMES.get(joined) or MEANINGS.get(bare, UNUSED)
-    return found if found in COLUMNS else UNUSED
+    found = _COLUMN_NAMES.get(joined) or COLUMN_MEANINGS.get(bare, UNUSED)
+    return found if found in USED_COLUMNS else UNUSED
 
 
 def header_meanings(row: str, separator: str, *, local: bool) -> tuple[str, ...]:
@@ -234,7 +243,7 @@ def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str
     """Column meanings with those that only check points use."""
     bare = (split_title(name)[0].lower() for name in names)
     return tuple(
-        CHECK_NAMES.get(name, UNUSED) if known == UNUSED else known
+        CHECK_COLUMN_NAMES.get(name, UNUSED) if known == UNUSED else known
         for known, name in zip(meant, bare, strict=True)
     )
 
@@ -257,7 +266,7 @@ def _require_complete_columns(
         raise InputError(_columns_error("other_axes", path, row, foreign))
     if lacking := [name for name in COORDINATES if name not in meant]:
         raise InputError(_columns_error("columns_missing", path, row, lacking))
-    if twice := [name for name in COLUMNS if meant.count(name) > 1]:
+    if twice := [name for name in USED_COLUMNS if meant.count(name) > 1]:
         raise InputError(_columns_error("duplicate_columns", path, row, twice))
     return meant
 
@@ -311,7 +320,7 @@ def _meanings_by_order(
         code = "seeds.too_few_numbers" if count < 3 else "seeds.order_unclear"
         raise InputError(error(code, file=str(path), row=row, found=count, total=len(fields)))
     rest = fields[start + 3 :]
-    has_role = bool(rest) and rest[0].lower() in ROLES
+    has_role = bool(rest) and rest[0].lower() in ROLES_BY_WORD
     return (
         ((NAME,) if start else ())
         + COORDINATES
@@ -344,13 +353,15 @@ def _column_factors(
             code = "seeds.not_an_angle" if angle else "seeds.not_a_length"
             raise InputError(error(code, file=str(path), column=title))
         one = UNITS["deg"].si if angle else own
-        is_of_system = unit == "ft" and abs(own / FOOT - 1) < 1e-5  # or US survey feet
+        is_of_system = (
+            unit == "ft" and abs(own / INTERNATIONAL_FOOT_M - 1) < 1e-5
+        )  # or US survey feet
         if not is_of_system:
             factors[name] = factors.get(name, 1.0) * UNITS[unit].si / one
     return factors
 
 
-LIMITS = {"x": (360.0, "NS"), "y": (90.0, "EW")}
+GEOGRAPHIC_LIMITS = {"x": (360.0, "NS"), "y": (90.0, "EW")}
 """Largest longitude and latitude, degrees, and the hemispheres of the other coordinate."""
 
 
@@ -371,8 +382,8 @@ def _parse_point(
     for axis in COORDINATES:
         field = fields[at[axis]]
         value = parse_coordinate(field, degrees=degrees)
-        if degrees and axis in LIMITS and value is not None:
-            limit, others = LIMITS[axis]
+        if degrees and axis in GEOGRAPHIC_LIMITS and value is not None:
+            limit, others = GEOGRAPHIC_LIMITS[axis]
             ends = {field.strip().upper()[:1], field.strip().upper()[-1:]}
             if abs(value * factors.get(axis, 1.0)) > limit or ends & set(others):
                 value = None
@@ -393,7 +404,7 @@ def _parse_point(
                 error("seeds.invalid_name", file=str(path), row=row, reason=failure.reason)
             ) from failure
     word = fields[at[ROLE]].strip().lower() if ROLE in at and at[ROLE] < len(fields) else ""
-    if word and word not in ROLES:
+    if word and word not in ROLES_BY_WORD:
         raise InputError(error("seeds.unknown_role", file=str(path), row=row, role=word[:40]))
     x, y, z = values
     sigma, plane = (
@@ -403,7 +414,7 @@ def _parse_point(
     own = _parse_sigma(path, row, sigma)
     if own is not None:
         own *= factors.get(SIGMA, 1.0)
-    return ListedPoint(row, name, ROLES[word] if word else None, (x, y, z), own, plane)
+    return ListedPoint(row, name, ROLES_BY_WORD[word] if word else None, (x, y, z), own, plane)
 
 
 def _parse_sigma(path: Path, row: int, text: str) -> float | None:

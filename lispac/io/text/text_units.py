@@ -7,20 +7,20 @@ from lispac.errors import InputError
 from lispac.io.format_types import Choice
 from lispac.io.points.point_reader_common import SCANNER_UNITS
 from lispac.io.text.text_layout import (
-    BEAMS,
-    TIME_BASES,
+    POLAR_COLUMN_NAMES,
+    TIME_BASE_OF_COLUMN_NAME,
     RowLayout,
     ambiguous_columns,
     name_without_unit,
 )
-from lispac.io.text.units import ANGLE_CODES, LENGTH_NAMES, UNKNOWN, direction_of
+from lispac.io.text.units import ANGLE_UNIT_CODES, LENGTH_UNIT_NAMES, UNKNOWN, direction_of
 from lispac.io.trajectory.trajectory_projection import LENGTHS
 from lispac.messages import Action, Level, Message, error, warning
 from lispac.survey.crs import UNITS as SYSTEM_UNITS
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.line_source import printable
 
-TIME_UNITS = {"s": "second", "ms": "millisecond", "us": "microsecond", "ns": "nanosecond",
+TIME_UNIT_OPTIONS = {"s": "second", "ms": "millisecond", "us": "microsecond", "ns": "nanosecond",
               "min": "minute", "h": "hour"}  # fmt: skip
 """Values of the option ``time_unit`` by the code of the unit."""
 AXES = ("x", "y", "z")
@@ -31,9 +31,9 @@ def header_options(layout: RowLayout) -> dict[str, str]:
     units, found = layout.units(), dict[str, str]()
     if "time" in layout.names:
         title = layout.titles[layout.names.index("time")]
-        if base := TIME_BASES.get(name_without_unit(title)):
+        if base := TIME_BASE_OF_COLUMN_NAME.get(name_without_unit(title)):
             found["time_base"] = base
-    if time := TIME_UNITS.get(units.get("time", "")):
+    if time := TIME_UNIT_OPTIONS.get(units.get("time", "")):
         found["time_unit"] = time
     axis_units = [units.get(axis, "") for axis in AXES]
     if len(set(axis_units)) == 1 and axis_units[0] in LENGTHS:
@@ -69,14 +69,15 @@ def require_degrees(path: Path, layout: RowLayout) -> None:
         if axis not in layout.names:
             continue
         title = layout.titles[layout.names.index(axis)]
-        other = units.get(axis, "") in ANGLE_CODES and units[axis] not in ("deg", "dms")
+        other = units.get(axis, "") in ANGLE_UNIT_CODES and units[axis] not in ("deg", "dms")
         if other or (
-            name_without_unit(title) in ANGLE_NAMES and direction_of(title) in (way, UNKNOWN)
+            name_without_unit(title) in GEOGRAPHIC_COLUMN_NAMES
+            and direction_of(title) in (way, UNKNOWN)
         ):
             raise InputError(error("text.not_degrees", file=str(path), column=title))
 
 
-ANGLE_NAMES = {"lon", "longitude", "lat", "latitude"}
+GEOGRAPHIC_COLUMN_NAMES = {"lon", "longitude", "lat", "latitude"}
 
 
 def require_cartesian(path: Path, layout: RowLayout) -> None:
@@ -86,7 +87,7 @@ def require_cartesian(path: Path, layout: RowLayout) -> None:
     ------
     InputError
     """
-    polar = [title for title in layout.titles if name_without_unit(title) in BEAMS]
+    polar = [title for title in layout.titles if name_without_unit(title) in POLAR_COLUMN_NAMES]
     if len(polar) >= 2 and not set(AXES) <= set(layout.names):
         raise InputError(error("text.polar_coordinates", file=str(path), columns=tuple(polar)))
 
@@ -141,7 +142,7 @@ def unit_warnings(units: Mapping[str, str], crs: str, file: str) -> tuple[Messag
         return ()
     return (
         warning(
-            "points.unit_of_column", file=file, unit=LENGTH_NAMES[LENGTHS[unit]],
+            "points.unit_of_column", file=file, unit=LENGTH_UNIT_NAMES[LENGTHS[unit]],
             system=system.name, system_unit=system.unit,
         ),
     )  # fmt: skip

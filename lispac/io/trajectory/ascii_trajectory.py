@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.format_types import LIKELY, NOT, POSSIBLE, SURE, Choice, FilePreview
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, POSSIBLE, SURE, Choice, FilePreview
 from lispac.io.text.text_export import options_in_header
 from lispac.io.text.text_table import (
     first_lines,
@@ -26,7 +26,7 @@ from lispac.io.text.text_table import (
     split_fields,
 )
 from lispac.io.text.units import (
-    ANGLE_CODES,
+    ANGLE_UNIT_CODES,
     UNKNOWN,
     direction_of,
     is_units_row,
@@ -98,14 +98,14 @@ def sniff_ascii(path: Path) -> float:
     names = _header_names(lines)
     data = [fields for line in lines if is_data_row(fields := _split_row(line, "auto"))]
     if not data:
-        return NOT
+        return IMPOSSIBLE
     found = {role_of(_name_without_unit(name)) for name in names}
     if found.issuperset({"time", "roll", "pitch", "heading"}):
         return LIKELY
     width = len(data[0])
     even = all(len(fields) == width for fields in data[:20])
     numeric = sum(is_number(field) or is_clock(field) for field in data[0])
-    return POSSIBLE if even and numeric >= 7 else NOT
+    return POSSIBLE if even and numeric >= 7 else IMPOSSIBLE
 
 
 def layout_by_choice(path: Path, choice: Choice) -> TextLayout:
@@ -347,7 +347,7 @@ def _column_roles(names: list[str]) -> list[str]:
     tokens = []
     for name, bare in zip(names, bares, strict=True):
         role = role_of(bare)
-        if role in HEIGHTS and title_unit(name) in ANGLE_CODES:
+        if role in HEIGHTS and title_unit(name) in ANGLE_UNIT_CODES:
             role = ""  # here the elevation is an angle
         waits = role in exact and bare.strip().lower() != role
         tokens.append(role if role and role not in used_roles and not waits else "-")
@@ -372,7 +372,7 @@ def _unit_options(titles: Sequence[str]) -> dict[str, str]:
             title_unit(title) for title in titles if role_of(_name_without_unit(title)) in roles
         ]
         if option == "heights":
-            codes = [unit for unit in codes if unit not in ANGLE_CODES]
+            codes = [unit for unit in codes if unit not in ANGLE_UNIT_CODES]
         if not any(codes):
             continue
         word = next((word for word, unit in units.items() if set(codes) - {""} == {unit}), HEADER)

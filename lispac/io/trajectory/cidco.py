@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.format_types import LIKELY, NOT, Choice, FileFormat, FilePreview, PointChunk
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, Choice, FileFormat, FilePreview, PointChunk
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.point_reader_common import (
-    CHUNK,
-    PLACE,
+    COMMON_OPTIONS,
+    POINTS_PER_CHUNK,
     PREVIEW_POINTS,
-    SCANNER_COLUMNS,
+    SCANNER_COLUMN_ASSUMPTIONS,
     coordinate_scale,
     frame_facts,
     head_sniffer,
@@ -49,9 +49,9 @@ LONGEST_LEVER = 50.0  # metres between POS and LiDAR on any vessel
 def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the geometry: the distance from POS to point agrees with the LiDAR range."""
     if path.stat().st_size % RECORD:
-        return NOT
+        return IMPOSSIBLE
     records = np.frombuffer(head[: len(head) // RECORD * RECORD], "<f8").reshape(-1, N_COLUMNS)
-    return LIKELY if len(records) and _are_consistent_records(records).all() else NOT
+    return LIKELY if len(records) and _are_consistent_records(records).all() else IMPOSSIBLE
 
 
 def _are_consistent_records(records: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -85,7 +85,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         "time base": time_base_message(records[:, 3], resolved["time_base"]),
         **seen.facts,
     }
-    assumptions = (note("assumed.cidco_columns"), *SCANNER_COLUMNS)
+    assumptions = (note("assumed.cidco_columns"), *SCANNER_COLUMN_ASSUMPTIONS)
     return FilePreview(
         facts, preview_table(NAMES, tuple(records.T)), {}, seen.file_warnings, assumptions
     )
@@ -101,7 +101,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     """
     path = require_not_empty(path, "CIDCO")
     scale, total = coordinate_scale(CIDCO.resolved(choice)), path.stat().st_size // RECORD
-    for records in record_chunks(path, CHUNK):
+    for records in record_chunks(path, POINTS_PER_CHUNK):
         extra = {name: records[:, columns].copy() for name, columns in PARTS.items()}
         yield PointChunk(records[:, 4:7] * scale, records[:, 3].copy(), extra, total)
 
@@ -134,4 +134,6 @@ def record_chunks(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
             yield records
 
 
-CIDCO = FileFormat(note("format.cidco"), "cidco", "points", (), PLACE, sniff, preview_file, read)
+CIDCO = FileFormat(
+    note("format.cidco"), "cidco", "points", (), COMMON_OPTIONS, sniff, preview_file, read
+)

@@ -15,9 +15,9 @@ from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.io.files import require_numbers
-from lispac.io.format_types import NOT, POSSIBLE, Choice, Fact, FilePreview, FormatOption
+from lispac.io.format_types import IMPOSSIBLE, POSSIBLE, Choice, Fact, FilePreview, FormatOption
 from lispac.io.points.point_reader_common import (
-    CHUNK,
+    POINTS_PER_CHUNK,
     PREVIEW_POINTS,
     preview_table,
     report_damage,
@@ -51,7 +51,7 @@ TOLERANCE = 1e-6
 
 def sniff_states(path: Path) -> float:
     """Likelihood that a file contains CIDCO's states, not greater than that of its points."""
-    return POSSIBLE if sniff_points(path) > NOT else NOT
+    return POSSIBLE if sniff_points(path) > IMPOSSIBLE else IMPOSSIBLE
 
 
 def preview_states(path: Path, choice: Choice) -> FilePreview:
@@ -120,7 +120,7 @@ def _state_table(path: Path) -> Array:
     """
     path = require_not_empty(path, "CIDCO")
     with report_damage(path, "CIDCO binary"):
-        records = np.concatenate(list(record_chunks(path, CHUNK)))
+        records = np.concatenate(list(record_chunks(path, POINTS_PER_CHUNK)))
     states = np.column_stack([records[:, 3], records[:, STATES]])
     require_numbers(states, path, "CIDCO binary")
     states = states[np.argsort(states[:, 0], kind="stable")]

@@ -16,7 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.format_types import LIKELY, NOT, SURE, Choice, Fact, FilePreview
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview
 from lispac.io.text.text_table import first_lines, is_clock, numbered_lines, split_fields
 from lispac.io.text.units import direction_of, parse_unit
 from lispac.io.trajectory.trajectory_columns import (
@@ -59,23 +59,23 @@ def sniff_exail(path: Path) -> float:
     """Likelihood of an Exail export, by the manufacturer and columns named in its comments."""
     comments = [line for line in first_lines(path) if line.startswith("#")]
     if not comments:
-        return NOT
+        return IMPOSSIBLE
     names = _column_names(comments)
     if len({role_of(name) for name in names} - {""}) < 5:
-        return NOT
+        return IMPOSSIBLE
     if any(_MAKER.search(line) for line in comments):
         return SURE
     # Only these templates describe one column per line; other files also have a row of names.
     described = sum(_DESCRIPTION.match(line) is not None for line in comments)
-    return LIKELY if described >= 5 else NOT
+    return LIKELY if described >= 5 else IMPOSSIBLE
 
 
 def sniff_exail_accuracy(path: Path) -> float:
     """Likelihood of an Exail export with all standard deviations."""
     confidence = sniff_exail(path)
     if not confidence:
-        return NOT
-    return confidence if has_sigmas(exail_layout(path).columns) else NOT
+        return IMPOSSIBLE
+    return confidence if has_sigmas(exail_layout(path).columns) else IMPOSSIBLE
 
 
 def exail_layout(path: Path) -> TextLayout:

@@ -14,7 +14,7 @@ import re
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.format_types import LIKELY, NOT, SURE, Choice, Fact, FilePreview
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview
 from lispac.io.text.text_table import first_lines, is_data_row, numbered_lines, split_fields
 from lispac.io.text.units import parse_unit
 from lispac.io.trajectory.exail import default_unit, unit_assumed_warning
@@ -52,19 +52,19 @@ def sniff_pospac(path: Path) -> float:
     lines = first_lines(path)
     found = _names_line(lines)
     if found is None:
-        return NOT
+        return IMPOSSIBLE
     if any(_MAKER.search(line) for line in lines[: found[0]]):
         return SURE
     following = lines[found[0] + 1 : found[0] + 4]
-    return LIKELY if any(line.strip().startswith("(time in") for line in following) else NOT
+    return LIKELY if any(line.strip().startswith("(time in") for line in following) else IMPOSSIBLE
 
 
 def sniff_pospac_accuracy(path: Path) -> float:
     """Likelihood of a POSPac export with all standard deviations."""
     confidence = sniff_pospac(path)
     if not confidence:
-        return NOT
-    return confidence if has_sigmas(pospac_layout(path).columns) else NOT
+        return IMPOSSIBLE
+    return confidence if has_sigmas(pospac_layout(path).columns) else IMPOSSIBLE
 
 
 def pospac_layout(path: Path) -> TextLayout:

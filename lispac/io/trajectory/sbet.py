@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.files import atomic_write, read_records, require_file, require_increasing
-from lispac.io.format_types import SAME_TIME_BASE
+from lispac.io.format_types import SAME_TIME_BASE_NOTE
 from lispac.io.trajectory.trajectory_checks import (
     require_attitude,
     require_heights,
@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 SMRMSG_RECORD = 80
 """Bytes of a record of smrmsg."""
-ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE)
+ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE_NOTE)
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ from lispac.io.text.text_table import (
     parse_with_hemisphere,
     read_columns,
 )
-from lispac.io.text.units import ANGLE_CODES, UNITS, UNKNOWN
+from lispac.io.text.units import ANGLE_UNIT_CODES, UNITS, UNKNOWN
 from lispac.io.trajectory.trajectory_checks import (
     Numbers,
     require_attitude,
@@ -52,7 +52,7 @@ _NOTATIONS: dict[str, Callable[[str], float]] = {
 PARSERS = {code: (_NOTATIONS.get(code, parse_number), unit.si) for code, unit in UNITS.items()}
 PARSERS[UNSPECIFIED] = parse_number, 1.0
 UNIT_NAMES = {code: unit.name for code, unit in UNITS.items()}
-for _unit in ANGLE_CODES:
+for _unit in ANGLE_UNIT_CODES:
     for _way, _code in (("west", "unit.positive_west"), ("south", "unit.positive_south")):
         PARSERS[f"{_unit}-{_way}"] = PARSERS[_unit][0], -PARSERS[_unit][1]
         UNIT_NAMES[f"{_unit}-{_way}"] = Message(_code, Level.NOTE, {"unit": UNIT_NAMES[_unit]})
@@ -368,7 +368,7 @@ def _require_unit_kind(path: Path, column: Column, kind: Literal["an angle", "a 
     InputError
     """
     if kind == "an angle":
-        fits = column.unit.removesuffix("-west").removesuffix("-south") in ANGLE_CODES
+        fits = column.unit.removesuffix("-west").removesuffix("-south") in ANGLE_UNIT_CODES
     else:
         fits = column.unit in (UNSPECIFIED, *LENGTHS)
     if not fits:

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.files import file_kind_message, require_file
 from lispac.io.format_types import (
+    IMPOSSIBLE,
     LIKELY,
-    NOT,
     POSSIBLE,
     SURE,
     Choice,
@@ -21,7 +21,7 @@ from lispac.io.format_types import (
     FormatOption,
     Kind,
 )
-from lispac.io.text.text_table import SEPARATORS
+from lispac.io.text.text_table import SEPARATOR_NAMES
 from lispac.io.trajectory.ascii_trajectory import (
     ATTITUDE_CHOICES,
     DEFAULTS,
@@ -124,16 +124,16 @@ def _sniff_sbet(path: Path) -> float:
     try:
         size = Path(path).stat().st_size
     except OSError:
-        return NOT
+        return IMPOSSIBLE
     if size < 2 * RECORD:
-        return NOT
+        return IMPOSSIBLE
     byte_order, fit = detect_byte_order(path)
     end = sbet_fit_at_end(path, byte_order)
     if fit == 1:
         # A truncated or padded file is still an SBET; its reader reports the error.
         whole = size % RECORD == 0 and byte_order == "little-endian" and end == 1
         return SURE if whole else LIKELY
-    return POSSIBLE if min(fit, end) > 0 else NOT
+    return POSSIBLE if min(fit, end) > 0 else IMPOSSIBLE
 
 
 def _preview_sbet(path: Path, choice: Choice) -> FilePreview:
@@ -164,7 +164,7 @@ def _sniff_smrmsg(path: Path) -> float:
     head = _first_smrmsg_records(path)
     if not is_smrmsg(head):
         # In the other byte order it is still an SBET; its reader reports the error.
-        return LIKELY if is_smrmsg(head.byteswap()) else NOT
+        return LIKELY if is_smrmsg(head.byteswap()) else IMPOSSIBLE
     return SURE if Path(path).stat().st_size % SMRMSG_RECORD == 0 else LIKELY
 
 
@@ -308,7 +308,7 @@ ASCII = _make_format(
             (),
             DEFAULTS["columns"],
         ),
-        FormatOption("separator", N_("Separator of the columns."), SEPARATORS, "auto"),
+        FormatOption("separator", N_("Separator of the columns."), SEPARATOR_NAMES, "auto"),
         FormatOption(
             "header",
             N_("Rows to skip at the beginning. auto: up to the first row of numbers."),

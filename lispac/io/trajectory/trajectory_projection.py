@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.text.units import FOOT, LENGTH_NAMES, UNITS, US_FOOT
+from lispac.io.text.units import INTERNATIONAL_FOOT_M, LENGTH_UNIT_NAMES, UNITS, US_SURVEY_FOOT_M
 from lispac.messages import Message, error, note, warning
 from lispac.survey.crs_area import area_of_use_elsewhere
 from lispac.survey.line_source import printable
@@ -80,13 +80,13 @@ class TrajectoryProjection:
         if title_unit == "ft":
             return LengthUnit(
                 LENGTHS["ft"],
-                LENGTH_NAMES[LENGTHS["ft"]],
+                LENGTH_UNIT_NAMES[LENGTHS["ft"]],
                 warning(
                     "trajectory.feet_not_specified", file=printable(path.name), column=name,
                     system=self.text, unit=self.name,
                 ),
             )  # fmt: skip
-        return LengthUnit(LENGTHS[title_unit], LENGTH_NAMES[LENGTHS[title_unit]])
+        return LengthUnit(LENGTHS[title_unit], LENGTH_UNIT_NAMES[LENGTHS[title_unit]])
 
     def place_warning(self, path: Path, latitude: Array, longitude: Array) -> Message | None:
         """Warning if positions are outside the area of use of the system.
@@ -167,7 +167,8 @@ def projection_of_text(path: Path, text: str) -> TrajectoryProjection:
         horizontal,
         across.unit_conversion_factor,
         _unit_name(across.unit_conversion_factor, across.unit_name),
-        "foot" in across.unit_name or across.unit_conversion_factor in (FOOT, US_FOOT),
+        "foot" in across.unit_name
+        or across.unit_conversion_factor in (INTERNATIONAL_FOOT_M, US_SURVEY_FOOT_M),
         up[0].unit_conversion_factor if up else None,
         _unit_name(up[0].unit_conversion_factor, up[0].unit_name) if up else None,
     )
@@ -190,11 +191,11 @@ def unit_of_heights(
         return LengthUnit(1.0, note("unit.metres_assumed"), reported)
     if title_unit == "ft" and grid is not None and grid.in_feet:
         return LengthUnit(grid.metres, note("unit.feet_of_system", unit=grid.name))
-    return LengthUnit(LENGTHS[title_unit], LENGTH_NAMES[LENGTHS[title_unit]])
+    return LengthUnit(LENGTHS[title_unit], LENGTH_UNIT_NAMES[LENGTHS[title_unit]])
 
 
 def _unit_name(metres: float, name: str) -> Message:
-    near = [known for si, known in LENGTH_NAMES.items() if abs(metres / si - 1) < 1e-9]
+    near = [known for si, known in LENGTH_UNIT_NAMES.items() if abs(metres / si - 1) < 1e-9]
     return near[0] if near else note("unit.other", name=name, metres=metres)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from lispac.io.format_types import FileFormat, FilePreview
-from lispac.io.text.text_layout import REQUIRED
+from lispac.io.text.text_layout import REQUIRED_COLUMNS
 from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED
 from lispac.io.trajectory.trajectory_columns import ROLES, SIGMAS
 from lispac.language import N_
@@ -11,7 +11,7 @@ from lispac.messages import Message, note
 from lispac.workflow.importing.file_reading import FileCheck
 
 PASSED_OVER = "-"
-_POINTS = (*REQUIRED, "intensity")
+_POINTS = (*REQUIRED_COLUMNS, "intensity")
 _ORDER = (
     "time", "date", "latitude", "longitude", "easting", "northing", "height", "sea_height",
     "roll", "pitch", "heading",
@@ -81,7 +81,7 @@ def missing_columns(format: FileFormat, tokens: Sequence[str]) -> tuple[Message,
         return ()
     has = set(tokens)
     if format.kind == "points":
-        missing = [name for name in REQUIRED if name not in has]
+        missing = [name for name in REQUIRED_COLUMNS if name not in has]
     else:
         missing = [name for name in ("time", "roll", "pitch", "heading") if name not in has]
         if not ({"latitude", "longitude"} <= has or {"easting", "northing"} <= has):
