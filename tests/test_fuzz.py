@@ -32,7 +32,7 @@ from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMAT
 from lispac.io.points.mesh_file import MeshReader, read_mesh
 from lispac.io.points.point_reader_common import usable_points
 from lispac.io.points.static_scan import open_static_scan
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.io.text.seed_file import is_point_list, read_point_list
 from lispac.simulation.meshes import Mesh
 from lispac.survey.store import layout
@@ -220,7 +220,7 @@ def project(folder: Path) -> tuple[Sources, Attempt]:
     made = sample_project(folder / "p")
     first = replace(made.targets[0], choices=FinderChoices(min_points=50))
     write_project(replace(made, targets=(first, *made.targets[1:])))
-    path = folder / "p" / FILE_NAME
+    path = folder / "p" / PROJECT_FILE_NAME
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)

@@ -16,7 +16,7 @@ from lispac.io.points.point_reader_common import (
     time_base_warnings,
 )
 from lispac.io.trajectory.ascii_trajectory import degrees_action
-from lispac.io.trajectory.trajectory_facts import SWAP_COORDINATES, time_warnings
+from lispac.io.trajectory.trajectory_facts import SWAP_COORDINATES_ACTION, time_warnings
 from lispac.io.trajectory.trajectory_preview import sign_assumed_warning
 from lispac.language import LANGUAGES, in_language
 from lispac.message_texts import action_text, action_tip, message_text
@@ -268,7 +268,7 @@ def of_points(xyz: np.ndarray, crs: str = "") -> tuple[Message, ...]:
 
 
 _OPTION = [
-    ("sbet", warning("trajectory.exchanged", file="a.dat", actions=(SWAP_COORDINATES,)),
+    ("sbet", warning("trajectory.exchanged", file="a.dat", actions=(SWAP_COORDINATES_ACTION,)),
      [("order", "longitude-latitude")]),
     ("ascii-trajectory",
      warning("trajectory.position_in_radians", file="a.dat", actions=(degrees_action("position"),)),

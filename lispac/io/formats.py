@@ -6,20 +6,31 @@ from lispac.errors import InputError
 from lispac.io.format_types import IMPOSSIBLE, FileFormat, Kind
 from lispac.io.points.point_formats import POINT_FORMATS
 from lispac.io.trajectory.trajectory_formats import (
-    ASCII,
-    CIDCO_ACCURACY,
-    CIDCO_STATES,
-    EXAIL,
-    EXAIL_ACCURACY,
-    POSPAC,
-    POSPAC_ACCURACY,
-    SBET,
-    SMRMSG,
+    ASCII_FORMAT,
+    CIDCO_ACCURACY_FORMAT,
+    CIDCO_STATES_FORMAT,
+    EXAIL_ACCURACY_FORMAT,
+    EXAIL_FORMAT,
+    POSPAC_ACCURACY_FORMAT,
+    POSPAC_FORMAT,
+    SBET_FORMAT,
+    SMRMSG_FORMAT,
 )
 from lispac.messages import error
 
-TRAJECTORY_FORMATS: tuple[FileFormat, ...] = (SBET, EXAIL, POSPAC, ASCII, CIDCO_STATES)
-ACCURACY_FORMATS: tuple[FileFormat, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY, CIDCO_ACCURACY)
+TRAJECTORY_FORMATS: tuple[FileFormat, ...] = (
+    SBET_FORMAT,
+    EXAIL_FORMAT,
+    POSPAC_FORMAT,
+    ASCII_FORMAT,
+    CIDCO_STATES_FORMAT,
+)
+ACCURACY_FORMATS: tuple[FileFormat, ...] = (
+    SMRMSG_FORMAT,
+    EXAIL_ACCURACY_FORMAT,
+    POSPAC_ACCURACY_FORMAT,
+    CIDCO_ACCURACY_FORMAT,
+)
 
 __all__ = [
     "ACCURACY_FORMATS",
@@ -63,7 +74,7 @@ def has_suggested_time_base(format: FileFormat) -> bool:
 
     Exail's exports contain dates or are in UTC; LAS and other point files may specify the base.
     """
-    return format.kind == "trajectory" and format is not EXAIL
+    return format.kind == "trajectory" and format is not EXAIL_FORMAT
 
 
 def is_las(path: Path) -> bool:

@@ -10,7 +10,7 @@ from lispac.io.files import atomic_write
 from lispac.messages import error
 from lispac.project import Triple
 
-STATES = ("rtk", "ppk", "degraded")
+GNSS_SOLUTIONS = ("rtk", "ppk", "degraded")
 """GNSS solutions for which the accuracies of a POS are specified."""
 
 
@@ -41,7 +41,7 @@ class PosAccuracy:
 
     Attributes
     ----------
-    name : one of `STATES`
+    name : one of `GNSS_SOLUTIONS`
     position_sigma : metres, north, east, down
     attitude_sigma_deg : degrees, roll, pitch, heading
     source : where the figures come from
@@ -104,7 +104,7 @@ def read_pos_specification(path: Path) -> PosSpecification:
     with TomlTable.read(path, "POS") as table:
         title = table.text("title")
         states = []
-        for name in (each for each in STATES if each in table):
+        for name in (each for each in GNSS_SOLUTIONS if each in table):
             with table.table(name) as part:
                 states.append(
                     PosAccuracy(
@@ -116,7 +116,7 @@ def read_pos_specification(path: Path) -> PosSpecification:
                     )
                 )
         if not states:
-            raise InputError(error("sensor.no_accuracies", file=str(path), tables=STATES))
+            raise InputError(error("sensor.no_accuracies", file=str(path), tables=GNSS_SOLUTIONS))
         return PosSpecification(title, tuple(states))
 
 

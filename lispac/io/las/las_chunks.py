@@ -48,13 +48,14 @@ from lispac.survey.kernels import coordinates_from_integers
 from lispac.survey.line_source import printable
 from lispac.survey.point_screening import LARGEST
 
-LARGEST_CHUNK = 1 << 28
+MAX_CHUNK_BYTES = 1 << 28
 """Largest number of bytes of point records read at once, whatever record size a header states."""
-FEET_SCALES = (0.3048, 1 / 0.3048)
-WAVEFORMS = (4, 5, 9, 10)
+FOOT_CONVERSION_FACTORS = (0.3048, 1 / 0.3048)
+WAVEFORM_POINT_FORMATS = (4, 5, 9, 10)
 """Point formats whose points refer to waveforms."""
-MIXED_UP = (9, 10)
-"""Those of `WAVEFORMS` whose references lazrs 0.8 mixes up in LAZ with several scanner channels."""
+MIXED_WAVEFORM_FORMATS = (9, 10)
+"""Those of `WAVEFORM_POINT_FORMATS` whose waveform attributes lazrs 0.8 changes in LAZ with
+several scanner channels."""
 PREVIEW_COLUMNS = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classification")
 
 
@@ -142,7 +143,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         "height_unit": header_crs.height_unit,
         "time_base": base,
     }
-    resolved = LAS.resolved({**found, **choice})
+    resolved = LAS_FORMAT.resolved({**found, **choice})
     compressed = "LAZ" if header.are_points_compressed else "LAS"
     facts: dict[str, Fact] = {
         "format": note(
@@ -199,7 +200,7 @@ def read_from_point(path: Path, choice: Choice, first: int) -> Iterator[PointChu
     InputError
         If the file is damaged or ends too early.
     """
-    scale = coordinate_scale(LAS.resolved(choice))
+    scale = coordinate_scale(LAS_FORMAT.resolved(choice))
     path = require_not_empty(path, "LAS")
     with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
         header = reader.header
@@ -310,7 +311,7 @@ def _record_chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleA
 
 
 def _chunk_size(header: laspy.LasHeader) -> int:
-    return max(1, min(POINTS_PER_CHUNK, LARGEST_CHUNK // header.point_format.size))
+    return max(1, min(POINTS_PER_CHUNK, MAX_CHUNK_BYTES // header.point_format.size))
 
 
 def _time_base(header: laspy.LasHeader) -> str:
@@ -320,9 +321,9 @@ def _time_base(header: laspy.LasHeader) -> str:
 
 
 def _waveform_notes(header: laspy.LasHeader) -> Iterator[Message]:
-    if header.point_format.id in WAVEFORMS:
+    if header.point_format.id in WAVEFORM_POINT_FORMATS:
         yield note("assumed.waveforms")
-        if header.are_points_compressed and header.point_format.id in MIXED_UP:
+        if header.are_points_compressed and header.point_format.id in MIXED_WAVEFORM_FORMATS:
             yield note("assumed.waveforms_mixed_up")
 
 
@@ -336,7 +337,7 @@ def _header_warnings(
         if metres > 0.002:
             yield warning("points.coarse_coordinates", file=file, step=float(metres), axis=axis)
             break
-    for factor in FEET_SCALES:
+    for factor in FOOT_CONVERSION_FACTORS:
         power = np.log10(header.scales[0] / factor)
         if abs(power - round(power)) < 1e-4:
             yield warning(
@@ -350,7 +351,7 @@ def _decode_text(value: str | bytes) -> str:
     return text.strip("\0 ")
 
 
-LAS = FileFormat(
+LAS_FORMAT = FileFormat(
     note("format.las"),
     "las",
     "points",

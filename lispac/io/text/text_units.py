@@ -14,7 +14,7 @@ from lispac.io.text.text_layout import (
     name_without_unit,
 )
 from lispac.io.text.units import ANGLE_UNIT_CODES, LENGTH_UNIT_NAMES, UNKNOWN, direction_of
-from lispac.io.trajectory.trajectory_projection import LENGTHS
+from lispac.io.trajectory.trajectory_projection import METRES_PER_UNIT
 from lispac.messages import Action, Level, Message, error, warning
 from lispac.survey.crs import UNITS as SYSTEM_UNITS
 from lispac.survey.crs import CoordinateSystem, coordinate_system
@@ -36,8 +36,8 @@ def header_options(layout: RowLayout) -> dict[str, str]:
     if time := TIME_UNIT_OPTIONS.get(units.get("time", "")):
         found["time_unit"] = time
     axis_units = [units.get(axis, "") for axis in AXES]
-    if len(set(axis_units)) == 1 and axis_units[0] in LENGTHS:
-        metres = LENGTHS[axis_units[0]]
+    if len(set(axis_units)) == 1 and axis_units[0] in METRES_PER_UNIT:
+        metres = METRES_PER_UNIT[axis_units[0]]
         found["unit"] = next(name for name, own in SCANNER_UNITS.items() if own == metres)
     return found
 
@@ -51,7 +51,7 @@ def require_one_unit(path: Path, layout: RowLayout) -> None:
     """
     units = layout.units()
     axis_units = {axis: units.get(axis, "") for axis in AXES}
-    if len(set(axis_units.values())) == 1 and set(axis_units.values()) <= {"", *LENGTHS}:
+    if len(set(axis_units.values())) == 1 and set(axis_units.values()) <= {"", *METRES_PER_UNIT}:
         return
     titles = [layout.titles[layout.names.index(axis)] for axis, unit in axis_units.items() if unit]
     raise InputError(error("text.several_units", file=str(path), titles=tuple(titles)))
@@ -127,22 +127,26 @@ def height_unit_of(units: Mapping[str, str], crs: str) -> str:
     """
     unit = units.get("z", "")
     system = _parse_crs(crs)
-    if unit not in LENGTHS or (unit == "ft" and system is not None and "foot" in system.unit):
+    if unit not in METRES_PER_UNIT or (
+        unit == "ft" and system is not None and "foot" in system.unit
+    ):
         return ""
-    return next((name for name, metres in SYSTEM_UNITS.items() if metres == LENGTHS[unit]), "")
+    return next(
+        (name for name, metres in SYSTEM_UNITS.items() if metres == METRES_PER_UNIT[unit]), ""
+    )
 
 
 def unit_warnings(units: Mapping[str, str], crs: str, file: str) -> tuple[Message, ...]:
     """Warning if the title of the eastings gives another unit than the coordinate system."""
     unit, system = units.get("x", ""), _parse_crs(crs)
-    if unit not in LENGTHS or system is None or system.is_geographic:
+    if unit not in METRES_PER_UNIT or system is None or system.is_geographic:
         return ()
     own = system.metres[0]
-    if (unit == "ft" and "foot" in system.unit) or abs(LENGTHS[unit] / own - 1) < 1e-9:
+    if (unit == "ft" and "foot" in system.unit) or abs(METRES_PER_UNIT[unit] / own - 1) < 1e-9:
         return ()
     return (
         warning(
-            "points.unit_of_column", file=file, unit=LENGTH_UNIT_NAMES[LENGTHS[unit]],
+            "points.unit_of_column", file=file, unit=LENGTH_UNIT_NAMES[METRES_PER_UNIT[unit]],
             system=system.name, system_unit=system.unit,
         ),
     )  # fmt: skip

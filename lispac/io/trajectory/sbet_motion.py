@@ -13,11 +13,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.io.trajectory.sbet import AXES, SbetOptions, velocity_in_axes
+from lispac.io.trajectory.sbet import VELOCITY_AXES, SbetOptions, velocity_in_axes
 from lispac.io.trajectory.trajectory_columns import SIGN_NAMES
 from lispac.io.trajectory.trajectory_facts import (
-    MIN_SPEED,
-    SHORTEST_STEP,
+    MIN_SPEED_FOR_COURSE,
+    MIN_TIME_STEP_S,
     TrajectoryMotion,
     wrap_angle,
 )
@@ -25,11 +25,11 @@ from lispac.messages import Action, Message, note, warning
 
 Array = NDArray[np.float64]
 
-MAX_RESIDUAL, MIN_RATIO = 0.02, 3.0
+MAX_VELOCITY_RESIDUAL, MIN_RESIDUAL_RATIO = 0.02, 3.0
 """Largest residual of the velocities relative to the speed, and smallest ratio of the residual of
 the second-best frame to that of the best."""
 
-SMALLEST_WANDER = 1e-4
+MIN_WANDER_RAD = 1e-4
 """Smallest wander angle that has an effect, radians."""
 
 
@@ -51,7 +51,7 @@ def detect_velocity_frame(
     """
     velocity, wander, own, exchanged = _moving_states(blocks, motions)
     turns = float(np.abs(np.concatenate([block[:, 10] for block in blocks])).max())
-    has_wander = turns >= SMALLEST_WANDER
+    has_wander = turns >= MIN_WANDER_RAD
     unchecked = [warning("sbet.wander_assumed", file=file)] if has_wander else []
     if not any(np.any(block[:, 4:7]) for block in blocks):
         zero = warning("sbet.zero_velocities", file=file)
@@ -60,39 +60,40 @@ def detect_velocity_frame(
         slow = warning("sbet.too_slow", file=file)
         return options, note("fact.velocities_not_checked"), [slow, *unchecked]
     residuals = {
-        key: _velocity_residual(velocity_in_axes(key, velocity, wander), own) for key in AXES
+        key: _velocity_residual(velocity_in_axes(key, velocity, wander), own)
+        for key in VELOCITY_AXES
     }
     swapped = min(
         _velocity_residual(velocity_in_axes(key, velocity, wander), exchanged) for key in residuals
     )
     best = min(residuals, key=lambda key: residuals[key])
-    if residuals[best] > MAX_RESIDUAL:
-        if swapped <= MAX_RESIDUAL and options.order == "latitude-longitude":
+    if residuals[best] > MAX_VELOCITY_RESIDUAL:
+        if swapped <= MAX_VELOCITY_RESIDUAL and options.order == "latitude-longitude":
             chosen = replace(options, order="longitude-latitude")
             again = [(other, first) for first, other in motions]
             chosen, fact, found = detect_velocity_frame(blocks, again, chosen, file)
             order = warning("sbet.longitude_first_by_velocity", file=file)
             return chosen, fact, [order, *found]
         disagree = warning(
-            "sbet.velocities_disagree", file=file, axes=AXES[best], share=residuals[best],
+            "sbet.velocities_disagree", file=file, axes=VELOCITY_AXES[best], share=residuals[best],
         )  # fmt: skip
         return options, note("fact.velocities_in_no_frame"), [disagree, *unchecked]
     share = residuals[best]
-    fact = note("fact.velocity_axes", axes=AXES[best], share=share)
+    fact = note("fact.velocity_axes", axes=VELOCITY_AXES[best], share=share)
     chosen = replace(options, axes=best)
-    limit = max(MIN_RATIO * residuals[best], residuals[best] + 0.003)
+    limit = max(MIN_RESIDUAL_RATIO * residuals[best], residuals[best] + 0.003)
     rivals = [key for key in residuals if key != best and residuals[key] < limit]
-    if not rivals and turns >= SMALLEST_WANDER:
+    if not rivals and turns >= MIN_WANDER_RAD:
         return _detect_heading(chosen, blocks, motions, turns, fact, file)
-    if turns < SMALLEST_WANDER:
+    if turns < MIN_WANDER_RAD:
         # Without a wander angle, its frames are identical to those relative to north.
         plain = [key for key in (best, *rivals) if not key.startswith("wander")]
         chosen = replace(chosen, axes=plain[0])
-        fact = note("fact.velocity_axes", axes=AXES[plain[0]], share=share)
+        fact = note("fact.velocity_axes", axes=VELOCITY_AXES[plain[0]], share=share)
         rivals = plain[1:]
         if not rivals:
             return chosen, fact, []
-    others = tuple(AXES[key] for key in rivals)
+    others = tuple(VELOCITY_AXES[key] for key in rivals)
     several = warning("sbet.several_axes", file=file, axes=others)
     return chosen, fact, [several, *unchecked]
 
@@ -112,7 +113,7 @@ def _detect_heading(
     for kept in (1.0, 0.0):
         found = [
             wrap_angle(own.course - block[own.index, 9] + kept * block[own.index, 10])[
-                own.speed > MIN_SPEED
+                own.speed > MIN_SPEED_FOR_COURSE
             ]
             for block, (own, _) in zip(blocks, motions, strict=True)
         ]
@@ -136,7 +137,7 @@ def _moving_states(
     rows: list[tuple[Array, Array, Array, Array]] = []
     for block, (own, exchanged) in zip(blocks, motions, strict=True):
         common, first, second = np.intersect1d(own.index, exchanged.index, return_indices=True)
-        fast = np.hypot(block[common, 4], block[common, 5]) > MIN_SPEED
+        fast = np.hypot(block[common, 4], block[common, 5]) > MIN_SPEED_FOR_COURSE
         rows.append(
             (
                 block[common, 4:7][fast],
@@ -212,7 +213,7 @@ def _rate_correlation(blocks: Sequence[Array], angle: int, rate: int) -> float |
     for block in blocks:
         time = block[:, 0]
         steps = np.diff(time)
-        if len(time) < 3 or (steps < SHORTEST_STEP).any() or (steps > 1).any():
+        if len(time) < 3 or (steps < MIN_TIME_STEP_S).any() or (steps > 1).any():
             continue
         reach = max(1, round(0.5 / float(np.median(steps))))
         values = np.unwrap(block[:, angle])

@@ -13,7 +13,7 @@ from lispac.io.format_types import Choice, Fact, FilePreview
 from lispac.io.text.text_table import encoding_of, is_data_row, last_lines, split_fields
 from lispac.io.text.units import UNITS
 from lispac.io.trajectory.trajectory_columns import (
-    SIGMAS,
+    SIGMA_ROLES,
     Column,
     Rows,
     TrajectoryConventions,
@@ -166,7 +166,7 @@ def accuracy_facts(
     return facts, tuple(file_warnings)
 
 
-_SIGNS_ASSUMED = {
+_SIGN_ASSUMED_CODES = {
     ("roll", "starboard-down"): "trajectory.roll_starboard_down",
     ("roll", "port-down"): "trajectory.roll_port_down",
     ("pitch", "bow-up"): "trajectory.pitch_bow_up",
@@ -177,7 +177,7 @@ _SIGNS_ASSUMED = {
 
 def sign_assumed_warning(path: Path, angle: str, sign: str) -> Message:
     """Warning that a file does not specify the sign of roll or pitch."""
-    code, actions = _SIGNS_ASSUMED[angle, sign], (Action("check_sign", {"name": angle}),)
+    code, actions = _SIGN_ASSUMED_CODES[angle, sign], (Action("check_sign", {"name": angle}),)
     return Message(code, Level.WARNING, {"file": printable(path.name)}, actions=actions)
 
 
@@ -188,7 +188,7 @@ def refusal_warning(refused: InputError, path: Path) -> Message:
 
 def has_sigmas(columns: Sequence[Column]) -> bool:
     """True if the columns contain all six standard deviations."""
-    return {column.role for column in columns}.issuperset(SIGMAS)
+    return {column.role for column in columns}.issuperset(SIGMA_ROLES)
 
 
 def _with_last_rows(

@@ -11,7 +11,7 @@ from lispac.geometry.frames import LocalFrame
 from lispac.io.files import message_with_file_name, require_file
 from lispac.io.format_types import LIKELY, Choice, FileFormat, FilePreview, Kind
 from lispac.io.formats import format_of, is_las, recognise_formats
-from lispac.io.las.las_format import ASSUMPTIONS as LAS_ASSUMPTIONS
+from lispac.io.las.las_format import SCANNER_FRAME_ASSUMPTIONS as LAS_ASSUMPTIONS
 from lispac.io.points.point_reader_common import (
     CHOOSE_FRAME_ACTION,
     NO_SYSTEM_CODE,

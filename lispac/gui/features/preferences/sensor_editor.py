@@ -11,7 +11,7 @@ from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.error_box import exception_text
 from lispac.io.config.sensor_file import (
-    STATES,
+    GNSS_SOLUTIONS,
     Figures,
     PosAccuracy,
     PosSpecification,
@@ -82,7 +82,7 @@ class SensorEditor(QDialog):
             self.parts = [_ScannerFields(figures, form)]
         else:
             states = {state.name: state for state in figures.states}
-            self.parts = [_PosStateFields(each, states.get(each), form) for each in STATES]
+            self.parts = [_PosStateFields(each, states.get(each), form) for each in GNSS_SOLUTIONS]
         layout.addLayout(form)
         self.message_label = widgets.label("", "error", wrap=True, name="sensor_editor_message")
         layout.addWidget(self.message_label)
