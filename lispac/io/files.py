@@ -139,7 +139,8 @@ def read_records(
     Raises
     ------
     InputError
-        If the file is missing, empty, cut short or holds values that are not numbers.
+        If the file is missing, empty or cut short, or holds values that are not numbers or are
+        impossibly large.
     """
     require_file(path, what)
     size, record, kind = path.stat().st_size, 8 * columns, file_kind_message(what)
@@ -197,7 +198,7 @@ def require_increasing(
     ----------
     time : ndarray of shape (n,), seconds
     what : str
-        What a time belongs to, for messages: ``SBET record`` is followed by its number.
+        Kind of the file, for messages: ``SBET``.
     numbers : ndarray of shape (n,), optional
         Row in the file of each time, if it differs from the index of the time.
 

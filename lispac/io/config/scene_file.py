@@ -179,15 +179,19 @@ def _read_lines(table: TomlTable) -> tuple[tuple[SailedLine, ...], tuple[Traject
         if distance is None:
             raise table.refuse("pattern.distance_m", "scene.no_distance")
         heading, bearing = line.number("heading_deg"), line.number("bearing_deg")
-        off = (bearing - heading) % 360
-        if off in (0, 180):
+        relative_bearing = (bearing - heading) % 360
+        if relative_bearing in (0, 180):
             raise line.refuse("bearing_deg", "scene.bearing_along_heading")
-        to = np.radians(bearing)
+        bearing_rad = np.radians(bearing)
         lines.append(
             SailedLine(
                 float(np.radians(heading)),
-                (float(about[0] - distance * np.cos(to)), float(about[1] + distance * np.sin(to))),
-                line.number("run_in_m", low=0), line.number("run_out_m", low=0), off < 180,
+                (
+                    float(about[0] - distance * np.cos(bearing_rad)),
+                    float(about[1] + distance * np.sin(bearing_rad)),
+                ),
+                line.number("run_in_m", low=0), line.number("run_out_m", low=0),
+                relative_bearing < 180,
             )
         )  # fmt: skip
     if lines and stretches:

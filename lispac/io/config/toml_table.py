@@ -114,7 +114,7 @@ class TomlTable:
         self, key: str, count: int | None, default: Any = REQUIRED_KEY, *, low: float = -math.inf,
         high: float = math.inf,
     ) -> tuple[float, ...]:  # fmt: skip
-        """Read ``count`` numbers, or any number of them."""
+        """Read a list of ``count`` numbers, or of any length if ``count`` is None."""
         value = self._value(key, default)
         if value is default:
             return value

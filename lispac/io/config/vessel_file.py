@@ -177,5 +177,5 @@ def _read_pos_errors(table: TomlTable) -> PosErrors:
             table.number("duration_s", over=0, high=MAX_TIME_S), position, attitude,
             table.boolean("smoothed", True),
         )  # fmt: skip
-    at = table.numbers("at_s", None, (), low=0)
-    return StepErrors(position, attitude, at, table.number("per_hour", 0.0, low=0))
+    step_times = table.numbers("at_s", None, (), low=0)
+    return StepErrors(position, attitude, step_times, table.number("per_hour", 0.0, low=0))

@@ -85,7 +85,7 @@ def write_header_copy(path: Path, to: Path) -> None:
     ------
     InputError
         If the file cannot be read.
-    """  # noqa: DOC501 - `damaged` makes an InputError
+    """  # noqa: DOC501 - `damaged_file_error` makes an InputError
     try:
         with laspy.open(path) as reader:
             header = deepcopy(reader.header)
@@ -120,7 +120,7 @@ def layout_of_las(path: Path, shown: Path | None = None) -> RecordLayout:
     ------
     InputError
         If the file cannot be read.
-    """  # noqa: DOC501 - `damaged` makes an InputError
+    """  # noqa: DOC501 - `damaged_file_error` makes an InputError
     path = Path(path)
     try:
         require_sound_header(path)
@@ -156,8 +156,8 @@ def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Reco
     """Record layout of a source that is not LAS, from the names and types of its columns.
 
     A column is written to the LAS dimension of its name if all values of its type fit; otherwise it
-    is written as extra bytes. An intensity that is not an integer is written to both, rounded in
-    the dimension.
+    is written as extra bytes. An intensity that does not fit is written to both; in the dimension,
+    real numbers are rounded and limited to 65535.
 
     Parameters
     ----------

@@ -127,7 +127,10 @@ def _first_time(path: Path, points_start: int, point_format: int) -> float | Non
 
 
 def _are_plausible_records(rows: Rows, point_format: int, first: float | None) -> Flags:
-    """Flags of records (n, size) that may be points: their time is within a week of the first."""
+    """Flags of records (n, size) that may be points: their time is within a week of the first.
+
+    In point formats without time, all records that are not zero may be points.
+    """
     if point_format not in TIME_OFFSETS:
         return np.asarray(rows.any(axis=1))
     at = TIME_OFFSETS[point_format]

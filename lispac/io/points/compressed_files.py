@@ -19,7 +19,8 @@ BZIP2_SIGNATURE = b"1AY&SY"
 """Bytes that follow ``BZh`` and the block size in a bzip2 file."""
 TAR_SIGNATURE, TAR_SIGNATURE_OFFSET = b"ustar", 257
 OFFICE_DOCUMENT_MARKS = (b"[Content_Types].xml", b"mimetypeapplication/vnd.")
-"""Names of the first file in spreadsheets of Excel and LibreOffice, which are ZIP archives."""
+"""Beginnings of documents of Microsoft Office and LibreOffice, which are ZIP archives: name of the
+first file, for LibreOffice with its content."""
 
 
 def require_uncompressed(path: Path, *, text: bool = False) -> None:

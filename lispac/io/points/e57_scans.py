@@ -114,7 +114,7 @@ def find_scans(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
     Raises
     ------
     InputError
-        If no scan has points, counts disagree, or scans have different fields.
+        If no scan has points, counts disagree, scans have different fields, or fields are missing.
     """
     nodes = image.root()["data3D"]
     for header, total in excess_records(path, [nodes[k]["points"] for k in range(len(nodes))]):
@@ -159,7 +159,7 @@ def _read_scan(node: Any, path: Path, timed: bool) -> Scan:
 
 
 def _scan_pose(node: Any, path: Path) -> tuple[Array, Array]:
-    """Rotation matrix and translation from the scan to the file; a missing part is zero.
+    """Rotation matrix and translation from the scan to the file; the identity if not given.
 
     Raises
     ------
@@ -204,17 +204,17 @@ def stored_points(
         If the scan has fewer points than its header states.
     """
     done = 0
-    for some in _read_columns(image, scan, tuple(scan.fields), rows):
-        done += len(next(iter(some.values())))
-        xyz, valid = _cartesian_coordinates(some)
+    for block in _read_columns(image, scan, tuple(scan.fields), rows):
+        done += len(next(iter(block.values())))
+        xyz, valid = _cartesian_coordinates(block)
         if timed:
-            valid &= some.get(TIME_STATE, 0) == np.zeros(len(valid))
-        some = {name: column[valid] for name, column in some.items() if name not in STATE_FIELDS}
+            valid &= block.get(TIME_STATE, 0) == np.zeros(len(valid))
+        block = {name: column[valid] for name, column in block.items() if name not in STATE_FIELDS}
         if not valid.any():
             continue
-        if "timeStamp" in some:
-            require_usable_points(xyz[valid], some["timeStamp"], path, before + done - len(valid))
-        yield dict(zip("xyz", xyz[valid].T, strict=True)) | some
+        if "timeStamp" in block:
+            require_usable_points(xyz[valid], block["timeStamp"], path, before + done - len(valid))
+        yield dict(zip("xyz", xyz[valid].T, strict=True)) | block
     if done != scan.count:
         raise InputError(error("e57.points_missing", file=str(path), header=scan.count, held=done))
 
@@ -256,9 +256,9 @@ def invalid_count(image: Any, scan: Scan, *, timed: bool = True) -> int:
     if not names:
         return 0
     count = 0
-    for some in _read_columns(image, scan, names, POINTS_PER_CHUNK):
-        cartesian, spherical = _valid_coordinates(some, set(scan.fields))
-        valid = (cartesian | spherical) & (some.get(TIME_STATE, 0) == np.zeros(len(cartesian)))
+    for block in _read_columns(image, scan, names, POINTS_PER_CHUNK):
+        cartesian, spherical = _valid_coordinates(block, set(scan.fields))
+        valid = (cartesian | spherical) & (block.get(TIME_STATE, 0) == np.zeros(len(cartesian)))
         count += int((~valid).sum())
     return count
 

@@ -27,7 +27,7 @@ from lispac.survey.time_rollover import find_rollover, resolve_rollover
 Array = NDArray[np.float64]
 
 USUAL_SCANNER_RANGE_M = 1000.0
-"""Metres; points of a scanner on a vessel are rarely farther away."""
+"""Range that the points of a scanner on a vessel rarely exceed, metres."""
 MIN_POINTS_FOR_QUANTILE, DISTANCE_QUANTILE = 100, 0.99
 """Number of points from which on the farthest are ignored, and the share that is examined."""
 
@@ -66,7 +66,7 @@ def check_first_points(
     file : str
         Name of the file.
     crs : str
-        Coordinate system named in the file; empty if none.
+        Coordinate system, specified in the file or by the user; empty if none.
     low, high : ndarray of shape (3,), frame and unit of the file
         Bounds stated in the header, if any.
     """

@@ -29,11 +29,12 @@ from lispac.survey.time_rollover import PERIODS, find_rollover, resolve_rollover
 Array = NDArray[np.float64]
 
 TIMES_IN_SAMPLE = 20_000
-"""Number of times kept of a line: one every 180 ms for a line of one hour."""
+"""Approximate number of times kept of a long line: one every 180 ms for a line of one hour."""
 MAX_POINTS_READ_WHOLE = 3_000_000
 """Largest number of points of a LAS or LAZ file that is read completely; of larger files, blocks
 distributed over the file are read."""
 SAMPLED_BLOCKS, POINTS_PER_BLOCK = 40, 500
+"""Number of blocks read of a large file, and points of each block."""
 TIMES_PER_POSITION = 10
 """Number of points examined for their time per point examined for its position."""
 TIME_LIMIT_S = 15.0
@@ -57,7 +58,7 @@ class LineTimes:
     reached_end : bool
         Whether the end of the file was examined.
     place : ndarray of shape (3,), frame and unit of the file
-        Coordinates of one point, as stored in the file.
+        Coordinates of one point; used only if they are georeferenced.
     rollover : str
         Time rollover, given or detected (`lispac.survey.time_rollover`); empty if there is none.
     """

@@ -29,7 +29,7 @@ HEAD_BYTES = 65_536
 BASE_MEMORY_BYTES = 1 << 29
 MEMORY_PER_FILE_BYTE = 60
 """Bytes of memory allowed to read a mesh: MEMORY_LIMIT, and MEMORY_PER_BYTE for each byte of the
-file. A triangle of ASCII STL needs about one byte for each byte, one of binary PLY about ten."""
+file. ASCII STL needs about one byte of memory for each byte of the file, binary PLY about ten."""
 
 
 class MeshReader:

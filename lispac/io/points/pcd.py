@@ -52,7 +52,8 @@ NUMPY_TYPES = {
 }  # fmt: skip
 REQUIRED_KEYS = ("FIELDS", "SIZE", "TYPE", "POINTS", "DATA")
 MAX_EXPANSION = 300
-"""Largest accepted expansion. LZF expands three bytes to at most 264; beyond, a header is wrong."""
+"""Largest accepted ratio of unpacked to packed bytes. LZF unpacks three bytes to at most 264, so
+that a larger ratio means a wrong header."""
 
 
 @head_sniffer

@@ -224,16 +224,16 @@ def damaged_file_error(path: Path, what: str, failure: Exception) -> InputError:
     )
 
 
-def head_sniffer(judge: Callable[[bytes, Path], float]) -> Callable[[Path], float]:
-    """Format detection by the first bytes of a file, which never raises an error."""
+def head_sniffer(likelihood_of_head: Callable[[bytes, Path], float]) -> Callable[[Path], float]:
+    """Convert a likelihood from the first bytes to one from the path, which raises no error."""
 
-    @wraps(judge)
+    @wraps(likelihood_of_head)
     def sniff(path: Path) -> float:
         try:
             if not Path(path).is_file():
                 return IMPOSSIBLE
             with Path(path).open("rb") as file:
-                return judge(file.read(HEAD_BYTES), Path(path))
+                return likelihood_of_head(file.read(HEAD_BYTES), Path(path))
         except Exception:  # a file of another format may cause any error in a parser
             return IMPOSSIBLE
 
@@ -289,8 +289,8 @@ def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int
     Parameters
     ----------
     xyz : ndarray of shape (n, 3), frame and unit of the file
-    time : ndarray of shape (n,), in the unit of the file
-        As stored; the resolution follows from the type.
+    time : ndarray of shape (n,), seconds
+        With the type in the file, from which the resolution follows.
     first : int
         Number of points of the file before these.
 
@@ -341,7 +341,7 @@ def usable_mask(xyz: Array, time: NDArray[Any]) -> NDArray[np.bool_]:
     Parameters
     ----------
     xyz : ndarray of shape (n, 3), frame and unit of the file
-    time : ndarray of shape (n,), in the unit of the file
+    time : ndarray of shape (n,), seconds
     """
     return np.asarray(
         (np.abs(xyz) <= LARGEST).all(axis=1) & (np.abs(time) <= LARGEST_TIME), dtype=bool

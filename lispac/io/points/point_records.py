@@ -95,7 +95,7 @@ class PointRecords:
         return list((self.dtype.fields or {}).values())
 
     def _are_points(self, rows: Rows) -> Flags:
-        """Flags of records (n, size) with usable coordinates, or NaN as PCL marks no return."""
+        """Flags of records (n, size) with usable coordinates, or three NaN for a missing return."""
         values = rows.view(self.dtype)[:, 0]
         xyz = np.stack([values[axis].astype(np.float64) for axis in "xyz"], axis=1)
         with np.errstate(invalid="ignore"):

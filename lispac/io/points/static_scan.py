@@ -170,7 +170,13 @@ def _read_text(path: Path, local: bool) -> Array:
 
 
 def has_no_time(path: Path, *, or_text: bool) -> bool:
-    """True if a file is a cloud without time: PTS, or text whose first rows have only x, y, z."""
+    """True if a file is a cloud without time: PTS, or text whose first rows have only x, y, z.
+
+    Parameters
+    ----------
+    or_text : bool
+        Whether text other than PTS is examined; it is otherwise not a cloud.
+    """
     if pts.has_point_count(path) or not or_text:
         return pts.has_point_count(path)
     try:
@@ -183,5 +189,5 @@ def has_no_time(path: Path, *, or_text: bool) -> bool:
 
 
 def has_at_most_rows(path: Path, limit: int) -> bool:
-    """True if a text file has no more rows than a list of points may have."""
+    """True if a text file has at most ``limit`` lines."""
     return len(list(islice(numbered_lines(path, FILE_KIND), limit + 1))) <= limit

@@ -42,7 +42,7 @@ CHECK_COLUMN_NAMES = {
     **dict.fromkeys(("sigma", "s", "std", "stdev", "accuracy", "uncertainty"), SIGMA),
     **dict.fromkeys(("plane", "surface", "face"), PLANE),
 }
-"""Further columns of a list of check points."""
+"""Meanings of further columns of a list of check points, by the column name."""
 _COLUMN_NAMES = {
     **dict.fromkeys(("name", "point", "pointname", "pointid", "pt", "id", "no", "nr", "number",
                      "target", "pointno", "station", "label"), NAME),
@@ -211,7 +211,7 @@ def _data_rows(path: Path) -> Iterator[tuple[int, str]]:
 
 
 def separator_of(row: str) -> str:
-    """Separator of the columns in a row, used for all rows of the file."""
+    """Name of the separator of the columns in a row; ``auto`` if no name fits."""
     whole = split_fields(row)
     return next(
         (name for name in SEPARATOR_NAMES if name != "auto" and split_fields(row, name) == whole),
@@ -231,7 +231,10 @@ def _column_meaning(word: str, local: bool) -> str:
 
 
 def header_meanings(row: str, separator: str, *, local: bool) -> tuple[str, ...]:
-    """Meanings of the column names in a row; empty if the row has no names."""
+    """Meanings of the column names in a row.
+
+    Empty if the row has a number, or fewer than two names are known.
+    """
     fields = split_fields(row, separator)
     if any(is_number(field) for field in fields):
         return ()

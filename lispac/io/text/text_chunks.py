@@ -57,13 +57,13 @@ from lispac.io.text.text_layout import (
 )
 from lispac.io.text.text_table import clock_seconds, is_clock
 from lispac.io.text.text_units import (
+    column_title_warnings,
+    easting_unit_warnings,
     header_options,
     height_unit_of,
     require_cartesian,
     require_degrees,
     require_one_unit,
-    unit_messages,
-    unit_warnings,
 )
 from lispac.io.text.units import TIME_UNIT_NAMES
 from lispac.language import N_
@@ -101,7 +101,7 @@ def sniff(head: bytes, path: Path) -> float:
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
-    """Read the first rows, and propose separator, decimal sign and columns.
+    """Read the first rows, and detect separator, decimal sign and columns.
 
     Raises
     ------
@@ -156,9 +156,8 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     if feet and "unit" not in header_options(layout):
         file_warnings = (warning("points.feet_in_header", file=file, actions=USE_FEET_ACTIONS),)
     if crs and units:
-        file_warnings = unit_warnings(
-            units, crs, file
-        )  # these name the columns, and replace the general warning
+        # These name the columns, and replace the general warning.
+        file_warnings = easting_unit_warnings(units, crs, file)
     if (
         not resolved["time_base"]
         and "time" in columns
@@ -166,7 +165,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     ):
         actions = (CHOOSE_TIME_BASE_ACTION,)
         file_warnings += (warning("times.clock_without_base", file=file, actions=actions),)
-    messages = tuple(unit_messages(path, layout, choice))
+    messages = tuple(column_title_warnings(path, layout, choice))
     assumptions = (
         note("assumed.time_unit", unit=TIME_UNIT_NAMES[SECONDS_PER_UNIT[resolved["time_unit"]]]),
         SAME_TIME_BASE_NOTE,
@@ -208,7 +207,7 @@ def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
     Raises
     ------
     InputError
-        If no row has four numbers.
+        If no row has four numbers, or the columns are polar coordinates.
     """
     with report_damage(path, "text"), _opened_text(path) as file:
         lines = next(_line_blocks(file, path, HEAD_BYTES), [])[:200]
@@ -259,12 +258,14 @@ def _read_chunks(path: Path, resolved: Choice, rows: int) -> Iterator[PointChunk
 def _point_chunk(
     part: NDArray[np.float64], names: Sequence[str], columns: list[int], factor: float
 ) -> PointChunk:
-    at = {names[k]: column for column, k in enumerate(columns)}
-    xyz = np.ascontiguousarray(part[:, [at["x"], at["y"], at["z"]]])
+    column_of = {names[k]: column for column, k in enumerate(columns)}
+    xyz = np.ascontiguousarray(part[:, [column_of["x"], column_of["y"], column_of["z"]]])
     extra = {
-        name: part[:, column].copy() for name, column in at.items() if name not in REQUIRED_COLUMNS
+        name: part[:, column].copy()
+        for name, column in column_of.items()
+        if name not in REQUIRED_COLUMNS
     }
-    return PointChunk(xyz, part[:, at["time"]] * factor, extra)
+    return PointChunk(xyz, part[:, column_of["time"]] * factor, extra)
 
 
 def _chosen_columns(path: Path, text: str) -> list[str]:
@@ -307,12 +308,13 @@ def _parse_block(
     if not text:
         return np.empty((0, len(columns)))
     _require_width(path, block, number, layout.fields(text[0]), names)
-    at = names.index("time")
-    clocks = is_clock(layout.fields(text[0])[at])
+    time_column = names.index("time")
+    clocks = is_clock(layout.fields(text[0])[time_column])
     try:
         return np.loadtxt(
             text, delimiter=SEPARATOR_CHARACTERS[layout.separator], usecols=columns, ndmin=2,
-            comments=None, converters={at: clock_seconds} if clocks else None, encoding=None,
+            comments=None, encoding=None,
+            converters={time_column: clock_seconds} if clocks else None,
         )  # fmt: skip
     except ValueError as failure:
         _raise_row_error(path, block, number, before, names, columns, layout, clocks=clocks)
@@ -325,12 +327,12 @@ def _raise_row_error(
     path: Path, block: list[str], number: int, before: int, names: Sequence[str],
     columns: list[int], layout: RowLayout, *, clocks: bool,
 ) -> None:  # fmt: skip
-    """Raise an error that names the faulty row of a block.
+    """Raise an error that names the first faulty row of a block; return if there is none.
 
     Raises
     ------
     InputError
-        Always.
+        If a row is too short, or a value is not a number.
     """
     passed = 0
     for k, line in enumerate(block, start=number + 1):

@@ -79,7 +79,7 @@ class RowLayout:
         return {name: unit for name, unit in units if unit and name != "-"}
 
     def is_numeric_row(self, row: str) -> bool:
-        """True if a row has four or more numbers and few other columns.
+        """True if a row has four or more numbers, and more numbers than other fields.
 
         A time as hh:mm:ss counts as a number.
         """
@@ -151,7 +151,7 @@ def name_without_unit(field: str) -> str:
 
 
 def ambiguous_columns(titles: Sequence[str]) -> dict[str, list[str]]:
-    """Groups of titles with the same meaning, of which none is the exact name."""
+    """Groups of titles with the same meaning, unless exactly one of them is the name itself."""
     found: dict[str, list[str]] = {}
     for title in titles:
         if meaning := COLUMN_MEANINGS.get(name_without_unit(title)):
@@ -168,21 +168,21 @@ def _column_meanings(fields: Sequence[str]) -> tuple[str, ...]:
 
     An elevation in a file with a range or an azimuth, or in degrees, is an angle and not a height.
     """
-    bares = [name_without_unit(field) for field in fields]
-    beams = not POLAR_COLUMN_NAMES.isdisjoint(bares)
+    base_names = [name_without_unit(field) for field in fields]
+    is_polar = not POLAR_COLUMN_NAMES.isdisjoint(base_names)
     angles = [title_unit(field) in ANGLE_UNIT_CODES for field in fields]
     chosen: dict[str, int] = {}
-    for k, bare in enumerate(bares):
+    for k, bare in enumerate(base_names):
         if COLUMN_MEANINGS.get(bare) == bare:
             chosen.setdefault(bare, k)
-    for k, bare in enumerate(bares):
-        is_angle = (beams and bare in POLAR_ANGLE_NAMES) or (
+    for k, bare in enumerate(base_names):
+        is_angle = (is_polar and bare in POLAR_ANGLE_NAMES) or (
             COLUMN_MEANINGS.get(bare) == "z" and angles[k]
         )
         if bare in COLUMN_MEANINGS and not is_angle:
             chosen.setdefault(COLUMN_MEANINGS[bare], k)
     names: list[str] = []
-    for k, (bare, field) in enumerate(zip(bares, fields, strict=True)):
+    for k, (bare, field) in enumerate(zip(base_names, fields, strict=True)):
         is_chosen = bare in COLUMN_MEANINGS and chosen.get(COLUMN_MEANINGS[bare]) == k
         name = COLUMN_MEANINGS[bare] if is_chosen else re.sub(r"\s+", "_", field) or "-"
         names.append(name if name not in names and (is_chosen or name not in chosen) else "-")

@@ -72,7 +72,7 @@ def encoding_of(path: Path) -> str:
 
 
 def last_lines(path: Path, size: int) -> list[str]:
-    """Whole lines within the last ``size`` bytes; none if the file cannot be read."""
+    """Lines after the first line end in the last ``size`` bytes; none if the file is unreadable."""
     try:
         with Path(path).open("rb") as file:
             mark = file.read(2)
@@ -112,8 +112,8 @@ def numbered_lines(path: Path, what: str) -> Iterator[tuple[int, str]]:
 def split_fields(line: str, separator: str = "auto") -> list[str]:
     """Split a row; ``auto`` uses the semicolon, tab or comma if there is one, else blanks.
 
-    Commas between digits are decimal signs if blanks separate the numbers. Fields may be in quotes,
-    as spreadsheets write them.
+    With ``auto``, commas between digits are decimal signs if blanks separate the numbers and no
+    field has a point. Fields may be in quotes, as spreadsheets write them.
     """
     if '"' in line and _OPENING_QUOTE.search(line):
         return _split_quoted(line, separator)
@@ -145,7 +145,7 @@ def _split_quoted(line: str, separator: str) -> list[str]:
 
 
 def is_number(field: str) -> bool:
-    """True if a field is one finite number, with a decimal point or comma."""
+    """True if a field is one number in digits, with a decimal point or comma."""
     return _NUMBER_PATTERN.fullmatch(field.strip()) is not None
 
 
@@ -156,7 +156,7 @@ def is_data_row(fields: Sequence[str]) -> bool:
 
 
 def parse_number(field: str) -> float:
-    """Parse a number; a comma may be the decimal sign unless it separates columns."""
+    """Parse a number with a decimal point or comma and an exponent after e, E, d or D."""
     return float(field.replace(",", ".").replace("D", "e").replace("d", "e"))
 
 
@@ -236,12 +236,12 @@ def _has_seconds_letter(text: str) -> bool:
     return text[:1] not in HEMISPHERE_SIGNS and "D" in text and "M" in text and text.count("S") == 1
 
 
-def hemisphere_sign(field: str, o: str = "") -> float:
+def hemisphere_sign(field: str, letter_o: str = "") -> float:
     """Sign of a hemisphere: 1 for N and E, -1 for S and W.
 
     Parameters
     ----------
-    o : {"", "E", "W"}
+    letter_o : {"", "E", "W"}
         Meaning of the letter O: *Ost* in German, *ouest* in French; empty if it is not known.
 
     Raises
@@ -250,7 +250,7 @@ def hemisphere_sign(field: str, o: str = "") -> float:
         If the text is not a hemisphere.
     """
     word = field.strip().upper()
-    letter = o if o and word == "O" else {"OST": "E", "OUEST": "W"}.get(word, word)
+    letter = letter_o if letter_o and word == "O" else {"OST": "E", "OUEST": "W"}.get(word, word)
     if letter[:1] not in HEMISPHERE_SIGNS:
         raise ValueError(f"{field!r} is not a hemisphere")
     return HEMISPHERE_SIGNS[letter[:1]]
@@ -270,7 +270,6 @@ def parse_coordinate(field: str, *, degrees: bool = False) -> float | None:
     Returns
     -------
     float, or None where it is not a finite number
-
     """
     text = field.strip().replace("\N{MINUS SIGN}", "-")
     try:
@@ -391,7 +390,7 @@ def _parse_values(fields: list[str], parse: Callable[[str], float]) -> Array:
             try:
                 return np.fromiter(map(quick, fields), dtype=np.float64, count=len(fields))
             except (ValueError, OverflowError):
-                pass  # with decimal commas, else one by one, to find which
+                pass  # decimal commas are tried next, then single fields to find the invalid one
     values = np.full(len(fields), np.nan)
     for k, field in enumerate(fields):
         with suppress(ValueError, OverflowError):

@@ -1,4 +1,4 @@
-"""Units in the column titles of points as text, and warnings about contradictions."""
+"""Units in the column titles of points as text: checks, reading options and warnings."""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -43,7 +43,7 @@ def header_options(layout: RowLayout) -> dict[str, str]:
 
 
 def require_one_unit(path: Path, layout: RowLayout) -> None:
-    """Refuse coordinates in the scanner frame whose titles give several units, or an unknown one.
+    """Refuse coordinates in the scanner frame unless their titles give one unit of length or none.
 
     Raises
     ------
@@ -58,30 +58,36 @@ def require_one_unit(path: Path, layout: RowLayout) -> None:
 
 
 def require_degrees(path: Path, layout: RowLayout) -> None:
-    """Refuse longitudes and latitudes that are not in degrees to the east and north.
+    """Refuse angles that are not in degrees, longitudes to the west and latitudes to the south.
+
+    Longitudes and latitudes whose direction is ambiguous are also refused.
 
     Raises
     ------
     InputError
     """
     units = layout.units()
-    for axis, way in (("x", "west"), ("y", "south")):
+    for axis, negative_direction in (("x", "west"), ("y", "south")):
         if axis not in layout.names:
             continue
         title = layout.titles[layout.names.index(axis)]
-        other = units.get(axis, "") in ANGLE_UNIT_CODES and units[axis] not in ("deg", "dms")
-        if other or (
-            name_without_unit(title) in GEOGRAPHIC_COLUMN_NAMES
-            and direction_of(title) in (way, UNKNOWN)
-        ):
+        is_other_angle = units.get(axis, "") in ANGLE_UNIT_CODES and units[axis] not in (
+            "deg",
+            "dms",
+        )
+        has_other_direction = name_without_unit(title) in GEOGRAPHIC_COLUMN_NAMES and (
+            direction_of(title) in (negative_direction, UNKNOWN)
+        )
+        if is_other_angle or has_other_direction:
             raise InputError(error("text.not_degrees", file=str(path), column=title))
 
 
 GEOGRAPHIC_COLUMN_NAMES = {"lon", "longitude", "lat", "latitude"}
+"""Column names of longitudes and latitudes; lower case, without the unit."""
 
 
 def require_cartesian(path: Path, layout: RowLayout) -> None:
-    """Refuse points in polar coordinates.
+    """Refuse points with columns of polar coordinates but not of x, y and z.
 
     Raises
     ------
@@ -92,8 +98,8 @@ def require_cartesian(path: Path, layout: RowLayout) -> None:
         raise InputError(error("text.polar_coordinates", file=str(path), columns=tuple(polar)))
 
 
-def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Message]:
-    """Warnings about column titles that contradict the reading options.
+def column_title_warnings(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Message]:
+    """Warnings about column titles: contradicted by an option, with an unknown unit, or ambiguous.
 
     Parameters
     ----------
@@ -121,9 +127,14 @@ def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Mes
 
 
 def height_unit_of(units: Mapping[str, str], crs: str) -> str:
-    """Option for the unit of heights; empty if the titles add nothing to the system.
+    """Value of the option ``height_unit``; empty if the title of the heights gives no unit of it.
 
-    Feet of unspecified kind are those of the system, if it is in feet.
+    It is also empty for feet of unspecified kind in a system in feet, whose feet are then used.
+
+    Parameters
+    ----------
+    units : mapping of str to str
+        Code of the unit of each column, by its meaning.
     """
     unit = units.get("z", "")
     system = _parse_crs(crs)
@@ -136,7 +147,7 @@ def height_unit_of(units: Mapping[str, str], crs: str) -> str:
     )
 
 
-def unit_warnings(units: Mapping[str, str], crs: str, file: str) -> tuple[Message, ...]:
+def easting_unit_warnings(units: Mapping[str, str], crs: str, file: str) -> tuple[Message, ...]:
     """Warning if the title of the eastings gives another unit than the coordinate system."""
     unit, system = units.get("x", ""), _parse_crs(crs)
     if unit not in METRES_PER_UNIT or system is None or system.is_geographic:

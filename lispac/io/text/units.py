@@ -30,6 +30,7 @@ class Unit:
 
 
 INTERNATIONAL_FOOT_M, US_SURVEY_FOOT_M = 0.3048, 1200 / 3937
+"""Metres in a foot."""
 _FULL_TURN_RAD = 2 * np.pi
 UNITS = {
     "m": Unit("length", 1.0, note("unit.metres")),
@@ -68,7 +69,7 @@ ANGLE_UNIT_CODES = tuple(
     code for code, unit in UNITS.items() if unit.kind == "angle" or code in ("dms", "ddmm")
 )
 UNKNOWN = "?"
-"""Code of a unit that is given but not known."""
+"""Code of a unit that is given but not known, and of an ambiguous direction."""
 
 _UNIT_PATTERNS = (
     (r"hh\W*mm", "clock"),
@@ -116,6 +117,7 @@ _UNIT_SUFFIX = re.compile(
     re.IGNORECASE,
 )
 _UNIT_IN_CAMEL_CASE = re.compile(r"(?<=[a-z])(Deg|Rad|DMS|M|Ft)$")
+"""Pattern of a unit at the end of a title in camel case, such as ``LatDeg``."""
 
 
 def split_title(title: str) -> tuple[str, str]:
@@ -205,6 +207,7 @@ _WORDS_OF_UNIT = re.compile(
 )
 """Pattern of words before a unit that belong to the unit and are not column names."""
 NO_UNIT_TEXTS = ("", "-", "--", "none", "n/a", "1")
+"""Texts in a row of units below columns without a unit."""
 
 
 def titles_with_units(names: Sequence[str], units: Sequence[str]) -> list[str]:

@@ -564,7 +564,7 @@ def _is_in_radians(option: str, largest: float, units: dict[str, str], choice: C
 
 
 def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Iterator[Message]:
-    """Warnings about column titles that contradict the reading options."""
+    """Warnings about titles: contradicted by an option, ambiguous, magnetic, unknown unit."""
     file = printable(path.name)
     for option, specified in _unit_options(titles).items():
         given = str(choice.get(option, specified))

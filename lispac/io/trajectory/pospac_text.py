@@ -73,7 +73,7 @@ def pospac_layout(path: Path) -> TextLayout:
     Raises
     ------
     InputError
-        If there is no line of column names, or positions are not in decimal degrees.
+        If there is no line of column names, or a column is in degrees and minutes or clock time.
     """
     lines = first_lines(path)
     found = _names_line(lines)

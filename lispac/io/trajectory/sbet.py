@@ -196,17 +196,19 @@ def _with_velocity(
 ) -> Trajectory:
     """Add velocities to the trajectory, in the given axes or those that fit the positions best."""
     keys = [chosen.axes] if chosen.axes != "unknown" else list(VELOCITY_AXES)
-    some = slice(0, MAX_STATES_COMPARED)
+    compared = slice(0, MAX_STATES_COMPARED)
     place = LocalFrame(
         float(trajectory.latitude[0]), float(trajectory.longitude[0]), float(trajectory.height[0])
-    ).to_local(trajectory.latitude[some], trajectory.longitude[some], trajectory.height[some])
-    truth = np.diff(place, axis=0) / np.diff(trajectory.time[some])[:, None]
+    ).to_local(
+        trajectory.latitude[compared], trajectory.longitude[compared], trajectory.height[compared]
+    )
+    truth = np.diff(place, axis=0) / np.diff(trajectory.time[compared])[:, None]
 
     def local(key: str) -> Array:
         return velocity_in_axes(key, velocity, wander) * [1.0, -1.0, 1.0]  # north, west, up
 
     def residual(key: str) -> float:
-        own = local(key)[some]
+        own = local(key)[compared]
         return float(np.abs(0.5 * (own[1:] + own[:-1]) - truth).sum())
 
     best = min(keys, key=residual) if len(keys) > 1 else keys[0]

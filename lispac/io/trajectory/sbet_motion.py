@@ -159,7 +159,8 @@ def _velocity_columns(motion: TrajectoryMotion, rows: NDArray[np.int64]) -> Arra
 def _velocity_residual(velocity: Array, truth: Array) -> float:
     """Median difference of the velocities from those of the positions, relative to the speed.
 
-    The vertical component is weighted by its size, so that small vertical motion has no effect.
+    The speed is horizontal. Small vertical motion has little effect, because the three components
+    of the difference are combined in one length.
     """
     speed = float(np.median(np.hypot(velocity[:, 0], velocity[:, 1])))
     return float(np.median(np.linalg.norm(velocity - truth, axis=1))) / max(speed, 1e-9)

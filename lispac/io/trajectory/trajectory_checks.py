@@ -76,8 +76,8 @@ def require_attitude(
 ) -> None:
     """Refuse impossible angles, radians.
 
-    A heading may be continuous over several turns if it starts near a full circle and does not
-    change faster than a carrier turns.
+    A heading of more than two full turns is accepted if it is continuous: it is at some time within
+    two full turns, and does not change faster than a carrier turns.
 
     Parameters
     ----------

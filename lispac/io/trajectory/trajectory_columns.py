@@ -59,8 +59,8 @@ for _unit in ANGLE_UNIT_CODES:
         UNIT_PARSERS[f"{_unit}-{_way}"] = UNIT_PARSERS[_unit][0], -UNIT_PARSERS[_unit][1]
         UNIT_NAMES[f"{_unit}-{_way}"] = Message(_code, Level.NOTE, {"unit": UNIT_NAMES[_unit]})
 UNIT_PARSERS["hemisphere"] = hemisphere_sign, 1.0
-UNIT_PARSERS["hemisphere-fr"] = partial(hemisphere_sign, o="W"), 1.0
-UNIT_PARSERS["hemisphere-de"] = partial(hemisphere_sign, o="E"), 1.0
+UNIT_PARSERS["hemisphere-fr"] = partial(hemisphere_sign, letter_o="W"), 1.0
+UNIT_PARSERS["hemisphere-de"] = partial(hemisphere_sign, letter_o="E"), 1.0
 """Parser of each unit, and the factor to radians, metres or seconds.
 
 For eastings, northings and heights, the coordinate system may change the factor. The letter O means
@@ -239,7 +239,7 @@ def accuracy_of(
     Raises
     ------
     InputError
-        If a standard deviation is negative or not a number.
+        If a column is missing, or a standard deviation is negative or not a number.
     """
     chosen = [
         _find_column(path, columns, "time"),
@@ -294,8 +294,8 @@ def _choose_columns(
     chosen = [
         _find_column(path, columns, role) for role in ("time", *place, height, *ATTITUDE_ROLES)
     ]
-    beside = ("date", *(HEMISPHERE_ROLES if place is POSITION_ROLES else ()))
-    return chosen + [column for column in columns if column.role in beside]
+    optional_roles = ("date", *(HEMISPHERE_ROLES if place is POSITION_ROLES else ()))
+    return chosen + [column for column in columns if column.role in optional_roles]
 
 
 def missing_columns(path: Path, columns: Sequence[Column]) -> Message:
@@ -320,7 +320,7 @@ def missing_columns(path: Path, columns: Sequence[Column]) -> Message:
 def map_warnings(
     path: Path, columns: Sequence[Column], conventions: TrajectoryConventions, read: Trajectory
 ) -> tuple[Message, ...]:
-    """Warnings about eastings and northings as read, and about heights.
+    """Warnings about the units of eastings, northings and heights, and the area of the system.
 
     Raises
     ------
