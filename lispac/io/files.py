@@ -263,9 +263,9 @@ def atomic_write(path: Path) -> Iterator[Path]:
         If the folder cannot be written, the disk is full, or ``path`` is a folder or a device.
     """  # noqa: DOC501 - `write_error` makes an InputError
     path = Path(path)
-    made: list[Path] = []
+    new_folders: list[Path] = []
     try:
-        made = [folder for folder in path.parents if not folder.exists()]
+        new_folders = [folder for folder in path.parents if not folder.exists()]
         if path.exists() and not path.is_file():
             code = "file.is_folder" if path.is_dir() else "file.is_device"
             raise InputError(error(code, file=str(path)))
@@ -277,7 +277,7 @@ def atomic_write(path: Path) -> Iterator[Path]:
     except ValueError as failure:
         raise bad_name_error(path) from failure
     except OSError as failure:
-        remove_empty_folders(made)
+        remove_empty_folders(new_folders)
         raise write_error(path, failure) from failure
     temporary = Path(name)
     # The lock tells other programs that the file is in use. Windows cannot rename open files.
@@ -297,7 +297,7 @@ def atomic_write(path: Path) -> Iterator[Path]:
         temporary.unlink(missing_ok=True)
         if handle >= 0:
             os.close(handle)
-        remove_empty_folders(made)
+        remove_empty_folders(new_folders)
 
 
 ABANDONED_AFTER_S, UNLOCKED_ABANDONED_AFTER_S = 60.0, 0.1

@@ -23,7 +23,7 @@ class ScannerSpecification:
     range_sigma : metres
     angle_sigma_deg : degrees, of the beam direction, in both directions across the beam
     divergence_mrad : milliradians, full angle
-    source : document or measurement from which the figures are
+    source : origin of the figures, for example a data sheet
     unverified : whether they were not compared with the source
     """
 
@@ -44,7 +44,7 @@ class PosAccuracy:
     name : one of `GNSS_SOLUTIONS`
     position_sigma : metres, north, east, down
     attitude_sigma_deg : degrees, roll, pitch, heading
-    source : document or measurement from which the figures are
+    source : origin of the figures, for example a data sheet
     unverified : whether they were not compared with the source
     """
 

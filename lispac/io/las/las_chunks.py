@@ -133,12 +133,12 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     )
     if not bounded:
         low, high = xyz.min(axis=0), xyz.max(axis=0)
-    seen = check_first_points(xyz, time, file=file, crs=header_crs.text, low=low, high=high)
+    points_check = check_first_points(xyz, time, file=file, crs=header_crs.text, low=low, high=high)
     if frame is not None:  # the warnings on map coordinates do not apply there
-        seen = replace(seen, frame=GEOREFERENCED_FRAME, file_warnings=())
+        points_check = replace(points_check, frame=GEOREFERENCED_FRAME, file_warnings=())
     base = _time_base(header)
     found = {
-        "frame": seen.frame,
+        "frame": points_check.frame,
         "crs": header_crs.text if frame is None else local_frame_text(frame),
         "height_unit": header_crs.height_unit,
         "time_base": base,
@@ -155,7 +155,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         **frame_facts(resolved),
         "resolution": ", ".join(f"{scale:g}" for scale in header.scales),
         "time base": time_base_message(time, resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
         "attributes": ", ".join(header.point_format.dimension_names),
         "written by": _decode_text(header.generating_software) or note("fact.not_specified"),
     }  # fmt: skip
@@ -165,7 +165,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         {name: value for name, value in found.items() if value},
         (
             *header_crs.file_warnings,
-            *seen.file_warnings,
+            *points_check.file_warnings,
             *(() if choice.get("time_base") else time_base_warnings(time, base, file)),
             *_header_warnings(header, header_crs.text, xyz, file),
         ),

@@ -175,12 +175,12 @@ def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: s
             unknown = warning("las.system_not_named", file=file, actions=actions)
         return HeaderCrs(file_warnings=(unknown,))
     unit = UNITS_BY_EPSG_CODE.get(numbers.get(LINEAR_UNIT_KEY, 0), "")
-    own = UNITS_BY_PROJ_NAME.get(crs.axis_info[0].unit_name, "")
-    if unit and own and unit != own:
+    axis_unit = UNITS_BY_PROJ_NAME.get(crs.axis_info[0].unit_name, "")
+    if unit and axis_unit and unit != axis_unit:
         file_warnings.append(
             warning(
                 "las.unit_contradicts_system", file=file, unit=unit, system=crs.name,
-                system_unit=own, actions=(CHOOSE_SYSTEM_ACTION,),
+                system_unit=axis_unit, actions=(CHOOSE_SYSTEM_ACTION,),
             )
         )  # fmt: skip
         return HeaderCrs(file_warnings=tuple(file_warnings))

@@ -182,11 +182,15 @@ def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Reco
         kind = "u1" if values.dtype.kind == "b" else "f4" if values.dtype == np.float16 else None
         parts = [None] if values.ndim == 1 else list(range(values.shape[1]))
         for part in parts:
-            own = _free_dimension_name(name if part is None else f"{name}_{part + 1}", used_names)
-            used_names.add(own)
+            dimension = _free_dimension_name(
+                name if part is None else f"{name}_{part + 1}", used_names
+            )
+            used_names.add(dimension)
             stored = np.dtype(kind or values.dtype.newbyteorder("="))
-            extra.append(laspy.ExtraBytesParams(own, stored, name[:MAX_DIMENSION_NAME_LENGTH]))
-            columns[own] = (name, part)
+            extra.append(
+                laspy.ExtraBytesParams(dimension, stored, name[:MAX_DIMENSION_NAME_LENGTH])
+            )
+            columns[dimension] = (name, part)
     number = (
         8 if "nir" in columns else 7 if any(name in columns for name in COLOUR_DIMENSIONS) else 6
     )

@@ -133,8 +133,8 @@ def _are_plausible_records(rows: Rows, point_format: int, first: float | None) -
     """
     if point_format not in TIME_OFFSETS:
         return np.asarray(rows.any(axis=1))
-    at = TIME_OFFSETS[point_format]
-    time = rows[:, at : at + 8].copy().view("<f8")[:, 0]
+    offset = TIME_OFFSETS[point_format]
+    time = rows[:, offset : offset + 8].copy().view("<f8")[:, 0]
     with np.errstate(invalid="ignore", over="ignore"):
         usable = np.abs(time) <= MAX_TIME_S
         if first is not None and abs(first) <= MAX_TIME_S:

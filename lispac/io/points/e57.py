@@ -99,8 +99,8 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     posed = usable_points(
         _point_chunk(stored, scan, {"frame": GEOREFERENCED_FRAME, **found}, count)
     )
-    seen = check_first_points(posed.xyz, posed.time, file=file, crs=system)
-    found["frame"] = seen.frame
+    points_check = check_first_points(posed.xyz, posed.time, file=file, crs=system)
+    found["frame"] = points_check.frame
     resolved = E57_FORMAT.resolved({**found, **choice})
     time = posed.time
     facts: dict[str, Fact] = {
@@ -109,7 +109,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         "coordinate system": system[:200] or note("fact.none"),
         **frame_facts(resolved),
         "time base": time_base_message(time, resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
         "fields": ", ".join(scan.fields),
         "written by": writer or note("fact.not_specified"),
     }
@@ -123,7 +123,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         facts,
         preview_table(names, tuple(stored.values())),
         {name: value for name, value in found.items() if value},
-        (*file_warnings, *seen.file_warnings, *time_base_warnings(time, base, file)),
+        (*file_warnings, *points_check.file_warnings, *time_base_warnings(time, base, file)),
         assumptions,
         _invalid_point_messages(path, invalid, count),
     )
@@ -203,8 +203,8 @@ def _point_chunk(
     time = stored["timeStamp"].astype(np.float64)
     if resolved["time_from"] == FROM_SCAN_START:
         time = time + scan.start
-    own = (*"xyz", "timeStamp")
-    extra = {name: values for name, values in stored.items() if name not in own}
+    own_fields = (*"xyz", "timeStamp")
+    extra = {name: values for name, values in stored.items() if name not in own_fields}
     return PointChunk(xyz, time, extra, total)
 
 

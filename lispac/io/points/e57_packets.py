@@ -78,22 +78,22 @@ def _vector_offsets(file: IO[bytes]) -> list[int]:
 
 def _stream_bytes(file: IO[bytes], offset: int) -> list[int]:
     """Bytes of each field in all data packets of a vector that begins at a physical offset."""
-    at = _logical_position(offset)
-    head = _read_logical(file, at, 32)
+    position = _logical_position(offset)
+    head = _read_logical(file, position, 32)
     if len(head) < 32 or head[0] != DATA_PACKET_TYPE:
         return []
     length, first = struct.unpack_from("<QQ", head, 8)
-    end, at = at + length, _logical_position(first)
+    end, position = position + length, _logical_position(first)
     totals: list[int] = []
-    while at + 4 <= end:
-        head = _read_logical(file, at, 6)
+    while position + 4 <= end:
+        head = _read_logical(file, position, 6)
         if len(head) < 6:
             break
         kind, _, size, streams = struct.unpack("<BBHH", head)
         if kind == DATA_PACKET_TYPE:
-            lengths = struct.unpack(f"<{streams}H", _read_logical(file, at + 6, 2 * streams))
+            lengths = struct.unpack(f"<{streams}H", _read_logical(file, position + 6, 2 * streams))
             totals = [a + b for a, b in zip(totals or [0] * streams, lengths, strict=True)]
-        at += size + 1
+        position += size + 1
     return totals
 
 

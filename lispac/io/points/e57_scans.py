@@ -271,12 +271,14 @@ def _valid_coordinates(
     Each type of coordinates has its own state (ASTM E2807, table 12). Spherical columns may be
     present without values, so a range of zero is not valid.
     """
-    none = np.zeros(len(next(iter(columns.values()))), dtype=bool)
-    cartesian = spherical = none
+    no_flags = np.zeros(len(next(iter(columns.values()))), dtype=bool)
+    cartesian = spherical = no_flags
     if set(CARTESIAN_FIELDS) <= fields:
-        cartesian = columns.get(CARTESIAN_STATE, none) == 0
+        cartesian = columns.get(CARTESIAN_STATE, no_flags) == 0
     if set(SPHERICAL_FIELDS) <= fields:
-        spherical = (columns.get(SPHERICAL_STATE, none) == 0) & (columns[SPHERICAL_FIELDS[0]] > 0)
+        spherical = (columns.get(SPHERICAL_STATE, no_flags) == 0) & (
+            columns[SPHERICAL_FIELDS[0]] > 0
+        )
     return cartesian, spherical
 
 

@@ -97,10 +97,10 @@ def read_mesh(
     if np.abs(vertices).max() > LARGEST_COORDINATE:
         raise InputError(error("mesh.too_far", file=str(path), limit=LARGEST_COORDINATE))
     a, b, c = (vertices[column] for column in triangles.T)
-    wide = np.linalg.norm(np.cross(b - a, c - a), axis=1) > 0
-    if not wide.any():
+    has_area = np.linalg.norm(np.cross(b - a, c - a), axis=1) > 0
+    if not has_area.any():
         raise InputError(error("mesh.no_area", file=str(path)))
-    return Mesh(name, vertices, triangles[wide], reflectance)
+    return Mesh(name, vertices, triangles[has_area], reflectance)
 
 
 def _mesh_ending(path: Path) -> str:

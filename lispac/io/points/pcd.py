@@ -168,9 +168,9 @@ def _record_dtype(path: Path, entries: Mapping[str, list[str]]) -> np.dtype[Any]
                     size=size[:5], number=many[:9],
                 )
             )  # fmt: skip
-        own = NUMPY_TYPES[kind.upper(), _parse_whole_number(size)]
+        numpy_type = NUMPY_TYPES[kind.upper(), _parse_whole_number(size)]
         key = f"_{k}" if name == "_" else name  # padding has no name
-        fields.append((key, own) if number == 1 else (key, own, (number,)))
+        fields.append((key, numpy_type) if number == 1 else (key, numpy_type, (number,)))
     if len({field[0] for field in fields}) != len(fields):
         raise InputError(error("pcd.duplicate_field", file=str(path)))
     return np.dtype(fields)
@@ -229,13 +229,13 @@ def _read_compressed(records: PointRecords, rows: int) -> Iterator[Columns]:
     data = np.empty(whole, np.uint8)
     if _unpack_lzf(packed, data) != whole:
         raise InputError(error("pcd.compressed_damaged", file=str(path)))
-    columns, at = {}, 0
+    columns, position = {}, 0
     for name in records.dtype.names or ():
         field = records.dtype.fields[name][0] if records.dtype.fields else np.dtype("u1")
         length = field.itemsize * records.count
         shape = (records.count, *field.shape)
-        columns[name] = data[at : at + length].view(field.base).reshape(shape)
-        at += length
+        columns[name] = data[position : position + length].view(field.base).reshape(shape)
+        position += length
     for start in range(0, records.count, rows):
         yield {name: values[start : start + rows] for name, values in columns.items()}
 

@@ -233,8 +233,8 @@ def preview_records(
     chunk = usable_points(chunk)
     stored_time = first[field]
     file = printable(path.name)
-    seen = check_first_points(chunk.xyz, chunk.time, file=file, crs=str(choice["crs"]))
-    file_warnings = list(seen.file_warnings)
+    points_check = check_first_points(chunk.xyz, chunk.time, file=file, crs=str(choice["crs"]))
+    file_warnings = list(points_check.file_warnings)
     step = time_resolution(stored_time, SECONDS_PER_UNIT[choice["time_unit"]])
     if step > 1e-4 and not any(each.code == "times.coarse" for each in file_warnings):
         file_warnings.append(warning("times.coarse", file=file, step=step))
@@ -246,7 +246,7 @@ def preview_records(
         file_warnings.append(
             warning("points.coordinates_32_bits", file=file, step=grain, largest=farthest)
         )
-    found = {"frame": seen.frame, "time_field": field}
+    found = {"frame": points_check.frame, "time_field": field}
     resolved = format_.resolved({**found, **given_choice})
     return FilePreview(
         {
@@ -254,7 +254,7 @@ def preview_records(
             "points": count,
             **frame_facts(resolved),
             "time base": time_base_message(chunk.time, str(choice["time_base"])),
-            **seen.facts,
+            **points_check.facts,
             "fields": ", ".join(first),
         },
         preview_table(tuple(first), tuple(first.values())),

@@ -120,7 +120,7 @@ def _new_folder(folder: Path) -> Iterator[None]:
     InputError
         If it cannot be created.
     """  # noqa: DOC501 - `write_error` makes an InputError
-    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    new_folders = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         try:
             folder.mkdir(parents=True, exist_ok=True)
@@ -130,7 +130,7 @@ def _new_folder(folder: Path) -> Iterator[None]:
     except OSError as failure:
         raise write_error(folder / PROJECT_FILE_NAME, failure) from failure
     finally:
-        remove_empty_folders(made)
+        remove_empty_folders(new_folders)
 
 
 def _digest_on_disk(path: Path) -> str:

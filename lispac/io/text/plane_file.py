@@ -84,18 +84,18 @@ def write_plane_file(
     plane : ndarray of shape (4,)
     """
     number = observations.targets.index(target)
-    own = observations.target_of_sighting[observations.sighting] == number
-    count = int(own.sum())
+    is_of_target = observations.target_of_sighting[observations.sighting] == number
+    count = int(is_of_target.sum())
     rows = np.column_stack(
         [
             np.arange(count),
-            points_local[own],
-            observations.time[own],
-            observations.points_lidar[own],
-            observations.attitude[own],
-            observations.sigma_attitude[own],
-            observations.position[own],
-            observations.sigma_position[own],
+            points_local[is_of_target],
+            observations.time[is_of_target],
+            observations.points_lidar[is_of_target],
+            observations.attitude[is_of_target],
+            observations.sigma_attitude[is_of_target],
+            observations.position[is_of_target],
+            observations.sigma_position[is_of_target],
             np.tile(plane, (count, 1)),
             np.full(count, number + 1),
         ]

@@ -54,15 +54,15 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     rows = read_plane_table(require_not_empty(path, "plane"))
     file = printable(path.name)
     resolved = PLANE_FORMAT.resolved(choice)
-    seen = check_first_points(rows[:, 5:8], rows[:, 4], file=file, crs="")
+    points_check = check_first_points(rows[:, 5:8], rows[:, 4], file=file, crs="")
     facts = {
         "format": note("fact.planes"),
         "points": len(rows),
         **frame_facts(resolved),
         "time base": time_base_message(rows[:, 4], resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
     }
-    file_warnings = (warning("points.of_one_target", file=file), *seen.file_warnings)
+    file_warnings = (warning("points.of_one_target", file=file), *points_check.file_warnings)
     return FilePreview(
         facts,
         preview_table(COLUMN_NAMES, tuple(rows.T)),

@@ -142,26 +142,26 @@ def read_point_list(
     are_given = True
     factors: Mapping[str, float] = {}
     if columns:
-        meant = _require_complete_columns(
+        meanings = _require_complete_columns(
             path, None, tuple(_column_meaning(word, local) for word in columns)
         )
-        if not _is_numeric_row(first[1], separator, meant, degrees):
+        if not _is_numeric_row(first[1], separator, meanings, degrees):
             first = None  # a row of column names
     elif names := header_meanings(first[1], separator, local=local):
         if check:
             names = _with_check_columns(names, split_fields(first[1], separator))
-        meant = _require_complete_columns(path, first[0], names)
-        titles = dict(zip(meant, split_fields(first[1], separator), strict=True))
+        meanings = _require_complete_columns(path, first[0], names)
+        titles = dict(zip(meanings, split_fields(first[1], separator), strict=True))
         factors, first = _column_factors(path, titles, metres, degrees), None
     else:
-        meant, are_given = _meanings_by_order(path, *first, separator, check), False
+        meanings, are_given = _meanings_by_order(path, *first, separator, check), False
     points: list[ListedPoint] = []
-    letters: dict[int, set[str]] = {k: set() for k, name in enumerate(meant) if name == UNUSED}
+    letters: dict[int, set[str]] = {k: set() for k, name in enumerate(meanings) if name == UNUSED}
     for number, row_text in (*((first,) if first else ()), *rows):
         if first is None and not points:
             separator = separator_of(row_text)  # may differ for names
         fields = split_fields(row_text, separator)
-        points.append(_parse_point(path, number, fields, meant, degrees, factors))
+        points.append(_parse_point(path, number, fields, meanings, degrees, factors))
         for k, found in letters.items():
             found.add(fields[k].strip().upper() if k < len(fields) else "")
     if not points:
@@ -174,7 +174,7 @@ def read_point_list(
                 )
             )
     _require_unique_points(path, points)
-    return PointList(path, tuple(points), meant, are_given)
+    return PointList(path, tuple(points), meanings, are_given)
 
 
 def is_point_list(path: Path) -> bool:
@@ -238,21 +238,21 @@ def header_meanings(row: str, separator: str, *, local: bool) -> tuple[str, ...]
     fields = split_fields(row, separator)
     if any(is_number(field) for field in fields):
         return ()
-    meant = tuple(_column_meaning(field, local) for field in fields)
-    return meant if sum(name != UNUSED for name in meant) >= 2 else ()
+    meanings = tuple(_column_meaning(field, local) for field in fields)
+    return meanings if sum(name != UNUSED for name in meanings) >= 2 else ()
 
 
-def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
+def _with_check_columns(meanings: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
     """Column meanings with those that only check points use."""
     bare = (split_title(name)[0].lower() for name in names)
     return tuple(
         CHECK_COLUMN_NAMES.get(name, UNUSED) if known == UNUSED else known
-        for known, name in zip(meant, bare, strict=True)
+        for known, name in zip(meanings, bare, strict=True)
     )
 
 
 def _require_complete_columns(
-    path: Path, row: int | None, meant: tuple[str, ...]
+    path: Path, row: int | None, meanings: tuple[str, ...]
 ) -> tuple[str, ...]:
     """Refuse columns that do not contain each of the three coordinates once.
 
@@ -265,13 +265,13 @@ def _require_complete_columns(
     ------
     InputError
     """
-    if foreign := [name.rstrip("?") for name in meant if name.endswith("?")]:
+    if foreign := [name.rstrip("?") for name in meanings if name.endswith("?")]:
         raise InputError(_columns_error("other_axes", path, row, foreign))
-    if lacking := [name for name in COORDINATES if name not in meant]:
+    if lacking := [name for name in COORDINATES if name not in meanings]:
         raise InputError(_columns_error("columns_missing", path, row, lacking))
-    if twice := [name for name in USED_COLUMNS if meant.count(name) > 1]:
+    if twice := [name for name in USED_COLUMNS if meanings.count(name) > 1]:
         raise InputError(_columns_error("duplicate_columns", path, row, twice))
-    return meant
+    return meanings
 
 
 _COLUMN_ERRORS = {
@@ -289,12 +289,12 @@ def _columns_error(what: str, path: Path, row: int | None, names: Sequence[str])
     return error(in_row, file=str(path), row=row, names=tuple(names))
 
 
-def _is_numeric_row(row: str, separator: str, meant: Sequence[str], degrees: bool) -> bool:
+def _is_numeric_row(row: str, separator: str, meanings: Sequence[str], degrees: bool) -> bool:
     fields = split_fields(row, separator)
     return any(
         name in COORDINATES and k < len(fields)
         and parse_coordinate(fields[k], degrees=degrees) is not None
-        for k, name in enumerate(meant)
+        for k, name in enumerate(meanings)
     )  # fmt: skip
 
 
@@ -369,21 +369,21 @@ GEOGRAPHIC_LIMITS = {"x": (360.0, "NS"), "y": (90.0, "EW")}
 
 
 def _parse_point(
-    path: Path, row: int, fields: list[str], meant: Sequence[str], degrees: bool,
+    path: Path, row: int, fields: list[str], meanings: Sequence[str], degrees: bool,
     factors: Mapping[str, float],
 ) -> ListedPoint:  # fmt: skip
-    at = {name: k for k, name in enumerate(meant) if name != UNUSED}
-    needed = 1 + max(at[name] for name in (NAME, *COORDINATES) if name in at)
+    column_of = {name: k for k, name in enumerate(meanings) if name != UNUSED}
+    needed = 1 + max(column_of[name] for name in (NAME, *COORDINATES) if name in column_of)
     if len(fields) < needed:
         raise InputError(
             error(
                 "seeds.row_too_short", file=str(path), row=row, found=len(fields), needed=needed,
-                names=meant,
+                names=meanings,
             )
         )  # fmt: skip
     values = []
     for axis in COORDINATES:
-        field = fields[at[axis]]
+        field = fields[column_of[axis]]
         value = parse_coordinate(field, degrees=degrees)
         if degrees and axis in GEOGRAPHIC_LIMITS and value is not None:
             limit, others = GEOGRAPHIC_LIMITS[axis]
@@ -398,26 +398,34 @@ def _parse_point(
                 )
             )  # fmt: skip
         values.append(value * factors.get(axis, 1.0))
-    name = fields[at[NAME]].strip() if NAME in at else ""
-    if NAME in at:
+    name = fields[column_of[NAME]].strip() if NAME in column_of else ""
+    if NAME in column_of:
         try:
             require_target_name(name)
         except ProjectError as failure:
             raise InputError(
                 error("seeds.invalid_name", file=str(path), row=row, reason=failure.reason)
             ) from failure
-    word = fields[at[ROLE]].strip().lower() if ROLE in at and at[ROLE] < len(fields) else ""
+    word = (
+        fields[column_of[ROLE]].strip().lower()
+        if ROLE in column_of and column_of[ROLE] < len(fields)
+        else ""
+    )
     if word and word not in ROLES_BY_WORD:
         raise InputError(error("seeds.unknown_role", file=str(path), row=row, role=word[:40]))
     x, y, z = values
     sigma, plane = (
-        fields[at[what]].strip() if what in at and at[what] < len(fields) else ""
+        fields[column_of[what]].strip()
+        if what in column_of and column_of[what] < len(fields)
+        else ""
         for what in (SIGMA, PLANE)
     )
-    own = _parse_sigma(path, row, sigma)
-    if own is not None:
-        own *= factors.get(SIGMA, 1.0)
-    return ListedPoint(row, name, ROLES_BY_WORD[word] if word else None, (x, y, z), own, plane)
+    sigma_metres = _parse_sigma(path, row, sigma)
+    if sigma_metres is not None:
+        sigma_metres *= factors.get(SIGMA, 1.0)
+    return ListedPoint(
+        row, name, ROLES_BY_WORD[word] if word else None, (x, y, z), sigma_metres, plane
+    )
 
 
 def _parse_sigma(path: Path, row: int, text: str) -> float | None:

@@ -55,16 +55,16 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     chunk = _read_points(require_not_empty(path, "target"))
     file = printable(path.name)
     resolved = TARGET_FORMAT.resolved(choice)
-    seen = check_first_points(chunk.xyz, chunk.time, file=file, crs="")
+    points_check = check_first_points(chunk.xyz, chunk.time, file=file, crs="")
     facts = {
         "format": note("fact.target"),
         "points": len(chunk.time),
         **frame_facts(resolved),
         "time base": time_base_message(chunk.time, resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
     }
     rows = preview_table(("time", "x lidar", "y lidar", "z lidar"), (chunk.time, *chunk.xyz.T))
-    file_warnings = (warning("points.of_one_target", file=file), *seen.file_warnings)
+    file_warnings = (warning("points.of_one_target", file=file), *points_check.file_warnings)
     return FilePreview(
         facts, rows, {}, file_warnings, (note("assumed.scanner_coordinates"), SAME_TIME_BASE_NOTE)
     )

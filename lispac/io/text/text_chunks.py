@@ -137,8 +137,8 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     chunk = usable_points(chunk)
     metres = SCANNER_UNITS[str(choice.get("unit") or found.get("unit", "metre"))]
     crs = str(choice.get("crs", ""))
-    seen = check_first_points(metres * chunk.xyz, chunk.time, file=file, crs=crs)
-    found["frame"] = seen.frame
+    points_check = check_first_points(metres * chunk.xyz, chunk.time, file=file, crs=crs)
+    found["frame"] = points_check.frame
     units = layout.units()
     if crs and (unit := height_unit_of(units, crs)):
         found["height_unit"] = unit
@@ -148,7 +148,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     facts |= {
         **frame_facts(resolved),
         "time base": time_base_message(chunk.time, resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
     }
     above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
     feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
@@ -171,7 +171,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         SAME_TIME_BASE_NOTE,
     )
     return FilePreview(
-        facts, preview, found, (*file_warnings, *seen.file_warnings), assumptions, messages
+        facts, preview, found, (*file_warnings, *points_check.file_warnings), assumptions, messages
     )
 
 

@@ -87,7 +87,7 @@ GEOGRAPHIC_COLUMN_NAMES = {"lon", "longitude", "lat", "latitude"}
 
 
 def require_cartesian(path: Path, layout: RowLayout) -> None:
-    """Refuse points with columns of polar coordinates but not of x, y and z.
+    """Refuse points with several columns of polar coordinates but not x, y and z.
 
     Raises
     ------
@@ -110,8 +110,8 @@ def column_title_warnings(path: Path, layout: RowLayout, choice: Choice) -> Iter
     for option, specified in header_options(layout).items():
         unit_option = str(choice.get(option, specified))
         if unit_option not in ("", specified):
-            own = AXES if option == "unit" else ("time",)
-            titles = tuple(layout.titles[layout.names.index(name)] for name in own)
+            meanings = AXES if option == "unit" else ("time",)
+            titles = tuple(layout.titles[layout.names.index(name)] for name in meanings)
             params = {"file": file, "option": option, "stated": titles, "given": unit_option}
             actions = (Action("set_option", {"name": option, "value": specified}),)
             yield Message("text.unit_overridden", Level.WARNING, params, actions=actions)
@@ -127,9 +127,10 @@ def column_title_warnings(path: Path, layout: RowLayout, choice: Choice) -> Iter
 
 
 def height_unit_of(units: Mapping[str, str], crs: str) -> str:
-    """Value of the option ``height_unit``; empty if the title of the heights gives no unit of it.
+    """Value of the option ``height_unit``; empty if the title of the heights gives none.
 
-    It is also empty for feet of unspecified kind in a system in feet, whose feet are then used.
+    It is also empty for units that the option does not have, and for feet of unspecified kind in a
+    system in feet, whose feet are then used.
 
     Parameters
     ----------
@@ -152,8 +153,10 @@ def easting_unit_warnings(units: Mapping[str, str], crs: str, file: str) -> tupl
     unit, system = units.get("x", ""), _parse_crs(crs)
     if unit not in METRES_PER_UNIT or system is None or system.is_geographic:
         return ()
-    own = system.metres[0]
-    if (unit == "ft" and "foot" in system.unit) or abs(METRES_PER_UNIT[unit] / own - 1) < 1e-9:
+    system_metres = system.metres[0]
+    if (unit == "ft" and "foot" in system.unit) or abs(
+        METRES_PER_UNIT[unit] / system_metres - 1
+    ) < 1e-9:
         return ()
     return (
         warning(

@@ -108,9 +108,9 @@ def sniff_ascii(path: Path) -> float:
     if found.issuperset({"time", "roll", "pitch", "heading"}):
         return LIKELY
     width = len(data[0])
-    even = all(len(fields) == width for fields in data[:20])
+    has_equal_widths = all(len(fields) == width for fields in data[:20])
     numeric = sum(is_number(field) or is_clock(field) for field in data[0])
-    return POSSIBLE if even and numeric >= 7 else IMPOSSIBLE
+    return POSSIBLE if has_equal_widths and numeric >= 7 else IMPOSSIBLE
 
 
 def layout_by_choice(path: Path, choice: Choice) -> TextLayout:
@@ -259,11 +259,11 @@ def _column_unit(role: str, token: str, field: str, chosen: dict[str, str], titl
         return "date"
     if role in POSITION_ROLES:
         unit = _angle_unit(chosen["position"], title)
-        way = direction_of(title)
-        if way == UNKNOWN:
+        direction = direction_of(title)
+        if direction == UNKNOWN:
             return f"{UNKNOWN}{split_title(title)[1]}"
-        turned = (role, way) in (("longitude", "west"), ("latitude", "south"))
-        return f"{unit}-{way}" if turned and not unit.startswith(UNKNOWN) else unit
+        turned = (role, direction) in (("longitude", "west"), ("latitude", "south"))
+        return f"{unit}-{direction}" if turned and not unit.startswith(UNKNOWN) else unit
     if role.removesuffix("_sd") in ATTITUDE_ROLES:
         return _angle_unit(chosen["attitude"], title)
     if role in GRID_ROLES:
@@ -405,16 +405,21 @@ def _require_single_angle_columns(path: Path, titles: Sequence[str]) -> None:
     """
     parts = {"deg", "min", "sec", "s", "degrees", "minutes", "seconds", "d", "m"}
     for role in POSITION_ROLES:
-        own = []
+        titles_of_role = []
         for title in titles:
             spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", title)
             words = re.split(r"[\s_.\[\](){}-]+", spaced.lower().strip(" ])}"))
             bare = [word for word in words if word not in parts]
             if len(bare) < len(words) and role_of("".join(bare)) == role:
-                own.append(title)
-        if len(own) > 1:
+                titles_of_role.append(title)
+        if len(titles_of_role) > 1:
             raise InputError(
-                error("trajectory.several_columns", file=str(path), role=role, columns=tuple(own))
+                error(
+                    "trajectory.several_columns",
+                    file=str(path),
+                    role=role,
+                    columns=tuple(titles_of_role),
+                )
             )
 
 
@@ -518,9 +523,9 @@ def _detect_units(
     if "latitude" in values and "longitude" in values:
         latitude, longitude = np.abs(values["latitude"]), np.abs(values["longitude"])
         largest = float(max(latitude.max(), longitude.max()))
-        beyond = largest > 360 or min(latitude.max(), longitude.max()) > 90
+        exceeds_degrees = largest > 360 or min(latitude.max(), longitude.max()) > 90
         minutes = np.concatenate([latitude, longitude]) % 100
-        if (beyond or _has_padded_degrees(written)) and (minutes < 60).all():
+        if (exceeds_degrees or _has_padded_degrees(written)) and (minutes < 60).all():
             units.setdefault("position", "degrees-minutes")
         if _is_in_radians("position", largest, units, choice):
             actions = (degrees_action("position"),)

@@ -79,17 +79,23 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     path = require_not_empty(path, "CIDCO")
     resolved = CIDCO_FORMAT.resolved(choice)
     records = next(record_chunks(path, PREVIEW_POINTS))
-    seen = check_first_points(records[:, 4:7], records[:, 3], file=printable(path.name), crs="")
+    points_check = check_first_points(
+        records[:, 4:7], records[:, 3], file=printable(path.name), crs=""
+    )
     facts = {
         "format": note("fact.cidco"),
         "points": path.stat().st_size // RECORD_BYTES,
         **frame_facts(resolved),
         "time base": time_base_message(records[:, 3], resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
     }
     assumptions = (note("assumed.cidco_columns"), *SCANNER_COLUMN_ASSUMPTIONS)
     return FilePreview(
-        facts, preview_table(COLUMN_NAMES, tuple(records.T)), {}, seen.file_warnings, assumptions
+        facts,
+        preview_table(COLUMN_NAMES, tuple(records.T)),
+        {},
+        points_check.file_warnings,
+        assumptions,
     )
 
 

@@ -110,9 +110,9 @@ def exail_layout(path: Path) -> TextLayout:
         if role == "sea_height" and "ellips" in words.lower():
             role = "height"
         unit = "hemisphere" if role in HEMISPHERE_ROLES else parse_unit(words)
-        way = direction_of(f"{name} [{words}]") if role in POSITION_ROLES else ""
-        if (role, way) in (("longitude", "west"), ("latitude", "south")):
-            unit = f"{unit or 'deg'}-{way}"
+        direction = direction_of(f"{name} [{words}]") if role in POSITION_ROLES else ""
+        if (role, direction) in (("longitude", "west"), ("latitude", "south")):
+            unit = f"{unit or 'deg'}-{direction}"
         if role == "time" and index < len(fields):
             unit = "clock" if is_clock(fields[index]) else unit or "s"
         if not unit:

@@ -183,11 +183,14 @@ def _derivatives(records: Array, chosen: SbetOptions) -> tuple[Array | None, Arr
     found = attitude_rates(angles * signs, factor * rates)
     # The rates may instead be about the axes forward, port, up.
     other = attitude_rates(angles * signs, factor * rates * [1.0, -1.0, -1.0])
-    truth = np.gradient(
+    numerical_rates = np.gradient(
         np.unwrap(angles[:MAX_STATES_COMPARED], axis=0), records[:MAX_STATES_COMPARED, 0], axis=0
     )
-    off = [np.abs(each[:MAX_STATES_COMPARED] - truth * signs).sum() for each in (found, other)]
-    best = found if off[0] <= off[1] else other
+    differences = [
+        np.abs(each[:MAX_STATES_COMPARED] - numerical_rates * signs).sum()
+        for each in (found, other)
+    ]
+    best = found if differences[0] <= differences[1] else other
     return velocity, best * [1.0, -1.0, 1.0]  # pitch bow down
 
 
@@ -202,14 +205,14 @@ def _with_velocity(
     ).to_local(
         trajectory.latitude[compared], trajectory.longitude[compared], trajectory.height[compared]
     )
-    truth = np.diff(place, axis=0) / np.diff(trajectory.time[compared])[:, None]
+    velocity_of_positions = np.diff(place, axis=0) / np.diff(trajectory.time[compared])[:, None]
 
     def local(key: str) -> Array:
         return velocity_in_axes(key, velocity, wander) * [1.0, -1.0, 1.0]  # north, west, up
 
     def residual(key: str) -> float:
         own = local(key)[compared]
-        return float(np.abs(0.5 * (own[1:] + own[:-1]) - truth).sum())
+        return float(np.abs(0.5 * (own[1:] + own[:-1]) - velocity_of_positions).sum())
 
     best = min(keys, key=residual) if len(keys) > 1 else keys[0]
     return replace(trajectory, velocity=local(best))

@@ -203,8 +203,8 @@ def _with_last_rows(
         return first, []
     tail = list(_last_rows(path, layout))
     # In a short file, the last rows overlap the first ones.
-    seen = [k for k, (_, fields) in enumerate(tail) if fields == head[-1][1]]
-    rows = chain(head, tail[seen[-1] + 1 :] if seen else tail)
+    repeated = [k for k, (_, fields) in enumerate(tail) if fields == head[-1][1]]
+    rows = chain(head, tail[repeated[-1] + 1 :] if repeated else tail)
     try:
         return trajectory_of(path, rows, layout.columns, conventions, ()), []
     except InputError:
