@@ -89,16 +89,16 @@ def write_header_copy(path: Path, to: Path) -> None:
     try:
         with laspy.open(path) as reader:
             header = deepcopy(reader.header)
-        described = _extra_bytes_record(header)
+        source_record = _extra_bytes_record(header)
         for records in (header.vlrs, header.evlrs or []):
             records[:] = [record for record in records if not _is_file_specific(record)]
         with to.open("wb") as file, laspy.LasWriter(file, header, closefd=False) as writer:
             if header.evlrs and header.version.minor >= 4:
                 writer.write_evlrs(header.evlrs)
         with laspy.open(to) as reader:
-            emptied = _extra_bytes_record(reader.header)
-        if emptied != described:  # without points, laspy's minima and maxima are meaningless
-            to.write_bytes(to.read_bytes().replace(emptied, described, 1))
+            written_record = _extra_bytes_record(reader.header)
+        if written_record != source_record:  # without points, laspy's bounds are meaningless
+            to.write_bytes(to.read_bytes().replace(written_record, source_record, 1))
     except (LaspyException, LazrsError, ValueError) as failure:
         raise damaged_file_error(path, "LAS or LAZ", failure) from failure
 
@@ -199,8 +199,8 @@ def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Reco
     kinds = laspy.header.GpsTimeType
     header.global_encoding.gps_time_type = kinds.STANDARD if standard_time else kinds.WEEK_TIME
     header.generating_software = f"LISPAC {__version__}"
-    single = {name: 1 for name in ("return_number", "number_of_returns") if name not in columns}
-    return RecordLayout(header, columns, tuple(notes), single)
+    constants = {name: 1 for name in ("return_number", "number_of_returns") if name not in columns}
+    return RecordLayout(header, columns, tuple(notes), constants)
 
 
 def _fits_dimension(name: str, values: NDArray[Any]) -> bool:

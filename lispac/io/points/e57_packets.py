@@ -34,10 +34,10 @@ def excess_records(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
             counted, bits = int(node.childCount()), _field_bits(node)
             stored = counted
             for total, width in zip(_stream_bytes(file, offset), bits, strict=False):
-                slack = 0 if width in (32, 64) else MAX_PADDING_BITS
+                padding_bits = 0 if width in (32, 64) else MAX_PADDING_BITS
                 if width:
-                    stored = max(stored, (8 * total - slack) // width)
-                    if not slack:
+                    stored = max(stored, (8 * total - padding_bits) // width)
+                    if not padding_bits:
                         break
             if stored > counted:
                 yield counted, stored

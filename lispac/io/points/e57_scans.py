@@ -195,13 +195,17 @@ def stored_points(
 
     Parameters
     ----------
+    rows : int
+        Largest number of points of a block.
+    before : int
+        Number of points of the scans before, for messages.
     timed : bool
         Whether a point needs a valid time.
 
     Raises
     ------
     InputError
-        If the scan has fewer points than its header states.
+        If the number of points differs from that of the header, or times are not usable.
     """
     done = 0
     for block in _read_columns(image, scan, tuple(scan.fields), rows):

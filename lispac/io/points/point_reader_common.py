@@ -225,7 +225,7 @@ def damaged_file_error(path: Path, what: str, failure: Exception) -> InputError:
 
 
 def head_sniffer(likelihood_of_head: Callable[[bytes, Path], float]) -> Callable[[Path], float]:
-    """Convert a likelihood from the first bytes to one from the path, which raises no error."""
+    """Decorator that applies a detection to the first bytes of a file and raises no error."""
 
     @wraps(likelihood_of_head)
     def sniff(path: Path) -> float:
@@ -363,7 +363,7 @@ def _are_within_limit(values: NDArray[Any], limit: float) -> bool:
 
 
 def time_resolution(time: NDArray[Any], seconds: float = 1.0) -> float:
-    """Resolution of ``time`` (n,) stored with 32 bits, seconds; zero for 64 bits."""
+    """Resolution of ``time`` (n,) stored as float32, seconds; zero for other types."""
     finite = time[np.isfinite(time)] if time.dtype == np.float32 else time[:0]
     if not len(finite):
         return 0.0

@@ -111,8 +111,8 @@ class PointRecords:
         """
         if not self.count:
             raise InputError(error("file.no_points", file=str(self.path)))
-        least = 2 * len(self.dtype.names or ()) if self.ascii else self.dtype.itemsize
-        stored = (self.path.stat().st_size - self.start) // least
+        min_record_bytes = 2 * len(self.dtype.names or ()) if self.ascii else self.dtype.itemsize
+        stored = (self.path.stat().st_size - self.start) // min_record_bytes
         if stored < self.count - (1 if self.ascii else 0):
             available = max(stored, 0)
             raise InputError(
@@ -241,10 +241,10 @@ def preview_records(
     if np.issubdtype(stored_time.dtype, np.integer) and choice["time_unit"] == "second":
         file_warnings.append(warning("times.whole_numbers", file=file))
     farthest = float(np.abs(chunk.xyz).max())
-    grain = float(np.spacing(np.float32(farthest)))
-    if any(first[axis].dtype == np.float32 for axis in "xyz") and grain > 1e-3:
+    coordinate_step = float(np.spacing(np.float32(farthest)))
+    if any(first[axis].dtype == np.float32 for axis in "xyz") and coordinate_step > 1e-3:
         file_warnings.append(
-            warning("points.coordinates_32_bits", file=file, step=grain, largest=farthest)
+            warning("points.coordinates_32_bits", file=file, step=coordinate_step, largest=farthest)
         )
     found = {"frame": points_check.frame, "time_field": field}
     resolved = format_.resolved({**found, **given_choice})

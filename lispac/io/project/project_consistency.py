@@ -84,7 +84,9 @@ def require_unique_names(project: Project) -> None:
     ------
     InvalidContentError
     """
-    lines, targets = ([each.name for each in some] for some in (project.lines, project.targets))
+    lines, targets = (
+        [each.name for each in named_items] for named_items in (project.lines, project.targets)
+    )
     for line in lines:
         if lines.count(line) > 1:
             raise InvalidContentError(error("content.duplicate_line", line=line))

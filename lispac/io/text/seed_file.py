@@ -265,12 +265,12 @@ def _require_complete_columns(
     ------
     InputError
     """
-    if foreign := [name.rstrip("?") for name in meanings if name.endswith("?")]:
-        raise InputError(_columns_error("other_axes", path, row, foreign))
-    if lacking := [name for name in COORDINATES if name not in meanings]:
-        raise InputError(_columns_error("columns_missing", path, row, lacking))
-    if twice := [name for name in USED_COLUMNS if meanings.count(name) > 1]:
-        raise InputError(_columns_error("duplicate_columns", path, row, twice))
+    if other_axes := [name.rstrip("?") for name in meanings if name.endswith("?")]:
+        raise InputError(_columns_error("other_axes", path, row, other_axes))
+    if missing := [name for name in COORDINATES if name not in meanings]:
+        raise InputError(_columns_error("columns_missing", path, row, missing))
+    if duplicates := [name for name in USED_COLUMNS if meanings.count(name) > 1]:
+        raise InputError(_columns_error("duplicate_columns", path, row, duplicates))
     return meanings
 
 
@@ -342,25 +342,25 @@ def _column_factors(
         If a unit is not known or does not suit the column.
     """
     factors: dict[str, float] = {}
-    for name, own in (*zip(COORDINATES, metres, strict=True), (SIGMA, 1.0)):
+    for name, axis_metres in (*zip(COORDINATES, metres, strict=True), (SIGMA, 1.0)):
         title = titles.get(name, "")
         unit = title_unit(title)
         angle = degrees and name in COORDINATES[:2]
         if angle:
-            turned = direction_of(title) == ("west" if name == "x" else "south")
-            factors[name] = -1.0 if turned else 1.0
+            is_reversed = direction_of(title) == ("west" if name == "x" else "south")
+            factors[name] = -1.0 if is_reversed else 1.0
         if not unit or (unit in ("dms", "ddmm") and angle):
             continue
         kind = "angle" if angle else "length"
         if unit == UNKNOWN or UNITS[unit].kind != kind:
             code = "seeds.not_an_angle" if angle else "seeds.not_a_length"
             raise InputError(error(code, file=str(path), column=title))
-        one = UNITS["deg"].si if angle else own
+        unit_si = UNITS["deg"].si if angle else axis_metres
         is_of_system = (
-            unit == "ft" and abs(own / INTERNATIONAL_FOOT_M - 1) < 1e-5
+            unit == "ft" and abs(axis_metres / INTERNATIONAL_FOOT_M - 1) < 1e-5
         )  # or US survey feet
         if not is_of_system:
-            factors[name] = factors.get(name, 1.0) * UNITS[unit].si / one
+            factors[name] = factors.get(name, 1.0) * UNITS[unit].si / unit_si
     return factors
 
 

@@ -283,9 +283,9 @@ def _chosen_columns(path: Path, text: str) -> list[str]:
                 "text.columns_missing", file=str(path), names=tuple(names), missing=tuple(missing)
             )
         )
-    twice = sorted({name for name in names if name != "-" and names.count(name) > 1})
-    if twice:
-        raise InputError(error("text.duplicate_columns", file=str(path), names=tuple(twice)))
+    duplicates = sorted({name for name in names if name != "-" and names.count(name) > 1})
+    if duplicates:
+        raise InputError(error("text.duplicate_columns", file=str(path), names=tuple(duplicates)))
     return names
 
 

@@ -87,14 +87,26 @@ def coordinate_names(system: CoordinateSystem | None) -> tuple[tuple[str, ...], 
     if system is None:
         return ("north (m)", "west (m)", "up (m)"), (".4f", ".4f", ".4f")
     code = system.crs.to_epsg()
-    of = f" EPSG:{code}" if code else ""
+    epsg_label = f" EPSG:{code}" if code else ""
     height_unit = system.height.rpartition("(")[2].rstrip(")")
     if system.is_geographic:
-        names = f"longitude{of} (deg)", f"latitude{of} (deg)", f"height ({height_unit})"
+        names = (
+            f"longitude{epsg_label} (deg)",
+            f"latitude{epsg_label} (deg)",
+            f"height ({height_unit})",
+        )
         return names, (".9f", ".9f", ".4f")
     if system.crs.is_geocentric:
-        return (f"X{of} (m)", f"Y{of} (m)", f"Z{of} (m)"), (".4f", ".4f", ".4f")
-    names = f"east{of} ({system.unit})", f"north{of} ({system.unit})", f"height ({height_unit})"
+        return (f"X{epsg_label} (m)", f"Y{epsg_label} (m)", f"Z{epsg_label} (m)"), (
+            ".4f",
+            ".4f",
+            ".4f",
+        )
+    names = (
+        f"east{epsg_label} ({system.unit})",
+        f"north{epsg_label} ({system.unit})",
+        f"height ({height_unit})",
+    )
     return names, (".4f", ".4f", ".4f")
 
 

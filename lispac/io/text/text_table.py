@@ -135,9 +135,10 @@ _OPENING_QUOTE = re.compile(r'(?:^|[;,\t])\s*"')
 
 def _split_quoted(line: str, separator: str) -> list[str]:
     if separator == "auto":
-        parted = re.sub('"[^"]*"', "", line)
+        outside_quotes = re.sub('"[^"]*"', "", line)
         separator = next(
-            (name for name, mark in _SEPARATOR_CHARACTERS.items() if mark in parted), "blank"
+            (name for name, mark in _SEPARATOR_CHARACTERS.items() if mark in outside_quotes),
+            "blank",
         )
     mark = _SEPARATOR_CHARACTERS.get(separator, " ")
     row = next(csv.reader([line.strip(" \r\n")], delimiter=mark, skipinitialspace=True), [])
@@ -322,10 +323,10 @@ def date_seconds(field: str) -> float:
     match = _DATE_PATTERN.fullmatch(field.strip())
     if not match:
         raise ValueError(f"{field!r} is not a date as yyyy-mm-dd")
-    year, month, of_month = (int(part) for part in match.groups())
-    if not (1 <= month <= 12 and 1 <= of_month <= 31):
+    year, month, day = (int(part) for part in match.groups())
+    if not (1 <= month <= 12 and 1 <= day <= 31):
         raise ValueError(f"{field!r} is not a date as yyyy-mm-dd")
-    return float(timegm((year, month, of_month, 0, 0, 0)))
+    return float(timegm((year, month, day, 0, 0, 0)))
 
 
 def read_columns(

@@ -262,8 +262,8 @@ def _column_unit(role: str, token: str, field: str, chosen: dict[str, str], titl
         direction = direction_of(title)
         if direction == UNKNOWN:
             return f"{UNKNOWN}{split_title(title)[1]}"
-        turned = (role, direction) in (("longitude", "west"), ("latitude", "south"))
-        return f"{unit}-{direction}" if turned and not unit.startswith(UNKNOWN) else unit
+        is_reversed = (role, direction) in (("longitude", "west"), ("latitude", "south"))
+        return f"{unit}-{direction}" if is_reversed and not unit.startswith(UNKNOWN) else unit
     if role.removesuffix("_sd") in ATTITUDE_ROLES:
         return _angle_unit(chosen["attitude"], title)
     if role in GRID_ROLES:
@@ -362,9 +362,9 @@ def _column_roles(names: list[str]) -> list[str]:
         role = role_of(bare)
         if role in HEIGHT_ROLES and title_unit(name) in ANGLE_UNIT_CODES:
             role = ""  # here the elevation is an angle
-        waits = role in exact and bare.strip().lower() != role
-        tokens.append(role if role and role not in used_roles and not waits else "-")
-        used_roles |= set() if waits else {role}
+        is_synonym_of_exact = role in exact and bare.strip().lower() != role
+        tokens.append(role if role and role not in used_roles and not is_synonym_of_exact else "-")
+        used_roles |= set() if is_synonym_of_exact else {role}
     return tokens
 
 

@@ -61,11 +61,11 @@ def _are_consistent_records(records: NDArray[np.float64]) -> NDArray[np.bool_]:
     angles = records[:, 10:13]
     with np.errstate(all="ignore"):  # other files give arbitrary numbers
         distance = np.linalg.norm(records[:, 0:3] - records[:, 16:19], axis=1)
-        measured = np.linalg.norm(records[:, 4:7], axis=1)
+        lidar_range = np.linalg.norm(records[:, 4:7], axis=1)
         finite = np.isfinite(records).all(axis=1)
-        near = np.abs(distance - measured) < MAX_LEVER_ARM_M
+        is_near = np.abs(distance - lidar_range) < MAX_LEVER_ARM_M
         sound = (sigmas >= 0).all(axis=1) & (np.abs(angles) < 2 * np.pi + 1e-6).all(axis=1)
-        return finite & near & sound & (measured < 1e4) & (np.abs(records[:, 3]) < 1e10)
+        return finite & is_near & sound & (lidar_range < 1e4) & (np.abs(records[:, 3]) < 1e10)
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:

@@ -125,9 +125,9 @@ def _state_table(path: Path) -> Array:
     require_numbers(states, path, "CIDCO binary")
     states = states[np.argsort(states[:, 0], kind="stable")]
     repeated = np.diff(states[:, 0]) == 0
-    unlike = repeated & (np.abs(np.diff(states[:, 1:], axis=0)) > SAME_STATE_TOLERANCE).any(axis=1)
-    if unlike.any():
-        time = float(states[int(np.argmax(unlike)), 0])
+    differs = repeated & (np.abs(np.diff(states[:, 1:], axis=0)) > SAME_STATE_TOLERANCE).any(axis=1)
+    if differs.any():
+        time = float(states[int(np.argmax(differs)), 0])
         raise InputError(error("cidco.different_states", file=str(path), time=time))
     states = states[np.concatenate([[True], ~repeated])]
     if len(states) < 2:

@@ -24,7 +24,7 @@ from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
-SMRMSG_RECORD = 80
+SMRMSG_RECORD_BYTES = 80
 """Bytes of a record of smrmsg."""
 APPLANIX_ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE_NOTE)
 
@@ -265,7 +265,7 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
     """
     path = Path(path)
     require_file(path, "smrmsg")
-    size = path.stat().st_size // SMRMSG_RECORD
+    size = path.stat().st_size // SMRMSG_RECORD_BYTES
     head = np.fromfile(path, "<f8", count=10 * min(size, 1000)).reshape(-1, 10)
     if not is_smrmsg(head) and is_smrmsg(head.byteswap()):
         raise InputError(error("sbet.big_endian_accuracy", file=str(path)))

@@ -101,9 +101,9 @@ def sbet_fit(records: Array) -> float:
     time, steps = records[:, 0], np.diff(records[:, 0])
     size = np.abs(records)
     # Only tiny numbers indicate other data read as float64.
-    somewhere = bool((size[:, 1:3] > 1e-9).any())
-    moving = bool(size[:, 3].max() < 2e4 and size[:, 4:7].max() < 1000)
-    if not (plausible_bases(time) and somewhere and moving and size.max() < 1e11):
+    has_position = bool((size[:, 1:3] > 1e-9).any())
+    is_plausible_motion = bool(size[:, 3].max() < 2e4 and size[:, 4:7].max() < 1000)
+    if not (plausible_bases(time) and has_position and is_plausible_motion and size.max() < 1e11):
         return 0.0
     if (
         (steps > 0).all()
@@ -114,9 +114,9 @@ def sbet_fit(records: Array) -> float:
         return 1.0
     ordered = float(np.mean((steps >= 0) & (steps < 60)))
     exchanged = size[:, 1].max() <= 2 * np.pi and size[:, 2].max() <= np.pi / 2
-    places = exchanged or (size[:, 1].max() <= 90 and size[:, 2].max() <= 360)
-    turns = size[:, 7:9].max() <= 180 and size[:, 9:11].max() <= 1000
-    return 0.6 if ordered >= 0.8 and places and turns else 0.0
+    are_positions = exchanged or (size[:, 1].max() <= 90 and size[:, 2].max() <= 360)
+    are_angles = size[:, 7:9].max() <= 180 and size[:, 9:11].max() <= 1000
+    return 0.6 if ordered >= 0.8 and are_positions and are_angles else 0.0
 
 
 def detect_byte_order(path: Path) -> tuple[str, float]:

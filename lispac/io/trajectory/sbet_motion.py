@@ -50,8 +50,8 @@ def detect_velocity_frame(
         Warnings.
     """
     velocity, wander, own, exchanged = _moving_states(blocks, motions)
-    turns = float(np.abs(np.concatenate([block[:, 10] for block in blocks])).max())
-    has_wander = turns >= MIN_WANDER_RAD
+    largest_wander = float(np.abs(np.concatenate([block[:, 10] for block in blocks])).max())
+    has_wander = largest_wander >= MIN_WANDER_RAD
     unchecked = [warning("sbet.wander_assumed", file=file)] if has_wander else []
     if not any(np.any(block[:, 4:7]) for block in blocks):
         zero = warning("sbet.zero_velocities", file=file)
@@ -63,12 +63,12 @@ def detect_velocity_frame(
         key: _velocity_residual(velocity_in_axes(key, velocity, wander), own)
         for key in VELOCITY_AXES
     }
-    swapped = min(
+    exchanged_residual = min(
         _velocity_residual(velocity_in_axes(key, velocity, wander), exchanged) for key in residuals
     )
     best = min(residuals, key=lambda key: residuals[key])
     if residuals[best] > MAX_VELOCITY_RESIDUAL:
-        if swapped <= MAX_VELOCITY_RESIDUAL and options.order == "latitude-longitude":
+        if exchanged_residual <= MAX_VELOCITY_RESIDUAL and options.order == "latitude-longitude":
             chosen = replace(options, order="longitude-latitude")
             again = [(other, first) for first, other in motions]
             chosen, fact, found = detect_velocity_frame(blocks, again, chosen, file)
@@ -83,9 +83,9 @@ def detect_velocity_frame(
     chosen = replace(options, axes=best)
     limit = max(MIN_RESIDUAL_RATIO * residuals[best], residuals[best] + 0.003)
     rivals = [key for key in residuals if key != best and residuals[key] < limit]
-    if not rivals and turns >= MIN_WANDER_RAD:
-        return _detect_heading(chosen, blocks, motions, turns, fact, file)
-    if turns < MIN_WANDER_RAD:
+    if not rivals and largest_wander >= MIN_WANDER_RAD:
+        return _detect_heading(chosen, blocks, motions, largest_wander, fact, file)
+    if largest_wander < MIN_WANDER_RAD:
         # Without a wander angle, its frames are identical to those relative to north.
         plain = [key for key in (best, *rivals) if not key.startswith("wander")]
         chosen = replace(chosen, axes=plain[0])
@@ -102,7 +102,7 @@ def _detect_heading(
     chosen: SbetOptions,
     blocks: Sequence[Array],
     motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]],
-    turns: float,
+    largest_wander: float,
     fact: Message,
     file: str,
 ) -> tuple[SbetOptions, Message, list[Message]]:
@@ -118,16 +118,16 @@ def _detect_heading(
             for block, (own, _) in zip(blocks, motions, strict=True)
         ]
         offsets.append(abs(float(np.median(np.concatenate(found)))))
-    less, whole = offsets
+    offset_less_wander, offset_as_is = offsets
     # A vessel's drift angle rarely exceeds 15 deg; smaller wander angles cannot be separated.
-    if turns > np.radians(30) and min(less, whole) < np.radians(15) < max(less, whole):
-        used, other = min(less, whole), max(less, whole)
-        if less < whole:
+    used, other = min(offsets), max(offsets)
+    if largest_wander > np.radians(30) and used < np.radians(15) < other:
+        if offset_less_wander < offset_as_is:
             resolved = warning("sbet.heading_less_wander", file=file, used=used, other=other)
             return replace(chosen, heading="minus-wander"), fact, [resolved]
         resolved = warning("sbet.heading_as_is", file=file, used=used, other=other)
         return replace(chosen, heading="as-is"), fact, [resolved]
-    return chosen, fact, [warning("sbet.heading_uncertain", file=file, wander=turns)]
+    return chosen, fact, [warning("sbet.heading_uncertain", file=file, wander=largest_wander)]
 
 
 def _moving_states(
@@ -210,22 +210,22 @@ def _rate_correlation(blocks: Sequence[Array], angle: int, rate: int) -> float |
     Changes over half a second of at least a tenth of a degree are used; smaller ones are noise and
     vibration.
     """
-    changes, turns = [], []
+    changes, rate_integrals = [], []
     for block in blocks:
         time = block[:, 0]
         steps = np.diff(time)
         if len(time) < 3 or (steps < MIN_TIME_STEP_S).any() or (steps > 1).any():
             continue
-        reach = max(1, round(0.5 / float(np.median(steps))))
+        lag = max(1, round(0.5 / float(np.median(steps))))
         values = np.unwrap(block[:, angle])
-        turned = np.concatenate(
+        integrated_rate = np.concatenate(
             [[0.0], np.cumsum((block[1:, rate] + block[:-1, rate]) / 2 * steps)]
         )
-        changes.append((values[reach:] - values[:-reach])[::reach])
-        turns.append((turned[reach:] - turned[:-reach])[::reach])
+        changes.append((values[lag:] - values[:-lag])[::lag])
+        rate_integrals.append((integrated_rate[lag:] - integrated_rate[:-lag])[::lag])
     if not changes:
         return None
-    change, turn = np.concatenate(changes), np.concatenate(turns)
+    change, turn = np.concatenate(changes), np.concatenate(rate_integrals)
     if len(change) < 10:
         return None
     # Correlation about zero instead of the mean, so that a steady turn also gives the sign.

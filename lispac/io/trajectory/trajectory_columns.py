@@ -447,9 +447,9 @@ def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -
         sign = values.pop(role, None)
         if sign is None:
             continue
-        twice = values[place] < 0
-        if twice.any():
-            row = int(numbers[int(np.argmax(twice))])
+        has_both = values[place] < 0
+        if has_both.any():
+            row = int(numbers[int(np.argmax(has_both))])
             raise InputError(
                 error("trajectory.sign_and_hemisphere", file=str(path), row=row, role=place)
             )

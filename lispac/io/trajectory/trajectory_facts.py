@@ -82,19 +82,21 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
         empty = np.zeros(0)
         return TrajectoryMotion(np.zeros(0, dtype=np.int64), empty, empty, empty)
     with np.errstate(all="ignore"):
-        reach = min(0.25, float(time[-1] - time[0]) / 8)
+        half_interval = min(0.25, float(time[-1] - time[0]) / 8)
         index = np.arange(1, count - 1, 1 + count // MAX_VELOCITIES)
-        before = np.minimum(np.searchsorted(time, time[index] - reach), index - 1)
-        after = np.maximum(np.searchsorted(time, time[index] + reach, side="right") - 1, index + 1)
+        before = np.minimum(np.searchsorted(time, time[index] - half_interval), index - 1)
+        after = np.maximum(
+            np.searchsorted(time, time[index] + half_interval, side="right") - 1, index + 1
+        )
         after = np.minimum(after, count - 1)
         span = time[after] - time[before]
         sin = np.sin(latitude[index])
         root = np.sqrt(1 - ECCENTRICITY_SQUARED * sin**2)
         meridian = SEMI_MAJOR_AXIS * (1 - ECCENTRICITY_SQUARED) / root**3 + height[index]
         parallel = (SEMI_MAJOR_AXIS / root + height[index]) * np.cos(latitude[index])
-        turn = wrap_angle(longitude[after] - longitude[before])
+        longitude_change = wrap_angle(longitude[after] - longitude[before])
         north = (latitude[after] - latitude[before]) * meridian / span
-        east = turn * parallel / span
+        east = longitude_change * parallel / span
         up = (height[after] - height[before]) / span
         # The state has to be in the middle: in a turn, the velocity would differ otherwise.
         offset = np.abs((time[after] + time[before]) / 2 - time[index])
@@ -227,15 +229,15 @@ def course_warnings(
         Name of the file.
     """
     speeds = np.concatenate([motion.speed for motion, _ in motions] or [np.zeros(0)])
-    fast = float(np.median(speeds)) if len(speeds) else 0.0
-    if fast > MAX_CARRIER_SPEED:
-        return (warning("trajectory.impossible_speed", file=file, speed=fast),)
+    median_speed = float(np.median(speeds)) if len(speeds) else 0.0
+    if median_speed > MAX_CARRIER_SPEED:
+        return (warning("trajectory.impossible_speed", file=file, speed=median_speed),)
     found: tuple[Message, ...] = ()
-    if fast > MAX_VESSEL_SPEED:
-        found = (warning("trajectory.fast", file=file, speed=fast),)
+    if median_speed > MAX_VESSEL_SPEED:
+        found = (warning("trajectory.fast", file=file, speed=median_speed),)
     elif len(speeds) and float(speeds.max()) > MAX_VESSEL_SPEED:
         largest = float(speeds.max())
-        found = (warning("trajectory.jumps", file=file, speed=fast, largest=largest),)
+        found = (warning("trajectory.jumps", file=file, speed=median_speed, largest=largest),)
     return (*found, *_heading_warnings(motions, headings, file))
 
 

@@ -56,7 +56,7 @@ from lispac.io.trajectory.pospac_text import (
     sniff_pospac_accuracy,
 )
 from lispac.io.trajectory.sbet import (
-    SMRMSG_RECORD,
+    SMRMSG_RECORD_BYTES,
     VELOCITY_AXES,
     SbetOptions,
     is_smrmsg,
@@ -153,10 +153,10 @@ def _read_sbet(path: Path, choice: Choice) -> Trajectory:
 def _first_smrmsg_records(path: Path) -> NDArray[np.float64]:
     try:
         with Path(path).open("rb") as file:
-            data = file.read(1000 * SMRMSG_RECORD)
+            data = file.read(1000 * SMRMSG_RECORD_BYTES)
     except OSError:
         return np.zeros((0, 10))
-    whole = len(data) // SMRMSG_RECORD * SMRMSG_RECORD
+    whole = len(data) // SMRMSG_RECORD_BYTES * SMRMSG_RECORD_BYTES
     return np.frombuffer(data[:whole], dtype="<f8").reshape(-1, 10)
 
 
@@ -165,7 +165,7 @@ def _sniff_smrmsg(path: Path) -> float:
     if not is_smrmsg(head):
         # In the other byte order it is still an smrmsg; its reader reports the error.
         return LIKELY if is_smrmsg(head.byteswap()) else IMPOSSIBLE
-    return SURE if Path(path).stat().st_size % SMRMSG_RECORD == 0 else LIKELY
+    return SURE if Path(path).stat().st_size % SMRMSG_RECORD_BYTES == 0 else LIKELY
 
 
 def _preview_smrmsg(path: Path, choice: Choice) -> FilePreview:
@@ -176,14 +176,14 @@ def _preview_smrmsg(path: Path, choice: Choice) -> FilePreview:
     file, kind = printable(path.name), file_kind_message("smrmsg")
     if not size:
         file_warnings.append(warning("file.empty", file=file, kind=kind))
-    elif rest := size % SMRMSG_RECORD:
+    elif rest := size % SMRMSG_RECORD_BYTES:
         file_warnings.append(
             warning(
-                "file.partial_record", file=file, kind=kind, size=size, record=SMRMSG_RECORD,
+                "file.partial_record", file=file, kind=kind, size=size, record=SMRMSG_RECORD_BYTES,
                 rest=rest,
             )
         )  # fmt: skip
-    facts: dict[str, Fact] = {"Records": size // SMRMSG_RECORD}
+    facts: dict[str, Fact] = {"Records": size // SMRMSG_RECORD_BYTES}
     if len(head) and not file_warnings:
         try:
             found, warnings = accuracy_facts(read_smrmsg(path), file)

@@ -87,8 +87,8 @@ def preview_text(
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
     file_warnings = list(layout.file_warnings)
     if not is_complete(layout.columns):
-        lacking = missing_columns(path, layout.columns)
-        file_warnings.append(replace(lacking, level=Level.WARNING))
+        missing = missing_columns(path, layout.columns)
+        file_warnings.append(replace(missing, level=Level.WARNING))
         return FilePreview(facts, rows, choice, tuple(file_warnings))
     try:
         first = trajectory_of(path, iter(head), layout.columns, conventions, ())
