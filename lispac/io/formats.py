@@ -45,7 +45,7 @@ __all__ = [
 
 
 def formats_of(kind: Kind) -> tuple[FileFormat, ...]:
-    """All formats of a kind, the most common first."""
+    """All formats of a kind, in the order of preference at equal likelihood."""
     return {
         "trajectory": TRAJECTORY_FORMATS,
         "accuracy": ACCURACY_FORMATS,
@@ -92,7 +92,8 @@ def is_las(path: Path) -> bool:
 def recognise_formats(path: Path, kind: Kind) -> list[tuple[FileFormat, float]]:
     """Formats that a file may have, with their likelihoods, the most likely first.
 
-    At equal likelihood, formats with the extension of the file come first, then the common ones.
+    At equal likelihood, formats with the extension of the file come first, then the order is that
+    of `formats_of`.
     """
     path = Path(path)
     if not path.is_file():

@@ -63,7 +63,7 @@ class PosSpecification:
     states: tuple[PosAccuracy, ...]
 
 
-Figures = ScannerSpecification | PosSpecification
+SensorSpecification = ScannerSpecification | PosSpecification
 
 
 def read_scanner_specification(path: Path, *, whole: bool = True) -> ScannerSpecification:
@@ -127,7 +127,7 @@ def _read_sigmas(table: TomlTable, key: str, high: float) -> Triple:
     return a, b, c
 
 
-def write_specification(path: Path, figures: Figures) -> None:
+def write_specification(path: Path, figures: SensorSpecification) -> None:
     """Write a specification so that it reads back unchanged.
 
     Raises

@@ -67,7 +67,7 @@ BYTES_PER_READ = 1 << 20
 OPENER_NAME = "project.lispac"
 OPENER_ENDING = ".lispac"
 OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
-Points = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
+IndexReader = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
 """Function that returns the point indices of the sightings of a target, from the path of its file
 of points, the name of the target, and the number of points of each sighting."""
 
@@ -284,7 +284,7 @@ def _unreadable_error(path: Path, failure: OSError) -> ProjectError:
     return ProjectError(error("project.unreadable", file=str(path), reason=reason))
 
 
-def _decode_text(path: Path, text: bytes, points: Points | None = None) -> Project:
+def _decode_text(path: Path, text: bytes, points: IndexReader | None = None) -> Project:
     try:
         content = json_values(text)
         version = content["schema_version"]
@@ -377,7 +377,7 @@ def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, 
     }
 
 
-def _decode_project(folder: Path, content: dict[str, Any], points: Points) -> Project:
+def _decode_project(folder: Path, content: dict[str, Any], points: IndexReader) -> Project:
     return Project(
         folder=folder,
         trajectory=_absolute_path(content["trajectory"], folder),
@@ -447,7 +447,7 @@ def _decode_result(content: Any) -> AdjustmentResult:
     return result
 
 
-def _decode_target(folder: Path, content: dict[str, Any], points: Points) -> Target:
+def _decode_target(folder: Path, content: dict[str, Any], points: IndexReader) -> Target:
     name = decode_value(content["name"], str)
     path = folder / decode_value(content["indices"], str)
     sightings = tuple(

@@ -68,7 +68,7 @@ def read_coordinates(path: Path) -> Iterator[Array]:
 
 
 def has_point_count(path: Path) -> bool:
-    """True if a file begins with its number of points, as PTS does."""
+    """True if a file begins with a point count, and its ending or first point is that of PTS."""
     first, second = _first_rows(path, 2)
     if not _COUNT_PATTERN.fullmatch(first):
         return False

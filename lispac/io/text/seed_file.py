@@ -90,7 +90,8 @@ class PointList:
     Attributes
     ----------
     columns : tuple of str
-        Meaning of the columns from the left: one of `USED_COLUMNS`, or ``-`` for an unused column.
+        Meaning of the columns from the left: one of `USED_COLUMNS`, for check points also ``sigma``
+        and ``plane``, or ``-`` for an unused column.
     are_columns_given : bool
         Whether a header row or the caller gives the meanings; otherwise their order does.
     """

@@ -49,7 +49,8 @@ class RowLayout:
         One of `SEPARATOR_CHARACTERS`.
     decimal_comma : bool
     names : tuple of str
-        Column names in the terms of the program; empty if no row above the numbers has names.
+        Meaning of each column, or its name if the meaning is not known, or ``-`` if it is not read;
+        empty if no row above the numbers has names.
     first : int
         Number of rows before the first row of numbers.
     titles : tuple of str

@@ -38,6 +38,7 @@ from lispac.survey.line_source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 HEAD_ROWS, TAIL_BYTES = 5000, 64 * 1024
+"""Rows at the beginning and bytes at the end of a file that are read for its preview."""
 
 
 @dataclass(frozen=True)

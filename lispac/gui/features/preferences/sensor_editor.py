@@ -12,10 +12,10 @@ from lispac.gui.appearance import theme
 from lispac.gui.widgets.error_box import exception_text
 from lispac.io.config.sensor_file import (
     GNSS_SOLUTIONS,
-    Figures,
     PosAccuracy,
     PosSpecification,
     ScannerSpecification,
+    SensorSpecification,
 )
 from lispac.language import N_, gettext
 from lispac.workflow.planning.sensors import require_storable, store_sensor
@@ -61,7 +61,7 @@ class SensorEditor(QDialog):
     """
 
     def __init__(
-        self, folder: Path, figures: Figures, name: str, parent: QWidget | None = None
+        self, folder: Path, figures: SensorSpecification, name: str, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._folder, self.name = folder, name
@@ -105,7 +105,7 @@ class SensorEditor(QDialog):
         self._check_input()
 
     @property
-    def figures(self) -> Figures:
+    def figures(self) -> SensorSpecification:
         """Specifications from the fields."""
         title = self.title.text().strip()
         if isinstance(self.parts[0], _ScannerFields):
