@@ -139,7 +139,7 @@ def read_records(
     Raises
     ------
     InputError
-        If the file is missing, empty or cut short, or holds values that are not numbers or are
+        If the file is missing, empty or cut short, or contains values that are not numbers or are
         impossibly large.
     """
     require_file(path, what)

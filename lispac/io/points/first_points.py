@@ -68,7 +68,7 @@ def check_first_points(
     crs : str
         Coordinate system, specified in the file or by the user; empty if none.
     low, high : ndarray of shape (3,), frame and unit of the file
-        Bounds stated in the header, if any.
+        Bounds specified in the header, if any.
     """
     file_warnings: list[Message] = []
     usable = usable_mask(xyz, time)

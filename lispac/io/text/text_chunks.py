@@ -106,7 +106,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     Raises
     ------
     InputError
-        If the file cannot be read or holds no rows of numbers.
+        If the file cannot be read or contains no rows of numbers.
     """
     path = require_not_empty(path, "text")
     file = printable(path.name)

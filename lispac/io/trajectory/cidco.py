@@ -74,7 +74,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     Raises
     ------
     InputError
-        If the file cannot be read or does not hold such records.
+        If the file cannot be read or does not contain such records.
     """
     path = require_not_empty(path, "CIDCO")
     resolved = CIDCO_FORMAT.resolved(choice)
@@ -105,7 +105,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     Raises
     ------
     InputError
-        If the file is missing, cut short, empty, or does not hold such records.
+        If the file is missing, cut short, empty, or does not contain such records.
     """
     path = require_not_empty(path, "CIDCO")
     scale, total = (

@@ -98,7 +98,7 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     Raises
     ------
     InputError
-        If the file is missing, cut short, holds NaN, angles out of range or disordered times.
+        If the file is missing, cut short, contains NaN, angles out of range or disordered times.
     """
     path = Path(path)
     chosen = options or SbetOptions()
@@ -261,7 +261,7 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
     Raises
     ------
     InputError
-        If the file is missing, cut short, holds NaN, negative sigmas or disordered times.
+        If the file is missing, cut short, contains NaN, negative sigmas or disordered times.
     """
     path = Path(path)
     require_file(path, "smrmsg")
