@@ -15,7 +15,7 @@ import pytest
 from bundling import build, desktop, licences, names, sizes, trimming
 
 import lispac
-from lispac.io.project.project_file import OPENER, OPENER_ENDING
+from lispac.io.project.project_file import OPENER_ENDING, OPENER_NAME
 from lispac.language import LANGUAGES
 from tests.extras.clean_root import Root
 
@@ -37,7 +37,7 @@ def test_names_are_those_of_the_package() -> None:
     assert names.version() == lispac.__version__
     assert set(names.PROGRAMS) == set(scripts())
     assert f".{names.ENDING}" == OPENER_ENDING
-    assert OPENER.endswith(OPENER_ENDING)
+    assert OPENER_NAME.endswith(OPENER_ENDING)
     assert build.bundle_name().startswith(f"lispac-{lispac.__version__}-")
 
 

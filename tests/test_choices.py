@@ -12,7 +12,7 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError, TargetNotFound
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.targets.finder_settings import USUAL, FinderChoices, FinderSettings
@@ -110,7 +110,7 @@ def test_kept_in_the_project_where_they_are_not_the_usual_ones(tmp_path: Path) -
     first = replace(project.targets[0], choices=CHOSEN)
     project = replace(project, targets=(first, *project.targets[1:]))
     write_project(project)
-    content = json.loads((tmp_path / "p" / FILE_NAME).read_text())
+    content = json.loads((tmp_path / "p" / PROJECT_FILE_NAME).read_text())
     assert [target["choices"] is None for target in content["targets"]] == [
         False, *(True for _ in project.targets[1:])
     ]  # fmt: skip
@@ -122,7 +122,7 @@ def test_kept_in_the_project_where_they_are_not_the_usual_ones(tmp_path: Path) -
     ):
         damaged = json.loads(json.dumps(content))
         damaged["targets"][0]["choices"] |= wrong
-        (tmp_path / "p" / FILE_NAME).write_text(json.dumps(damaged))
+        (tmp_path / "p" / PROJECT_FILE_NAME).write_text(json.dumps(damaged))
         with pytest.raises(ProjectError) as refused:
             read_project(tmp_path / "p")
         assert code in codes_of(refused.value)

@@ -13,7 +13,7 @@ from lispac.cli.main import main
 from lispac.cli.parser import build_parser
 from lispac.former_names import SCRIPT_NAMES
 from lispac.io.config.plan_file import read_site
-from lispac.io.config.toml_table import FORMER_KEYS
+from lispac.io.config.toml_table import PRESENT_KEY_OF_FORMER
 from lispac.io.project.project_file import read_project
 from lispac.project import Settings
 from lispac.survey.store import layout
@@ -86,7 +86,7 @@ def test_an_option_of_another_command_is_not_replaced() -> None:
 
 def test_former_keys_of_a_site_are_read_with_a_warning(tmp_path: Path) -> None:
     former = SITE.read_text(encoding="utf-8")
-    used = [(new, old) for old, new in FORMER_KEYS.items() if new in former]
+    used = [(new, old) for old, new in PRESENT_KEY_OF_FORMER.items() if new in former]
     assert len(used) == 3
     for new, old in used:
         former = former.replace(new, old)

@@ -28,11 +28,11 @@ from lispac.io.config.scene_file import read_scene
 from lispac.io.config.sensor_file import read_pos_specification, read_scanner_specification
 from lispac.io.config.vessel_file import read_vessel
 from lispac.io.format_types import FilePreview
-from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of
+from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS, format_of
 from lispac.io.points.mesh_file import MeshReader, read_mesh
 from lispac.io.points.point_reader_common import usable_points
 from lispac.io.points.static_scan import open_static_scan
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.io.text.seed_file import is_point_list, read_point_list
 from lispac.simulation.meshes import Mesh
 from lispac.survey.store import layout
@@ -52,7 +52,9 @@ from tests.test_trajectory_bad_input import anything, good
 __all__ = ["small"]
 
 ROOT = Path(__file__).parents[1]
-FORMATS = {format.key: format for format in (*TRAJECTORIES, *ACCURACIES, *POINTS)}
+FORMATS = {
+    format.key: format for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS, *POINT_FORMATS)
+}
 SHORT = 15
 
 Sources = list[st.SearchStrategy[bytes]]
@@ -218,7 +220,7 @@ def project(folder: Path) -> tuple[Sources, Attempt]:
     made = sample_project(folder / "p")
     first = replace(made.targets[0], choices=FinderChoices(min_points=50))
     write_project(replace(made, targets=(first, *made.targets[1:])))
-    path = folder / "p" / FILE_NAME
+    path = folder / "p" / PROJECT_FILE_NAME
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)

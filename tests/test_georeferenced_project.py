@@ -11,7 +11,7 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import Cancelled, InputError, ProjectError
-from lispac.io.las.las_chunks import LAS
+from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.las.las_crs import read_header_crs
 from lispac.io.las.mounting_record import MountingRecord
 from lispac.io.points.point_reader_common import crs_of_options
@@ -86,10 +86,10 @@ def test_a_project_goes_to_the_map_and_comes_back(
     raw = laspy.read(tmp_path / "raw.laz")
     written = laspy.read(done[0].path)
     np.testing.assert_array_equal(written.gps_time, raw.gps_time)  # the original ones
-    choice = LAS.preview(done[0].path, {}).choice
-    system = crs_of_options(LAS.resolved(choice))
+    choice = LAS_FORMAT.preview(done[0].path, {}).choice
+    system = crs_of_options(LAS_FORMAT.resolved(choice))
     assert system is not None
-    chunks = (replace(c, time=c.time + 18.0) for c in LAS.read(done[0].path, choice))
+    chunks = (replace(c, time=c.time + 18.0) for c in LAS_FORMAT.read(done[0].path, choice))
     recovery = RecoverySetup(system, trajectory, project.mounting("prior"))
     back = np.concatenate([part.xyz for part, _ in recover_scanner_points(chunks, recovery)])
     worst = np.linalg.norm(back - raw.xyz, axis=1).max()
@@ -134,7 +134,7 @@ def test_another_boresight_on_a_cloud_that_is_georeferenced(
     Its own system by default, as if it had been made from the scanner frame.
     """
     (first,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
-    choice = LAS.preview(first.path, {}).choice
+    choice = LAS_FORMAT.preview(first.path, {}).choice
     reading = Reading("las", tuple((k, str(v)) for k, v in choice.items()), 18.0)
     better = replace(
         project, lines=(LineSource("again", first.path, (), reading),),
@@ -296,7 +296,7 @@ def test_a_cloud_of_the_program_gives_its_points_back(
     (done,) = georeference_project(
         project, tmp_path / "out", "prior", system=system, lines=["L1"], ending=ending
     )
-    found = LAS.preview(done.path, {})
+    found = LAS_FORMAT.preview(done.path, {})
     assert found.choice["frame"] == "georeferenced"
     options = tuple((name, str(value)) for name, value in found.choice.items())
     line = LineSource("L1", done.path, (), Reading("las", options, 18.0))
@@ -340,7 +340,7 @@ def test_a_damaged_record_is_not_used(project: Project, tmp_path: Path, damage: 
     cloud.write(done.path)
     assert MountingRecord.read(done.path) is None
     with pytest.raises(InputError, check=has_code("las.local_frame")):
-        LAS.preview(done.path, {})
+        LAS_FORMAT.preview(done.path, {})
 
 
 def test_a_written_cloud_is_written_again(project: Project, tmp_path: Path) -> None:
@@ -348,7 +348,7 @@ def test_a_written_cloud_is_written_again(project: Project, tmp_path: Path) -> N
     (local,) = georeference_project(
         project, tmp_path / "local", "prior", system="local", lines=["L1"], ending="las"
     )
-    options = tuple((k, str(v)) for k, v in LAS.preview(local.path, {}).choice.items())
+    options = tuple((k, str(v)) for k, v in LAS_FORMAT.preview(local.path, {}).choice.items())
     line = LineSource("L1", local.path, (), Reading("las", options, 18.0))
     (again,) = georeference_project(
         replace(project, lines=(line,)), tmp_path / "again", "prior", system=UTM, ending="las"

@@ -10,7 +10,7 @@ from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.io.formats import format_of
 from lispac.io.points.line_times import read_line_times
-from lispac.io.points.point_reader_common import CHOOSE_FRAME
+from lispac.io.points.point_reader_common import CHOOSE_FRAME_ACTION
 from lispac.messages import warning
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
@@ -87,7 +87,7 @@ def test_map_coordinates_given_as_the_scanners_are_refused_everywhere(track, tmp
 
 
 def test_a_long_line_is_judged_by_points_all_over_it(tmp_path, monkeypatch) -> None:
-    monkeypatch.setattr("lispac.io.points.line_times.READ_WHOLE", 100)
+    monkeypatch.setattr("lispac.io.points.line_times.MAX_POINTS_READ_WHOLE", 100)
     with pytest.raises(InputError, check=has_code("survey.not_scanner_frame")):
         read_line_times(on_map(tmp_path), format_of("las"), {"frame": "scanner"})
     points = fan(3000)
@@ -122,7 +122,7 @@ def test_a_system_that_is_not_used_is_reported(track, tmp_path) -> None:
     line = write_line(tmp_path / "near.las", START + np.linspace(5, 20, 3000))
     _, survey = made(tmp_path / "p", track, line, options(crs=SYSTEM))
     unused = warning(
-        "points.unused_system", file="near.las", system=SYSTEM, actions=(CHOOSE_FRAME,)
+        "points.unused_system", file="near.las", system=SYSTEM, actions=(CHOOSE_FRAME_ACTION,)
     )
     assert unused in survey.notes
     input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "crs", SYSTEM))

@@ -16,7 +16,7 @@ import pytest
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.identity import BLANK, HINTS, LABELS, NAMES, Identity
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.message_texts import TEXTS
 from lispac.messages import error, note
 from lispac.project import LineSource, Project, Reading
@@ -90,7 +90,7 @@ def test_blanks_around_go(tmp_path: Path) -> None:
 def test_a_damaged_text_is_refused_with_the_file(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_project(project)
-    path = project.folder / FILE_NAME
+    path = project.folder / PROJECT_FILE_NAME
     content = json.loads(path.read_text())
     content["identity"]["vessel"] = "\x01"
     path.write_text(json.dumps(content))

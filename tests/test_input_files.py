@@ -271,8 +271,8 @@ def test_a_long_line_is_examined_here_and_there(
     files: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     whole = read_line_times(files / "L1.laz", format_of("las"), {})
-    monkeypatch.setattr(times_module, "READ_WHOLE", 1000)
-    monkeypatch.setattr(times_module, "BLOCK", 50)
+    monkeypatch.setattr(times_module, "MAX_POINTS_READ_WHOLE", 1000)
+    monkeypatch.setattr(times_module, "POINTS_PER_BLOCK", 50)
     sampled = read_line_times(files / "L1.laz", format_of("las"), {})
     assert not sampled.whole
     assert whole.whole
@@ -284,10 +284,10 @@ def test_a_long_line_is_examined_here_and_there(
 def test_a_line_that_takes_long_to_read_is_cut_and_reported(
     files: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(times_module, "TIME_LIMIT", -1.0)
+    monkeypatch.setattr(times_module, "TIME_LIMIT_S", -1.0)
     entry = examine_file(files / "deeper" / "L9.txt")
     assert entry.content is None  # its columns are not named yet
-    monkeypatch.setattr("lispac.io.las.las_chunks.CHUNK", 500)
+    monkeypatch.setattr("lispac.io.las.las_chunks.POINTS_PER_CHUNK", 500)
     cut = read_line_times(files / "L1.laz", format_of("las"), {})
     assert not cut.reached_end
     assert cut.count == 3000

@@ -10,9 +10,13 @@ from lispac.io.format_types import FilePreview
 from lispac.io.formats import format_of
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.line_times import LineTimes
-from lispac.io.points.point_reader_common import CHOOSE_SYSTEM, USE_FEET, time_base_warnings
+from lispac.io.points.point_reader_common import (
+    CHOOSE_SYSTEM_ACTION,
+    USE_FEET_ACTIONS,
+    time_base_warnings,
+)
 from lispac.io.trajectory.ascii_trajectory import degrees_action
-from lispac.io.trajectory.trajectory_facts import SWAP_COORDINATES, time_warnings
+from lispac.io.trajectory.trajectory_facts import SWAP_COORDINATES_ACTION, time_warnings
 from lispac.io.trajectory.trajectory_preview import sign_assumed_warning
 from lispac.language import LANGUAGES, in_language
 from lispac.message_texts import action_text, action_tip, message_text
@@ -165,7 +169,7 @@ def test_a_file_that_waits_says_nothing(files: Path) -> None:
 def test_a_role_that_a_file_has_already_keeps_what_was_found(files: Path) -> None:
     input_files = taken_in(InputFiles(), files / "L1.laz")
     assert input_files.with_role(files / "L1.laz", "points") is input_files
-    assert input_files.with_action(files / "L1.laz", CHOOSE_SYSTEM) is input_files
+    assert input_files.with_action(files / "L1.laz", CHOOSE_SYSTEM_ACTION) is input_files
 
 
 def test_two_accuracies_are_one_too_many(files: Path, tmp_path: Path) -> None:
@@ -264,7 +268,7 @@ def of_points(xyz: np.ndarray, crs: str = "") -> tuple[Message, ...]:
 
 
 _OPTION = [
-    ("sbet", warning("trajectory.exchanged", file="a.dat", actions=(SWAP_COORDINATES,)),
+    ("sbet", warning("trajectory.exchanged", file="a.dat", actions=(SWAP_COORDINATES_ACTION,)),
      [("order", "longitude-latitude")]),
     ("ascii-trajectory",
      warning("trajectory.position_in_radians", file="a.dat", actions=(degrees_action("position"),)),
@@ -272,9 +276,9 @@ _OPTION = [
     ("ascii-trajectory",
      warning("trajectory.attitude_in_radians", file="a.dat", actions=(degrees_action("attitude"),)),
      [("attitude", "degrees")]),
-    ("las", warning("points.feet_in_header", file="a.dat", actions=USE_FEET),
+    ("las", warning("points.feet_in_header", file="a.dat", actions=USE_FEET_ACTIONS),
      [("unit", "foot"), ("unit", "us-survey-foot")]),
-    ("text", warning("points.feet_in_header", file="a.dat", actions=USE_FEET),
+    ("text", warning("points.feet_in_header", file="a.dat", actions=USE_FEET_ACTIONS),
      [("unit", "foot"), ("unit", "us-survey-foot")]),
     ("sbet", warning("trajectory.jumps", file="a.dat", speed=1.0, largest=90.0), []),
 ]  # fmt: skip

@@ -45,7 +45,7 @@ def test_a_file_cut_between_two_points_while_it_is_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kept: int
 ) -> None:
     """What is left is sound by itself; only the count tells."""
-    monkeypatch.setattr("lispac.io.las.las_chunks.CHUNK", 1000)
+    monkeypatch.setattr("lispac.io.las.las_chunks.POINTS_PER_CHUNK", 1000)
     path, start, size = written(tmp_path / "a.las", 20_000)
     chunks = LAS.read(path, {})
     next(chunks)
@@ -69,7 +69,7 @@ def test_a_file_cut_after_its_header_was_checked(
         return counts
 
     monkeypatch.setattr(las_chunks, "require_sound_header", checked_and_cut)
-    monkeypatch.setattr(las_chunks, "CHUNK", 100)
+    monkeypatch.setattr(las_chunks, "POINTS_PER_CHUNK", 100)
     with pytest.raises(InputError) as refused:
         las.read_scan(path)
     assert refused.value.message == error(
@@ -111,7 +111,7 @@ def test_points_too_far_from_the_others_to_be_stored(tmp_path: Path) -> None:
 
 
 def test_text_that_ends_where_a_block_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(point_records, "LARGEST", 32)  # one point of four numbers
+    monkeypatch.setattr(point_records, "BYTES_PER_READ", 32)  # one point of four numbers
     path = tmp_path / "a.ply"
     fields = "".join(f"property double {name}\n" for name in ("x", "y", "z", "time"))
     path.write_text(
@@ -137,9 +137,9 @@ def test_times_of_a_line_on_the_map(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, most: int
 ) -> None:
     """Read whole in chunks, or looked at here and there: places far off are no fault there."""
-    monkeypatch.setattr(line_times, "READ_WHOLE", most)
-    monkeypatch.setattr(line_times, "BLOCK", 30)
-    monkeypatch.setattr("lispac.io.las.las_chunks.CHUNK", 16)
+    monkeypatch.setattr(line_times, "MAX_POINTS_READ_WHOLE", most)
+    monkeypatch.setattr(line_times, "POINTS_PER_BLOCK", 30)
+    monkeypatch.setattr("lispac.io.las.las_chunks.POINTS_PER_CHUNK", 16)
     path, _, _ = written(tmp_path / "a.las", 60, [350_000, 5e6, 0])
     found = line_times.read_line_times(path, LAS, {"frame": "georeferenced"})
     assert (found.start, found.end, found.count) == (400_000, 400_100, 60)
@@ -149,8 +149,8 @@ def test_times_of_a_line_on_the_map(
 
 
 def test_a_long_line_without_a_usable_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(line_times, "READ_WHOLE", 10)
-    monkeypatch.setattr(line_times, "BLOCK", 30)
+    monkeypatch.setattr(line_times, "MAX_POINTS_READ_WHOLE", 10)
+    monkeypatch.setattr(line_times, "POINTS_PER_BLOCK", 30)
     path = files.las(tmp_path / "a.las")
     data = laspy.read(path)
     data.gps_time = np.full(files.COUNT, np.nan)

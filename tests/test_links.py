@@ -9,7 +9,7 @@ import pytest
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.las.las_format import write_points
-from lispac.io.project.project_file import SIGHTINGS, read_project, write_project
+from lispac.io.project.project_file import SIGHTINGS_FOLDER, read_project, write_project
 from lispac.io.project.project_lock import LOCK_NAME
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import is_link
@@ -63,7 +63,7 @@ def with_target(project: Project, calibrated: tuple[Project, Survey]) -> Project
 def test_a_linked_folder_of_points_is_left_alone(
     project: Project, calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
-    before = linked(project.folder / SIGHTINGS, tmp_path / "elsewhere")
+    before = linked(project.folder / SIGHTINGS_FOLDER, tmp_path / "elsewhere")
     write_project(project)  # nothing to write there, and nothing is deleted
     assert contents(tmp_path / "elsewhere") == before
     saved = (project.folder / "project.json").read_bytes()
@@ -77,7 +77,7 @@ def test_only_own_files_of_points_are_removed(
     project: Project, calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     write_project(with_target(project, calibrated))
-    folder = project.folder / SIGHTINGS
+    folder = project.folder / SIGHTINGS_FOLDER
     (own,) = folder.glob("T1-*.npz")
     outside = tmp_path / "outside.npz"
     outside.write_bytes(own.read_bytes())

@@ -10,7 +10,7 @@ import pytest
 from lispac.errors import InputError, ProjectError
 from lispac.io.las.las_header_check import require_sound_header
 from lispac.io.points.mesh_file import MeshReader, read_mesh
-from lispac.io.project.project_file import SIGHTINGS, read_project
+from lispac.io.project.project_file import SIGHTINGS_FOLDER, read_project
 from lispac.project import Project
 from lispac.simulation.meshes import Mesh
 from tests.test_meshes import write_mesh
@@ -80,7 +80,7 @@ def test_a_mesh_that_ends_its_reader_ends_nothing_else(tmp_path: Path) -> None:
 
 
 def test_points_of_a_target_that_unpack_to_more_than_the_project_states(copy: Project) -> None:
-    path = next((copy.folder / SIGHTINGS).glob("*.npz"))
+    path = next((copy.folder / SIGHTINGS_FOLDER).glob("*.npz"))
     with np.load(path) as arrays:
         found = dict(arrays)
     name = sorted(found)[0]

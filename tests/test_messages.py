@@ -15,7 +15,7 @@ import pytest
 from lispac.cli.messages import OPTIONS, option_hint
 from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import LANGUAGES, Plural, Template, format_text, in_language
 from lispac.message_texts import ACTIONS, TEXTS, TOPICS, message_text
@@ -206,7 +206,7 @@ def test_messages_are_kept_with_the_project(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p").with_data_messages((message,))
     write_project(project)
     assert read_project(project.folder).data_messages == (message,)
-    path = project.folder / FILE_NAME  # a project of an older version has none
+    path = project.folder / PROJECT_FILE_NAME  # a project of an older version has none
     content = json.loads(path.read_text())
     del content["data_messages"]
     path.write_text(json.dumps(content))

@@ -11,7 +11,7 @@ import pytest
 from lispac.adjustment.model.parameters import mounting_value_names
 from lispac.alternative_methods import AlternativeResult, Method
 from lispac.errors import AdjustmentError, ProjectError
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note
 from lispac.method_comparison import comparison_messages, method_results, missing_methods
@@ -101,7 +101,7 @@ def test_they_come_back_as_they_were_and_what_cannot_be_one_is_refused(tmp_path:
         kept.method, kept.lines, kept.surfaces, kept.messages,
     )  # fmt: skip
     np.testing.assert_array_equal(again.sigma, np.sqrt(np.diag(kept.covariance)))
-    path = tmp_path / FILE_NAME
+    path = tmp_path / PROJECT_FILE_NAME
     sound = json.loads(path.read_text())
 
     def spoilt(change: Callable[[dict[str, object]], None]) -> Message:

@@ -13,7 +13,7 @@ from lispac.io.format_types import FileFormat, FilePreview, PointChunk
 from lispac.io.las import las_chunks
 from lispac.io.las.las_format import read_scan
 from lispac.io.points import pcd, point_records
-from lispac.io.points.point_formats import POINTS
+from lispac.io.points.point_formats import POINT_FORMATS
 from lispac.io.points.point_reader_common import crs_of_options
 from lispac.io.text import text_chunks
 from lispac.message_texts import fact_text
@@ -21,7 +21,7 @@ from tests import point_files as files
 from tests.error_codes import has_code
 from tests.message_codes import codes
 
-FORMATS = {format_.key: format_ for format_ in POINTS}
+FORMATS = {format_.key: format_ for format_ in POINT_FORMATS}
 RNG = np.random.default_rng(8)
 
 
@@ -77,7 +77,7 @@ def test_points_come_as_written(valid: tuple[FileFormat, Path]) -> None:
 
 def test_every_format_knows_its_own(valid: tuple[FileFormat, Path]) -> None:
     format_, path = valid
-    scores = {other.key: other.sniff(path) for other in POINTS}
+    scores = {other.key: other.sniff(path) for other in POINT_FORMATS}
     assert max(scores, key=lambda key: scores[key]) == format_.key
     assert sorted(scores.values())[-2] <= 0.3 < scores[format_.key]
 
@@ -98,7 +98,7 @@ def test_an_examination_reports_frame_unit_time_base_and_assumptions(
 
 def test_no_format_takes_the_others_files(shared_data: Path) -> None:
     for name in ("harbour/trajectory.sbet", "harbour/smrmsg.out", "harbour/site.json"):
-        assert {format_.sniff(shared_data / name) for format_ in POINTS} == {0.0}
+        assert {format_.sniff(shared_data / name) for format_ in POINT_FORMATS} == {0.0}
 
 
 @pytest.mark.parametrize("point_format", [1, 3, 4, 5, 6, 7, 8, 9, 10])
@@ -226,8 +226,8 @@ def test_las_is_read_as_the_scan_reader_does(shared_data: Path) -> None:
 def test_chunks_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The last chunk is the rest, and nothing is lost between two of them."""
     for module in (las_chunks, pcd, text_chunks):
-        monkeypatch.setattr(module, "CHUNK", 16)
-    monkeypatch.setattr(text_chunks, "BLOCK", 300)
+        monkeypatch.setattr(module, "POINTS_PER_CHUNK", 16)
+    monkeypatch.setattr(text_chunks, "BYTES_PER_BLOCK", 300)
     for name in ("a.las", "b.laz", "a.pcd", "b.pcd", "c.pcd", "a.csv", "b.csv.gz"):
         key, write = files.VALID[name]
         chunks = list(FORMATS[key].read(write(tmp_path / name), {}))
@@ -339,7 +339,7 @@ def test_gzip_is_seen_by_its_bytes(tmp_path: Path) -> None:
 def test_records_are_read_in_bounded_pieces(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(point_records, "LARGEST", 100)
+    monkeypatch.setattr(point_records, "BYTES_PER_READ", 100)
     sizes = [len(c.time) for c in FORMATS["ply"].read(files.cloud(tmp_path / "a.ply"), {})]
     assert sum(sizes) == files.COUNT
     assert max(sizes) < 10

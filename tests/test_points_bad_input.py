@@ -14,7 +14,7 @@ from pyproj import CRS
 
 from lispac.errors import InputError
 from lispac.io.points.line_times import read_line_times
-from lispac.io.points.point_formats import POINTS
+from lispac.io.points.point_formats import POINT_FORMATS
 from lispac.io.points.point_reader_common import crs_of_options
 from lispac.messages import error
 from lispac.survey.point_screening import PointScreen, PointSelection
@@ -22,7 +22,7 @@ from tests import point_files as files
 from tests.error_codes import has_code
 from tests.message_codes import codes
 
-FORMATS = {format_.key: format_ for format_ in POINTS}
+FORMATS = {format_.key: format_ for format_ in POINT_FORMATS}
 NAMES = list(files.VALID)
 MAGIC = (".las", ".laz", ".e57", ".ply", ".pcd")
 
@@ -283,7 +283,7 @@ def test_file_removed_while_it_is_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: dict[str, Path]
 ) -> None:
     """Its content stays until it is closed; the next reading says that it is gone."""
-    monkeypatch.setattr("lispac.io.points.ply.CHUNK", 10)
+    monkeypatch.setattr("lispac.io.points.ply.POINTS_PER_CHUNK", 10)
     path = damaged(tmp_path, "a.ply", made["a.ply"].read_bytes())
     chunks = FORMATS["ply"].read(path, {})
     held = len(next(chunks).time)
@@ -297,5 +297,5 @@ def test_file_removed_while_it_is_read(
 def test_no_sniff_fails_on_any_bytes(tmp_path_factory: pytest.TempPathFactory, data: bytes) -> None:
     path = tmp_path_factory.getbasetemp() / "any.bin"
     path.write_bytes(data)
-    for format_ in POINTS:
+    for format_ in POINT_FORMATS:
         assert 0 <= format_.sniff(path) <= 1

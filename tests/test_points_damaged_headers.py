@@ -9,12 +9,12 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.io.points import e57, pcd
-from lispac.io.points.point_formats import POINTS
+from lispac.io.points.point_formats import POINT_FORMATS
 from lispac.messages import error, note, warning
 from tests import point_files as files
 from tests.message_codes import codes
 
-FORMATS = {format_.key: format_ for format_ in POINTS}
+FORMATS = {format_.key: format_ for format_ in POINT_FORMATS}
 PCD = """VERSION 0.7
 FIELDS x y z timestamp
 SIZE 8 8 8 8
@@ -182,7 +182,7 @@ def test_compressed_points_that_make_no_sense(tmp_path: Path) -> None:
 def test_a_chunk_without_a_return_is_passed_over(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(pcd, "CHUNK", 1)
+    monkeypatch.setattr(pcd, "POINTS_PER_CHUNK", 1)
     path = written(tmp_path, "pcd", "1 2 3 10", "nan nan nan 10")
     (chunk,) = FORMATS["pcd"].read(path, {})
     np.testing.assert_array_equal(chunk.xyz, [[4, 5, 6]])

@@ -14,7 +14,7 @@ from lispac.io.text import text_chunks
 from lispac.io.text.text_export import write_table
 from lispac.io.text.text_layout import RowLayout, guess_layout
 from lispac.io.text.text_table import clock_seconds, find_coordinates, last_lines
-from lispac.io.text.text_units import height_unit_of, unit_warnings
+from lispac.io.text.text_units import easting_unit_warnings, height_unit_of
 from lispac.messages import Message, error, note, warning
 from lispac.survey.crs import coordinate_system
 from tests import point_files as files
@@ -70,7 +70,7 @@ def test_a_separator_by_which_no_row_has_numbers(tmp_path: Path) -> None:
 def test_a_file_that_ends_with_a_chunk(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, chunk: int
 ) -> None:
-    monkeypatch.setattr(text_chunks, "CHUNK", chunk)
+    monkeypatch.setattr(text_chunks, "POINTS_PER_CHUNK", chunk)
     chunks = list(TEXT.read(files.text(tmp_path / "a.csv", head=files.CSV_HEAD), {}))
     assert [len(each.time) for each in chunks] == [chunk] * (files.COUNT // chunk)
     np.testing.assert_array_equal(np.concatenate([each.xyz for each in chunks]), files.XYZ)
@@ -118,7 +118,7 @@ def test_units_in_the_names_of_columns() -> None:
 def test_eastings_in_another_unit_than_the_systems(
     units: dict[str, str], crs: str, has_warning: bool
 ) -> None:
-    file_warnings = unit_warnings(units, crs, "a.txt")
+    file_warnings = easting_unit_warnings(units, crs, "a.txt")
     assert bool(file_warnings) == has_warning
     if has_warning:
         unit, system = note("unit.metres"), coordinate_system(crs)

@@ -76,7 +76,7 @@ def test_as_vtk_reads_it(tmp_path: Path, more: int) -> None:
 def test_blocks_of_any_size_one_after_another(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(pts, "CHUNK", 7)
+    monkeypatch.setattr(pts, "POINTS_PER_CHUNK", 7)
     path = write_pts(tmp_path / "SCAN.PTS", [XYZ[:14], XYZ[:0], XYZ[14:15], XYZ[15:]])
     chunks = list(open_static_scan(path).coordinate_chunks(local=True))
     assert max(map(len, chunks)) == 7
@@ -91,7 +91,7 @@ def test_blanks_tabs_empty_rows_and_windows_line_ends(tmp_path: Path) -> None:
 
 def test_without_its_number_of_points(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """As meshing programs and scripts write it: all rows are points, however many."""
-    monkeypatch.setattr(pts, "CHUNK", 7)
+    monkeypatch.setattr(pts, "POINTS_PER_CHUNK", 7)
     path = write_pts(tmp_path / "scan.pts", [XYZ], more=4)
     count, rows = path.read_text().split("\n", 1)
     assert count == str(len(XYZ))

@@ -154,13 +154,13 @@ def _checked_reader(converter: Any, kind: Any) -> Any:
     shapes = _array_shapes(kind)
 
     def checked(value: Any, _: Any) -> Any:
-        made = read(value, kind)
+        decoded = read(value, kind)
         known: dict[str, int] = {}
         for name, shape in shapes.items():
-            array = getattr(made, name)
+            array = getattr(decoded, name)
             if array is not None and not shape.fits(array.shape, known):
                 raise InvalidContentError(error("content.wrong_shape", field=name))
-        return made
+        return decoded
 
     return checked
 

@@ -177,7 +177,7 @@ class OpenProject(LoadedProject):
 
         Returns
         -------
-        tuple of Outcome
+        tuple of SeedOutcome
             For each row its ``target``, or the ``reason`` if none was found.
         """
         survey = self.survey
@@ -248,7 +248,7 @@ class OpenProject(LoadedProject):
         neighbours: int | None = None,
         radius: float | None = None,
     ) -> tuple[PlaneComparison, ...]:
-        """Compare the lines on the validation planes, before and after.
+        """Compare the lines on the validation planes, with the prior and the estimated boresight.
 
         Parameters
         ----------

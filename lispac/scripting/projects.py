@@ -44,7 +44,7 @@ def new(
     trajectory : path
     lever_arm : metres, body frame (forward, left, up)
     accuracy : path, optional
-        smrmsg, or a text file with the accuracies of the trajectory.
+        File with the accuracies of the trajectory, for example smrmsg.
     line_reading, trajectory_reading, accuracy_reading : Reading
         Options of the formats; ``lispac inspect FILE`` lists them.
     resolved : bool

@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 from lispac.gui.project.recovery_copies import LOCK_NAME, LOCKED_ELSEWHERE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.project.project_file import (
-    FILE_NAME,
+    PROJECT_FILE_NAME,
     UNSAVED_NAME,
     read_project,
     read_unsaved,
@@ -213,7 +213,7 @@ def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
 
 
 def test_damaged_unsaved_work_does_not_keep_the_project_shut(driver: Driver, folder: Path) -> None:
-    (folder / UNSAVED_NAME).write_text((folder / FILE_NAME).read_text()[:1000])
+    (folder / UNSAVED_NAME).write_text((folder / PROJECT_FILE_NAME).read_text()[:1000])
     opened(driver, folder)
     assert driver.dialogs.safety == []
     assert UNSAVED_NAME in driver.window.log.toPlainText()

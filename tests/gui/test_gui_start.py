@@ -13,7 +13,7 @@ from lispac.gui.app.language import set_language
 from lispac.gui.features.help.tour import SAME_ORIENTATION, STEPS
 from lispac.gui.features.open_project.start_page import StartPage
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX, MainWindow
-from lispac.io.project.project_file import FILE_NAME
+from lispac.io.project.project_file import PROJECT_FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
 DAY = datetime(2026, 3, 7, 9, 5).timestamp()
@@ -44,7 +44,7 @@ def test_recent_projects_are_a_click_away(driver: Driver, demo_copy: Path, tmp_p
 def test_a_project_was_saved_when_the_users_language_says(driver: Driver, demo_copy: Path) -> None:
     window = driver.window
     window.settings.add_recent(demo_copy)
-    os.utime(demo_copy / FILE_NAME, (DAY, DAY))
+    os.utime(demo_copy / PROJECT_FILE_NAME, (DAY, DAY))
     for code, said in (("en", "Saved 2026-03-07 09:05 in"), ("fr", "07/03/2026 09:05 dans")):
         set_language(code)
         try:

@@ -21,7 +21,7 @@ from lispac.simulation.scanner import Scanner
 from lispac.survey.georeferencing import Mounting
 
 SIDES = ("starboard", "port")
-USUAL_INTERVAL = 1.5
+DEFAULT_INTERVAL_MIN = 1.5
 """Default time between two lines, minutes."""
 
 
@@ -62,7 +62,7 @@ def read_plan(path: Path) -> TitledPlan:
         for name in names:
             if names.count(name) > 1:
                 raise table.refuse("boards", "plan.name_twice", name=name)
-        interval = 60.0 * table.number("minutes_per_line", USUAL_INTERVAL, over=0.0)
+        interval = 60.0 * table.number("minutes_per_line", DEFAULT_INTERVAL_MIN, over=0.0)
         return TitledPlan(
             title, Plan(targets, lines, wall.middle, system, interval, flatness), wall
         )

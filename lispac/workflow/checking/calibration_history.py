@@ -12,7 +12,7 @@ import numpy as np
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError, ProjectError
-from lispac.io.project.project_file import FILE_NAME
+from lispac.io.project.project_file import PROJECT_FILE_NAME
 from lispac.language import gettext, gettext_lazy
 from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
@@ -107,7 +107,7 @@ def find_projects(folders: Sequence[Path]) -> tuple[list[Path], list[Message]]:
             raise ProjectError(error("history.no_permission", folder=str(folder)))
         for place, inner, files in os.walk(folder, onerror=add_unreadable):
             inner.sort()
-            if FILE_NAME in files:
+            if PROJECT_FILE_NAME in files:
                 found[Path(place)] = None
     if not found:
         raise ProjectError(error("history.no_project", folders=[str(folder) for folder in folders]))

@@ -11,11 +11,11 @@ from lispac.geometry.frames import LocalFrame
 from lispac.io.files import message_with_file_name, require_file
 from lispac.io.format_types import LIKELY, Choice, FileFormat, FilePreview, Kind
 from lispac.io.formats import format_of, is_las, recognise_formats
-from lispac.io.las.las_format import ASSUMPTIONS as LAS_ASSUMPTIONS
+from lispac.io.las.las_format import SCANNER_FRAME_ASSUMPTIONS as LAS_ASSUMPTIONS
 from lispac.io.points.point_reader_common import (
-    CHOOSE_FRAME,
-    NO_SYSTEM,
-    SCANNER,
+    CHOOSE_FRAME_ACTION,
+    NO_SYSTEM_CODE,
+    SCANNER_FRAME,
     crs_of_options,
     require_not_empty,
 )
@@ -108,11 +108,14 @@ def preview_with_options(path: Path, format: FileFormat, given: Choice) -> FileP
     crs = str(given.get("crs", ""))
     if format.kind != "points" or not crs:
         return finding
-    if {**finding.choice, **given}.get("frame", SCANNER) != SCANNER:
-        kept = tuple(each for each in finding.file_warnings if each.code != NO_SYSTEM)
+    if {**finding.choice, **given}.get("frame", SCANNER_FRAME) != SCANNER_FRAME:
+        kept = tuple(each for each in finding.file_warnings if each.code != NO_SYSTEM_CODE)
         return replace(finding, file_warnings=kept)
     unused = warning(
-        "points.unused_system", file=printable(path.name), system=crs, actions=(CHOOSE_FRAME,)
+        "points.unused_system",
+        file=printable(path.name),
+        system=crs,
+        actions=(CHOOSE_FRAME_ACTION,),
     )
     return replace(finding, file_warnings=(*finding.file_warnings, unused))
 

@@ -3,15 +3,15 @@
 from collections.abc import Sequence
 
 from lispac.io.format_types import FileFormat, FilePreview
-from lispac.io.text.text_layout import REQUIRED
-from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED
-from lispac.io.trajectory.trajectory_columns import ROLES, SIGMAS
+from lispac.io.text.text_layout import REQUIRED_COLUMNS
+from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED_CODE
+from lispac.io.trajectory.trajectory_columns import ROLES_BY_COLUMN_NAME, SIGMA_ROLES
 from lispac.language import N_
 from lispac.messages import Message, note
 from lispac.workflow.importing.file_reading import FileCheck
 
 PASSED_OVER = "-"
-_POINTS = (*REQUIRED, "intensity")
+_POINTS = (*REQUIRED_COLUMNS, "intensity")
 _ORDER = (
     "time", "date", "latitude", "longitude", "easting", "northing", "height", "sea_height",
     "roll", "pitch", "heading",
@@ -45,7 +45,7 @@ def possible_meanings(format: FileFormat) -> tuple[str, ...]:
     """Possible meanings of a column, as values of the option; "unused" comes first."""
     if format.kind == "points":
         return (PASSED_OVER, *_POINTS)
-    return (PASSED_OVER, *(role for role in _ORDER if role in set(ROLES.values())))
+    return (PASSED_OVER, *(role for role in _ORDER if role in set(ROLES_BY_COLUMN_NAME.values())))
 
 
 def meaning_label(meaning: str) -> str:
@@ -62,7 +62,10 @@ def column_meanings(format: FileFormat, finding: FilePreview | None, given: str)
     tokens = [token.strip() or PASSED_OVER for token in named.replace(",", " ").split()]
     tokens = tokens[:width] + [PASSED_OVER] * (width - len(tokens))
     if format.kind == "trajectory":
-        tokens = [token if token in SIGMAS else ROLES.get(token, PASSED_OVER) for token in tokens]
+        tokens = [
+            token if token in SIGMA_ROLES else ROLES_BY_COLUMN_NAME.get(token, PASSED_OVER)
+            for token in tokens
+        ]
     return tuple(tokens)
 
 
@@ -81,7 +84,7 @@ def missing_columns(format: FileFormat, tokens: Sequence[str]) -> tuple[Message,
         return ()
     has = set(tokens)
     if format.kind == "points":
-        missing = [name for name in REQUIRED if name not in has]
+        missing = [name for name in REQUIRED_COLUMNS if name not in has]
     else:
         missing = [name for name in ("time", "roll", "pitch", "heading") if name not in has]
         if not ({"latitude", "longitude"} <= has or {"easting", "northing"} <= has):
@@ -105,7 +108,7 @@ def has_column_names(check: FileCheck) -> bool:
         return False
     if check.format.kind == "points":
         return bool(check.finding.choice.get("columns"))
-    return not any(each.code == COLUMNS_ASSUMED for each in check.finding.file_warnings)
+    return not any(each.code == COLUMNS_ASSUMED_CODE for each in check.finding.file_warnings)
 
 
 def layout_key(check: FileCheck) -> str:

@@ -8,9 +8,9 @@ import numpy as np
 
 from lispac.geometry.frames import geodetic_to_ecef
 from lispac.io.points.line_times import LineTimes
-from lispac.io.points.point_reader_common import CHOOSE_SYSTEM
-from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED
-from lispac.io.trajectory.trajectory_facts import GAPS, gap_warnings
+from lispac.io.points.point_reader_common import CHOOSE_SYSTEM_ACTION
+from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED_CODE
+from lispac.io.trajectory.trajectory_facts import GAPS_CODE, gap_warnings
 from lispac.messages import Action, Level, Message, Value, error, note, sort_by_level, warning
 from lispac.project import LineSource
 from lispac.survey.known_time_base import (
@@ -68,7 +68,7 @@ SYSTEM_ERRORS = {
 """Codes of errors that another coordinate system may resolve."""
 ABOUT_COLUMNS = {
     "text.columns_not_named", "trajectory.columns_missing", "trajectory.position_missing",
-    "trajectory.no_columns", COLUMNS_ASSUMED,
+    "trajectory.no_columns", COLUMNS_ASSUMED_CODE,
 }  # fmt: skip
 """Codes of warnings that are redundant if an error requests the columns."""
 
@@ -169,10 +169,10 @@ def _own_messages(input_file: InputFile, longest_gap: float) -> list[Message]:
     messages: list[Message] = []
     if input_file.error:
         about_system = input_file.error.code in SYSTEM_ERRORS
-        actions = (CHOOSE_SYSTEM, LEAVE_OUT) if about_system else (LEAVE_OUT,)
+        actions = (CHOOSE_SYSTEM_ACTION, LEAVE_OUT) if about_system else (LEAVE_OUT,)
         messages.append(replace(input_file.error, actions=(*input_file.error.actions, *actions)))
     elif input_file.place is not None and input_file.place.error:
-        messages.append(replace(input_file.place.error, actions=(CHOOSE_SYSTEM, LEAVE_OUT)))
+        messages.append(replace(input_file.place.error, actions=(CHOOSE_SYSTEM_ACTION, LEAVE_OUT)))
     if input_file.remembered and input_file.finding is not None:
         actions = (Action("detect_columns"),)
         messages.append(note("import.columns_remembered", file=file, actions=actions))
@@ -200,7 +200,7 @@ def _own_messages(input_file: InputFile, longest_gap: float) -> list[Message]:
 
 def _is_superseded(input_file: InputFile, reported: Message) -> bool:
     """True if another message about the file reports the same with better information."""
-    if reported.code == GAPS and isinstance(input_file.content, Trajectory):
+    if reported.code == GAPS_CODE and isinstance(input_file.content, Trajectory):
         return True  # the reader does not know the longest gap that is bridged
     if input_file.error is None:
         return False
@@ -392,6 +392,6 @@ def _location_messages(input_file: InputFile, track: Trajectory) -> list[Message
     return [
         error(
             "import.far_from_trajectory", file=printable(input_file.path.name), system=place.system,
-            distance=distance, actions=(CHOOSE_SYSTEM, LEAVE_OUT),
+            distance=distance, actions=(CHOOSE_SYSTEM_ACTION, LEAVE_OUT),
         )
     ]  # fmt: skip

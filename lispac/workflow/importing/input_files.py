@@ -14,7 +14,7 @@ from typing import Literal
 from lispac.identity import BLANK, Identity
 from lispac.installation_paths import expand_user, home_folder
 from lispac.io.format_types import POSSIBLE, Kind
-from lispac.io.project.project_file import FILE_NAME, is_project_file
+from lispac.io.project.project_file import PROJECT_FILE_NAME, is_project_file
 from lispac.language import Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Action, Level, Message
@@ -66,7 +66,7 @@ def find_project(paths: Iterable[Path]) -> Path | None:
     for path in paths:
         if is_project_file(path):
             return path
-        if (path / FILE_NAME).is_file():
+        if (path / PROJECT_FILE_NAME).is_file():
             return path
     return None
 
@@ -419,7 +419,7 @@ def folder_problem(folder: str) -> str:
     if not folder.strip():
         return gettext("Choose a folder for the project.")
     place = expand_user(Path(folder.strip()))
-    if (place / FILE_NAME).exists():
+    if (place / PROJECT_FILE_NAME).exists():
         return gettext("This folder already contains a project. Choose another folder.")
     if place.is_file():
         return gettext("This is a file. Choose a folder for the project.")

@@ -18,8 +18,8 @@ from lispac.io.formats import format_of
 from lispac.io.las.las_export import layout_of_columns, open_cloud_writer
 from lispac.io.text.plane_file import write_plane_file
 from lispac.io.text.text_export import (
-    LINE_AND_TIME,
-    SCANNER_NAMES,
+    LINE_AND_TIME_COLUMNS,
+    SCANNER_COLUMN_NAMES,
     coordinate_names,
     write_table,
     write_trajectory_text,
@@ -234,7 +234,7 @@ def _write_csv(
 ) -> None:
     names, formats = coordinate_names(system)
     columns = [np.array(lines)[points.line], points.time, *placed.T, *points.points_lidar.T]
-    titles = [*LINE_AND_TIME, *names, *SCANNER_NAMES]
+    titles = [*LINE_AND_TIME_COLUMNS, *names, *SCANNER_COLUMN_NAMES]
     forms = ["s", ".9f", *formats, ".5f", ".5f", ".5f"]
     if points.intensity is not None:
         columns.append(points.intensity)

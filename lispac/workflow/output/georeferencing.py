@@ -12,7 +12,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.files import atomic_write, require_file
 from lispac.io.format_types import PointChunk
 from lispac.io.las.las_export import RecordLayout, layout_of_las
-from lispac.io.points.point_reader_common import CHUNK
+from lispac.io.points.point_reader_common import POINTS_PER_CHUNK
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, sub_progress
@@ -167,8 +167,8 @@ def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[Poin
         Reading options, whose effect on times is reversed to restore the times of the file (to the
         last digit of a double).
     """
-    for start in range(0, len(stored), CHUNK):
-        rows = slice(start, start + CHUNK)
+    for start in range(0, len(stored), POINTS_PER_CHUNK):
+        rows = slice(start, start + POINTS_PER_CHUNK)
         yield PointChunk(
             np.asarray(stored.points_lidar[rows], dtype=np.float64),
             reading.to_file_time(np.array(stored.time[rows])),

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from lispac.errors import InputError
-from lispac.io.points.point_reader_common import DATUM, EPOCH, crs_of_options
+from lispac.io.points.point_reader_common import DATUM_OPTION, EPOCH_OPTION, crs_of_options
 from lispac.messages import Message, error, warning
 from lispac.project import LineSource, Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
@@ -59,8 +59,8 @@ def _own_system_at_epoch(chosen: Sequence[LineChunks], epoch: float) -> Coordina
     """System of the lines, with the datum of their trajectory at another epoch."""
     georeferenced = next(chunks for chunks in chosen if chunks.system is not None)
     choice = georeferenced.choice
-    _require_datum(choice[DATUM.name], epoch)
-    return crs_of_options({**choice, EPOCH.name: repr(epoch)}, georeferenced.line.path)
+    _require_datum(choice[DATUM_OPTION.name], epoch)
+    return crs_of_options({**choice, EPOCH_OPTION.name: repr(epoch)}, georeferenced.line.path)
 
 
 def _require_datum(trajectory_datum: str, epoch: float | None) -> None:
@@ -81,7 +81,7 @@ def trajectory_datum_of(lines: Sequence[LineSource]) -> tuple[str, float | None]
 
 def _chunks_datum(chosen: Sequence[LineChunks]) -> tuple[str, float | None]:
     found = {
-        (str(c.choice[DATUM.name]).strip(), str(c.choice[EPOCH.name]).strip())
+        (str(c.choice[DATUM_OPTION.name]).strip(), str(c.choice[EPOCH_OPTION.name]).strip())
         for c in chosen if c.system is not None
     }  # fmt: skip
     if len(found) > 1:
@@ -152,7 +152,7 @@ def _system_description(chunks: LineChunks) -> str:
     """Name of a line's coordinate system with height, datum and epoch."""
     assert chunks.system is not None
     details = [str(chunks.system.height)]
-    if datum := str(chunks.choice[DATUM.name]).strip():
-        epoch = str(chunks.choice[EPOCH.name]).strip()
+    if datum := str(chunks.choice[DATUM_OPTION.name]).strip():
+        epoch = str(chunks.choice[EPOCH_OPTION.name]).strip()
         details.append(f"{datum}@{epoch}" if epoch else datum)
     return f"{chunks.line.name}: {chunks.system.name} ({'; '.join(details)})"

@@ -12,10 +12,10 @@ from typing import Any, Generic, TypeVar
 from lispac.errors import InputError, system_reason
 from lispac.installation_paths import resource_path, user_folder
 from lispac.io.config.sensor_file import (
-    Figures,
     PosAccuracy,
     PosSpecification,
     ScannerSpecification,
+    SensorSpecification,
     read_pos_specification,
     read_scanner_specification,
     write_specification,
@@ -175,7 +175,7 @@ def _find_sensor(refusal: str, sensors: Iterable[Sensor[F]], name: str) -> Senso
 # -- the user's own ----------------------------------------------------------------------------
 
 
-def store_sensor(folder: Path, figures: Figures, name: str = "") -> str:
+def store_sensor(folder: Path, figures: SensorSpecification, name: str = "") -> str:
     """Write a sensor of the user into the library, and return its name.
 
     Parameters
@@ -194,7 +194,7 @@ def store_sensor(folder: Path, figures: Figures, name: str = "") -> str:
     return word
 
 
-def require_storable(folder: Path, figures: Figures, name: str = "") -> None:
+def require_storable(folder: Path, figures: SensorSpecification, name: str = "") -> None:
     """Refuse a specification that cannot be stored in the library.
 
     Raises
@@ -238,7 +238,7 @@ def remove_sensor(
         ) from failure
 
 
-def _sensor_path(folder: Path, figures: Figures, name: str) -> Path:
+def _sensor_path(folder: Path, figures: SensorSpecification, name: str) -> Path:
     kind = "scanners" if isinstance(figures, ScannerSpecification) else "pos"
     return folder / kind / f"{name}.toml"
 

@@ -14,7 +14,7 @@ import numpy as np
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import atomic_write, bad_name_error, remove_empty_folders, write_error
 from lispac.io.las.las_format import write_points
-from lispac.io.project.project_file import FILE_NAME, SIGHTINGS, remove_point_files
+from lispac.io.project.project_file import PROJECT_FILE_NAME, SIGHTINGS_FOLDER, remove_point_files
 from lispac.io.text.text_export import write_table
 from lispac.io.trajectory.sbet import write_sbet, write_smrmsg
 from lispac.language import gettext_lazy
@@ -127,7 +127,7 @@ def require_replaceable(folder: Path, marker: str) -> None:
     is_foreign = any(not _UNFINISHED.fullmatch(name) for name in names)
     if is_foreign and not (folder / RAW / marker).is_file():
         raise ProjectError(error("simulate.folder_in_use", folder=str(folder)))
-    require_no_link(folder / RAW, folder / TRUTH, folder / SIGHTINGS)
+    require_no_link(folder / RAW, folder / TRUTH, folder / SIGHTINGS_FOLDER)
 
 
 @contextmanager
@@ -189,14 +189,14 @@ def _remove_earlier(folder: Path, parts: Sequence[str]) -> None:
     for path in (*_earlier_line_files(folder), *(folder / name for name in (*raw, *parts))):
         if path.is_file() or path.is_symlink():
             path.unlink()
-    (folder / FILE_NAME).unlink(missing_ok=True)
+    (folder / PROJECT_FILE_NAME).unlink(missing_ok=True)
     remove_point_files(folder)
 
 
 def _earlier_line_files(folder: Path) -> list[Path]:
     """Files in the folder ``raw`` that the project of an earlier simulation has as its lines."""
     try:
-        lines = json_values((folder / FILE_NAME).read_bytes())["lines"]
+        lines = json_values((folder / PROJECT_FILE_NAME).read_bytes())["lines"]
         names = [PurePosixPath(line["path"]) for line in lines]
     except (OSError, ValueError, KeyError, TypeError):
         return []

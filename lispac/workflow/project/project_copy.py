@@ -9,7 +9,7 @@ from pathlib import Path
 from zlib import crc32
 
 from lispac.errors import InputError, ProjectError, system_reason
-from lispac.io.project.project_file import FILE_NAME, SIGHTINGS, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, SIGHTINGS_FOLDER, write_project
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
@@ -62,7 +62,7 @@ def save_project_as(
     """  # noqa: DOC501 - `_not_writable_error` makes an InputError
     folder = Path(folder).absolute()
     try:
-        if (folder / FILE_NAME).exists():
+        if (folder / PROJECT_FILE_NAME).exists():
             raise ProjectError(error("project_folder.exists", folder=str(folder)))
         if folder.is_file():
             raise ProjectError(error("project_folder.is_file", folder=str(folder)))
@@ -103,7 +103,7 @@ def _remove_points_on_failure(folder: Path) -> Iterator[None]:
     InputError
         If the project cannot be written.
     """
-    sightings = folder / SIGHTINGS
+    sightings = folder / SIGHTINGS_FOLDER
     new = not sightings.exists()
     try:
         yield

@@ -10,14 +10,14 @@ from lispac.errors import InputError, ProjectError
 from lispac.identity import BLANK, Identity
 from lispac.io.files import require_file
 from lispac.io.project.project_file import (
-    FILE_NAME,
+    PROJECT_FILE_NAME,
     UNSAVED_NAME,
     project_folder,
     read_project,
     read_unsaved,
     write_project,
 )
-from lispac.io.project.project_lock import FOREVER, project_lock
+from lispac.io.project.project_lock import NO_TIME_LIMIT, project_lock
 from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
@@ -81,7 +81,7 @@ def create_project(
 
 
 def _require_new_folder(project: Project) -> None:
-    if (project.folder / FILE_NAME).exists():
+    if (project.folder / PROJECT_FILE_NAME).exists():
         raise ProjectError(error("project_folder.exists", folder=str(project.folder)))
     if not project.lines:
         raise InputError(error("project_line.none"))
@@ -300,7 +300,7 @@ def locked_project(
         If the folder cannot be written.
     """
     place = project_folder(folder)
-    with project_lock(place, wait=FOREVER, waiting=waiting):
+    with project_lock(place, wait=NO_TIME_LIMIT, waiting=waiting):
         yield open_project(place)
 
 
@@ -341,7 +341,7 @@ def read_unsaved_project(folder: Path) -> UnsavedProject | None:
     if project is None:
         return None
     project, _ = with_files_beside(project)
-    kept, saved = (folder / name for name in (UNSAVED_NAME, FILE_NAME))
+    kept, saved = (folder / name for name in (UNSAVED_NAME, PROJECT_FILE_NAME))
     return UnsavedProject(project, kept.stat().st_mtime, saved.stat().st_mtime)
 
 

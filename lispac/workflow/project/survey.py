@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.format_types import SAME_TIME_BASE, Kind
+from lispac.io.format_types import SAME_TIME_BASE_NOTE, Kind
 from lispac.io.formats import format_of, is_las
 from lispac.io.las.las_chunks import point_count
 from lispac.io.value_conversion import decode_value
@@ -232,7 +232,7 @@ def _with_shift_notes(project: Project, assumed: tuple[Message, ...]) -> tuple[M
     if not shifted:
         return assumed
     kept = (
-        note("assumed.same_time_base_shifted") if each == SAME_TIME_BASE else each
+        note("assumed.same_time_base_shifted") if each == SAME_TIME_BASE_NOTE else each
         for each in assumed
     )
     shifts = (

@@ -19,7 +19,7 @@ from lispac.gui import widgets
 from lispac.gui.app.language import local_datetime
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.tab_order import set_tab_order
-from lispac.io.project.project_file import FILE_NAME, UNSAVED_NAME
+from lispac.io.project.project_file import PROJECT_FILE_NAME, UNSAVED_NAME
 from lispac.language import N_, gettext
 
 LINKS = (
@@ -130,7 +130,7 @@ class StartPage(QScrollArea):
         made = _link_button("folder-outline", folder.name, _project_state_text(folder))
         made.setObjectName("start_recent")
         made.setToolTip(widgets.plain_tip(str(folder)))
-        made.setEnabled((folder / FILE_NAME).is_file())
+        made.setEnabled((folder / PROJECT_FILE_NAME).is_file())
         made.clicked.connect(lambda: self.project_chosen.emit(folder))
         return made
 
@@ -146,7 +146,7 @@ def _link_button(icon: str, title: str, description: str) -> QCommandLinkButton:
 def _project_state_text(folder: Path) -> str:
     """Text with the date of the last save of a project, and its folder."""
     try:
-        saved = local_datetime((folder / FILE_NAME).stat().st_mtime)
+        saved = local_datetime((folder / PROJECT_FILE_NAME).stat().st_mtime)
     except OSError:
         return gettext("Not found: {folder}", folder=folder)
     if (folder / UNSAVED_NAME).is_file():

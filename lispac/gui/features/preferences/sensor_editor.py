@@ -11,11 +11,11 @@ from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.error_box import exception_text
 from lispac.io.config.sensor_file import (
-    STATES,
-    Figures,
+    GNSS_SOLUTIONS,
     PosAccuracy,
     PosSpecification,
     ScannerSpecification,
+    SensorSpecification,
 )
 from lispac.language import N_, gettext
 from lispac.workflow.planning.sensors import require_storable, store_sensor
@@ -61,7 +61,7 @@ class SensorEditor(QDialog):
     """
 
     def __init__(
-        self, folder: Path, figures: Figures, name: str, parent: QWidget | None = None
+        self, folder: Path, figures: SensorSpecification, name: str, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._folder, self.name = folder, name
@@ -82,7 +82,7 @@ class SensorEditor(QDialog):
             self.parts = [_ScannerFields(figures, form)]
         else:
             states = {state.name: state for state in figures.states}
-            self.parts = [_PosStateFields(each, states.get(each), form) for each in STATES]
+            self.parts = [_PosStateFields(each, states.get(each), form) for each in GNSS_SOLUTIONS]
         layout.addLayout(form)
         self.message_label = widgets.label("", "error", wrap=True, name="sensor_editor_message")
         layout.addWidget(self.message_label)
@@ -105,7 +105,7 @@ class SensorEditor(QDialog):
         self._check_input()
 
     @property
-    def figures(self) -> Figures:
+    def figures(self) -> SensorSpecification:
         """Specifications from the fields."""
         title = self.title.text().strip()
         if isinstance(self.parts[0], _ScannerFields):

@@ -24,10 +24,10 @@ from lispac.gui.features.preferences.sensor_editor import NEW_POS, NEW_SCANNER, 
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.sensor_choice import SOLUTION_NAMES
 from lispac.io.config.sensor_file import (
-    Figures,
     PosAccuracy,
     PosSpecification,
     ScannerSpecification,
+    SensorSpecification,
 )
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -211,7 +211,7 @@ class SensorLibraryPage(QWidget):
         box.deleteLater()
         return chosen is sure
 
-    def _open_editor(self, figures: Figures, name: str = "") -> None:
+    def _open_editor(self, figures: SensorSpecification, name: str = "") -> None:
         editor = SensorEditor(self._folder, figures, name, self)
         if editor.exec() == QDialog.DialogCode.Accepted:
             self._fill(editor.name)
@@ -219,7 +219,7 @@ class SensorLibraryPage(QWidget):
         editor.deleteLater()
 
 
-def sensor_texts(figures: Figures) -> tuple[str, str]:
+def sensor_texts(figures: SensorSpecification) -> tuple[str, str]:
     """Texts of the standard deviations and of their sources, a line for each solution."""
     if isinstance(figures, ScannerSpecification):
         text = gettext(

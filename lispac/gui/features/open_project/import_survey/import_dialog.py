@@ -38,7 +38,7 @@ from lispac.gui.widgets.error_box import error_text_and_details
 from lispac.gui.widgets.file_drops import FileDrops
 from lispac.identity import BLANK
 from lispac.installation_paths import expand_user
-from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
+from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
 from lispac.language import Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Action
@@ -51,7 +51,7 @@ FILE, TIMELINE, QUALITY, MOUNTING = range(4)
 
 def survey_file_filters() -> str:
     """Filters of the file dialogue: the suffixes of all formats, or all files."""
-    formats = (*POINTS, *TRAJECTORIES, *ACCURACIES)
+    formats = (*POINT_FORMATS, *TRAJECTORY_FORMATS, *ACCURACY_FORMATS)
     known = dict.fromkeys(f"*{ending}" for each in formats for ending in each.endings)
     return ";;".join(
         [
