@@ -131,7 +131,7 @@ def test_a_thinned_sighting_says_so_and_keeps_saying_it(
     role, seed = demo_seeds()["T1"]
     assert thinned_notes(find_target(project, survey, seed, name="T1", role=role)) == ()
     monkeypatch.setattr(cloud_module, "MAX_POINTS", 500)
-    monkeypatch.setattr(seeking_module, "SEARCH_SAMPLE", 2000)
+    monkeypatch.setattr(seeking_module, "MAX_SAMPLE_POINTS", 2000)
     target = find_target(project, survey, seed, name="T1", role=role)
     notes = thinned_notes(target)
     thinned = [s for s in target.sightings if s.one_in > 1]
