@@ -14,7 +14,7 @@ from lispac.io.project.project_lock import LOCK_NAME
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import is_link
 from lispac.workflow.importing.line_import import LINES, import_lines, line_folder
-from lispac.workflow.planning.demo import MARKER, make_demo
+from lispac.workflow.planning.demo import MARKER_FILE, make_demo
 from lispac.workflow.project.project_copy import MARK, save_project_as
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.error_codes import has_code
@@ -107,7 +107,7 @@ def test_no_line_is_imported_behind_a_link(project: Project, tmp_path: Path, pla
 def test_a_simulation_writes_nothing_behind_a_link(tmp_path: Path) -> None:
     folder, elsewhere = tmp_path / "demo", tmp_path / "elsewhere"
     elsewhere.mkdir()
-    (elsewhere / MARKER).write_text("an earlier demo, moved away")
+    (elsewhere / MARKER_FILE).write_text("an earlier demo, moved away")
     folder.mkdir()
     (folder / "raw").symlink_to(elsewhere, target_is_directory=True)
     before = contents(elsewhere)

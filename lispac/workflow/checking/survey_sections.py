@@ -27,13 +27,14 @@ Which = Literal["prior", "estimated"]
 
 @dataclass(frozen=True, eq=False)
 class SectionPoints:
-    """A section through the lines in one placement.
+    """A section through the lines, placed with the prior or the estimated boresight.
 
     Attributes
     ----------
     section : Section
         Position and size of the section.
-    points : ndarray of shape (n, 2) by line, metres, to the right and upwards from the centre
+    points : mapping of line name to ndarray of shape (n, 2), metres
+        Positions to the right of the centre and above it.
     separation : float or None, metres
         Largest distance between two lines along the normal of a plane; None without a plane.
     """
