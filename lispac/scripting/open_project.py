@@ -27,14 +27,14 @@ from lispac.workflow.checking import absolute_check, validation
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.export import write_report
 from lispac.workflow.output.export_request import (
-    ENDINGS,
+    FILE_TYPES,
     ExportRequest,
     What,
     export,
     output_system_of,
 )
 from lispac.workflow.output.georeferencing import Which
-from lispac.workflow.output.output_crs import LOCAL
+from lispac.workflow.output.output_crs import LOCAL_FRAME
 from lispac.workflow.output.report_options import report_options
 from lispac.workflow.output.script import script_of
 from lispac.workflow.project import projects
@@ -149,7 +149,7 @@ class OpenProject(LoadedProject):
             place = picking.point_position(self.project, survey, clicked_on, number)
         else:
             system = output_system_of(
-                self.project, survey.trajectory, crs or LOCAL, height, trajectory_datum, epoch
+                self.project, survey.trajectory, crs or LOCAL_FRAME, height, trajectory_datum, epoch
             )
             place = require_near_trajectory(
                 np.array(at, dtype=float), system, survey.trajectory, name
@@ -182,7 +182,7 @@ class OpenProject(LoadedProject):
         """
         survey = self.survey
         system = output_system_of(
-            self.project, survey.trajectory, crs or LOCAL, height, trajectory_datum, epoch
+            self.project, survey.trajectory, crs or LOCAL_FRAME, height, trajectory_datum, epoch
         )
         listed = read_seeds(
             Path(path), self.project, survey.trajectory, system, columns=columns, role=role
@@ -351,16 +351,16 @@ class OpenProject(LoadedProject):
         ProjectError
             If ``what`` or ``form`` is not valid.
         """
-        if what not in ENDINGS:
-            raise ProjectError(error("script.unknown_export", what=what, known=list(ENDINGS)))
-        if form and form not in ENDINGS[what]:
+        if what not in FILE_TYPES:
+            raise ProjectError(error("script.unknown_export", what=what, known=list(FILE_TYPES)))
+        if form and form not in FILE_TYPES[what]:
             raise ProjectError(
-                error("script.unknown_export_format", what=what, form=form, forms=ENDINGS[what])
+                error("script.unknown_export_format", what=what, form=form, forms=FILE_TYPES[what])
             )
         # By default, lines keep their system, and everything else is in the local frame.
-        system = crs if what == "lines" else crs or LOCAL
+        system = crs if what == "lines" else crs or LOCAL_FRAME
         request = ExportRequest(
-            what, Path(output), boresight, form or ENDINGS[what][0], system, height,
+            what, Path(output), boresight, form or FILE_TYPES[what][0], system, height,
             trajectory_datum, epoch,
         )  # fmt: skip
         paths, _ = export(self.project, self.survey, request, progress=self._progress)

@@ -22,7 +22,7 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.validation.absolute_check import Kind
 from lispac.workflow.calibration.seed_lists import columns_note
 from lispac.workflow.output.export_request import output_system_of
-from lispac.workflow.output.output_crs import LOCAL, trajectory_datum_of
+from lispac.workflow.output.output_crs import LOCAL_FRAME, trajectory_datum_of
 from lispac.workflow.project.coordinates import (
     distances_from_trajectory,
     require_near_trajectory,
@@ -162,7 +162,7 @@ def read_reference(
             epoch=year if epoch is None else epoch,
         )  # fmt: skip
     else:
-        chosen = crs or found.system or LOCAL
+        chosen = crs or found.system or LOCAL_FRAME
         system = output_system_of(
             project, survey.trajectory, chosen, height, trajectory_datum, epoch
         )

@@ -32,7 +32,7 @@ from lispac.project import Project, Target
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import georeference
 from lispac.survey.point_mapping import ScannerPointConverter
-from lispac.workflow.importing.file_reading import USUAL, read_trajectory
+from lispac.workflow.importing.file_reading import DEFAULT_FORMATS, read_trajectory
 from lispac.workflow.importing.given_time_bases import known_time_base
 from lispac.workflow.output.georeferencing import Which, require_no_overwrite
 from lispac.workflow.project.survey import Survey
@@ -180,7 +180,8 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
     return output
 
 
-SBET_ZEROS = note("export.sbet_zeros")
+SBET_ZEROS_NOTE = note("export.sbet_zeros")
+"""Note on the fields of an SBET that are written as zeros."""
 
 
 def trajectory_datum_note(project: Project) -> Message:
@@ -191,7 +192,7 @@ def trajectory_datum_note(project: Project) -> Message:
 def _trajectory_time_base(project: Project) -> str:
     """Key of the time base of the trajectory; empty if it is not known."""
     reading = project.trajectory_reading
-    format = format_of(reading.format or USUAL["trajectory"])
+    format = format_of(reading.format or DEFAULT_FORMATS["trajectory"])
     try:
         found = known_time_base(
             format, project.trajectory, dict(reading.options), "time", given=False

@@ -81,7 +81,7 @@ def georeference_project(
     target = output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
     paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
     require_no_overwrite(project, paths)
-    way = ScannerPointConverter(target, trajectory, mounting)
+    converter = ScannerPointConverter(target, trajectory, mounting)
     stores = {} if sources is None else dict(sources)
     stored_layouts: dict[str, RecordLayout | None] = {}
     for chunks in chosen:
@@ -107,7 +107,7 @@ def georeference_project(
                     chunks if own is None else own,
                     stack.enter_context(atomic_write(path)),
                     path,
-                    way,
+                    converter,
                     _layout_function(chunks, stored_layouts.get(chunks.line.name)),
                     reading=chunks.line.reading,
                     recovery=recovery,

@@ -32,13 +32,13 @@ from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.output.data_export import trajectory_datum_note
 from lispac.workflow.output.export_request import (
-    ENDINGS,
+    FILE_TYPES,
     ExportRequest,
     What,
     output_system_of,
 )
 from lispac.workflow.output.georeferencing import Which
-from lispac.workflow.output.output_crs import LOCAL, trajectory_datum_of
+from lispac.workflow.output.output_crs import LOCAL_FRAME, trajectory_datum_of
 
 CONTENTS: dict[What, str] = {
     "lines": N_("Georeferenced lines with all attributes"),
@@ -208,7 +208,7 @@ class ExportDialog(QDialog):
 
     @property
     def _file_format(self) -> str:
-        return ENDINGS[self._content][self.form.currentIndex()]
+        return FILE_TYPES[self._content][self.form.currentIndex()]
 
     @property
     def _system_text(self) -> str:
@@ -221,8 +221,8 @@ class ExportDialog(QDialog):
             self._rows.setRowVisible(field, on_map)
         self._rows.setRowVisible(self.boresight, what != "trajectory")
         self.form.clear()
-        self.form.addItems([gettext(FORMATS[ending]) for ending in ENDINGS[what]])
-        self.form.setEnabled(len(ENDINGS[what]) > 1)
+        self.form.addItems([gettext(FORMATS[ending]) for ending in FILE_TYPES[what]])
+        self.form.setEnabled(len(FILE_TYPES[what]) > 1)
         self._check_input()
         self.adjustSize()
 
@@ -236,7 +236,7 @@ class ExportDialog(QDialog):
     def _check_input(self) -> None:
         """Show the meaning of the coordinate settings, or the error in them."""
         self._debounce.stop()
-        local = self._system_text == LOCAL
+        local = self._system_text == LOCAL_FRAME
         self.height.setEnabled(not local)
         for field in (self.datum, self.epoch):  # the lines already have this system
             field.setEnabled(not local and bool(self._system_text))
