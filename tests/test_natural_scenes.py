@@ -11,7 +11,7 @@ from lispac.duplicate_targets import SIGMA_MARGIN, prediction_warnings
 from lispac.errors import RankDeficient, TargetNotFound
 from lispac.messages import error, note
 from lispac.workflow.calibration.estimation import estimate
-from lispac.workflow.calibration.proposal_acceptance import with_accepted
+from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
 from lispac.workflow.calibration.proposals import (
     MAX_POOR_SHARE,
     UNCHECKED_TARGET_CODES,
@@ -45,7 +45,7 @@ def test_the_proposal_is_checked_and_predicts_its_sigmas() -> None:
     for plane in planes:
         uneven = [qualities[plane.name, s.line].flatness != "good" for s in plane.sightings]
         assert np.mean(uneven) < MAX_POOR_SHARE
-    accepted, _ = with_accepted(project, proposal, [each.name for each in proposal.targets])
+    accepted, _ = with_accepted_targets(project, proposal, [each.name for each in proposal.targets])
     solved = estimate(accepted, survey, cross_check=False)
     result = solved.result
     assert result is not None

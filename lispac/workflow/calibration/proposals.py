@@ -155,7 +155,7 @@ def propose_targets(
     for number, name in enumerate(chosen, start=1):
         proposed.append(_proposed_target(survey, named[name], f"T{number}", "target", threshold))
         reasons[f"T{number}"] = _target_reason(planes, chosen, name, len(named[name].found))
-    ordered = _order_validation_planes({name: named[name] for name in separate}, separate, survey)
+    ordered = _choose_validation_planes({name: named[name] for name in separate}, separate, survey)
     for number, name in enumerate(ordered, start=1):
         plane, is_reciprocal = named[name], _has_reciprocal_lines(separate[name], survey)
         proposed.append(_proposed_target(survey, plane, f"V{number}", "validation", threshold))
@@ -475,14 +475,15 @@ def _has_reciprocal_lines(pairs: Sequence[tuple[str, str]], survey: Survey) -> b
     return any(reciprocal(survey.heading[a], survey.heading[b]) for a, b in pairs)
 
 
-def _order_validation_planes(
+def _choose_validation_planes(
     planes: Mapping[str, DetectedPlane],
     compared: Mapping[str, Sequence[tuple[str, str]]],
     survey: Survey,
 ) -> list[str]:
     """Choose up to `MIN_VALIDATION` + 1 validation planes, in the order of their use.
 
-    The first is the largest one, with reciprocal lines if there are any. Each further one is the
+    Planes smaller than `MIN_VALIDATION_AREA` are used only if there are too few larger ones. The
+    first is the largest one, with reciprocal lines if there are any. Each further one is the
     farthest from those already chosen; planes with reciprocal lines come first.
     """
     large = [name for name, plane in planes.items() if plane.area >= MIN_VALIDATION_AREA]

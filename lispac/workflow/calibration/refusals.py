@@ -11,7 +11,7 @@ Method = Literal["propose", "targetless"]
 UNDETERMINED_CODES = {"propose": "propose.undetermined", "targetless": "targetless.undetermined"}
 """Codes of the error that the angles are not determined, by method."""
 NO_RESULT_CODES = {"propose": "propose.no_result", "targetless": "targetless.no_result"}
-"""Codes of the error that stands for all other reasons, by method."""
+"""Codes of the error that there is no result for another reason, by method."""
 
 
 @contextmanager

@@ -90,7 +90,7 @@ def assess_sightings(
     known = known or {}
     judged: dict[SightingKey, AssessedQuality] = {}
     placings = {
-        role: _PlacedMounting.of(project, survey, estimated=_is_selected_again(project, role))
+        role: _SurveyPlacement.of(project, survey, estimated=_is_selected_again(project, role))
         for role in {target.role for target in project.targets}
     }
     placed = survey.placed(project, "estimated") if project.result is not None else None
@@ -146,23 +146,30 @@ def sighting_qualities(
 
 
 @dataclass(frozen=True, eq=False)
-class _PlacedMounting:
+class _SurveyPlacement:
     """Placement of points and scanner positions, with the derivatives by each boresight angle.
 
     After the calibration, targets are placed with the estimated mounting; in all other cases the
     mounting is the one that approximately aligns the lines. Its error bends planes scanned from a
     moving vessel; the derivatives serve to ignore deviations that such an error can explain.
+
+    Attributes
+    ----------
+    points, scanner : placement of points, and of the origin of the LiDAR frame
+    turned : placement with each angle changed by `DERIVATIVE_STEP`; empty if not needed
+    boresight_error : largest error of the boresight, radians
+    is_nearly_aligned : whether the lines agree within the errors of a rough alignment
     """
 
     points: Georeferencer
     scanner: Georeferencer
     turned: tuple[Georeferencer, ...]
-    boresight_off: float
+    boresight_error: float
     is_nearly_aligned: bool
 
     @classmethod
-    def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_PlacedMounting":
-        """Placement with the estimated mounting or that of the approximate alignment."""
+    def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_SurveyPlacement":
+        """Placement with the estimated mounting, or with that of the approximate alignment."""
         mounting = project.mounting("estimated") if estimated else survey.alignment.mounting
         # A range offset does not affect the position of the scanner.
         scanner = replace(mounting, range_offset=0.0, scan_angle_offset=0.0)
@@ -191,7 +198,7 @@ class _SightingPoints:
 
     @classmethod
     def of(
-        cls, survey: Survey, placing: _PlacedMounting, sighting: PickedSighting
+        cls, survey: Survey, placing: _SurveyPlacement, sighting: PickedSighting
     ) -> "_SightingPoints":
         lidar, time = survey.scans[sighting.line].take(sighting.indices)
         return cls(lidar, time, placing.points(lidar, time))
@@ -200,7 +207,7 @@ class _SightingPoints:
 def _target_qualities(
     project: Project,
     survey: Survey,
-    placing: _PlacedMounting,
+    placing: _SurveyPlacement,
     target: Target,
     sightings: tuple[PickedSighting, ...],
 ) -> list[SightingQuality]:
@@ -240,7 +247,7 @@ def _ambiguity_note(
 
 
 def _observed_parts(
-    target: Target, placing: _PlacedMounting, seen: list[_SightingPoints]
+    target: Target, placing: _SurveyPlacement, seen: list[_SightingPoints]
 ) -> list[ObservedExtent | None]:
     """Part of a plane observed in each line.
 
@@ -261,7 +268,7 @@ def _observed_parts(
     found = compare_observed_extents(
         list(planes.values()),
         [target.sightings[k].used for k in planes],
-        placing.boresight_off * max(ranges),
+        placing.boresight_error * max(ranges),
     )
     for k, each_shown in zip(planes, found, strict=True):
         shown[k] = each_shown
@@ -270,7 +277,7 @@ def _observed_parts(
 
 def _sighting_quality(
     project: Project,
-    placing: _PlacedMounting,
+    placing: _SurveyPlacement,
     target: Target,
     sighting: PickedSighting,
     seen: _SightingPoints,
@@ -292,7 +299,7 @@ def _sighting_quality(
     quality = plane_quality(
         seen.lidar, seen.local, every, plane, noise,
         scanner_local=placing.scanner(np.zeros_like(seen.lidar), seen.time), turns_local=turns,
-        boresight_off=placing.boresight_off,
+        boresight_off=placing.boresight_error,
         threshold=None if sighting.by_hand else target.threshold, shown=shown,
     )  # fmt: skip
     if target.expected is None or quality.extent is None:

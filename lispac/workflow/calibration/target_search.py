@@ -31,7 +31,7 @@ from lispac.targets.spheres_across_lines import find_spheres_in_lines
 
 Array = NDArray[np.float64]
 Patch = PlanePatch | SpherePatch
-OnePatch = TypeVar("OnePatch", PlanePatch, SpherePatch)
+PatchT = TypeVar("PatchT", PlanePatch, SpherePatch)
 
 DEFAULT_RADII: dict[Role, tuple[float, ...]] = {"target": (2.0,), "validation": (4.0, 10.0, 20.0)}
 """Search radii about the seed by role, metres, tried in turn until the plane is found in two lines.
@@ -361,7 +361,7 @@ def _points_near_click(region: SphereRegion, cloud: Cloud, seed: Array) -> Array
     return points[np.argsort(np.linalg.norm(points - seed, axis=1), kind="stable")]
 
 
-def _with_point_numbers(patch: OnePatch, region: SphereRegion) -> OnePatch:
+def _with_point_numbers(patch: PatchT, region: SphereRegion) -> PatchT:
     """Patch with the indices of its points in the line instead of in the search region."""
     return replace(patch, indices=region.numbers[patch.indices], one_in=region.one_in)
 

@@ -347,7 +347,7 @@ def _require_same_site(
     path: Path, chunk: Array, placed: Array, system: CoordinateSystem | None,
     trajectory: LocalTrajectory,
 ) -> None:  # fmt: skip
-    """Refuse a scan of another site, judged by the nearest point in its first chunk."""
+    """Refuse a scan whose first chunk has no point near the trajectory, as one of another site."""
     step = max(1, len(placed) // 1000)
     nearest = int(np.argmin(distances_from_trajectory(placed[::step], trajectory)))
     require_near_trajectory(chunk[::step][nearest], system, trajectory, f"{path}")

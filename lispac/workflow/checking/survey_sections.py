@@ -22,7 +22,7 @@ from lispac.targets.cross_section import (
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
-Which = Literal["prior", "estimated"]
+BoresightChoice = Literal["prior", "estimated"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +39,7 @@ class SectionPoints:
         Largest distance between two lines along the normal of a plane; None without a plane.
     """
 
-    which: Which
+    which: BoresightChoice
     section: Section
     points: Mapping[str, Array]
     separation: float | None = None
@@ -122,8 +122,10 @@ def cut_between_points(
     )
 
 
-def _placements(project: Project, survey: Survey) -> list[tuple[Which, Mapping[str, Cloud]]]:
-    placements: list[tuple[Which, Mapping[str, Cloud]]] = [("prior", survey.clouds)]
+def _placements(
+    project: Project, survey: Survey
+) -> list[tuple[BoresightChoice, Mapping[str, Cloud]]]:
+    placements: list[tuple[BoresightChoice, Mapping[str, Cloud]]] = [("prior", survey.clouds)]
     if project.result is not None:
         placements.append(("estimated", survey.placed(project, "estimated")))
     return placements
@@ -138,7 +140,7 @@ def _end_times(line: Line) -> Array:
 
 
 def _section_points(
-    which: Which, clouds: Mapping[str, Cloud], section: Section, progress: Progress
+    which: BoresightChoice, clouds: Mapping[str, Cloud], section: Section, progress: Progress
 ) -> SectionPoints:
     points = {}
     for k, (line, cloud) in enumerate(clouds.items()):

@@ -83,7 +83,7 @@ class InputFile:
         Reason why the file cannot be used.
     shift : float, seconds
         Time shift, added to the times of a line.
-    follows : bool
+    shift_follows_bases : bool
         Whether the shift follows from given time bases.
     place : LineLocation or None
         Location of a georeferenced line.
@@ -108,7 +108,7 @@ class InputFile:
     content: Content | None = None
     error: Message | None = None
     shift: float = 0.0
-    follows: bool = False
+    shift_follows_bases: bool = False
     place: LineLocation | None = None
     pending: bool = True
     remembered: bool = False

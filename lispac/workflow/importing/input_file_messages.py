@@ -78,7 +78,9 @@ def option_to_choose(action: Action) -> str:
     return str(action.params["name"]) if action.code in OPTION_CHOICE_ACTIONS else ""
 
 
-def already_in_project(input_file: InputFile, lines: Mapping[Path, str]) -> tuple[Message, ...]:
+def already_in_project_error(
+    input_file: InputFile, lines: Mapping[Path, str]
+) -> tuple[Message, ...]:
     """Error that a file is already a line of the open project; ``lines`` are names by path."""
     name = lines.get(input_file.path)
     if name is None or input_file.role != "points":
@@ -87,7 +89,9 @@ def already_in_project(input_file: InputFile, lines: Mapping[Path, str]) -> tupl
     return (error("import.already_in_project", file=file, line=name, actions=(LEAVE_OUT_ACTION,)),)
 
 
-def without_changes(input_file: InputFile, messages: tuple[Message, ...]) -> tuple[Message, ...]:
+def without_project_changes(
+    input_file: InputFile, messages: tuple[Message, ...]
+) -> tuple[Message, ...]:
     """Messages without the actions that would change the open project to which lines are added."""
     return tuple(
         replace(
@@ -243,7 +247,7 @@ def time_messages(
     own, base = line_time_base(input_file), known.base
     if wrong := time_base_error(times.sample, own, file):
         return [replace(wrong, actions=(CLEAR_TIME_BASE_ACTION, LEAVE_OUT_ACTION))]
-    if input_file.follows:
+    if input_file.shift_follows_bases:
         messages = _given_base_notes(input_file, times, track, own, known)
     else:
         messages = _shift_messages(input_file, times, track, base)

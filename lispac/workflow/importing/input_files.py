@@ -29,10 +29,10 @@ from lispac.workflow.importing.input_file import InputFile
 from lispac.workflow.importing.input_file_messages import (
     BRIDGE_GAPS_CODE,
     OPTION_SETTING_ACTIONS,
-    already_in_project,
+    already_in_project_error,
     file_messages,
     time_messages,
-    without_changes,
+    without_project_changes,
 )
 from lispac.workflow.importing.input_times import (
     line_coverage,
@@ -95,13 +95,13 @@ class InputFiles:
     files : tuple of InputFile
         Files in the order in which they were added.
     longest_gap : float, seconds
-    into : Project or None
+    project : Project or None
         Project to which lines are added; None for a new project.
     """
 
     files: tuple[InputFile, ...] = ()
     longest_gap: float = LONGEST_GAP
-    into: Project | None = None
+    project: Project | None = None
 
     @classmethod
     def of_project(cls, project: Project) -> "InputFiles":
@@ -294,7 +294,7 @@ class InputFiles:
 
     @property
     def _project_lines(self) -> tuple[LineSource, ...]:
-        return () if self.into is None else self.into.lines
+        return () if self.project is None else self.project.lines
 
     def coverage(self, file: InputFile) -> TrajectoryCoverage | None:
         """Coverage of a line by the trajectory; None until both have been read."""
@@ -311,11 +311,12 @@ class InputFiles:
             file.path: file_messages(file, self.trajectory, *counts, self.longest_gap)
             for file in self.files
         }
-        if self.into is None:
+        if self.project is None:
             return found
-        known = {line.path: line.name for line in self.into.lines}
+        known = {line.path: line.name for line in self.project.lines}
         return {
-            file.path: already_in_project(file, known) or without_changes(file, found[file.path])
+            file.path: already_in_project_error(file, known)
+            or without_project_changes(file, found[file.path])
             for file in self.files
         }
 

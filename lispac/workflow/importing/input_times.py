@@ -55,9 +55,9 @@ def with_time_base_shifts(files: tuple[InputFile, ...]) -> tuple[InputFile, ...]
         if file.role == "points" and isinstance(file.content, LineTimes):
             found = matches_of_known_bases(file.content.sample, track, line_time_base(file), other)
             if found:
-                file = replace(file, shift=found[0].shift, follows=True)
-            elif file.follows:
-                file = replace(file, shift=0.0, follows=False)
+                file = replace(file, shift=found[0].shift, shift_follows_bases=True)
+            elif file.shift_follows_bases:
+                file = replace(file, shift=0.0, shift_follows_bases=False)
         resolved.append(file)
     return tuple(resolved)
 
@@ -85,7 +85,7 @@ def proposed_shift(
         Time base of the trajectory.
     """
     covered = line_coverage(file, track, longest_gap)
-    if file.follows or covered is None or not isinstance(file.content, LineTimes):
+    if file.shift_follows_bases or covered is None or not isinstance(file.content, LineTimes):
         return None
     if not covered.outside:
         return None

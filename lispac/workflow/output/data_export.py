@@ -34,7 +34,7 @@ from lispac.survey.georeferencing import georeference
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.workflow.importing.file_reading import DEFAULT_FORMATS, read_trajectory
 from lispac.workflow.importing.given_time_bases import known_time_base
-from lispac.workflow.output.georeferencing import Which, require_no_overwrite
+from lispac.workflow.output.georeferencing import BoresightChoice, require_no_overwrite
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
@@ -56,7 +56,7 @@ def export_targets(
     project: Project,
     survey: Survey,
     output: Path,
-    which: Which = "estimated",
+    which: BoresightChoice = "estimated",
     *,
     system: CoordinateSystem | None = None,
     ending: PointsEnding = "laz",
@@ -106,7 +106,7 @@ def export_planes(
     project: Project,
     survey: Survey,
     output: Path,
-    which: Which = "estimated",
+    which: BoresightChoice = "estimated",
     *,
     names: Sequence[str] = (),
     progress: Progress = no_progress,

@@ -17,12 +17,12 @@ from lispac.workflow.output.data_export import (
     export_trajectory,
     trajectory_datum_note,
 )
-from lispac.workflow.output.georeferencing import Which, georeference_project
+from lispac.workflow.output.georeferencing import BoresightChoice, georeference_project
 from lispac.workflow.output.output_crs import LOCAL_FRAME, output_system
 from lispac.workflow.project.survey import Survey
 
-What = Literal["lines", "targets", "planes", "trajectory"]
-FILE_TYPES: dict[What, tuple[str, ...]] = {
+ExportContent = Literal["lines", "targets", "planes", "trajectory"]
+FILE_TYPES: dict[ExportContent, tuple[str, ...]] = {
     "lines": ("laz", "las"),
     "targets": ("laz", "las", "csv"),
     "planes": ("txt",),
@@ -49,9 +49,9 @@ class ExportRequest:
         `lispac.workflow.output.georeferencing.georeference_project`.
     """
 
-    what: What
+    what: ExportContent
     output: Path
-    which: Which = "estimated"
+    which: BoresightChoice = "estimated"
     form: str = "laz"
     system: str = LOCAL_FRAME
     height: str = ""

@@ -29,14 +29,14 @@ from lispac.workflow.importing.line_points import mounting_of_cloud
 from lispac.workflow.output.cloud_export import WrittenLine, write_cloud
 from lispac.workflow.output.output_crs import output_system
 
-Which = Literal["prior", "estimated"]
+BoresightChoice = Literal["prior", "estimated"]
 Ending = Literal["laz", "las"]
 
 
 def georeference_project(
     project: Project,
     output: Path,
-    which: Which = "estimated",
+    which: BoresightChoice = "estimated",
     *,
     system: str = "",
     height: str = "",

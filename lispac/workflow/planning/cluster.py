@@ -56,8 +56,8 @@ def cluster_mapper(access: ClusterAccess | str) -> Iterator[Mapper]:
     ------
     LispacError
         If dask.distributed is not installed, there is no scheduler at the address, it has no
-        workers, or they have another version of LISPAC. Raised by the mapper: if all workers are
-        gone, or a chunk has lost its worker too often.
+        workers, or they have another version of LISPAC. Raised by the mapper: if no worker is left,
+        or a chunk has lost its worker too often.
     """
     access = ClusterAccess(access) if isinstance(access, str) else access
     address = access.url
@@ -191,7 +191,7 @@ class _Cluster:
         Raises
         ------
         LispacError
-            If all workers are gone.
+            If no worker is left.
         """
         without_workers_since = None
         while True:
@@ -212,7 +212,7 @@ class _Cluster:
         Raises
         ------
         LispacError
-            If it was sent too often already, or all workers are gone.
+            If it was sent too often already, or no worker is left.
         """
         import distributed
 
@@ -284,7 +284,7 @@ class _Cluster:
 
     def close(self) -> None:
         """Cancel unfinished chunks and close the connection."""
-        with suppress(Exception):  # the scheduler may be gone, and then there is nothing to cancel
+        with suppress(Exception):  # if the scheduler has ended, there is nothing to cancel
             self.client.cancel([sent.future for sent in self.in_progress])
         self.client.close()
 

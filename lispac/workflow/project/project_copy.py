@@ -59,7 +59,7 @@ def save_project_as(
         If the folder holds a project already or is a file, or a line is damaged or was imported
         again since it was opened.
     InputError
-        If it cannot be written; nothing is left there then.
+        If it cannot be written; files written until then are removed.
     """  # noqa: DOC501 - `_not_writable_error` makes an InputError
     folder = Path(folder).absolute()
     try:

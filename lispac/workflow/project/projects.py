@@ -54,7 +54,8 @@ def create_project(
     ProjectError
         If the folder already holds a project.
     InputError
-        If a file is missing or a setting makes no sense.
+        If a file is missing, there is no line, two lines have the same name, or a setting is not
+        valid.
     """
     folder = Path(folder).absolute()
     require_file(trajectory, "trajectory")
@@ -273,7 +274,7 @@ def removed_on_failure(project: Project) -> Iterator[None]:
 def open_project(folder: Path) -> Project:
     """Open a project by its folder, its ``project.json`` or the file that opens it.
 
-    Missing files are searched for in the folder of the project and beside it.
+    Missing files are searched for in the folder of the project and in the one that contains it.
 
     Raises
     ------

@@ -33,14 +33,14 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.output.data_export import trajectory_datum_note
 from lispac.workflow.output.export_request import (
     FILE_TYPES,
+    ExportContent,
     ExportRequest,
-    What,
     output_system_of,
 )
-from lispac.workflow.output.georeferencing import Which
+from lispac.workflow.output.georeferencing import BoresightChoice
 from lispac.workflow.output.output_crs import LOCAL_FRAME, trajectory_datum_of
 
-CONTENTS: dict[What, str] = {
+CONTENTS: dict[ExportContent, str] = {
     "lines": N_("Georeferenced lines with all attributes"),
     "targets": N_("Points of targets and validation planes"),
     "planes": N_("Points of the target planes (text, 25 columns)"),
@@ -50,7 +50,7 @@ FORMATS = {
     "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text (.txt)"),
     "sbet": "SBET (.out)", "text": N_("Text (.txt)"),
 }  # fmt: skip
-BORESIGHTS: dict[Which, str] = {
+BORESIGHTS: dict[BoresightChoice, str] = {
     "estimated": N_("Estimated boresight"),
     "prior": N_("Prior boresight"),
 }
@@ -61,8 +61,8 @@ class ExportDialog(QDialog):
 
     def __init__(
         self,
-        what: What,
-        which: Which,
+        what: ExportContent,
+        which: BoresightChoice,
         project: Project,
         trajectory: LocalTrajectory,
         parent: QWidget | None = None,
@@ -203,7 +203,7 @@ class ExportDialog(QDialog):
         return self.height.text().strip() if self.height.isEnabled() else ""
 
     @property
-    def _content(self) -> What:
+    def _content(self) -> ExportContent:
         return list(CONTENTS)[self.what.currentIndex()]
 
     @property
