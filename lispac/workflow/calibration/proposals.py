@@ -35,7 +35,7 @@ from lispac.workflow.calibration.refusals import refused_by_method
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.calibration.target_choice import (
     MIN_TARGETS,
-    MIN_VALIDATION,
+    MIN_VALIDATION_PLANES,
     CandidatePlanes,
     choose_targets,
 )
@@ -176,7 +176,7 @@ def _comparable_planes(
     """Candidate validation planes, with the pairs of lines that can be compared on them.
 
     They pass the same flatness test as the targets. Poorly observed planes come last, and are
-    included only until there are `MIN_VALIDATION` planes.
+    included only until there are `MIN_VALIDATION_PLANES` planes.
     """
     assert solved.result is not None
     usable = [target for target in left if judged[target.name].use in ("any", "at need")]
@@ -186,7 +186,7 @@ def _comparable_planes(
     placed = place_clouds(survey.clouds, solved.result.mounting)
     found: dict[str, tuple[tuple[str, str], ...]] = {}
     for target in sorted(usable, key=lambda target: judged[target.name].use == "at need"):
-        if judged[target.name].use == "at need" and len(found) >= MIN_VALIDATION:
+        if judged[target.name].use == "at need" and len(found) >= MIN_VALIDATION_PLANES:
             break
         before, after = (
             {
@@ -480,18 +480,18 @@ def _choose_validation_planes(
     compared: Mapping[str, Sequence[tuple[str, str]]],
     survey: Survey,
 ) -> list[str]:
-    """Choose up to `MIN_VALIDATION` + 1 validation planes, in the order of their use.
+    """Choose up to `MIN_VALIDATION_PLANES` + 1 validation planes, in the order of their use.
 
     Planes smaller than `MIN_VALIDATION_AREA` are used only if there are too few larger ones. The
     first is the largest one, with reciprocal lines if there are any. Each further one is the
     farthest from those already chosen; planes with reciprocal lines come first.
     """
     large = [name for name, plane in planes.items() if plane.area >= MIN_VALIDATION_AREA]
-    names = large if len(large) >= MIN_VALIDATION else list(planes)
+    names = large if len(large) >= MIN_VALIDATION_PLANES else list(planes)
     is_reciprocal = {name: _has_reciprocal_lines(compared[name], survey) for name in names}
     left = sorted(names, key=lambda name: (not is_reciprocal[name], -planes[name].area))
     kept = left[:1]
-    while len(left) > len(kept) and len(kept) < MIN_VALIDATION + 1:
+    while len(left) > len(kept) and len(kept) < MIN_VALIDATION_PLANES + 1:
         rest = [name for name in left if name not in kept]
         opposite = [name for name in rest if is_reciprocal[name]] or rest
         kept.append(

@@ -217,8 +217,8 @@ def _target_qualities(
     if target.shape == "plane" and placing.is_nearly_aligned:
         shown = _observed_parts(target, placing, seen)
     judged = [
-        _sighting_quality(project, placing, target, sighting, each, beside)
-        for sighting, each, beside in zip(sightings, seen, shown, strict=True)
+        _sighting_quality(project, placing, target, sighting, each, extent)
+        for sighting, each, extent in zip(sightings, seen, shown, strict=True)
     ]
     if target.shape == "plane" and not placing.is_nearly_aligned:
         judged = [

@@ -21,7 +21,7 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-MAX_TARGETS, MIN_TARGETS, MIN_VALIDATION = 6, 3, 4
+MAX_TARGETS, MIN_TARGETS, MIN_VALIDATION_PLANES = 6, 3, 4
 """Largest and smallest number of targets, and number of planes that are reserved for validation
 once the targets check each other."""
 MAX_SIGMA_SHARE = 0.85
@@ -133,7 +133,7 @@ def choose_targets(planes: CandidatePlanes) -> list[str]:
         pool = boards if set(chosen) <= set(boards) else names
         while len(chosen) < min(MAX_TARGETS, len(names)):
             checked = planes.are_mutually_checked(chosen)
-            spare = len(names) - MIN_VALIDATION
+            spare = len(names) - MIN_VALIDATION_PLANES
             if checked and len(chosen) >= spare:
                 break
             added = _best_addition(planes, chosen, pool, checked)

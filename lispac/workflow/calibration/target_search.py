@@ -148,9 +148,9 @@ class TargetSearch:
                 find_sphere(region.points, seed, self.radius_range, settings), region
             )
         region = cloud.within(require_seed(seed), settings.radius, limit=MAX_SAMPLE_POINTS)
-        beside = _points_near_click(region, cloud, require_seed(seed))
+        near_click = _points_near_click(region, cloud, require_seed(seed))
         return _complete_plane(
-            find_plane(region.points, seed, settings, beside=beside), region, cloud
+            find_plane(region.points, seed, settings, beside=near_click), region, cloud
         )
 
     def patch_of_points(self, cloud: Cloud, indices: NDArray[np.int64]) -> Patch:
@@ -233,12 +233,12 @@ def find_planes_in_lines(
     Parameters and errors as for `TargetSearch.find_in_lines`.
     """
     regions, points = _search_regions(clouds, seed, settings, limit=MAX_SAMPLE_POINTS)
-    beside = {
+    near_click = {
         name: _points_near_click(regions[name], cloud, seed) for name, cloud in clouds.items()
     }
     found, missing = find_in_lines(
         points, seed, settings, first_line=first_line, progress=progress,
-        beside={name: close for name, close in beside.items() if close is not None},
+        beside={name: close for name, close in near_click.items() if close is not None},
     )  # fmt: skip
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         every = pool.map(

@@ -32,6 +32,7 @@ from lispac.workflow.project.survey_dates import survey_dates
 
 Verdict = Literal["good", "notes", "warnings", "refused"]
 REPORT_FORMATS = ("pdf", "html", "json", "zip")
+"""File types of a report, without the dot."""
 
 
 @accept_script_names

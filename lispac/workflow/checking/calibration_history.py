@@ -25,6 +25,7 @@ from lispac.workflow.project.shared_lines import has_same_lines
 from lispac.workflow.project.survey_dates import survey_dates
 
 _DATE_PATTERN = re.compile(r"(\d{4})-(\d{2})-(\d{2})")
+"""Year, month and day of a date such as 2026-03-04."""
 SYSTEM_FIELDS = ("vessel", "scanner", "scanner_serial", "pos", "pos_serial")
 """Fields of the identity that distinguish systems."""
 

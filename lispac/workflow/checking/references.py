@@ -373,9 +373,9 @@ class _CoveredCells:
         cells = np.unique(np.concatenate(seen), axis=0)
         low = cells.min(axis=0) - 1
         counts = cells.max(axis=0) + 2 - low
-        beside = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3), axis=-1).reshape(-1, 3)
-        wide = [np.ravel_multi_index((cells - low + b).T, counts) for b in beside]
-        return cls(side, low, counts, np.unique(np.concatenate(wide)))
+        offsets = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3), axis=-1).reshape(-1, 3)
+        neighbours = [np.ravel_multi_index((cells - low + offset).T, counts) for offset in offsets]
+        return cls(side, low, counts, np.unique(np.concatenate(neighbours)))
 
     def contains(self, points: Array) -> NDArray[np.bool_]:
         """Flags of points, shape (n, 3), that lie in the cells; False for points not finite."""

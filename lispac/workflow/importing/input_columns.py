@@ -17,6 +17,7 @@ _TRAJECTORY_MEANINGS = (
     "time", "date", "latitude", "longitude", "easting", "northing", "height", "sea_height",
     "roll", "pitch", "heading",
 )  # fmt: skip
+"""Meanings of the columns of a trajectory, in the order in which they are offered."""
 _MEANING_LABELS = {
     "time": N_("Time"),
     "date": N_("Date"),

@@ -30,6 +30,7 @@ from lispac.workflow.output.cloud_export import WrittenLine, write_cloud
 from lispac.workflow.output.output_crs import output_system
 
 BoresightChoice = Literal["prior", "estimated"]
+"""Boresight with which points are placed."""
 Ending = Literal["laz", "las"]
 
 

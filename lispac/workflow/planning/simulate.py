@@ -33,7 +33,10 @@ from lispac.workflow.planning.simulated_setup import SimulatedSetup
 from lispac.workflow.project.projects import create_project
 
 RAW_FOLDER, TRUTH_FOLDER, SIMULATION_MARKER_FILE = "raw", "truth", "simulated"
+"""Folders of the survey files and of the true values, and the file in the first of them that marks
+a simulation, which may be replaced."""
 TRUTH_FILES = (f"{TRUTH_FOLDER}/truth.json", f"{TRUTH_FOLDER}/labels.npz")
+"""Files with the true values: mounting and simulation, and the surface of each point."""
 TRAJECTORY_FILE, ACCURACY_FILE = "trajectory.sbet", "smrmsg.out"
 TARGET_LIST_FILE = "targets.csv"
 """List of coordinates that ``lispac pick --seeds`` reads."""

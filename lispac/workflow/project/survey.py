@@ -45,6 +45,7 @@ MAX_PLAUSIBLE_SIGMA_M, MAX_PLAUSIBLE_SIGMA_RAD = 1e4, np.pi
 """Largest plausible standard deviations of a POS, metres and radians; exporters write larger values
 where there is no solution."""
 DATA_STEP = Cause.of_step("Data")
+"""Cause of messages about the data in general, which leads to their step in the window."""
 MAX_POINTS_IN_MEMORY = 4_000_000
 """Number of points above which a line is imported into the project's store. Smaller lines are read
 into memory when the project is opened, with 64 bytes per point."""
