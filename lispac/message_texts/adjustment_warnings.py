@@ -254,7 +254,7 @@ TEXTS: Mapping[str, Template] = {
         "{change}, with which the adjustment converges and the residuals agree with the error "
         "model. Measure this parameter again."
     ),
-    # -- errors behind the residuals ---------------------------------------------------------
+    # -- causes of the residuals -------------------------------------------------------------
     **{f"adjustment.contradicted_{name}": _CONTRADICTED_TEXT for name in _MOUNTING_PARAMETERS},
     **{
         f"adjustment.contradicted_{name}_alone": _CONTRADICTED_ALONE_TEXT

@@ -128,7 +128,7 @@ def read_histories(
     ----------
     folders : folders searched at any depth
     vessel : vessel whose systems are read; all vessels if None
-    also : open projects, used in their present state instead of the saved one
+    also : open projects to include, in their present state instead of the saved one
 
     Returns
     -------

@@ -166,7 +166,7 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
     Raises
     ------
     InputError
-        If the trajectory cannot be read or the file cannot be written.
+        If the trajectory cannot be read, or the file cannot be written or is one of the project.
     """
     if output.exists() and output.samefile(project.trajectory):
         raise InputError(error("export.own_trajectory", file=str(output)))

@@ -55,7 +55,7 @@ OTHER_POINTS_REASON = (
     "the search from its seed now gives other points, because it was found with other lines or "
     "another prior boresight, or proposed automatically"
 )
-"""The same reason for a target whose points were not edited."""
+"""Reason to write a target with all its points although they were not edited manually."""
 
 
 @dataclass(frozen=True)

@@ -198,9 +198,11 @@ def complete_readings(
 def with_lines_added(
     project: Project, lines: Sequence[LineSource], *, progress: Progress = no_progress
 ) -> tuple[Project, Survey]:
-    """Add lines to a project and read its survey; targets and results are kept.
+    """Add lines to a project and read its survey.
 
-    The reading options are completed as in `new_project`. The project on disk is not changed.
+    Targets and the result are kept; the results of alternative methods, which use all lines, are
+    cleared. The reading options are completed as in `new_project`. The project on disk is not
+    changed.
 
     Raises
     ------
