@@ -6,7 +6,7 @@ exits with status 1; the window shows it in a dialogue.
 
 import errno
 
-from lispac.message_texts import CONTROL, message_text
+from lispac.message_texts import CONTROL_CHARACTERS_TO_SPACES, message_text
 from lispac.messages import Message, note
 
 SYSTEM_REASONS = {
@@ -62,7 +62,7 @@ class LispacError(Exception):
         """Text of the message, in one line."""
         if isinstance(self._message, Message):
             return message_text(self._message)
-        return self._message.translate(CONTROL)
+        return self._message.translate(CONTROL_CHARACTERS_TO_SPACES)
 
 
 class InputError(LispacError):

@@ -44,7 +44,7 @@ from lispac.installation_paths import resource_path
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
 from lispac.language import LANGUAGES, Plural, Template, current_language, gettext
-from lispac.message_texts import TOPICS, message_text
+from lispac.message_texts import TOPIC_MODULES, message_text
 from lispac.message_texts.occasions import OCCASIONS
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
 from tests.french_catalogue import FRENCH
@@ -337,7 +337,7 @@ def _messages(language: str) -> str:
     """Every message code by its topic, with its levels and its texts, placeholders in brackets."""
     levels = message_levels()
     parts = []
-    for topic in TOPICS:
+    for topic in TOPIC_MODULES:
         rows = [
             (
                 f"`{code}`",

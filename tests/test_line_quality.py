@@ -70,8 +70,8 @@ def test_the_demo_before_and_after(calibrated: tuple[Project, Survey]) -> None:
     found = line_quality(project, survey)
     assert len(found.pairs) == 1
     again = line_quality(project, survey, which="estimated")
-    before, after = (each.figures_of_pair(each.pairs[0]) for each in (found, again))
-    together = found.pooled_figures()
+    before, after = (each.statistics_of_pair(each.pairs[0]) for each in (found, again))
+    together = found.pooled_statistics()
     assert together is not None
     assert together.median is None, "which line comes second says nothing of several pairs"
     assert before is not None

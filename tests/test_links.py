@@ -13,9 +13,9 @@ from lispac.io.project.project_file import SIGHTINGS_FOLDER, read_project, write
 from lispac.io.project.project_lock import LOCK_NAME
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import is_link
-from lispac.workflow.importing.line_import import LINES, import_lines, line_folder
-from lispac.workflow.planning.demo import MARKER, make_demo
-from lispac.workflow.project.project_copy import MARK, save_project_as
+from lispac.workflow.importing.line_import import LINES_FOLDER, import_lines, line_folder
+from lispac.workflow.planning.demo import MARKER_FILE, make_demo
+from lispac.workflow.project.project_copy import UNFINISHED_MARK, save_project_as
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.error_codes import has_code
 
@@ -96,7 +96,7 @@ def test_only_own_files_of_points_are_removed(
 @pytest.mark.parametrize("place", ["line", "lines"])
 def test_no_line_is_imported_behind_a_link(project: Project, tmp_path: Path, place: str) -> None:
     store = line_folder(project, project.lines[0])
-    folder = store if place == "line" else project.folder / LINES
+    folder = store if place == "line" else project.folder / LINES_FOLDER
     before = linked(folder, tmp_path / "elsewhere")
     with pytest.raises(ProjectError, match="link"):
         import_lines(project)
@@ -107,7 +107,7 @@ def test_no_line_is_imported_behind_a_link(project: Project, tmp_path: Path, pla
 def test_a_simulation_writes_nothing_behind_a_link(tmp_path: Path) -> None:
     folder, elsewhere = tmp_path / "demo", tmp_path / "elsewhere"
     elsewhere.mkdir()
-    (elsewhere / MARKER).write_text("an earlier demo, moved away")
+    (elsewhere / MARKER_FILE).write_text("an earlier demo, moved away")
     folder.mkdir()
     (folder / "raw").symlink_to(elsewhere, target_is_directory=True)
     before = contents(elsewhere)
@@ -198,12 +198,12 @@ def test_a_file_beside_columns_is_named_as_one_of_them(project: Project) -> None
 def test_a_failed_save_removes_only_what_the_program_wrote(
     project: Project, tmp_path: Path
 ) -> None:
-    store = tmp_path / "copy" / LINES / "old"
+    store = tmp_path / "copy" / LINES_FOLDER / "old"
     for name in ("columns-backup", "columns-3"):
         (store / name).mkdir(parents=True)
         (store / name / "mine.npy").write_bytes(b"mine")
     (store / "columns-3" / "xyz.npy").write_bytes(b"of a save that was killed")
-    (store / MARK).touch()
+    (store / UNFINISHED_MARK).touch()
     import_lines(project)
     save_project_as(project, load_survey(project), tmp_path / "copy")
     assert contents(store) == {"columns-backup/mine.npy": b"mine", "columns-3/mine.npy": b"mine"}
@@ -213,8 +213,8 @@ def test_no_line_is_copied_behind_a_link(project: Project, tmp_path: Path) -> No
     import_lines(project)
     survey = load_survey(project)
     (tmp_path / "elsewhere").mkdir()
-    (tmp_path / "copy" / LINES).mkdir(parents=True)
-    there = tmp_path / "copy" / LINES / line_folder(project, project.lines[0]).name
+    (tmp_path / "copy" / LINES_FOLDER).mkdir(parents=True)
+    there = tmp_path / "copy" / LINES_FOLDER / line_folder(project, project.lines[0]).name
     there.symlink_to(tmp_path / "elsewhere", target_is_directory=True)
     with pytest.raises(ProjectError, check=has_code("store.link")):
         save_project_as(project, survey, tmp_path / "copy")

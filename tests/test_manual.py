@@ -166,7 +166,7 @@ def test_pages_that_were_shipped_are_not_built(small: Path, tmp_path: Path) -> N
 def test_where_the_builder_is_missing_a_sentence_says_what_to_do(
     small: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(manual.BUILDERS, "no_such_module", "Sphinx of tomorrow")
+    monkeypatch.setitem(manual.BUILD_PACKAGES, "no_such_module", "Sphinx of tomorrow")
     with pytest.raises(InputError) as refused:
         manual.manual_page("en", sources=small, place=tmp_path / "cache")
     assert refused.value.code == "manual.not_installed"

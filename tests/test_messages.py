@@ -18,8 +18,8 @@ from lispac.errors import InputError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import LANGUAGES, Plural, Template, format_text, in_language
-from lispac.message_texts import ACTIONS, TEXTS, TOPICS, message_text
-from lispac.message_texts.former_codes import CODES, former_code
+from lispac.message_texts import ACTIONS, TEXTS, TOPIC_MODULES, message_text
+from lispac.message_texts.former_codes import FORMER_CODES, former_code
 from lispac.message_texts.occasions import OCCASIONS
 from lispac.messages import (
     MAX_LISTED,
@@ -142,7 +142,7 @@ def test_a_text_has_at_most_two_sentences() -> None:
 
 
 def test_no_code_is_in_two_topics() -> None:
-    assert len(TEXTS) == sum(len(topic.TEXTS) for topic in TOPICS)
+    assert len(TEXTS) == sum(len(topic.TEXTS) for topic in TOPIC_MODULES)
 
 
 def test_catalogues_are_complete_and_up_to_date() -> None:
@@ -268,7 +268,7 @@ def test_parameters_are_plain_in_json() -> None:
 
 def test_former_codes_are_those_of_messages_that_exist() -> None:
     names = {code.partition(".")[2] for code in TEXTS}
-    assert set(CODES) <= names
+    assert set(FORMER_CODES) <= names
     assert former_code(note("adjustment.contradicted_latency_alone")) == "contradicted_latency"
     assert former_code(note("report.simulated")) == "simulated"
     assert former_code(note("audit.no_range")) == "audit.no_range"

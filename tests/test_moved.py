@@ -190,5 +190,7 @@ def test_a_whole_disk_is_not_searched(
         (usb / f"{k}").mkdir(parents=True)
         shutil.move(path, usb / f"{k}" / path.name)
     assert missing_files(with_files_in(opened, usb)) == ()
-    monkeypatch.setattr(moved_files, "MAX_SEARCHED", len(files(opened)) + 1)  # the folders, and two
+    monkeypatch.setattr(
+        moved_files, "MAX_SEARCHED_FILES", len(files(opened)) + 1
+    )  # the folders, and two
     assert len(missing_files(with_files_in(opened, usb))) == len(files(opened)) - 2

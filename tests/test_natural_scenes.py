@@ -11,8 +11,12 @@ from lispac.duplicate_targets import SIGMA_MARGIN, prediction_warnings
 from lispac.errors import RankDeficient, TargetNotFound
 from lispac.messages import error, note
 from lispac.workflow.calibration.estimation import estimate
-from lispac.workflow.calibration.proposal_acceptance import with_accepted
-from lispac.workflow.calibration.proposals import MAX_POOR, UNCHECKED, propose_targets
+from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
+from lispac.workflow.calibration.proposals import (
+    MAX_POOR_SHARE,
+    UNCHECKED_TARGET_CODES,
+    propose_targets,
+)
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.calibration.target_choice import MIN_TARGETS
 from lispac.workflow.calibration.targetless import targetless
@@ -40,8 +44,8 @@ def test_the_proposal_is_checked_and_predicts_its_sigmas() -> None:
     qualities = sighting_qualities(replace(project, targets=planes), survey)
     for plane in planes:
         uneven = [qualities[plane.name, s.line].flatness != "good" for s in plane.sightings]
-        assert np.mean(uneven) < MAX_POOR
-    accepted, _ = with_accepted(project, proposal, [each.name for each in proposal.targets])
+        assert np.mean(uneven) < MAX_POOR_SHARE
+    accepted, _ = with_accepted_targets(project, proposal, [each.name for each in proposal.targets])
     solved = estimate(accepted, survey, cross_check=False)
     result = solved.result
     assert result is not None
@@ -103,7 +107,7 @@ def test_targets_that_do_not_check_each_other_are_named() -> None:
     proposal = propose_targets(project, survey)
     assert [target.role for target in proposal.targets].count("target") == 2
     codes = [warning.code for warning in proposal.warnings]
-    assert UNCHECKED & set(codes)
+    assert UNCHECKED_TARGET_CODES & set(codes)
     assert "targets.proposal_unchecked" in codes
 
 

@@ -16,7 +16,10 @@ from lispac.targets.expected_target import ExpectedTarget
 from lispac.workflow.calibration.estimation import complete_result
 from lispac.workflow.calibration.patch_test import propose_objects
 from lispac.workflow.calibration.picking import find_target, pick_target
-from lispac.workflow.calibration.proposal_acceptance import with_accepted, without_picked
+from lispac.workflow.calibration.proposal_acceptance import (
+    with_accepted_targets,
+    without_picked_surfaces,
+)
 from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.checking.survey_sections import section_at_target
 from lispac.workflow.checking.validation import validate
@@ -132,13 +135,13 @@ def test_what_is_picked_already_is_not_proposed_again() -> None:
     plane = replace(found[1], role="validation")
     reasons = {each.name: note("propose.target_needed", lines=3) for each in found}
     proposal = Proposal((found[0], plane), reasons, np.zeros(3))
-    left = without_picked(project, proposal)
+    left = without_picked_surfaces(project, proposal)
     assert (left.targets, left.picked) == ((), ("T1",))
     bare = replace(project, targets=project.targets[:1])
-    left = without_picked(bare, proposal)
+    left = without_picked_surfaces(bare, proposal)
     assert [(each.name, each.role) for each in left.targets] == [("V1", "validation")]
     assert left.reasons == {"V1": note("propose.target_needed", lines=3)}
-    accepted, names = with_accepted(bare, left, ["V1", "no such name"])
+    accepted, names = with_accepted_targets(bare, left, ["V1", "no such name"])
     assert names == ("V1",)
     assert [each.name for each in accepted.targets] == ["T1", "V1"]
 

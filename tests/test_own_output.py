@@ -15,8 +15,8 @@ from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.importing.file_reading import (
     check_file,
+    default_or_detected_reading,
     read_trajectory,
-    usual_or_detected_reading,
 )
 from lispac.workflow.importing.line_points import read_chunks
 from lispac.workflow.output.data_export import export_planes, export_targets, export_trajectory
@@ -140,7 +140,7 @@ def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[floa
         assert not any(
             "_down" in code or "_up" in code for code in codes(check.finding.file_warnings)
         )
-    reading, _ = usual_or_detected_reading(path, "trajectory", Reading())
+    reading, _ = default_or_detected_reading(path, "trajectory", Reading())
     found = read_trajectory(path, reading)
     np.testing.assert_allclose(found.time, known.time, rtol=0, atol=1e-8)
     for name, limit in (("latitude", 1e-12), ("longitude", 1e-12), ("height", 1e-5)):
@@ -153,5 +153,5 @@ def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[floa
 
 def test_a_text_trajectory_names_its_time_base(tmp_path: Path) -> None:
     write_trajectory_text(tmp_path / "t.txt", states(), "utc-day")
-    reading, _ = usual_or_detected_reading(tmp_path / "t.txt", "trajectory", Reading())
+    reading, _ = default_or_detected_reading(tmp_path / "t.txt", "trajectory", Reading())
     assert dict(reading.options)["time"] == "utc-day"

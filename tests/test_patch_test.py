@@ -33,7 +33,7 @@ from lispac.workflow.calibration.patch_test import (
     place_objects,
     propose_objects,
 )
-from lispac.workflow.planning.simulate import RAW, as_triple, write_lines, write_trajectory
+from lispac.workflow.planning.simulate import RAW_FOLDER, as_triple, write_lines, write_trajectory
 from lispac.workflow.project.projects import create_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import refused_with
@@ -355,8 +355,8 @@ def test_sigmas_hold_over_simulated_surveys(tmp_path: Path) -> None:
     for seed in range(201, 217):
         simulated = port_survey(points_per_second=20_000.0, seed=seed)
         folder = tmp_path / str(seed)
-        trajectory, accuracy = write_trajectory(simulated, folder / RAW)
-        lines = write_lines(simulated, folder / RAW)
+        trajectory, accuracy = write_trajectory(simulated, folder / RAW_FOLDER)
+        lines = write_lines(simulated, folder / RAW_FOLDER)
         latitude, longitude, height = simulated.origin
         base = port_settings(simulated.lever_arm, latitude, longitude, height)
         project = create_project(

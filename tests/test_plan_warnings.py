@@ -10,7 +10,7 @@ from lispac.design.site import Site, Wall
 from lispac.errors import RankDeficient
 from lispac.io.config.plan_file import TitledPlan
 from lispac.workflow.planning.plan_checks import (
-    ONE_WAY,
+    ONE_ORIENTATION_ERROR,
     observability_messages,
     plan_warnings,
     simulate_surveys,
@@ -57,7 +57,7 @@ def test_boards_in_one_place_are_reported(plan: Plan) -> None:
 def test_boards_that_face_one_way_are_not_simulated(plan: Plan) -> None:
     one = plan.targets[0]
     alike = replace(plan, targets=(one, replace(one, name="duplicate")))
-    assert observability_messages(alike) == (ONE_WAY,)
+    assert observability_messages(alike) == (ONE_ORIENTATION_ERROR,)
     with pytest.raises(RankDeficient) as caught:
         simulate_surveys(alike, 3, seed=1)
-    assert caught.value.message == ONE_WAY
+    assert caught.value.message == ONE_ORIENTATION_ERROR

@@ -13,7 +13,7 @@ from lispac.io.project.project_file import read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Level, note
 from lispac.project import Project, ProposalPrediction
-from lispac.workflow.calibration.proposal_acceptance import with_accepted
+from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
 from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.project.survey import Survey
 
@@ -80,17 +80,17 @@ def test_the_prediction_is_kept_where_it_holds(calibrated: tuple[Project, Survey
     bare = replace(project, targets=(), result=None)
     names = [target.name for target in project.targets]
     targets = {target.name for target in project.targets_of_role("target")}
-    accepted, _ = with_accepted(bare, proposal, names)
+    accepted, _ = with_accepted_targets(bare, proposal, names)
     assert accepted.prediction is not None
     assert set(accepted.prediction.targets) == targets
     assert (accepted.prediction.sigma == sigma).all()
     assert prediction_warnings(accepted) == ()
-    without_planes, _ = with_accepted(bare, proposal, targets)
+    without_planes, _ = with_accepted_targets(bare, proposal, targets)
     assert without_planes.prediction is not None
-    assert with_accepted(bare, proposal, names[1:])[0].prediction is None
+    assert with_accepted_targets(bare, proposal, names[1:])[0].prediction is None
     own = bare.with_target(replace(project.targets_of_role("target")[0], name="own"))
-    assert with_accepted(own, proposal, names)[0].prediction is None
-    also, _ = with_accepted(own, replace(proposal, picked=("own",)), names)
+    assert with_accepted_targets(own, proposal, names)[0].prediction is None
+    also, _ = with_accepted_targets(own, replace(proposal, picked=("own",)), names)
     assert also.prediction is not None
     assert set(also.prediction.targets) == targets | {"own"}
 

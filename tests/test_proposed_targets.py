@@ -342,7 +342,7 @@ def test_a_drones_planes_are_proposed_in_one_action(
     judged = sighting_qualities(project, survey)
     for target in project.targets:
         uneven = [judged[target.name, s.line].flatness != "good" for s in target.sightings]
-        assert np.mean(uneven) < proposals.MAX_POOR, target.name
+        assert np.mean(uneven) < proposals.MAX_POOR_SHARE, target.name
     for one, other in combinations(targets, 2):
         assert np.linalg.norm(np.subtract(one.seed, other.seed)) > 1.5
     for plane, target in product(validation, targets):

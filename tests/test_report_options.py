@@ -32,7 +32,7 @@ from lispac.survey.conventions.conversion import (
 from lispac.survey.conventions.mounting_texts import CHECK_FIRST, UNCORRELATED_WARNING
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
 from lispac.survey.georeferencing import Mounting
-from lispac.workflow.output.report_options import KEYS, report_options
+from lispac.workflow.output.report_options import TEMPLATE_KEYS, report_options
 from tests.command_errors import codes_of, is_refusal, refused_with
 from tests.report_sample import sample_content, sample_project
 from tests.test_identity import FULL
@@ -82,7 +82,7 @@ def test_a_template_holds_what_a_company_wants(template: Path) -> None:
         company="Levés du Fleuve inc.\n12, rue du Quai", heading="Order 4711",
         closing="Valid until an instrument is moved.",
     )  # fmt: skip
-    assert set(KEYS) == set(asdict(options))
+    assert set(TEMPLATE_KEYS) == set(asdict(options))
     chosen = report_options(template, "a4", "qinsy")
     assert (chosen.page, chosen.convention) == ("a4", "qinsy")
     template.write_text(TEMPLATE + 'language = "FR"', encoding="utf-8")
@@ -101,7 +101,7 @@ def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> Non
     (tmp_path / "own.toml").write_text(text, encoding="utf-8")
     options = report_options(tmp_path / "own.toml")
     assert all(asdict(options).values())
-    assert set(tomllib.loads(text)) == set(KEYS)
+    assert set(tomllib.loads(text)) == set(TEMPLATE_KEYS)
 
 
 @pytest.mark.parametrize(

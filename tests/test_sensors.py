@@ -67,7 +67,7 @@ def test_what_the_program_says_of_its_own_sensors_is_translated(tmp_path: Path) 
     ):
         with in_language("fr"):
             french = sensors.source_text(figures)
-        assert figures.source in sensors.SOURCES
+        assert figures.source in sensors.SUPPLIED_SOURCES
         assert french != sensors.source_text(figures)
 
 

@@ -24,7 +24,7 @@ from lispac.workflow.calibration import picking
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.output import export
 from lispac.workflow.output.georeferencing import georeference_project
-from lispac.workflow.output.output_crs import LOCAL
+from lispac.workflow.output.output_crs import LOCAL_FRAME
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey, load_survey
 
@@ -190,7 +190,7 @@ def test_georeferenced_lines_are_where_the_project_puts_them(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     project, survey = calibrated
-    written = georeference_project(project, tmp_path, "estimated", system=LOCAL)
+    written = georeference_project(project, tmp_path, "estimated", system=LOCAL_FRAME)
     assert len(written) == len(survey.lines)
     placed = survey.placed(project, "estimated")
     for done, line in zip(written, survey.lines, strict=True):

@@ -13,7 +13,7 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.features.export.actions import ACTIONS
 from lispac.gui.features.export.export_dialog import CHECK_DELAY_MS, CONTENTS, ExportDialog
 from lispac.project import LineSource, Project, Settings
-from lispac.workflow.output.export_request import ENDINGS, ExportRequest
+from lispac.workflow.output.export_request import FILE_TYPES, ExportRequest
 from lispac.workflow.output.output_crs import utm_zone
 from tests.cloud_files import track
 from tests.gui.support import Control, Demo, Driver, Key, Left, press
@@ -96,7 +96,7 @@ def test_each_thing_has_its_own_fields(dialog: ExportDialog, qtbot: QtBot) -> No
         dialog.what.setCurrentIndex(list(CONTENTS).index(what))
         assert dialog.system.isVisible() == (what in ("lines", "targets"))
         assert dialog.boresight.isVisible() == (what != "trajectory")
-        assert dialog.form.count() == len(ENDINGS[what])
+        assert dialog.form.count() == len(FILE_TYPES[what])
     dialog.form.setCurrentIndex(1)
     assert dialog.request().output.name.endswith("_export.txt")
     with qtbot.waitSignal(dialog.accepted):

@@ -130,7 +130,7 @@ def _pick_in_project(arguments: Namespace, project: Project, how: dict[str, Any]
     from lispac.workflow.calibration import picking
     from lispac.workflow.calibration.sighting_assessment import assess_target
     from lispac.workflow.output.export_request import output_system_of
-    from lispac.workflow.output.output_crs import LOCAL
+    from lispac.workflow.output.output_crs import LOCAL_FRAME
     from lispac.workflow.project import projects
     from lispac.workflow.project.coordinates import require_near_trajectory
     from lispac.workflow.project.survey import load_survey
@@ -138,7 +138,7 @@ def _pick_in_project(arguments: Namespace, project: Project, how: dict[str, Any]
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
     system = output_system_of(
-        project, survey.trajectory, arguments.crs or LOCAL, arguments.height,
+        project, survey.trajectory, arguments.crs or LOCAL_FRAME, arguments.height,
         arguments.trajectory_datum, arguments.epoch,
     )  # fmt: skip
     if arguments.seeds is not None:

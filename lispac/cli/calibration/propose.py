@@ -33,7 +33,7 @@ def run(arguments: Namespace) -> None:
 
     from lispac.adjustment.result import ANGLES
     from lispac.language import to_plain_text
-    from lispac.workflow.calibration.proposal_acceptance import with_accepted
+    from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
     from lispac.workflow.calibration.proposals import propose_targets as proposal_for
     from lispac.workflow.calibration.target_search import thinned_notes
     from lispac.workflow.project import projects
@@ -52,7 +52,7 @@ def run(arguments: Namespace) -> None:
             print(f"note: {message_text(each)}", file=sys.stderr)
         if arguments.accept:
             names = [target.name for target in proposal.targets]
-            projects.save_project(with_accepted(project, proposal, names)[0])
+            projects.save_project(with_accepted_targets(project, proposal, names)[0])
     sigma = dict(zip(ANGLES, (float(s) for s in np.degrees(proposal.sigma)), strict=True))
     if arguments.json:
         targets = [

@@ -57,14 +57,14 @@ def run(arguments: Namespace) -> None:
         If options cannot be combined.
     """
     from lispac.workflow.output.data_export import (
-        SBET_ZEROS,
+        SBET_ZEROS_NOTE,
         export_planes,
         export_targets,
         export_trajectory,
         trajectory_datum_note,
     )
     from lispac.workflow.output.export_request import output_system_of
-    from lispac.workflow.output.output_crs import LOCAL
+    from lispac.workflow.output.output_crs import LOCAL_FRAME
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey
 
@@ -87,7 +87,7 @@ def run(arguments: Namespace) -> None:
             paths = [export_trajectory(project, arguments.output, form)]
             print(f"note: {message_text(trajectory_datum_note(project))}", file=sys.stderr)
             if form == "sbet":
-                print(f"note: {message_text(SBET_ZEROS)}", file=sys.stderr)
+                print(f"note: {message_text(SBET_ZEROS_NOTE)}", file=sys.stderr)
         else:
             survey = load_survey(project, progress=progress)
             names = arguments.targets or ()
@@ -98,7 +98,7 @@ def run(arguments: Namespace) -> None:
                 )  # fmt: skip
             else:
                 system = output_system_of(
-                    project, survey.trajectory, arguments.crs or LOCAL, arguments.height,
+                    project, survey.trajectory, arguments.crs or LOCAL_FRAME, arguments.height,
                     arguments.trajectory_datum, arguments.epoch,
                 )  # fmt: skip
                 paths = export_targets(

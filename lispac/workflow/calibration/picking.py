@@ -60,7 +60,7 @@ def find_target(
     threshold : float, metres, optional
         RANSAC distance threshold; by default that of the project, or a larger one for spheres.
     radius : float, metres, optional
-        Search radius about the seed; `DEFAULT_RADII` by default.
+        Search radius about the seed; by default those of `TargetSearch.search_radii` in turn.
     expected : ExpectedTarget, optional
         Expected size and inclination of a plane, with which the detected planes are compared.
     choices : FinderChoices
@@ -197,7 +197,7 @@ def point_position(project: Project, survey: Survey, line: str, number: int) -> 
 
 
 def require_survey_points(survey: Survey, target: Target) -> None:
-    """Refuse a target whose points do not exist in the survey's lines.
+    """Refuse a target whose points do not exist, or whose lines have changed since the pick.
 
     Raises
     ------

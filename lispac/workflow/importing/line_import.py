@@ -36,7 +36,7 @@ from lispac.workflow.importing.line_points import DistantDuplicates, LinePoints
 
 Array = NDArray[np.float64]
 
-LINES = "lines"
+LINES_FOLDER = "lines"
 """Folder of the stored lines in the folder of the project."""
 
 
@@ -205,7 +205,7 @@ def stored_header(stored: StoredLine) -> Path | None:
 
 
 def is_header_damaged(stored: StoredLine) -> bool:
-    """True if the stored header of a line's file is damaged."""
+    """True if a header of a line's file was stored and is damaged."""
     columns = stored.folder / stored.manifest.folder
     kept = (columns / HEADER).exists() or (columns / HEADER_SUM).exists()
     return kept and stored_header(stored) is None
@@ -233,7 +233,7 @@ def open_stored_line(
     refusal: Message | None = None
     for name, value in made_with.items():
         if stored.manifest.made_with.get(name) != value:
-            change = error(CHANGES[name], line=line.name)
+            change = error(CHANGE_CODES[name], line=line.name)
             if refusal is None:
                 refusal = change
             else:
@@ -263,22 +263,29 @@ def line_folder(project: Project, line: LineSource) -> Path:
     """Folder of a line's store in the folder of the project."""
     plain = re.sub(r"[^A-Za-z0-9_-]", "_", line.name)
     alike = [n for n in project.lines if n.name != line.name and n.name.lower() == plain.lower()]
-    if plain != line.name or alike or plain.lower() in RESERVED:
+    if plain != line.name or alike or plain.lower() in RESERVED_FILE_NAMES:
         plain += f"-{hashlib.sha256(line.name.encode()).hexdigest()[:8]}"
-    return project.folder / LINES / plain
+    return project.folder / LINES_FOLDER / plain
 
 
-RESERVED = {"con", "prn", "aux", "nul", *(f"{p}{k}" for p in ("com", "lpt") for k in range(10))}
+RESERVED_FILE_NAMES = {
+    "con",
+    "prn",
+    "aux",
+    "nul",
+    *(f"{p}{k}" for p in ("com", "lpt") for k in range(10)),
+}
 """Names that Windows reserves for devices."""
 
 
-CHANGES = {
+CHANGE_CODES = {
     "reading": "import.reading_changed",
     "columns": "import.columns_changed",
     "trajectory": "import.trajectory_changed",
     "recovered_with": "import.mounting_changed",
     "latency": "import.latency_changed",
 }
+"""Code of the reason to import a line again, by the changed item of `_store_dependencies`."""
 
 
 def _store_dependencies(
@@ -287,7 +294,7 @@ def _store_dependencies(
     """Settings and data that the content of a store depends on, as plain values."""
     on_map = LinePoints(line, trajectory, mounting).recovery is not None
     return {
-        "reading": json.loads(json.dumps(encode_value(line.reading))),  # as read back
+        "reading": json.loads(json.dumps(encode_value(line.reading))),  # in the form read from JSON
         "columns": list(line.columns),
         "trajectory": _trajectory_fingerprint(trajectory),
         "recovered_with": mounting.without_nominal_axes.values.tolist() if on_map else None,

@@ -13,9 +13,9 @@ from lispac.survey.line_source import TIME_ROLLOVER, printable
 from lispac.survey.time_rollover import NONE, PERIODS, rollover_note
 from lispac.workflow.importing.file_reading import format_of_line
 
-MIN_MARGIN = 6 * 3600.0
-"""Time from midnight or the end of the week, seconds. A line whose first points are farther from
-both is assumed not to reach them, so that its other times are not checked for a rollover."""
+ROLLOVER_MARGIN = 6 * 3600.0
+"""Time before and after midnight or the end of the week, seconds. A line whose first points are
+farther from both is assumed not to reach them, and its other times are not checked."""
 
 
 def resolve_time_rollovers(
@@ -62,6 +62,10 @@ def _is_near_rollover(format: FileFormat, choice: Choice, line: LineSource) -> b
         return False
     time = first.time
     return any(
-        bool(((time >= 0) & (time < period) & (np.minimum(time, period - time) < MIN_MARGIN)).any())
+        bool(
+            (
+                (time >= 0) & (time < period) & (np.minimum(time, period - time) < ROLLOVER_MARGIN)
+            ).any()
+        )
         for period in PERIODS.values()
     )

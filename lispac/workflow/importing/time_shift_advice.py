@@ -29,7 +29,7 @@ def outside_trajectory_message(reading: Reading, times: Array, track: Array, fil
     reading : Reading
         Reading options of the line.
     times : ndarray of shape (n,), seconds
-        Times of the line, as read.
+        Times of the line, with the time shift and rollover of ``reading`` applied.
     track : ndarray of shape (m,), seconds, increasing
         Times of the trajectory.
     file : Path
@@ -84,7 +84,7 @@ def shift_gain_note(line: LineSource, times: Array, track: Array) -> Message | N
     ----------
     line : LineSource
     times : ndarray of shape (n,), seconds
-        Times of the line, as read: all times or a sample.
+        All times of the line or a sample, with its time shift and rollover applied.
     track : ndarray of shape (m,), seconds, increasing
         Times of the trajectory.
     """

@@ -28,8 +28,8 @@ from lispac.survey.scanner_frame_recovery import RecoverySetup
 
 Array = NDArray[np.float64]
 
-IN_FLIGHT = 3
-"""Largest number of chunks between reading and writing."""
+MAX_WAITING_CHUNKS = 3
+"""Largest number of chunks that are read and not yet written."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +75,8 @@ class WrittenLine:
 
 @dataclass(frozen=True, eq=False)
 class _GeoreferencedChunk:
+    """Records of a chunk for the writer, and numbers of excluded points as in `WrittenLine`."""
+
     records: ScaleAwarePointRecord
     outside: int
     in_gaps: int
@@ -160,7 +162,7 @@ def write_cloud(
             while chunk is not None:
                 placed = workers.submit(place, cloud, chunk)
                 waiting.append(writer.submit(_write_records, cloud, placed))
-                if len(waiting) > IN_FLIGHT:
+                if len(waiting) > MAX_WAITING_CHUNKS:
                     finish()
                 chunk = next(source, None)
             while waiting:
@@ -195,7 +197,7 @@ def _write_records(
 
 @dataclass(frozen=True, eq=False)
 class _ChunkGeoreferencer:
-    """Georeferencing of a chunk by a worker."""
+    """Function that georeferences a chunk in a worker thread."""
 
     mapping: ScannerPointConverter
     reading: Reading

@@ -29,14 +29,15 @@ from lispac.workflow.importing.line_points import mounting_of_cloud
 from lispac.workflow.output.cloud_export import WrittenLine, write_cloud
 from lispac.workflow.output.output_crs import output_system
 
-Which = Literal["prior", "estimated"]
+BoresightChoice = Literal["prior", "estimated"]
+"""Boresight with which points are placed."""
 Ending = Literal["laz", "las"]
 
 
 def georeference_project(
     project: Project,
     output: Path,
-    which: Which = "estimated",
+    which: BoresightChoice = "estimated",
     *,
     system: str = "",
     height: str = "",
@@ -81,7 +82,7 @@ def georeference_project(
     target = output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
     paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
     require_no_overwrite(project, paths)
-    way = ScannerPointConverter(target, trajectory, mounting)
+    converter = ScannerPointConverter(target, trajectory, mounting)
     stores = {} if sources is None else dict(sources)
     stored_layouts: dict[str, RecordLayout | None] = {}
     for chunks in chosen:
@@ -107,7 +108,7 @@ def georeference_project(
                     chunks if own is None else own,
                     stack.enter_context(atomic_write(path)),
                     path,
-                    way,
+                    converter,
                     _layout_function(chunks, stored_layouts.get(chunks.line.name)),
                     reading=chunks.line.reading,
                     recovery=recovery,

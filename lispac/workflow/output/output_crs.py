@@ -13,9 +13,9 @@ from lispac.survey.crs_area import area_of_use_elsewhere
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.line_chunks import LineChunks
 
-LOCAL = "local"
-"""Selects the local frame instead of a coordinate system."""
-FIRST_YEAR, LAST_YEAR = 1900.0, 2100.0
+LOCAL_FRAME = "local"
+"""Text by which the user selects the local frame instead of a coordinate system."""
+MIN_EPOCH, MAX_EPOCH = 1900.0, 2100.0
 """Range of accepted epochs, decimal years; others are considered typing errors."""
 
 
@@ -43,13 +43,13 @@ def output_system(
     InputError
         If the system is not known, the lines have different ones, or an epoch has no effect.
     """
-    if epoch is not None and not FIRST_YEAR <= epoch <= LAST_YEAR:
+    if epoch is not None and not MIN_EPOCH <= epoch <= MAX_EPOCH:
         raise InputError(error("export.bad_epoch", epoch=f"{epoch:g}"))
     if not system and not height and not trajectory_datum:
         own = _chunks_system(chosen)
         if own is not None:
             return own if epoch is None else _own_system_at_epoch(chosen, epoch)
-    if trajectory_datum is None and system != LOCAL:
+    if trajectory_datum is None and system != LOCAL_FRAME:
         trajectory_datum, own_epoch = _chunks_datum(chosen)
         epoch = own_epoch if epoch is None else epoch
     return requested_system(system, trajectory, height, trajectory_datum or "", epoch)
@@ -102,12 +102,12 @@ def requested_system(
     InputError
         If no system is chosen, or it is not known.
     """
-    if text == LOCAL:
+    if text == LOCAL_FRAME:
         if height or trajectory_datum or epoch is not None:
             raise InputError(error("export.local_frame_options"))
         return None
     if not text:
-        raise InputError(error("export.no_system", zone=utm_zone(trajectory), local=LOCAL))
+        raise InputError(error("export.no_system", zone=utm_zone(trajectory), local=LOCAL_FRAME))
     _require_datum(trajectory_datum, epoch)
     found = coordinate_system(text, height=height, trajectory_datum=trajectory_datum, epoch=epoch)
     return replace(found, assumptions=(*found.assumptions, *_far_away_warning(found, trajectory)))

@@ -12,8 +12,9 @@ from lispac.report.options import PAGES, USUAL, Page, ReportOptions
 from lispac.survey.conventions.systems import convention_of_key
 from lispac.untrusted_values import InvalidContentError, toml_values
 
-KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")
-MAX_LENGTH = 2000
+TEMPLATE_KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")
+"""Keys of a report template."""
+MAX_TEXT_LENGTH = 2000
 """Largest number of characters of a text in a template."""
 
 
@@ -47,9 +48,9 @@ def _read_template(path: Path) -> ReportOptions:
             error("report_template.not_toml", file=str(path), reason=reason)
         ) from failure
     for key, value in content.items():
-        if key not in KEYS:
+        if key not in TEMPLATE_KEYS:
             raise InputError(
-                error("report_template.unknown_key", file=str(path), key=key, keys=KEYS)
+                error("report_template.unknown_key", file=str(path), key=key, keys=TEMPLATE_KEYS)
             )
         if not isinstance(value, str):
             raise InputError(error("report_template.not_text", file=str(path), key=key))
@@ -113,6 +114,6 @@ def _find_logo(folder: Path, name: str) -> Path:
 
 def _clean_text(key: str, text: str) -> str:
     tidy = "\n".join(line.strip() for line in text.strip().splitlines())
-    if len(tidy) > MAX_LENGTH or any(not (c.isprintable() or c == "\n") for c in tidy):
-        raise InputError(error("report_template.long_text", key=key, limit=MAX_LENGTH))
+    if len(tidy) > MAX_TEXT_LENGTH or any(not (c.isprintable() or c == "\n") for c in tidy):
+        raise InputError(error("report_template.long_text", key=key, limit=MAX_TEXT_LENGTH))
     return tidy

@@ -28,12 +28,13 @@ from lispac.survey.store.layout import (
     write_manifest,
 )
 from lispac.survey.store.stored_line import StoredLine
-from lispac.workflow.importing.line_import import LINES, line_folder, stored_header
+from lispac.workflow.importing.line_import import LINES_FOLDER, line_folder, stored_header
 from lispac.workflow.project.projects import removed_on_failure
 from lispac.workflow.project.survey import Survey
 
-PIECE = 1 << 24  # bytes copied at once
-MARK = ".saving"
+COPY_PIECE_BYTES = 1 << 24
+"""Number of bytes that are copied at once."""
+UNFINISHED_MARK = ".saving"
 """File in the folder of a copied line: the copy is invalid until the project is written."""
 
 
@@ -58,7 +59,7 @@ def save_project_as(
         If the folder holds a project already or is a file, or a line is damaged or was imported
         again since it was opened.
     InputError
-        If it cannot be written; nothing is left there then.
+        If it cannot be written; files written until then are removed.
     """  # noqa: DOC501 - `_not_writable_error` makes an InputError
     folder = Path(folder).absolute()
     try:
@@ -66,7 +67,7 @@ def save_project_as(
             raise ProjectError(error("project_folder.exists", folder=str(folder)))
         if folder.is_file():
             raise ProjectError(error("project_folder.is_file", folder=str(folder)))
-    except OSError as failure:  # no permission to read it, or too long a name
+    except OSError as failure:  # no permission to read the folder, or its name is too long
         raise _not_writable_error(folder, failure) from failure
     copy = replace(project, folder=folder)
     scans, clouds = dict(survey.scans), dict(survey.clouds)
@@ -75,7 +76,7 @@ def save_project_as(
     total, done = sum(scan.manifest.bytes for scan in on_disk.values()) or 1, 0
     with removed_on_failure(copy), ExitStack() as stack:
         try:
-            if places or (folder / LINES).is_dir():
+            if places or (folder / LINES_FOLDER).is_dir():
                 stack.enter_context(_marked_unfinished(folder))
             for name, destination in places.items():
                 stored = on_disk[name]
@@ -115,17 +116,17 @@ def _remove_points_on_failure(folder: Path) -> Iterator[None]:
 
 @contextmanager
 def _marked_unfinished(folder: Path) -> Iterator[None]:
-    """Mark the lines copied into a folder as unfinished until the project is written.
+    """Treat the lines copied into a folder as unfinished until the project is written.
 
-    The remains of an earlier save that was terminated are removed first: only files of the program
-    in folders with the mark.
+    `_copy_line` marks each copy; the marks are removed here. The remains of an earlier, interrupted
+    save are removed first: only files of the program in folders with the mark.
 
     Raises
     ------
     ProjectError
         If another save into the folder is in progress.
     """
-    lines = folder / LINES
+    lines = folder / LINES_FOLDER
     require_no_link(lines)
     lines.mkdir(parents=True, exist_ok=True)
     with ExitStack() as locks:
@@ -139,14 +140,14 @@ def _marked_unfinished(folder: Path) -> Iterator[None]:
         except BaseException:
             _remove_unfinished(lines)
             raise
-        for mark in lines.glob(f"*/{MARK}"):
+        for mark in lines.glob(f"*/{UNFINISHED_MARK}"):
             mark.unlink(missing_ok=True)
     with suppress(OSError):  # left behind on systems that cannot remove open files
         (lines / LOCK).unlink(missing_ok=True)
 
 
 def _remove_unfinished(lines: Path) -> None:
-    for mark in lines.glob(f"*/{MARK}"):
+    for mark in lines.glob(f"*/{UNFINISHED_MARK}"):
         store = mark.parent
         if is_link(store):
             continue
@@ -154,7 +155,7 @@ def _remove_unfinished(lines: Path) -> None:
             if not is_link(columns):
                 remove_columns(columns)
         remove_manifest_parts(store)
-        for name in (MANIFEST, MARK):
+        for name in (MANIFEST, UNFINISHED_MARK):
             (store / name).unlink(missing_ok=True)
         if not any(store.iterdir()):
             store.rmdir()
@@ -177,14 +178,14 @@ def _copy_line(
     Raises
     ------
     ProjectError
-        If the line has been imported again, or is damaged.
+        If the line has been imported again or is damaged, or the destination contains files.
     """
     manifest = stored.manifest
     require_no_link(destination.parent, destination)
     if destination.is_dir() and any(destination.iterdir()):
         raise ProjectError(error("project_folder.has_files", folder=str(destination)))
     destination.mkdir(exist_ok=True)
-    (destination / MARK).touch()
+    (destination / UNFINISHED_MARK).touch()
     (destination / manifest.folder).mkdir()
     checksums: dict[str, int | None] = {column.file: column.checksum for column in manifest.files}
     if stored_header(stored) is not None:
@@ -199,8 +200,8 @@ def _copy_line(
             ) from failure
         place = destination / manifest.folder / name
         with source, place.open("xb") as copy:
-            then = os.fstat(source.fileno())  # its name may be gone at the end
-            while piece := source.read(PIECE):
+            then = os.fstat(source.fileno())  # the file may be renamed or deleted during the copy
+            while piece := source.read(COPY_PIECE_BYTES):
                 progress(min(done / total, 1.0), gettext_lazy("Copying {line}", line=stored.name))
                 copy.write(piece)
                 found = crc32(piece, found)

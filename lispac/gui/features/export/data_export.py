@@ -15,7 +15,7 @@ from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.progress import Progress
-from lispac.workflow.output.export_request import ExportRequest, What
+from lispac.workflow.output.export_request import ExportContent, ExportRequest
 
 EXPORT_TITLES = {
     "lines": N_("Writing the lines"),
@@ -24,7 +24,7 @@ EXPORT_TITLES = {
     "trajectory": N_("Writing the trajectory"),
 }
 """Title of the task that exports each kind of data."""
-DATA: tuple[What, ...] = ("lines", "targets", "trajectory")
+DATA: tuple[ExportContent, ...] = ("lines", "targets", "trajectory")
 """Kinds of exported data, which are also the names of the actions."""
 
 
@@ -48,7 +48,7 @@ class DataExport(QObject):
             changed.connect(self._enable_controls)
         self._enable_controls()
 
-    def export(self, what: What = "lines") -> None:
+    def export(self, what: ExportContent = "lines") -> None:
         """Show the export dialogue and export lines, targets or the trajectory."""
         project, survey = self._document.project, self._document.survey
         if project is not None and survey is not None:

@@ -17,8 +17,8 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.output.export_request import ExportRequest, What
-from lispac.workflow.output.georeferencing import Which
+from lispac.workflow.output.export_request import ExportContent, ExportRequest
+from lispac.workflow.output.georeferencing import BoresightChoice
 
 if TYPE_CHECKING:
     from lispac.workflow.output.script import Script
@@ -88,7 +88,11 @@ class ExportDialogs(Questions):
     """Dialogues about exported data and the script."""
 
     def export(
-        self, what: What, which: Which, project: Project, trajectory: LocalTrajectory
+        self,
+        what: ExportContent,
+        which: BoresightChoice,
+        project: Project,
+        trajectory: LocalTrajectory,
     ) -> ExportRequest | None:
         """Ask for the options of an export; None if cancelled."""
         dialog = ExportDialog(what, which, project, trajectory, self.parent)

@@ -38,15 +38,15 @@ from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.output.data_export import trajectory_datum_note
 from lispac.workflow.output.export_request import (
-    ENDINGS,
+    FILE_TYPES,
+    ExportContent,
     ExportRequest,
-    What,
     output_system_of,
 )
-from lispac.workflow.output.georeferencing import Which
-from lispac.workflow.output.output_crs import LOCAL, trajectory_datum_of
+from lispac.workflow.output.georeferencing import BoresightChoice
+from lispac.workflow.output.output_crs import LOCAL_FRAME, trajectory_datum_of
 
-CONTENTS: dict[What, str] = {
+CONTENTS: dict[ExportContent, str] = {
     "lines": N_("Georeferenced lines with all attributes"),
     "targets": N_("Points of targets and validation planes"),
     "planes": N_("Points of the target planes (text, 25 columns)"),
@@ -56,7 +56,7 @@ FORMATS = {
     "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text (.txt)"),
     "sbet": "SBET (.out)", "text": N_("Text (.txt)"),
 }  # fmt: skip
-BORESIGHTS: dict[Which, str] = {
+BORESIGHTS: dict[BoresightChoice, str] = {
     "estimated": N_("Estimated boresight"),
     "prior": N_("Prior boresight"),
 }
@@ -67,8 +67,8 @@ class ExportDialog(QDialog):
 
     def __init__(
         self,
-        what: What,
-        which: Which,
+        what: ExportContent,
+        which: BoresightChoice,
         project: Project,
         trajectory: LocalTrajectory,
         parent: QWidget | None = None,
@@ -209,12 +209,12 @@ class ExportDialog(QDialog):
         return self.height.text().strip() if self.height.isEnabled() else ""
 
     @property
-    def _content(self) -> What:
+    def _content(self) -> ExportContent:
         return list(CONTENTS)[self.what.currentIndex()]
 
     @property
     def _file_format(self) -> str:
-        return ENDINGS[self._content][self.form.currentIndex()]
+        return FILE_TYPES[self._content][self.form.currentIndex()]
 
     @property
     def _system_text(self) -> str:
@@ -227,8 +227,8 @@ class ExportDialog(QDialog):
             self._rows.setRowVisible(field, on_map)
         self._rows.setRowVisible(self.boresight, what != "trajectory")
         self.form.clear()
-        self.form.addItems([gettext(FORMATS[ending]) for ending in ENDINGS[what]])
-        self.form.setEnabled(len(ENDINGS[what]) > 1)
+        self.form.addItems([gettext(FORMATS[ending]) for ending in FILE_TYPES[what]])
+        self.form.setEnabled(len(FILE_TYPES[what]) > 1)
         self._check_input()
         self.adjustSize()
 
@@ -242,7 +242,7 @@ class ExportDialog(QDialog):
     def _check_input(self) -> None:
         """Show the meaning of the coordinate settings, or the error in them."""
         self._debounce.stop()
-        local = self._system_text == LOCAL
+        local = self._system_text == LOCAL_FRAME
         self.height.setEnabled(not local)
         for field in (self.datum, self.epoch):  # the lines already have this system
             field.setEnabled(not local and bool(self._system_text))

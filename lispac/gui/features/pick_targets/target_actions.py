@@ -83,10 +83,12 @@ class TargetActions(QObject):
             return
 
         def work(progress: Progress) -> "Proposal":
-            from lispac.workflow.calibration.proposal_acceptance import without_picked
+            from lispac.workflow.calibration.proposal_acceptance import without_picked_surfaces
             from lispac.workflow.calibration.proposals import propose_targets
 
-            return without_picked(project, propose_targets(project, survey, progress=progress))
+            return without_picked_surfaces(
+                project, propose_targets(project, survey, progress=progress)
+            )
 
         task = self._runner.run(
             gettext("Searching for targets to propose"),
@@ -123,7 +125,7 @@ class TargetActions(QObject):
         self._controller.cancel_on_edit(task)
 
     def _add_proposed_targets(self, project: Project, proposal: "Proposal") -> None:
-        from lispac.workflow.calibration.proposal_acceptance import with_accepted
+        from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
 
         if self._document.project is not project:
             return
@@ -134,7 +136,7 @@ class TargetActions(QObject):
         if not names:
             self._controller.logged.emit(gettext("The proposed targets were rejected."))
             return
-        edited, accepted = with_accepted(project, proposal, names)
+        edited, accepted = with_accepted_targets(project, proposal, names)
         self._document.edit(N_("addition of proposed targets"), edited)
         self._controller.logged.emit(gettext("Accepted {targets:names}", targets=accepted))
 

@@ -32,7 +32,7 @@ from lispac.io.config.sensor_file import (
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.workflow.planning.sensors import (
-    LONGEST,
+    MAX_TEXT_LENGTH,
     Sensor,
     read_library,
     remove_sensor,
@@ -166,7 +166,9 @@ class SensorLibraryPage(QWidget):
     def _copy(self) -> None:
         if self.current is not None:
             figures = self.current.figures
-            excess = max(len(gettext("{sensor} (user-defined)", sensor=figures.title)) - LONGEST, 0)
+            excess = max(
+                len(gettext("{sensor} (user-defined)", sensor=figures.title)) - MAX_TEXT_LENGTH, 0
+            )
             title = figures.title[: len(figures.title) - excess]
             self._open_editor(
                 replace(figures, title=gettext("{sensor} (user-defined)", sensor=title))

@@ -30,7 +30,11 @@ from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.checking.calibration_history import CalibrationHistory, read_histories
 from lispac.workflow.checking.line_quality import LineQuality, line_quality
-from lispac.workflow.checking.subsampling import DISTANCES, SubsamplingResult, subsampling_study
+from lispac.workflow.checking.subsampling import (
+    DEFAULT_DISTANCES,
+    SubsamplingResult,
+    subsampling_study,
+)
 from lispac.workflow.project.survey import Survey
 
 
@@ -150,7 +154,9 @@ class Studies(QObject):
         used = project.settings.subsample
 
         def work(progress: Progress) -> tuple[SubsamplingResult, ...]:
-            return subsampling_study(project, survey, sorted({*DISTANCES, used}), progress=progress)
+            return subsampling_study(
+                project, survey, sorted({*DEFAULT_DISTANCES, used}), progress=progress
+            )
 
         task = self._runner.run(
             gettext("Point spacing study"), work,

@@ -24,7 +24,7 @@ from lispac.language import gettext
 from lispac.message_texts import fact_text, message_text
 from lispac.messages import Action
 from lispac.workflow.importing.input_columns import (
-    PASSED_OVER,
+    UNUSED_COLUMN,
     has_columns,
     meaning_label,
     possible_meanings,
@@ -70,7 +70,7 @@ class FilePreview(QTableWidget):
             self._shown = which
             self._build(file, rows, columns, mapped)
         for k, combo in enumerate(self.combos):
-            chosen = file.columns[k] if k < len(file.columns) else PASSED_OVER
+            chosen = file.columns[k] if k < len(file.columns) else UNUSED_COLUMN
             combo.blockSignals(True)
             if combo.findData(chosen) < 0:
                 combo.addItem(chosen, chosen)
