@@ -69,6 +69,7 @@ class Document(QObject):
     opened = Signal()
     """Another project was opened, or the project was closed."""
     modified = Signal(bool)
+    """Whether the project now has unsaved changes."""
     saved = Signal()
     """The project was saved."""
 
@@ -172,7 +173,7 @@ class Document(QObject):
         name : Template
             Name of the edit as the undo menu shows it, marked with `N_`; ``params`` fill it.
         survey : Survey, optional
-            Data placed as in the edited project, if they are already available.
+            Data georeferenced as in the edited project, if they are already available.
         recompute : bool
             Whether a result that the edit removes is computed again automatically:
             `complete_last_edit` adds it, and one undo reverts the edit and its result.

@@ -43,7 +43,7 @@ from lispac.workflow.planning.plan_comparison import PlanComparison, compare_wit
 from lispac.workflow.project.survey import load_survey
 
 MAX_SERIAL_PLANS = 600
-"""Largest number of plans evaluated in one process, which is then faster than starting others."""
+"""Most evaluations of plans for which one process is faster than several, which must start."""
 
 
 class CountingMapper:
@@ -371,7 +371,7 @@ class SiteDesign(QObject):
             lambda found: window.show_comparison(found, project.name, titled),
         )  # fmt: skip
 
-    # -- the end -----------------------------------------------------------------------------
+    # -- closing -----------------------------------------------------------------------------
 
     @property
     def runners(self) -> tuple[TaskRunner, TaskRunner]:
@@ -386,7 +386,7 @@ class SiteDesign(QObject):
         return self.save() if choice == "save" else choice == "discard"
 
     def leave(self) -> bool:
-        """End the design with the program; return whether the user agrees."""
+        """End the design before the program ends; return False if the user cancels."""
         if not self._may_discard_plan():
             return False
         self.end()

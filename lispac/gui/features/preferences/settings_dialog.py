@@ -25,7 +25,7 @@ from lispac.gui.appearance.units import ANGLES, LENGTHS
 from lispac.gui.features.preferences.actions import ACTIONS
 from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.sensor_library import SensorLibraryPage
-from lispac.gui.project.recovery_copies import LOCK_NAME
+from lispac.gui.project.recovery_copies import LOCK_FILE_NAME
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.sensor_choice import SensorChoice
 from lispac.language import LANGUAGES, N_, gettext
@@ -106,7 +106,7 @@ class CacheBox(QWidget):
 
     def _empty_cache(self) -> None:
         place = caches.cache_folder_in(self._folder)
-        lock = QLockFile(str(place / caches.DEMO / LOCK_NAME))
+        lock = QLockFile(str(place / caches.DEMO / LOCK_FILE_NAME))
         lock.setStaleLockTime(0)
         if not lock.tryLock(0) and lock.error() == QLockFile.LockError.LockFailedError:
             self._show_problem(gettext(DEMO_OPEN))
