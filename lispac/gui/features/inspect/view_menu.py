@@ -14,7 +14,7 @@ from lispac.gui.viewport.base import Array, Viewport
 from lispac.language import N_, gettext
 from lispac.targets.cross_section import common_normal
 
-NOTHING_SELECTED = N_("Select a target first, in the list of targets or in the table.")
+NOTHING_SELECTED_TEXT = N_("Select a target first, in the list of targets or in the table.")
 
 
 class ViewMenu(QObject):
@@ -69,7 +69,7 @@ class ViewMenu(QObject):
     def _selected(self) -> list[Array]:
         groups = list(self._scene.selected_points.values())
         if not groups:
-            self._controller.logged.emit(gettext(NOTHING_SELECTED))
+            self._controller.logged.emit(gettext(NOTHING_SELECTED_TEXT))
         return groups
 
     def _colour_by(self, colouring: Colouring) -> bool:

@@ -1,4 +1,4 @@
-"""Step 2: options of the next seed, the candidate just found, and the list of targets."""
+"""Step 2: options of the next seed, the detected target, and the list of targets."""
 
 from html import escape
 from math import radians
@@ -29,7 +29,7 @@ from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected_target import ExpectedTarget
 from lispac.workflow.project.survey import Survey
 
-DEFAULT_SIZE = (1.23, 1.22)
+DEFAULT_BOARD_SIZE_M = (1.23, 1.22)
 """Default width and height of a board, metres."""
 
 
@@ -38,7 +38,7 @@ class ExpectedFields(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        width, height = (units.local_amount(side, "m", ".2f") for side in DEFAULT_SIZE)
+        width, height = (units.local_amount(side, "m", ".2f") for side in DEFAULT_BOARD_SIZE_M)
         self._width = widgets.number(
             "expected_width", suffix=" m", decimals=2, low=0, high=100, step=0.1,
             tip=gettext(
@@ -77,7 +77,7 @@ class ExpectedFields(QWidget):
         return ExpectedTarget(width, height, radians(self._tilt.value()))
 
 
-ALL_LINES = N_("All lines")
+ALL_LINES_TEXT = N_("All lines")
 
 
 class TargetsPanel(QWidget):
@@ -91,7 +91,7 @@ class TargetsPanel(QWidget):
     used_changed = Signal(str, bool)
     selected = Signal(str)
     current_changed = Signal()
-    """The selection of the row was changed, by the user or by the program."""
+    """Another row was selected, by the user or by the program."""
     propose_requested = Signal()
 
     def __init__(self) -> None:
@@ -126,7 +126,7 @@ class TargetsPanel(QWidget):
 
     @property
     def shape(self) -> Shape:
-        """Shape of the next target; a validation target is always a plane."""
+        """Shape of the next target; always a plane for the role of validation plane."""
         is_sphere = self.shape_choice.currentIndex() == 1 and self.role == "target"
         return "sphere" if is_sphere else "plane"
 
@@ -147,7 +147,7 @@ class TargetsPanel(QWidget):
 
     @property
     def threshold(self) -> float | None:
-        """RANSAC threshold in metres; None for that of the project."""
+        """RANSAC threshold in metres; None for the default."""
         return self._threshold.value() / 1000 or None
 
     @property
@@ -180,7 +180,7 @@ class TargetsPanel(QWidget):
         known = [self.line_choice.itemText(k) for k in range(1, self.line_choice.count())]
         if known != lines:
             self.line_choice.clear()
-            self.line_choice.addItem(gettext(ALL_LINES))
+            self.line_choice.addItem(gettext(ALL_LINES_TEXT))
             for line, colour in theme.line_colours(lines).items():
                 self.line_choice.addItem(theme.swatch(colour), line)
         self._show_default_threshold()
@@ -266,7 +266,7 @@ class TargetsPanel(QWidget):
         self.hint.setText(gettext(text, line=line, target=target))
 
     def _shape_changed(self) -> None:
-        """Enable the fields of the shape: validation targets are planes, spheres have a radius."""
+        """Enable the fields that apply to the role and the shape."""
         self.shape_choice.setEnabled(self.role == "target")
         self._sphere_radius.setEnabled(self.shape == "sphere")
         self._expected.setEnabled(self.shape == "plane")
@@ -336,7 +336,7 @@ class TargetsPanel(QWidget):
         self._shape_fields()
         self.line_choice = QComboBox()
         self.line_choice.setObjectName("line_choice")
-        self.line_choice.addItem(gettext(ALL_LINES))
+        self.line_choice.addItem(gettext(ALL_LINES_TEXT))
         self.line_choice.setToolTip(
             gettext("Lines to search. Choose a single line if the search in all lines failed.")
         )

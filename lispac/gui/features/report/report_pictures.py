@@ -37,16 +37,16 @@ class ReportPictures(QObject):
         super().__init__(parent)
         self._document, self._runner, self._controller = document, runner, controller
         self._scene, self._viewport = scene, viewport
-        self._as_it_was = ExitStack()
+        self._restoration = ExitStack()
         for ended in (runner.stopped, runner.idle):
             ended.connect(self._restore_view)
 
     def capture(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
         """Take both pictures and call ``then`` with them, by caption.
 
-        The lines must be placed in both states. Showing the lines, loading the detail and taking
-        the picture are separate steps of the event loop, so that the window stays responsive. An
-        edit of the project or a cancellation ends the process.
+        The lines must already be georeferenced with both boresights. Showing the lines, loading the
+        detail and taking the picture are separate steps of the event loop, so that the window stays
+        responsive. An edit of the project or a cancellation ends the process.
         """
         pictures: dict[str, QImage] = {}
 
@@ -75,7 +75,7 @@ class ReportPictures(QObject):
                 self._restore_view()
                 then(pictures)
 
-        self._as_it_was.enter_context(self._scene.common_residual_scale())
+        self._restoration.enter_context(self._scene.common_residual_scale())
         self._run_step(step)
 
     def _run_step(self, step: Callable[[None], None]) -> None:
@@ -90,4 +90,4 @@ class ReportPictures(QObject):
 
     def _restore_view(self) -> None:
         """Restore the view as it was before."""
-        self._as_it_was.close()
+        self._restoration.close()

@@ -1,7 +1,7 @@
 """Actions that compute and show a study.
 
 Studies: comparison with a reference, history of calibrations, point spacings, error budget,
-differences between lines, and visibility of errors.
+differences between lines, visibility of errors, and alternative methods.
 """
 
 from collections.abc import Mapping
@@ -127,7 +127,7 @@ class Studies(QObject):
         self._controller.cancel_on_edit(task)
 
     def line_quality(self) -> None:
-        """Show the differences between the lines as displayed, before or after."""
+        """Show the differences between the lines with the boresight used in the view."""
         project, survey = self._document.current_data
         if project is None or survey is None:
             return

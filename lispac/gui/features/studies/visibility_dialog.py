@@ -57,8 +57,8 @@ COLUMNS = (
     ),
 )
 """Titles and tips of the columns."""
-READ_HINT = N_("Move the mouse over the chart to read values")
-SITES = {"terrestrial": N_("Terrestrial site"), "marine": N_("Marine site")}
+READING_HINT = N_("Move the mouse over the chart to read values")
+SITE_NAMES = {"terrestrial": N_("Terrestrial site"), "marine": N_("Marine site")}
 
 
 class VisibilityDialog(StudyDialog):
@@ -91,7 +91,7 @@ class VisibilityDialog(StudyDialog):
         self._reasons: list[str] = []
         self._summary = ""
         self.site = widgets.ChoiceBox(
-            "visibility_site", [gettext(SITES[each.site.name]) for each in studies],
+            "visibility_site", [gettext(SITE_NAMES[each.site.name]) for each in studies],
             gettext(
                 "Terrestrial site: scanner 2.5 m above a board on the ground. Marine site: vessel "
                 "15 m from a quay 5 m high."
@@ -111,7 +111,7 @@ class VisibilityDialog(StudyDialog):
             choices.addWidget(choice)
         choices.addStretch(1)
         self.body.insertLayout(1, choices)
-        self.reading = widgets.label(gettext(READ_HINT), "muted", name="visibility_reading")
+        self.reading = widgets.label(gettext(READING_HINT), "muted", name="visibility_reading")
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.body.insertWidget(self.body.indexOf(self._buttons), self.reading)
         self.copy_numbers.setToolTip(
@@ -197,7 +197,7 @@ class VisibilityDialog(StudyDialog):
         self.message_label.setText("\n".join(texts))
 
     def _clear_reading(self) -> None:
-        self.reading.setText(gettext(READ_HINT))
+        self.reading.setText(gettext(READING_HINT))
 
     def _show_values_at(self, event) -> None:
         """Show the values of the lines under the mouse."""

@@ -10,8 +10,8 @@ from lispac.language import gettext
 from lispac.message_texts import message_text
 from lispac.workflow.importing.input_file import InputFile
 
-_GEOREFERENCED = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
-_SCANNER = ("unit",)
+_GEOREFERENCED_OPTIONS = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
+_SCANNER_FRAME_OPTIONS = ("unit",)
 """Options that apply only to georeferenced points, or only to points in the scanner frame."""
 
 
@@ -130,5 +130,5 @@ def _visible_options(file: InputFile) -> tuple[FormatOption, ...]:
         return ()
     hidden = {"columns"}
     if file.role == "points":
-        hidden |= set(_SCANNER if file.is_georeferenced else _GEOREFERENCED)
+        hidden |= set(_SCANNER_FRAME_OPTIONS if file.is_georeferenced else _GEOREFERENCED_OPTIONS)
     return tuple(option for option in file.format.options if option.name not in hidden)

@@ -20,11 +20,11 @@ from lispac.workflow.importing.input_files import InputFiles
 
 Array = NDArray[np.float64]
 LINE_STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
-"""Line styles with which coincident curves, such as north and east, are all visible."""
+"""Line styles of three curves, which stay visible where they coincide, such as north and east."""
 FONT_SIZE, SMALL_SIZE = 9, 8
-MAX_STATES = 10_000
-"""Largest number of drawn points of a track."""
-LETTER_WIDTH = 0.0065
+MAX_TRACK_POINTS = 10_000
+"""Approximate limit of the number of points drawn of a track."""
+LETTER_WIDTH_SHARE = 0.0065
 """Width of a small letter as a share of the axis width, in the narrowest figure."""
 
 
@@ -106,7 +106,7 @@ def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
     axes = figure.add_subplot()
     _style_axes(axes)
     path = quality.track
-    frame, step = path.mean_frame(), max(1, len(path.time) // MAX_STATES)
+    frame, step = path.mean_frame(), max(1, len(path.time) // MAX_TRACK_POINTS)
 
     def plotted(states: NDArray[np.int64], **style: object) -> None:
         north, west, _ = frame.to_local(
@@ -124,7 +124,7 @@ def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
         width = min(3 + 1.8 * (len(quality.lines) - 1 - k), 12)
         first, last = np.searchsorted(path.time, (start, end))
         if last > first:
-            states = np.arange(first, last, max(1, (last - first) // MAX_STATES))
+            states = np.arange(first, last, max(1, (last - first) // MAX_TRACK_POINTS))
             plotted(states, color=colour, linewidth=width, solid_capstyle="butt",
                     label=_escape_dollars(name))  # fmt: skip
     plotted(np.zeros(1, dtype=np.int64), marker="o", color=theme.TEXT, markersize=5,
@@ -164,7 +164,7 @@ def draw_motion(quality: TrajectoryQuality, figure: Figure) -> None:
     bottom.set_ylabel(gettext("Heading\n(°)"), fontsize=FONT_SIZE)
 
 
-FIGURES: dict[str, Callable[[TrajectoryQuality, Figure], None]] = {
+DRAW_FUNCTIONS: dict[str, Callable[[TrajectoryQuality, Figure], None]] = {
     "accuracies": draw_accuracies, "track": draw_track, "motion": draw_motion,
 }  # fmt: skip
 
@@ -187,7 +187,7 @@ def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequen
     first, free = all_axes[0], -np.inf
     for name, begin, finish, _ in sorted(quality.lines, key=lambda line: line[1]):
         middle = (begin + finish) / 2
-        half = LETTER_WIDTH * (end - start) * len(name) / 2
+        half = LETTER_WIDTH_SHARE * (end - start) * len(name) / 2
         # Names that would overlap are omitted; the timeline shows them.
         if start <= middle <= end and middle - half > free:
             free = middle + half
@@ -208,7 +208,9 @@ def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequen
 def _draw_series(
     axes: Axes, quality: TrajectoryQuality, time: Array, values: Array, k: int, name: str
 ) -> None:
-    shown = envelope(time, values, longest_gap=max(quality.longest_gap, _usual_step(time)))
+    shown = envelope(
+        time, values, longest_gap=max(quality.longest_gap, _longest_regular_step(time))
+    )
     # Dashes of an envelope would be invisible and slow to draw.
     style = LINE_STYLES[k] if len(shown[0]) >= len(time) else "-"
     axes.plot(
@@ -216,8 +218,11 @@ def _draw_series(
     )
 
 
-def _usual_step(time: Array) -> float:
-    """Longest time step that is not a gap, seconds; accuracies are often given at 1 Hz only."""
+def _longest_regular_step(time: Array) -> float:
+    """Longest time step that is not a gap: three times the median, seconds.
+
+    Accuracies are often given at 1 Hz only, so the limit of gaps of the trajectory may be shorter.
+    """
     return 3 * float(np.median(np.diff(time))) if len(time) > 1 else 0.0
 
 
@@ -244,14 +249,16 @@ def _add_legend(axes: Axes) -> None:
                 bbox_to_anchor=(1.005, 0.5), borderaxespad=0.1)  # fmt: skip
 
 
-DEFAULT_BINS = 1500
-"""Intervals of the envelope; more than an axis has pixels."""
+ENVELOPE_INTERVALS = 1500
+"""Number of time intervals of an envelope; more than an axis has pixels."""
 
 
 def envelope(
-    time: Array, values: Array, *, bins: int = DEFAULT_BINS, longest_gap: float = np.inf
+    time: Array, values: Array, *, bins: int = ENVELOPE_INTERVALS, longest_gap: float = np.inf
 ) -> tuple[Array, Array]:
-    """Smallest and largest value of each time interval, with NaN at gaps.
+    """Smallest and largest value of each of ``bins`` time intervals, with NaN at gaps.
+
+    A short series, of at most ``4 * bins`` values, is returned as it is, with NaN at gaps.
 
     Parameters
     ----------
