@@ -9,7 +9,7 @@ from lispac.errors import AdjustmentError, Cancelled
 from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
-from lispac.gui.project.scene import Scene, Which
+from lispac.gui.project.scene import PriorOrEstimated, Scene
 from lispac.language import N_, Plural, Template, gettext
 from lispac.message_texts import message_text
 from lispac.progress import Progress
@@ -141,7 +141,7 @@ class Computations(QObject):
         task = self._runner.run(gettext("Validating"), work, done, key="validate")
         self._controller.cancel_on_edit(task)
 
-    def show(self, which: Which) -> None:
+    def show(self, which: PriorOrEstimated) -> None:
         """Show the lines before or after the adjustment; georeference them first if necessary."""
         project, survey = self._document.current_data
         if which == "prior" or self._scene.has_estimated:

@@ -18,7 +18,8 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.project import Target, Triple
 from lispac.survey.cloud import Cloud
 
-Which = Literal["prior", "estimated"]
+PriorOrEstimated = Literal["prior", "estimated"]
+"""Boresight with which the lines are georeferenced."""
 ResidualColours = Mapping[tuple[str, str], NDArray[np.uint8]]
 """Colours of the points of each sighting by their residuals, by target and line."""
 ColouredPoints = tuple[PointColouring | None, ResidualColours]
@@ -34,13 +35,13 @@ class Scene(QObject):
     drawn = Signal()
     """The lines were drawn again."""
     placement_requested = Signal()
-    """The lines after the adjustment are not yet georeferenced with the current result."""
+    """The lines shown after the adjustment must be georeferenced with the current result."""
 
     def __init__(self, document: Document, viewport: Viewport, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._viewport = document, viewport
         self._estimated: tuple[object, Mapping[str, Cloud]] | None = None
-        self.which: Which = "prior"
+        self.which: PriorOrEstimated = "prior"
         self.candidate: Target | None = None
         self.selected: tuple[str, str] | None = None
         self.colouring: Colouring = "line"
@@ -127,7 +128,7 @@ class Scene(QObject):
         if self._estimated is not None and self._estimated[0] is old:
             self._estimated = (new, self._estimated[1])
 
-    def show(self, which: Which) -> None:
+    def show(self, which: PriorOrEstimated) -> None:
         """Show the lines before or after the adjustment."""
         if which == "estimated" and not self.has_estimated:
             which = "prior"

@@ -11,7 +11,7 @@ from lispac.project import Project
 from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
 from lispac.workflow.project.survey import Survey
 
-State = Literal["empty", "todo", "done", "warning"]
+StepState = Literal["empty", "todo", "done", "warning"]
 
 STEP_NAMES = (N_("Data"), N_("Targets"), N_("Adjust"), N_("Validate"), N_("Report"))
 """Names of the steps, as in `Cause`."""
@@ -37,7 +37,7 @@ class StepStatus:
     ready : whether the step can be run
     """
 
-    state: State
+    state: StepState
     sentence: str
     advice: str
     ready: bool = False

@@ -15,11 +15,11 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.app.docks import raise_panel
 from lispac.gui.appearance import theme
-from lispac.gui.project.status import STEP_NAMES, State, StepStatus
+from lispac.gui.project.status import STEP_NAMES, StepState, StepStatus
 from lispac.language import N_, gettext
 
 _HEIGHT = 46
-_STATE_STYLES: dict[State, tuple[str, str, str]] = {
+_STATE_STYLES: dict[StepState, tuple[str, str, str]] = {
     "empty": ("circle-outline", "waiting", N_("not started")),
     "todo": ("circle-slice-4", "accent", N_("to do")),
     "done": ("check-circle", "done", N_("done")),

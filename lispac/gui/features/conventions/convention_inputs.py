@@ -150,7 +150,7 @@ class CurrentSettingsInputs(QWidget):
             for k in range(3)
         ]
         self.fields = widgets.TripleField(("", "", ""), fields)
-        self._words = [
+        self._angle_labels = [
             self.fields.layout().itemAtPosition(0, column).widget() for column in range(3)
         ]
         inner.addWidget(self.fields)
@@ -225,7 +225,7 @@ class CurrentSettingsInputs(QWidget):
             box.blockSignals(False)
         self._show_fields()
         for label, field, turn in zip(
-            self._words, self.fields.fields, convention.turns, strict=False
+            self._angle_labels, self.fields.fields, convention.turns, strict=False
         ):
             label.setText(capitalised(gettext(turn.name)))
             field.setToolTip(

@@ -43,7 +43,7 @@ from lispac.workflow.planning.plan_comparison import PlanComparison, compare_wit
 from lispac.workflow.project.survey import load_survey
 
 MAX_SERIAL_PLANS = 600
-"""Most evaluations of plans for which one process is faster than several, which must start."""
+"""Number of evaluations up to which one process is faster than several, which start slowly."""
 
 
 class CountingMapper:

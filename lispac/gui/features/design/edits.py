@@ -146,7 +146,7 @@ def round_to_step(metres: float, step: float) -> float:
 
 
 def with_distance(line: Line, distance: float) -> Line:
-    """Line at another distance from the wall, rounded to about a decimetre and limited."""
+    """Line at another distance from the wall, within the limits, rounded to about a decimetre."""
     return replace(
         line,
         distance=float(

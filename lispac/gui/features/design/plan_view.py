@@ -171,20 +171,20 @@ class PlanView(DesignCanvas):
         """Move or turn the line."""
         if self._dragged_line is None:
             return
-        line, now = self._dragged_line, self.place(at) - self._middle
+        line, position = self._dragged_line, self.place(at) - self._middle
         if self._is_turning:
-            by = np.degrees(
-                np.arctan2(now[0], now[1])
+            rotation_deg = np.degrees(
+                np.arctan2(position[0], position[1])
                 - np.arctan2(self._grab_position[0], self._grab_position[1])
             )
-            heading = (line.heading_deg + float(by)) % 360
+            heading = (line.heading_deg + float(rotation_deg)) % 360
             heading = round(heading, 1) if free else edits.snap_heading(heading)
             line = edits.with_heading(line, self.workspace.titled.wall, heading)
         else:
             along = _line_direction(line)
             away = np.array([-along[1], along[0]]) * (1 if line.starboard else -1)
             line = edits.with_distance(
-                line, line.distance + float((now - self._grab_position) @ away)
+                line, line.distance + float((position - self._grab_position) @ away)
             )
             if not free:
                 line = edits.with_distance(
@@ -210,10 +210,12 @@ class PlanView(DesignCanvas):
         if key in (Key.Key_PageUp, Key.Key_PageDown) and count:
             work.select(line=(work.line + (1 if key == Key.Key_PageDown else -1)) % count)
         elif key in (Key.Key_Left, Key.Key_Right):
-            by = (1.0 if free else edits.HEADING_SNAP_DEG) * (1 if key == Key.Key_Right else -1)
+            rotation_deg = (1.0 if free else edits.HEADING_SNAP_DEG) * (
+                1 if key == Key.Key_Right else -1
+            )
             work.change_line(
                 _turn_edit_name(work.line),
-                lambda line: edits.with_heading(line, wall, line.heading_deg + by),
+                lambda line: edits.with_heading(line, wall, line.heading_deg + rotation_deg),
                 f"turn {work.line}",
             )
         elif key in (Key.Key_Up, Key.Key_Down):

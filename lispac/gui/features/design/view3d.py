@@ -78,18 +78,18 @@ class View3D(QObject):
         self.viewport.view_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
 
     def _place_target(self, at: PickedPoint) -> None:
-        """Select the clicked target, or move the selected one to the clicked place.
+        """Select the clicked target, or move the selected one to the clicked point of the wall.
 
         If no target is selected, a new target is added there.
         """
         titled = self._work.titled
         if at.line == "targets":
-            away = [
+            relative_distances = [
                 float(np.linalg.norm(np.array(target.centre) - at.position))
                 / (target.radius if isinstance(target, Ball) else max(target.width, target.height))
                 for target in titled.plan.targets
             ]
-            self._work.select(target=int(np.argmin(away)))
+            self._work.select(target=int(np.argmin(relative_distances)))
             return
         along, _, up = (
             edits.round_to_step(metres, SNAP_STEP_M)
@@ -112,9 +112,9 @@ class View3D(QObject):
             )
         self._shift[handle] += metres
         along, up, off = self._shift
-        to = moved_target(self._dragged, float(along), float(up), FINE_STEP_M)
-        to = replace(to, off=edits.round_to_step(self._dragged.off + float(off), FINE_STEP_M))
-        self._work.drag(edits.with_target(self._work.titled, self._work.target, to))
+        moved = moved_target(self._dragged, float(along), float(up), FINE_STEP_M)
+        moved = replace(moved, off=edits.round_to_step(self._dragged.off + float(off), FINE_STEP_M))
+        self._work.drag(edits.with_target(self._work.titled, self._work.target, moved))
 
     def _on_handle_released(self, _name: str) -> None:
         self._plan_was_replaced = False

@@ -52,7 +52,7 @@ class WallView(DesignCanvas):
         self._grab_position = np.zeros(2)
 
     def bounds(self) -> Array:
-        """Part of the wall with all targets: shape (n, 2), metres, along the wall and up."""
+        """Points around the targets, shape (n, 2), metres, along the wall and up."""
         places = [(0.0, 0.0), (-4.0, 0.0), (4.0, 4.0)]
         for each in edits.placed_targets(self.workspace.titled):
             places += [(each.along - each.width, each.up - VIEW_MARGIN_M)]
@@ -118,10 +118,9 @@ class WallView(DesignCanvas):
         if self._dragged is None:
             return
         along, up = self.place(at) - self._grab_position
-        to = moved_target(
-            self._dragged, float(along), float(up), FINE_STEP_M if free else SNAP_STEP_M
-        )
-        self.workspace.drag(edits.with_target(self.workspace.titled, self.workspace.target, to))
+        step = FINE_STEP_M if free else SNAP_STEP_M
+        moved = moved_target(self._dragged, float(along), float(up), step)
+        self.workspace.drag(edits.with_target(self.workspace.titled, self.workspace.target, moved))
 
     def end_edit(self) -> LazyText:
         """Release the target and return the name of the undo step."""

@@ -41,6 +41,7 @@ EMPTY_TEXT = N_(
 )
 WAITING_TEXT = N_("Estimating …")
 _SIGMA_FACTOR_95 = 1.96
+"""Half width of the 95 % interval of a normal distribution, in standard deviations."""
 _ROW_HEIGHT_PX = 25
 _ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
@@ -167,10 +168,10 @@ class ResultsPanel(QWidget):
     def _fill_texts(
         self, project: Project, result: AdjustmentResult, refused_since: Message | str
     ) -> None:
-        also = list(project_warnings(project))
+        further = list(project_warnings(project))
         if refused_since:
-            also.insert(0, outdated_result_warning(refused_since))
-        warnings = result_warnings(result, project.cross_checks, also)
+            further.insert(0, outdated_result_warning(refused_since))
+        warnings = result_warnings(result, project.cross_checks, further)
         self.warnings.setText("<br><br>".join(escape(message_text(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_texts.parameters_html(result)

@@ -53,8 +53,8 @@ class ViewMenu(QObject):
             slots[COLOUR_ACTIONS[name]] = lambda name=name: self._colour_by(name)
         actions.connect_slots(slots)
 
-    def _resize_points(self, by: int) -> None:
-        pixels = min(max(self._settings.point_size + by, POINT_SIZES[0]), POINT_SIZES[-1])
+    def _resize_points(self, change: int) -> None:
+        pixels = min(max(self._settings.point_size + change, POINT_SIZES[0]), POINT_SIZES[-1])
         self._settings.point_size = pixels
         self._viewport.set_point_size(pixels)
 
@@ -81,7 +81,7 @@ class ViewMenu(QObject):
         return self._scene.colouring == colouring
 
     def _colour_by_next(self) -> None:
-        at = COLOURINGS.index(self._scene.colouring)
+        current = COLOURINGS.index(self._scene.colouring)
         for k in range(1, len(COLOURINGS)):
-            if self._colour_by(COLOURINGS[(at + k) % len(COLOURINGS)]):
+            if self._colour_by(COLOURINGS[(current + k) % len(COLOURINGS)]):
                 return

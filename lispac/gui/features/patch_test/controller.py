@@ -41,7 +41,7 @@ SKETCH_NAME = "patch"
 ANGLE_NAMES = (N_("roll"), N_("pitch"), N_("yaw"))
 SKETCH_COLOUR: Colour = (0, 150, 90)
 MAX_POINTS = 3_000
-"""Largest number of points of an object drawn in the picture, for each line."""
+"""Approximate largest number of points of an object drawn in the picture, for each line."""
 CURVE_HALF_WIDTH, CURVE_INNER_SHARE = np.radians(0.25), 0.8
 """Half width of the curve, radians, and the share of it beyond which a new curve is computed."""
 CURVE_STEPS = {"one": 41, "all": 17}
@@ -161,9 +161,9 @@ class PatchTestController(QObject):
                 at=tuple(each.box.centre.tolist()),
             )
         )
-        one = self._placed_objects.sample.of_objects([each.name])
-        shown = PlacedObjects((each,), (self._placed_objects.boresight,), one)
-        self._mismatch = Mismatch(one, shown.blocks([each.name], self._ticked_line_pairs()))
+        sample = self._placed_objects.sample.of_objects([each.name])
+        shown = PlacedObjects((each,), (self._placed_objects.boresight,), sample)
+        self._mismatch = Mismatch(sample, shown.blocks([each.name], self._ticked_line_pairs()))
         self._curve_boresight = None
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))
         if self._dense_sample is None or self._dense_sample.observed[0].object is not each:
@@ -254,23 +254,23 @@ class PatchTestController(QObject):
         )
         if placed_objects is None or each is None or self._runner.busy:
             return
-        whole = self.panel.of.currentIndex() == 1
-        names = self.panel.ticked_entries if whole else (each.name,)
+        for_all = self.panel.of.currentIndex() == 1
+        names = self.panel.ticked_entries if for_all else (each.name,)
         boresight, pairs = self.panel.angles.boresight, self._ticked_line_pairs()
-        steps = CURVE_STEPS["all" if whole else "one"]
+        steps = CURVE_STEPS["all" if for_all else "one"]
 
         def work(progress: Progress) -> tuple[Array, Array]:
             mismatch = Mismatch(placed_objects.sample, placed_objects.blocks(names, pairs))
-            for reach, many in (
+            for half_width, count in (
                 (CURVE_HALF_WIDTH, steps),
                 (WIDENING_FACTOR * CURVE_HALF_WIDTH, 3 * steps),
             ):
-                values = boresight[angle] + np.linspace(-reach, reach, many)
+                values = boresight[angle] + np.linspace(-half_width, half_width, count)
                 if not mismatch.blocks:
-                    return values, np.full(many, np.nan)
-                found = np.empty(many)
+                    return values, np.full(count, np.nan)
+                found = np.empty(count)
                 for k, value in enumerate(values):
-                    progress(k / many)
+                    progress(k / count)
                     found[k] = mismatch.mismatch_curve(boresight, angle, np.array([value]))[0]
                 if curve_minimum(values, found) is not None:
                     break
@@ -280,7 +280,7 @@ class PatchTestController(QObject):
             self._outdated = False
             self._curve_boresight, self._curve_angle = boresight, angle
             name = gettext(ANGLE_NAMES[angle])
-            if whole:
+            if for_all:
                 title = gettext("Mismatch as a function of {angle}: ticked objects", angle=name)
             else:
                 title = gettext(
@@ -419,8 +419,8 @@ class PatchTestController(QObject):
         self._survey, self._placed_objects, self._result = survey, None, None
         self._dense_sample = self._mismatch = self._curve_boresight = None
         self._outdated = False
-        many = survey is not None and len(survey.clouds) > 1
-        self.panel.show_empty(EMPTY_TEXT if many else NO_DATA_TEXT)
+        has_lines = survey is not None and len(survey.clouds) > 1
+        self.panel.show_empty(EMPTY_TEXT if has_lines else NO_DATA_TEXT)
         self.panel.show_pairs(line_pairs(survey) if survey is not None else ())
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))
         self._discard_result()

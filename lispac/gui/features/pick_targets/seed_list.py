@@ -48,7 +48,7 @@ class SeedListDialog(QDialog):
         path: Path,
         project: Project,
         trajectory: LocalTrajectory,
-        how: str,
+        search_text: str,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -63,7 +63,7 @@ class SeedListDialog(QDialog):
             "If the list gives no role, a name that begins with V means a validation plane and "
             "any other name means a target."
         )
-        introduction.setText(f"{how}\n{roles}")
+        introduction.setText(f"{search_text}\n{roles}")
         layout.addWidget(introduction)
         self.columns = QLineEdit()
         self.columns.setObjectName("list_columns")

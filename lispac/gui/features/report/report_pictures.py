@@ -10,12 +10,12 @@ from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.appearance import units
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
-from lispac.gui.project.scene import Scene, Which
+from lispac.gui.project.scene import PriorOrEstimated, Scene
 from lispac.gui.viewport.base import Viewport
 from lispac.language import N_, gettext
 from lispac.project import Project
 
-CAPTIONS: dict[Which, str] = {
+CAPTIONS: dict[PriorOrEstimated, str] = {
     "prior": N_("Lines georeferenced with the prior boresight"),
     "estimated": N_("Lines georeferenced with the estimated boresight"),
 }
@@ -50,17 +50,17 @@ class ReportPictures(QObject):
         """
         pictures: dict[str, QImage] = {}
 
-        def prepare(which: Which) -> None:
+        def prepare(which: PriorOrEstimated) -> None:
             self._show_lines(which)  # the user may have switched
             self._scene.draw_due()
             self._viewport.prepare()
 
-        def capture(which: Which) -> None:
+        def capture(which: PriorOrEstimated) -> None:
             prepare(which)  # no effect if nothing has changed
             with units.standard_units():
                 pictures[CAPTIONS[which]] = self._viewport.picture()
 
-        steps: list[tuple[Callable[[Which], None], Which]] = [
+        steps: list[tuple[Callable[[PriorOrEstimated], None], PriorOrEstimated]] = [
             (act, which) for which in CAPTIONS for act in (self._show_lines, prepare, capture)
         ]
 
@@ -84,7 +84,7 @@ class ReportPictures(QObject):
         )
         self._controller.cancel_on_edit(task)
 
-    def _show_lines(self, which: Which) -> None:
+    def _show_lines(self, which: PriorOrEstimated) -> None:
         with units.standard_units():
             self._scene.show(which)
 

@@ -186,7 +186,8 @@ class Studies(QObject):
             self._actions[name].setEnabled(estimated and ready)
 
 
-MissingResults = tuple[Project, Mapping[str, Message]]
+MethodRuns = tuple[Project, Mapping[str, Message]]
+"""Project with the new results, and the reason why a method has no result, by method."""
 
 
 class AlternativeMethods(QObject):
@@ -226,10 +227,10 @@ class AlternativeMethods(QObject):
             self._run_missing(project, survey)
 
     def _run_missing(self, project: Project, survey: Survey) -> None:
-        def work(progress: Progress) -> MissingResults:
+        def work(progress: Progress) -> MethodRuns:
             return run_missing_methods(project, survey, progress=progress)
 
-        def done(results: MissingResults) -> None:
+        def done(results: MethodRuns) -> None:
             found, refused = results
             if found is not project:
                 self._document.edit(N_("results of alternative methods"), found)

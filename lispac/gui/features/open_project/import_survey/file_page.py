@@ -65,9 +65,9 @@ class FilePreview(QTableWidget):
         rows = () if file.finding is None else file.finding.rows
         columns = min(max((len(row) for row in rows), default=0), MAX_COLUMNS)
         mapped = file.format is not None and file.role is not None and has_columns(file.format)
-        which = (file.path, file.format, rows, mapped)
-        if which != self._shown:
-            self._shown = which
+        shown = (file.path, file.format, rows, mapped)
+        if shown != self._shown:
+            self._shown = shown
             self._build(file, rows, columns, mapped)
         for k, combo in enumerate(self.combos):
             chosen = file.columns[k] if k < len(file.columns) else PASSED_OVER
