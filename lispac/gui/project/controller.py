@@ -291,7 +291,10 @@ class Controller(QObject):
             )
 
     def search_at(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
-        """Search for the target at a position; an empty ``name`` means the next free name.
+        """Search for the target at a position.
+
+        An empty ``name`` stands for the selected target if only one line is searched, otherwise for
+        the next free name.
 
         Parameters
         ----------

@@ -84,7 +84,7 @@ class Document(QObject):
         self._survey_announced = True
         self._reported: tuple[Project | None, str] = (None, "")
         self.undo_stack = QUndoStack(self)
-        self.undo_stack.cleanChanged.connect(self._clean_changed)
+        self.undo_stack.cleanChanged.connect(self._on_clean_changed)
 
     @property
     def project(self) -> Project | None:
@@ -104,7 +104,7 @@ class Document(QObject):
 
     @property
     def refusal(self) -> Message | str:
-        """Reason why the last edit has no result; empty if it has one."""
+        """Reason why the automatic computation gave no result; empty if there is none."""
         return "" if self._state is None else self._state.refusal
 
     @property
@@ -257,7 +257,7 @@ class Document(QObject):
             return project
         return replace(project, folder=self._folder)
 
-    def _clean_changed(self, clean: bool) -> None:
+    def _on_clean_changed(self, clean: bool) -> None:
         self.modified.emit(not clean)
 
     def _set_state(self, state: _ProjectState) -> None:

@@ -55,7 +55,7 @@ class Scene(QObject):
         self._targets_due = IdleTask(self._draw_due_targets, self)
         document.about_to_open.connect(self._clear)
         document.survey_changed.connect(self._reload)
-        document.changed.connect(self._project_changed)
+        document.changed.connect(self._on_project_changed)
 
     @property
     def clouds(self) -> Mapping[str, Cloud]:
@@ -111,7 +111,8 @@ class Scene(QObject):
         Raises
         ------
         ValueError
-            If a line lacks the values; the colours are then unchanged.
+            If a line lacks the values, or if residuals are requested and there is no result; the
+            colours are then unchanged.
         """
         shaded = self._point_colours(colouring)
         self.colouring = colouring
@@ -129,7 +130,7 @@ class Scene(QObject):
             self._estimated = (new, self._estimated[1])
 
     def show(self, which: PriorOrEstimated) -> None:
-        """Show the lines before or after the adjustment."""
+        """Show the lines before the adjustment, or after it if they are georeferenced with it."""
         if which == "estimated" and not self.has_estimated:
             which = "prior"
         if which != self.which or self.clouds is not self._drawn:
@@ -207,7 +208,7 @@ class Scene(QObject):
         self._schedule_lines()
         self.which_changed.emit(self.which)
 
-    def _project_changed(self) -> None:
+    def _on_project_changed(self) -> None:
         project = self._document.project
         if self.which == "estimated" and not self.has_estimated:
             if project is not None and project.result is not None:

@@ -169,10 +169,10 @@ class LinesList(QWidget):
         self._work.select(line=row)
         self._work.change_line(
             LazyText(EDIT_NAMES[0], {"field": _field_title(LINE_FIELDS, name), "line": row + 1}),
-            lambda line: self._changed_line(line, name, value),
+            lambda line: self._line_with_value(line, name, value),
         )
 
-    def _changed_line(self, line: Line, name: str, value) -> Line:
+    def _line_with_value(self, line: Line, name: str, value) -> Line:
         if name == "heading":
             return edits.with_heading(line, self._work.titled.wall, value)
         if name == "side":

@@ -61,7 +61,7 @@ class BackgroundPrediction(QObject):
     gains_ready = Signal(object)
     """Information gain of each target and line; the last result to be computed."""
     out_of_date = Signal()
-    """The prediction shown is that of an earlier plan."""
+    """Some of the values shown are still those of an earlier plan."""
     failed = Signal(object)
 
     def __init__(self, workspace: Workspace, parent: QObject) -> None:

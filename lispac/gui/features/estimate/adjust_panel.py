@@ -303,7 +303,7 @@ class AdjustPanel(QWidget):
             gettext("Unit of the point spacing"),
         )
         self._show_distance()
-        self.distance.valueChanged.connect(self._distance_changed)
+        self.distance.valueChanged.connect(self._on_distance_changed)
         self.unit.currentIndexChanged.connect(lambda: self._show_distance())
         row = QHBoxLayout()
         row.addWidget(widgets.label(gettext("Point spacing"), "heading"))
@@ -321,6 +321,6 @@ class AdjustPanel(QWidget):
         self.distance.setValue(self._spacing * per_metre)
         self.distance.blockSignals(False)
 
-    def _distance_changed(self, value: float) -> None:
+    def _on_distance_changed(self, value: float) -> None:
         self._spacing = value / SPACING_UNITS[self.unit.currentIndex()][1]
         self._debounce.start()

@@ -59,14 +59,14 @@ class ViewMenu(QObject):
         self._viewport.set_point_size(pixels)
 
     def _fit_selection(self) -> None:
-        if groups := self._selected():
+        if groups := self._selected_points():
             self._viewport.fit(np.concatenate(groups))
 
     def _view_along_normal(self) -> None:
-        if groups := self._selected():
+        if groups := self._selected_points():
             self._viewport.view_along(common_normal(groups), np.concatenate(groups))
 
-    def _selected(self) -> list[Array]:
+    def _selected_points(self) -> list[Array]:
         groups = list(self._scene.selected_points.values())
         if not groups:
             self._controller.logged.emit(gettext(NOTHING_SELECTED_TEXT))

@@ -58,7 +58,7 @@ class DataPanel(QWidget):
         filled.addLayout(files)
 
         self.lines = _lines_table()
-        self.lines.itemChanged.connect(self._line_toggled)
+        self.lines.itemChanged.connect(self._on_line_toggled)
         filled.addWidget(self.lines)
 
         self.lever_arm = widgets.lever_arm_fields("lever_arm")
@@ -166,7 +166,7 @@ class DataPanel(QWidget):
         height = table.horizontalHeader().sizeHint().height() + 26 * min(len(names), 8) + 4
         table.setFixedHeight(height)
 
-    def _line_toggled(self, item: QTableWidgetItem) -> None:
+    def _on_line_toggled(self, item: QTableWidgetItem) -> None:
         if item.column() == 0:
             self.line_shown.emit(item.text(), item.checkState() == Qt.CheckState.Checked)
 

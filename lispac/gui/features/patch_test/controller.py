@@ -92,12 +92,12 @@ class PatchTestController(QObject):
         panel.find_all_requested.connect(self.find_all)
         panel.save_requested.connect(self.save_result)
         panel.prior_requested.connect(self._reset_to_prior)
-        panel.angles.angle_changed.connect(self._on_angle_turned)
+        panel.angles.angle_changed.connect(self._on_angle_changed)
         panel.angles.find_requested.connect(self.find_angle)
         panel.curve.value_clicked.connect(self._set_angle)
         self._document.survey_changed.connect(self._reset)
         self._runner.changed.connect(self._enable_controls)
-        self._runner.idle.connect(self._when_idle)
+        self._runner.idle.connect(self._on_runner_idle)
         adding = PatchObjects(
             document, runner, scene, controller, actions, mouse_tool, clip_box, self.panel,
             lambda: self._placed_objects,
@@ -189,7 +189,7 @@ class PatchTestController(QObject):
         title = gettext("Extracting the points of {name}", name=each.name)
         self._extraction = self._runner.run(title, work, done, quiet=True, key="patching")
 
-    def _when_idle(self) -> None:
+    def _on_runner_idle(self) -> None:
         if (
             self._dense_sample is None
             and self._extraction is not None
@@ -199,7 +199,7 @@ class PatchTestController(QObject):
         if self._outdated:
             self._debounce.start()
 
-    def _on_angle_turned(self, angle: int) -> None:
+    def _on_angle_changed(self, angle: int) -> None:
         self._angle = angle
         self._draw_lines()
 

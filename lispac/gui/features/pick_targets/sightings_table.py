@@ -296,7 +296,7 @@ class SightingsTable(QTableView):
         self.selectionModel().currentChanged.connect(self._emit_selected)
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Show a project; the selected cell remains selected if it still exists."""
+        """Show a project; a cell remains selected if its target is still in the same row."""
         key = self.sightings.key(self.currentIndex())
         place = self.currentIndex()
         row, column = place.row(), place.column()

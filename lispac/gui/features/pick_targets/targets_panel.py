@@ -111,13 +111,13 @@ class TargetsPanel(QWidget):
         self.candidate.hide()
         layout.addWidget(self.candidate)
         self.table = _targets_table()
-        self.table.itemChanged.connect(self._item_changed)
-        self.table.itemSelectionChanged.connect(self._selection_changed)
+        self.table.itemChanged.connect(self._on_item_changed)
+        self.table.itemSelectionChanged.connect(self._on_selection_changed)
         layout.addWidget(self.table)
         layout.addLayout(self._buttons())
         self._names: list[str] = []
-        self._shape_changed()
-        self._selection_changed()
+        self._on_shape_changed()
+        self._on_selection_changed()
 
     @property
     def role(self) -> Role:
@@ -203,7 +203,7 @@ class TargetsPanel(QWidget):
             self.table.blockSignals(True)
             self.table.selectRow(self._names.index(name))
             self.table.blockSignals(False)
-            self._selection_changed(emit=False)
+            self._on_selection_changed(emit=False)
 
     def _fill_table(self, project: Project | None) -> None:
         targets = () if project is None else project.targets
@@ -220,16 +220,16 @@ class TargetsPanel(QWidget):
         self.table.blockSignals(False)
         rows = 26 * min(max(len(targets), 3), 8)
         self.table.setFixedHeight(self.table.horizontalHeader().sizeHint().height() + rows + 4)
-        self._selection_changed(emit=False)
+        self._on_selection_changed(emit=False)
 
-    def _item_changed(self, item: QTableWidgetItem) -> None:
+    def _on_item_changed(self, item: QTableWidgetItem) -> None:
         name = self._names[item.row()]
         if item.column() == 0 and item.text() != name:
             self.renamed.emit(name, item.text())
         elif item.column() == 0:
             self.used_changed.emit(name, item.checkState() == Qt.CheckState.Checked)
 
-    def _selection_changed(self, emit: bool = True) -> None:
+    def _on_selection_changed(self, emit: bool = True) -> None:
         name = self.current
         self.rename.setEnabled(name is not None)
         self.remove.setEnabled(name is not None)
@@ -265,7 +265,7 @@ class TargetsPanel(QWidget):
                 )
         self.hint.setText(gettext(text, line=line, target=target))
 
-    def _shape_changed(self) -> None:
+    def _on_shape_changed(self) -> None:
         """Enable the fields that apply to the role and the shape."""
         self.shape_choice.setEnabled(self.role == "target")
         self._sphere_radius.setEnabled(self.shape == "sphere")
@@ -309,7 +309,7 @@ class TargetsPanel(QWidget):
             group.addButton(each)
             row.addWidget(each)
         self._target.setChecked(True)
-        self._validation.toggled.connect(self._shape_changed)
+        self._validation.toggled.connect(self._on_shape_changed)
         self._validation.toggled.connect(lambda: self.role_changed.emit(self.role))
         return row
 
@@ -320,7 +320,7 @@ class TargetsPanel(QWidget):
         self.shape_choice.setToolTip(
             gettext("Shape of the target. Lines are compared on planes only.")
         )
-        self.shape_choice.currentIndexChanged.connect(self._shape_changed)
+        self.shape_choice.currentIndexChanged.connect(self._on_shape_changed)
         self._sphere_radius = widgets.number(
             "sphere_radius", suffix=" m", decimals=4, low=0, high=10, step=0.01,
             tip=gettext(
@@ -330,7 +330,7 @@ class TargetsPanel(QWidget):
             ),
         )  # fmt: skip
         self._sphere_radius.setSpecialValueText(gettext("unknown"))
-        self._sphere_radius.valueChanged.connect(self._shape_changed)
+        self._sphere_radius.valueChanged.connect(self._on_shape_changed)
 
     def _seed_form(self) -> QFormLayout:
         self._shape_fields()

@@ -68,7 +68,7 @@ class ValidatePanel(QWidget):
         form.addRow(gettext("Surface model"), self.kind)
         form.addRow(gettext("Points per fit"), self.neighbours)
         layout.addLayout(form)
-        self.kind.currentIndexChanged.connect(self._kind_chosen)
+        self.kind.currentIndexChanged.connect(self._on_kind_chosen)
         self.neighbours.valueChanged.connect(lambda _value: self.model_changed.emit(self.model))
         self.run = widgets.button(
             gettext("Validate"), "validate", icon="check-decagram-outline", primary=True,
@@ -100,7 +100,7 @@ class ValidatePanel(QWidget):
         """The chosen model of the surface."""
         return LocalModel(SURFACE_MODELS[self.kind.currentIndex()][0], int(self.neighbours.value()))
 
-    def _kind_chosen(self) -> None:
+    def _on_kind_chosen(self) -> None:
         kind = SURFACE_MODELS[self.kind.currentIndex()][0]
         self._fill_neighbours(kind, USUAL_NEIGHBOURS[kind])
         self.model_changed.emit(self.model)

@@ -223,7 +223,7 @@ class ImportDialog(QDialog):
         work, edit = self.work, self.work.edit
         work.changed.connect(self._show)
         work.progress_changed.connect(self._show_progress)
-        work.runner.failed.connect(self._failed)
+        work.runner.failed.connect(self._show_failure)
         work.project_found.connect(self._open_found_project)
         FileDrops(self).dropped.connect(self.add)
         for files in (self.empty.files_requested, self.add_files.clicked):
@@ -259,7 +259,7 @@ class ImportDialog(QDialog):
             lambda gap: edit(replace(self.input_files, longest_gap=gap))
         )
         self.mounting.changed.connect(self._show_reason)
-        self.folder.textEdited.connect(self._folder_typed)
+        self.folder.textEdited.connect(self._on_folder_typed)
         self.browse.clicked.connect(self._ask_project_folder)
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self._discard)
@@ -364,13 +364,13 @@ class ImportDialog(QDialog):
         name = QFileDialog.getExistingDirectory(self, gettext("Project folder"), self.folder.text())
         if name:
             self.folder.setText(name)
-            self._folder_typed(name)
+            self._on_folder_typed(name)
 
     def _start_folder(self) -> str:
         files = self.input_files.files
         return str(files[-1].path.parent) if files else ""
 
-    def _folder_typed(self, text: str) -> None:
+    def _on_folder_typed(self, text: str) -> None:
         self._folder_is_typed = bool(text.strip())
         self._show_reason()
 
@@ -378,7 +378,7 @@ class ImportDialog(QDialog):
         self.project = project
         self._discard()
 
-    def _failed(self, error: BaseException) -> None:
+    def _show_failure(self, error: BaseException) -> None:
         """Show an error that does not belong to a file, such as a folder that cannot be listed."""
         self._show()
         self.reason.setText(error_text_and_details(error)[0])
