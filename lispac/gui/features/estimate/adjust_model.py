@@ -47,7 +47,7 @@ _MM_PER_M = 1e3
 
 
 class _WrappedText(QLabel):
-    """Wrapped text with a fixed minimum height, since a form with hidden rows would squeeze it."""
+    """Wrapped text that keeps its whole height, which a form with hidden rows would reduce."""
 
     def __init__(self, text: str, name: str) -> None:
         super().__init__(text)

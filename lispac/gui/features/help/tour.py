@@ -133,7 +133,7 @@ class Tour(QObject):
         self._text = ""
         self._starting = False
         self._place: str | None = None
-        """As `TourStep.place`: brought into view when the lines are drawn; None if nothing is."""
+        """`TourStep.place` to bring into view when the lines are drawn; None if there is none."""
         card.ended.connect(self.end)
         document.opened.connect(self._on_project_opened)
         document.changed.connect(self._show_current_step)

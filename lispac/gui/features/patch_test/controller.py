@@ -47,7 +47,7 @@ CURVE_HALF_WIDTH, CURVE_INNER_SHARE = np.radians(0.25), 0.8
 CURVE_STEPS = {"one": 41, "all": 17}
 """Number of values of a curve, for one object and for all objects."""
 WIDENING_FACTOR = 12
-"""Factor by which the curve is widened if it has no minimum within its width."""
+"""Factor by which the curve is widened if it has no clear minimum within its width."""
 DEBOUNCE_MS = 200
 """Pause after the last move of a slider before a curve is computed."""
 

@@ -133,7 +133,7 @@ class CurvePicture(PaperPicture):
 
     @property
     def minimum(self) -> float | None:
-        """Angle of the smallest mismatch, radians; None if it is at an end of the curve."""
+        """Angle of the smallest mismatch, radians; None if the curve has no clear minimum."""
         return curve_minimum(self._values, self._mismatch)
 
     def place(self, value: float, mismatch: float) -> QPointF:

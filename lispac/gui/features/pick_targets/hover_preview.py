@@ -35,7 +35,7 @@ class HoverPreviewSettings:
     threshold : float or None, metres
         Largest distance of a point from the plane; None for the default.
     radius : float or None, metres
-        Largest distance of a point from the mouse; None for the default.
+        Largest distance of a point from the point under the mouse; None for the default.
     is_plane : bool
         Whether planes are picked; spheres have no preview.
     """

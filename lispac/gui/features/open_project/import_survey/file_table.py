@@ -117,8 +117,8 @@ class FileTable(QTableWidget):
             item.setToolTip(widgets.plain_tip(tip))
             is_excluded = input_files.state_of_file(file) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
-                colour = theme.MUTED if is_excluded else theme.TEXT
-                self.item(row, column).setForeground(QColor(colour))
+                text_colour = theme.MUTED if is_excluded else theme.TEXT
+                self.item(row, column).setForeground(QColor(text_colour))
         if self.current is None and self._paths:
             self.selectRow(0)
 

@@ -73,7 +73,7 @@ class TrajectoryQuality:
 
 
 def draw_accuracies(quality: TrajectoryQuality, figure: Figure) -> None:
-    """Draw the standard deviations of position and attitude over time (thesis 4.17, 4.18)."""
+    """Draw standard deviations of position and attitude over time (thesis figures 4.17, 4.18)."""
     sigmas = quality.sigmas
     if sigmas is None:
         _show_text(
