@@ -11,7 +11,7 @@ from lispac.adjustment.model.parameters import OUTPUT_UNITS, QUANTITIES, Paramet
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
 from lispac.cli.calibration.result_output import print_result, result_values
 from lispac.gui.features.estimate import result_texts
-from lispac.gui.features.estimate.adjust_parameters import KINDS
+from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS
 from lispac.gui.features.estimate.result_texts import variance_component_texts
 from lispac.gui.widgets.result_tables import spread_text, window_columns, window_rows
 from lispac.message_texts import english_text
@@ -53,7 +53,7 @@ def test_a_value_is_shown_alike_everywhere(
     assert f"  {words}  " in row
     printed = words.replace("-", "−")
     in_window = printed.replace(" deg", "°").replace(" ", "\u00a0")
-    assert KINDS[name].amount(value) == in_window
+    assert MOUNTING_PARAMETERS[name].amount(value) == in_window
     said = quantity_text(name, value * OUTPUT_UNITS[name][0], sign=True)
     assert said == printed.replace(" ", "\u00a0")
 

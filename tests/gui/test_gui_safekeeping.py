@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.project.recovery_copies import LOCK_NAME, LOCKED_ELSEWHERE
+from lispac.gui.project.recovery_copies import LOCK_FILE_NAME, LOCKED_PROJECT_ERROR
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.project.project_file import (
     PROJECT_FILE_NAME,
@@ -46,7 +46,7 @@ def unsaved(driver: Driver, folder: Path, wanted: bool) -> None:
 def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> None:
     killed_after_editing(folder)
     assert "North wall" not in names(read_project(folder))
-    assert (folder / LOCK_NAME).exists(), "left by the killed program, and stale"
+    assert (folder / LOCK_FILE_NAME).exists(), "left by the killed program, and stale"
     driver.dialogs.recovers = True
     opened(driver, folder)
     assert driver.dialogs.safety == [f"recover {folder.name}"]
@@ -79,7 +79,7 @@ def test_unsaved_work_is_kept_as_long_as_it_is_unsaved(driver: Driver, folder: P
     unsaved(driver, folder, wanted=True)
     driver.window.close()  # the changes are discarded
     assert not (folder / UNSAVED_NAME).exists()
-    assert not (folder / LOCK_NAME).exists()
+    assert not (folder / LOCK_FILE_NAME).exists()
     assert {"T1", "T2"} <= names(read_project(folder))
 
 
@@ -103,7 +103,7 @@ def test_a_project_open_twice_is_noticed(
     other.window.controller.rename("T2", "South wall")
     other.window.actions_["save"].trigger()
     assert "South wall" in names(read_project(folder))
-    assert other.window.recovery_copies.problem == LOCKED_ELSEWHERE, (
+    assert other.window.recovery_copies.problem == LOCKED_PROJECT_ERROR, (
         "for as long as it has no protection"
     )
     assert driver.window.recovery_copies.problem is None

@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QCommandLinkButton
 
 from lispac.gui.app.language import set_language
-from lispac.gui.features.help.tour import SAME_ORIENTATION, STEPS
+from lispac.gui.features.help.tour import SAME_ORIENTATION_TEXT, TOUR_STEPS
 from lispac.gui.features.open_project.start_page import StartPage
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX, MainWindow
 from lispac.io.project.project_file import PROJECT_FILE_NAME
@@ -103,7 +103,7 @@ def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Pa
 
     def at(step: int) -> None:
         driver.bot.waitUntil(
-            lambda: card.head.text() == f"Tour, step {step} of {len(STEPS)}", timeout=WAIT_MS
+            lambda: card.head.text() == f"Tour, step {step} of {len(TOUR_STEPS)}", timeout=WAIT_MS
         )
 
     at(1)
@@ -145,14 +145,14 @@ def test_the_tour_says_how_to_go_on_from_two_targets_that_face_one_way(
     driver.rest()
     seed(driver, "T1")
     press(driver, Qt.Key.Key_Return)
-    driver.bot.waitUntil(lambda: card.text.text() == STEPS[2].text, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: card.text.text() == TOUR_STEPS[2].text, timeout=WAIT_MS)
     driver.rest()
     seed(driver, "V1", role="target")
     press(driver, Qt.Key.Key_Return)
-    driver.bot.waitUntil(lambda: card.text.text() == SAME_ORIENTATION, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: card.text.text() == SAME_ORIENTATION_TEXT, timeout=WAIT_MS)
     driver.rest()
     press(driver, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-    driver.bot.waitUntil(lambda: card.text.text() == STEPS[2].text, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: card.text.text() == TOUR_STEPS[2].text, timeout=WAIT_MS)
     driver.rest()
 
 

@@ -21,9 +21,9 @@ from lispac.language import N_, LazyText, gettext, gettext_lazy
 from lispac.report.stochastic_model_names import NAMES
 from lispac.workflow.planning.sensors import read_library
 
-USER_DEFINED = N_("user-defined")
-AXES = {"north": N_("north"), "east": N_("east"), "up": N_("up")}
-ANGLES = {"roll": N_("roll"), "pitch": N_("pitch"), "heading": N_("heading")}
+USER_DEFINED_TEXT = N_("user-defined")
+AXIS_NAMES = {"north": N_("north"), "east": N_("east"), "up": N_("up")}
+ATTITUDE_ANGLE_NAMES = {"roll": N_("roll"), "pitch": N_("pitch"), "heading": N_("heading")}
 
 
 def _number_field(name, unit, decimals, low, high, step, tip):
@@ -50,7 +50,7 @@ class SystemPanel(QScrollArea):
         self.title.setToolTip(gettext("Title of the survey plan, printed on the field plan"))
         self.title.setMaxLength(80)
         self.grade = widgets.ChoiceBox(
-            "design_grade", [*map(gettext, POS_CLASSES), gettext(USER_DEFINED)],
+            "design_grade", [*map(gettext, POS_CLASSES), gettext(USER_DEFINED_TEXT)],
             gettext("Class of the POS, with typical standard deviations from data sheets"),
         )  # fmt: skip
         self.model = widgets.ChoiceBox(
@@ -63,13 +63,13 @@ class SystemPanel(QScrollArea):
         self.position = [
             _number_field(f"design_sigma_{axis}", "mm", 1, 0.1, 10_000.0, 1.0,
                     gettext("Standard deviation of the POS position, {axis}", axis=gettext(title)))
-            for axis, title in AXES.items()
+            for axis, title in AXIS_NAMES.items()
         ]  # fmt: skip
         self.attitude = [
             _number_field(f"design_sigma_{axis}", "°", 4, 0.0001, 10.0, 0.001,
                     gettext("Standard deviation of the POS attitude, {angle}",
                             angle=gettext(title)))
-            for axis, title in ANGLES.items()
+            for axis, title in ATTITUDE_ANGLE_NAMES.items()
         ]  # fmt: skip
         self.times = [
             _number_field("design_time_position", "s", 0, 1.0, 100_000.0, 10.0,

@@ -29,8 +29,8 @@ from lispac.present.targets import TARGETS, target_values
 from lispac.project import Project
 
 ROW_HINT = N_("Double-click or press Enter to show the points of this row in the view")
-NOT_COMPUTED = N_("Not computed. Press Estimate to compute it.")
-NOT_WITH_CLASSICAL = N_(
+NOT_COMPUTED_ADVICE = N_("Not computed. Press Estimate to compute it.")
+UNCORRELATED_ERRORS_ADVICE = N_(
     "Not available with uncorrelated POS errors. Choose “POS errors correlated in time” in "
     "step 3 and press Estimate."
 )
@@ -65,9 +65,9 @@ class DiagnosticsPage(QWidget):
         if project is None or result is None:
             self._show_advice(gettext(self.empty_text))
             return
-        lacking = self.empty_page_advice(project, result)
-        if lacking:
-            self._show_advice(gettext(lacking))
+        advice = self.empty_page_advice(project, result)
+        if advice:
+            self._show_advice(gettext(advice))
             return
         self.fill(project, result)
         self._stack.setCurrentIndex(1)
@@ -154,7 +154,7 @@ class PosErrorsPage(FigurePage):
     )
 
     def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
-        """Advice if the model or the result has no tests of sightings."""
+        """Advice if no POS error of a sighting was estimated."""
         return _reliability_advice(result)
 
 
@@ -177,7 +177,7 @@ class ObservabilityPage(FigurePage):
 
     def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
         """Advice if the observability was not computed."""
-        return "" if result.observability else NOT_COMPUTED
+        return "" if result.observability else NOT_COMPUTED_ADVICE
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
         """Describe the directions, and draw them."""
@@ -335,7 +335,7 @@ class CrossChecksPage(DiagnosticsPage):
         self.spread.setText(spread_text(checks))
 
 
-PAGES: tuple[type[DiagnosticsPage], ...] = (
+PAGE_CLASSES: tuple[type[DiagnosticsPage], ...] = (
     SightingsPage,
     TargetsPage,
     ConvergencePage,
@@ -349,8 +349,8 @@ PAGES: tuple[type[DiagnosticsPage], ...] = (
 
 def _reliability_advice(result: AdjustmentResult) -> str:
     if not result.model.correlated:
-        return NOT_WITH_CLASSICAL
-    return "" if result.reliability else NOT_COMPUTED
+        return UNCORRELATED_ERRORS_ADVICE
+    return "" if result.reliability else NOT_COMPUTED_ADVICE
 
 
 def _scroll_area(widget: QWidget) -> QScrollArea:

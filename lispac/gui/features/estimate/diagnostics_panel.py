@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.features.estimate.diagnostics_pages import (
-    PAGES,
+    PAGE_CLASSES,
     DiagnosticsPage,
     SightingsPage,
     TargetsPage,
@@ -40,7 +40,7 @@ class DiagnosticsPanel(QWidget):
         self.list.setStyleSheet("QListWidget { border: none; } QListWidget::item { padding: 3px; }")
         self._stack = QStackedWidget()
         self.pages: dict[str, DiagnosticsPage] = {}
-        for kind in PAGES:
+        for kind in PAGE_CLASSES:
             page = kind()
             self.pages[page.title] = page
             self.list.addItem(gettext(page.title))
@@ -89,7 +89,7 @@ class DiagnosticsPanel(QWidget):
         self._fill()
 
     def select(self, target: str, line: str) -> None:
-        """Select the rows of a sighting."""
+        """Select the rows of a sighting and of its target."""
         for page in (SightingsPage, TargetsPage):
             self.pages[page.title].select(target, line)
 

@@ -24,8 +24,8 @@ EXPORT_TITLES = {
     "trajectory": N_("Writing the trajectory"),
 }
 """Title of the task that exports each kind of data."""
-DATA: tuple[ExportContent, ...] = ("lines", "targets", "trajectory")
-"""Kinds of exported data, which are also the names of the actions."""
+DATA_KINDS: tuple[ExportContent, ...] = ("lines", "targets", "trajectory")
+"""Kinds of data with their own export action, which has the same name."""
 
 
 class DataExport(QObject):
@@ -43,7 +43,7 @@ class DataExport(QObject):
         super().__init__(actions)
         self._document, self._runner, self._scene = document, runner, scene
         self._controller, self._dialogs, self._actions = controller, dialogs, actions
-        actions.connect_slots({what: partial(self.export, what) for what in DATA})
+        actions.connect_slots({what: partial(self.export, what) for what in DATA_KINDS})
         for changed in (document.changed, document.survey_changed, runner.changed):
             changed.connect(self._enable_controls)
         self._enable_controls()
@@ -78,5 +78,5 @@ class DataExport(QObject):
 
     def _enable_controls(self) -> None:
         ready = self._document.survey_is_current and not self._runner.busy
-        for what in DATA:
+        for what in DATA_KINDS:
             self._actions[what].setEnabled(ready)

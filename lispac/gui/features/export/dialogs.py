@@ -23,7 +23,7 @@ from lispac.workflow.output.georeferencing import BoresightChoice
 if TYPE_CHECKING:
     from lispac.workflow.output.script import Script
 
-INTRODUCTION = N_(
+SCRIPT_INTRODUCTION = N_(
     "This Python script recomputes the project from its raw files and gives the same results. You "
     "can edit it and run it without this window."
 )
@@ -45,7 +45,7 @@ class ScriptDialog(QDialog):
         self.setWindowTitle(dialog_title(ACTIONS["script"]))
         self._save = save
         layout = widgets.vertical_layout(self, 16)
-        layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))
+        layout.addWidget(widgets.label(gettext(SCRIPT_INTRODUCTION), wrap=True))
         if script.messages:
             messages = widgets.label(wrap=True, name="script_messages")
             messages.setText("\n".join(map(message_text, script.messages)))

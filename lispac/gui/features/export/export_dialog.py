@@ -46,17 +46,17 @@ from lispac.workflow.output.export_request import (
 from lispac.workflow.output.georeferencing import BoresightChoice
 from lispac.workflow.output.output_crs import LOCAL_FRAME, trajectory_datum_of
 
-CONTENTS: dict[ExportContent, str] = {
+CONTENT_TITLES: dict[ExportContent, str] = {
     "lines": N_("Georeferenced lines with all attributes"),
     "targets": N_("Points of targets and validation planes"),
     "planes": N_("Points of the target planes (text, 25 columns)"),
     "trajectory": N_("Trajectory"),
 }
-FORMATS = {
+FORMAT_TITLES = {
     "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text (.txt)"),
     "sbet": "SBET (.out)", "text": N_("Text (.txt)"),
 }  # fmt: skip
-BORESIGHTS: dict[BoresightChoice, str] = {
+BORESIGHT_TITLES: dict[BoresightChoice, str] = {
     "estimated": N_("Estimated boresight"),
     "prior": N_("Prior boresight"),
 }
@@ -78,10 +78,12 @@ class ExportDialog(QDialog):
         self.setWindowTitle(dialog_title(ACTIONS["targets" if what == "planes" else what]))
         self._project, self._trajectory = project, trajectory
         self.what = widgets.ChoiceBox(
-            "export_what", [gettext(each) for each in CONTENTS.values()], gettext("Data to export")
+            "export_what",
+            [gettext(each) for each in CONTENT_TITLES.values()],
+            gettext("Data to export"),
         )
         self.boresight = widgets.ChoiceBox(
-            "export_boresight", [gettext(each) for each in BORESIGHTS.values()],
+            "export_boresight", [gettext(each) for each in BORESIGHT_TITLES.values()],
             gettext("Boresight angles used to georeference the points"),
         )  # fmt: skip
         self.system = system_box("export_system", project, trajectory)
@@ -151,7 +153,7 @@ class ExportDialog(QDialog):
             field.textChanged.connect(self._on_typed)
         self.folder.textChanged.connect(self._check_input)
         if project.result is None:
-            self.boresight.setCurrentIndex(list(BORESIGHTS).index("prior"))
+            self.boresight.setCurrentIndex(list(BORESIGHT_TITLES).index("prior"))
             self.boresight.setEnabled(False)
             self.boresight.setToolTip(
                 gettext(
@@ -160,8 +162,8 @@ class ExportDialog(QDialog):
                 )
             )
         else:
-            self.boresight.setCurrentIndex(list(BORESIGHTS).index(which))
-        self.what.setCurrentIndex(list(CONTENTS).index(what))
+            self.boresight.setCurrentIndex(list(BORESIGHT_TITLES).index(which))
+        self.what.setCurrentIndex(list(CONTENT_TITLES).index(what))
         self._show_fields()
 
     def request(self) -> ExportRequest:
@@ -172,7 +174,7 @@ class ExportDialog(QDialog):
         if what == "trajectory":
             ending = ".out" if form == "sbet" else ".txt"
             output = output / f"{self._project.trajectory.stem}_export{ending}"
-        which = list(BORESIGHTS)[self.boresight.currentIndex()]
+        which = list(BORESIGHT_TITLES)[self.boresight.currentIndex()]
         try:
             datum, epoch = self._datum_and_epoch()
         except InputError:  # shown by the dialogue, which cannot be accepted
@@ -183,11 +185,11 @@ class ExportDialog(QDialog):
 
     def _preset_datum(self) -> None:
         """Fill in datum and epoch of the lines; leave them empty if the lines differ."""
-        self._differ = False
+        self._datums_differ = False
         try:
             datum, epoch = trajectory_datum_of(self._project.lines)
         except LispacError:
-            self._differ = True
+            self._datums_differ = True
             return
         self.datum.setText(datum)
         self.epoch.setText("" if epoch is None else repr(epoch))
@@ -202,7 +204,7 @@ class ExportDialog(QDialog):
         except ValueError:
             raise InputError(error("window.not_a_decimal_year", text=text)) from None
         datum = self.datum.text().strip()
-        return (None if self._differ and not datum else datum), epoch
+        return (None if self._datums_differ and not datum else datum), epoch
 
     @property
     def _height(self) -> str:
@@ -210,7 +212,7 @@ class ExportDialog(QDialog):
 
     @property
     def _content(self) -> ExportContent:
-        return list(CONTENTS)[self.what.currentIndex()]
+        return list(CONTENT_TITLES)[self.what.currentIndex()]
 
     @property
     def _file_format(self) -> str:
@@ -227,7 +229,7 @@ class ExportDialog(QDialog):
             self._rows.setRowVisible(field, on_map)
         self._rows.setRowVisible(self.boresight, what != "trajectory")
         self.form.clear()
-        self.form.addItems([gettext(FORMATS[ending]) for ending in FILE_TYPES[what]])
+        self.form.addItems([gettext(FORMAT_TITLES[ending]) for ending in FILE_TYPES[what]])
         self.form.setEnabled(len(FILE_TYPES[what]) > 1)
         self._check_input()
         self.adjustSize()

@@ -33,9 +33,10 @@ LINKS = (
      N_("Plan boards and lines before the survey")),
 )  # fmt: skip
 """Name of the action, icon, title and description of each link."""
-LOW_LINK_HEIGHT = 36
+SHORT_LINK_HEIGHT_PX = 36
 """Height of a link without its description, pixels."""
 QWIDGETSIZE_MAX = (1 << 24) - 1
+"""Largest height of a widget, pixels: a macro of Qt that PySide6 lacks."""
 
 
 class StartPage(QScrollArea):
@@ -108,7 +109,7 @@ class StartPage(QScrollArea):
             link, text = self.links[name], gettext(description)
             link.setDescription(text if whole else "")
             link.setToolTip("" if whole else text)
-            link.setMaximumHeight(QWIDGETSIZE_MAX if whole else LOW_LINK_HEIGHT)
+            link.setMaximumHeight(QWIDGETSIZE_MAX if whole else SHORT_LINK_HEIGHT_PX)
             link.updateGeometry()
         self._begin.setSpacing(4 if whole else 2)
         self._outer.activate()
@@ -144,7 +145,7 @@ def _link_button(icon: str, title: str, description: str) -> QCommandLinkButton:
 
 
 def _project_state_text(folder: Path) -> str:
-    """Text with the date of the last save of a project, and its folder."""
+    """Text with the time of the last save of a project, and its folder."""
     try:
         saved = local_datetime((folder / PROJECT_FILE_NAME).stat().st_mtime)
     except OSError:

@@ -11,7 +11,7 @@ from lispac.gui.widgets.error_box import exception_text
 from lispac.identity import BLANK, LABELS, NAMES, Identity
 from lispac.language import N_, gettext
 
-TIPS = {
+FIELD_TIPS = {
     "surveyor": N_("Surveyor responsible for the calibration"),
     "company": N_("Company of the surveyor"),
     "vessel": N_("Name of the vessel"),
@@ -125,7 +125,7 @@ def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:
         field = QLineEdit(text)
     field.setObjectName(f"identity_{name}")
     field.setAccessibleName(gettext(LABELS[name]))
-    field.setToolTip(gettext(TIPS[name]))
+    field.setToolTip(gettext(FIELD_TIPS[name]))
     return field
 
 

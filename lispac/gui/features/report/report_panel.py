@@ -14,18 +14,21 @@ from lispac.report.options import PAGES, USUAL, ReportOptions
 from lispac.survey.conventions.systems import OTHER_SYSTEMS, Status
 from lispac.workflow.output.report_options import report_options
 
-STATUS: dict[Status, str] = {
+PROGRAM_STATUS_TEXTS: dict[Status, str] = {
     "verified": N_("{program} (verified)"),
     "partly": N_("{program} (partly verified)"),
     "unverified": N_("{program} (NOT VERIFIED)"),
 }
 """Text with the name of a program, by the status of its convention."""
-_NAMES = (N_("Phoenix SpatialExplorer 6 and later"), N_("Phoenix SpatialExplorer 1 to 5"))
-"""Names of programs that have a translation."""
-NO_TEMPLATE = N_("None")
-AS_WINDOW = "window"
+_TRANSLATED_PROGRAM_NAMES = (
+    N_("Phoenix SpatialExplorer 6 and later"),
+    N_("Phoenix SpatialExplorer 1 to 5"),
+)
+"""Names of programs that the catalogue translates; all others are the same in each language."""
+NO_TEMPLATE_TEXT = N_("None")
+WINDOW_LANGUAGE_KEY = "window"
 """Value for a report in the language of the window."""
-LANGUAGE_KEYS = (AS_WINDOW, *LANGUAGES)
+LANGUAGE_KEYS = (WINDOW_LANGUAGE_KEY, *LANGUAGES)
 
 
 class ReportPanel(QWidget):
@@ -114,7 +117,7 @@ class ReportPanel(QWidget):
     def show_template(self, path: Path | None) -> None:
         """Use page, convention and language of a template, or show the error in it."""
         self._template = path
-        self.template.setText(gettext(NO_TEMPLATE) if path is None else path.name)
+        self.template.setText(gettext(NO_TEMPLATE_TEXT) if path is None else path.name)
         self.template.setToolTip(widgets.plain_tip("" if path is None else str(path)))
         self.no_template.setVisible(path is not None)
         self.template_error.setText("")
@@ -132,7 +135,7 @@ class ReportPanel(QWidget):
         self.template_error.setVisible(bool(self.template_error.text()))
 
     def show_status(self, status: StepStatus, data_ready: bool, busy: bool) -> None:
-        """Enable what can be exported now."""
+        """Show the next action, and enable the exports that are possible now."""
         self.advice.setText(status.advice)
         self.details.setEnabled(data_ready)
         self.preview.update_enabled(status.ready and not busy)
@@ -147,7 +150,10 @@ class ReportPanel(QWidget):
             "report_language", [gettext("Same as window"), *LANGUAGES.values()],
             gettext("Language of the report. JSON is always in English."),
         )  # fmt: skip
-        names = [gettext(STATUS[each.status], program=gettext(each.name)) for each in OTHER_SYSTEMS]
+        names = [
+            gettext(PROGRAM_STATUS_TEXTS[each.status], program=gettext(each.name))
+            for each in OTHER_SYSTEMS
+        ]
         self.convention = widgets.ChoiceBox(
             "report_convention", [gettext("(none)"), *names],
             gettext("Give the boresight also in the convention of another program"),
@@ -190,7 +196,9 @@ class ReportPanel(QWidget):
             options,
             page=list(PAGES)[self.page.currentIndex()],
             convention=keys[self.convention.currentIndex()],
-            language=current_language() if self._language_key == AS_WINDOW else self._language_key,
+            language=current_language()
+            if self._language_key == WINDOW_LANGUAGE_KEY
+            else self._language_key,
         )
 
     @property

@@ -31,7 +31,7 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
 from lispac.workflow.output.output_crs import LOCAL_FRAME
 
-AS_IN_FILE = N_("System of the file, or local frame if it has none")
+SYSTEM_OF_FILE_TEXT = N_("System of the file, or local frame if it has none")
 DISTANCE_COLUMNS = (
     (
         N_("Mean before calibration (mm)"),
@@ -130,7 +130,7 @@ class CheckDialog(QDialog):
         known = self.system.findData("")
         if known >= 0:  # the reference may have another system than the lines
             self.system.removeItem(known)
-        self.system.insertItem(0, gettext(AS_IN_FILE), "")
+        self.system.insertItem(0, gettext(SYSTEM_OF_FILE_TEXT), "")
         self.system.setCurrentIndex(0)
         self.height = QLineEdit()
         self.height.setObjectName("check_height")

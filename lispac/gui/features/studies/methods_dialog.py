@@ -19,7 +19,7 @@ from lispac.present.methods import METHODS, WINDOW_METHODS, MethodValues
 from lispac.present.tables import title_text
 from lispac.present.text_format import UNKNOWN
 
-NOT_RUN: dict[Method, str] = {
+NOT_RUN_TIPS: dict[Method, str] = {
     "natural planes": N_(
         "This method has not been run yet. It estimates the boresight from the validation planes "
         "instead of the targets."
@@ -113,4 +113,4 @@ def _with_method_name(method: str, message: Message) -> str:
 
 def _row_not_run(method: Method) -> Row:
     cells = [Cell(_method_name(method)), *[Cell(UNKNOWN)] * (len(WINDOW_METHODS.columns) - 1)]
-    return Row(cells, tip=gettext(NOT_RUN[method]))
+    return Row(cells, tip=gettext(NOT_RUN_TIPS[method]))

@@ -1,7 +1,7 @@
 """Actions that compute and show a study.
 
 Studies: comparison with a reference, history of calibrations, point spacings, error budget,
-differences between lines, and visibility of errors.
+differences between lines, visibility of errors, and alternative methods.
 """
 
 from collections.abc import Mapping
@@ -131,7 +131,7 @@ class Studies(QObject):
         self._controller.cancel_on_edit(task)
 
     def line_quality(self) -> None:
-        """Show the differences between the lines as displayed, before or after."""
+        """Show the differences between the lines with the boresight used in the view."""
         project, survey = self._document.current_data
         if project is None or survey is None:
             return
@@ -192,7 +192,8 @@ class Studies(QObject):
             self._actions[name].setEnabled(estimated and ready)
 
 
-MissingResults = tuple[Project, Mapping[str, Message]]
+MethodRuns = tuple[Project, Mapping[str, Message]]
+"""Project with the new results, and the reason why a method has no result, by method."""
 
 
 class AlternativeMethods(QObject):
@@ -232,10 +233,10 @@ class AlternativeMethods(QObject):
             self._run_missing(project, survey)
 
     def _run_missing(self, project: Project, survey: Survey) -> None:
-        def work(progress: Progress) -> MissingResults:
+        def work(progress: Progress) -> MethodRuns:
             return run_missing_methods(project, survey, progress=progress)
 
-        def done(results: MissingResults) -> None:
+        def done(results: MethodRuns) -> None:
             found, refused = results
             if found is not project:
                 self._document.edit(N_("results of alternative methods"), found)

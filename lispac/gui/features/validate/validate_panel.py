@@ -1,4 +1,4 @@
-"""Step 4: distances between the lines on validation planes, before and after."""
+"""Step 4: options of the comparison of the lines on validation planes, and its start."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
@@ -16,17 +16,17 @@ from lispac.validation.local_models import (
     LocalModel,
 )
 
-KINDS: tuple[tuple[Kind, str], ...] = (
+SURFACE_MODELS: tuple[tuple[Kind, str], ...] = (
     ("plane", N_("Local plane")), ("quadric", N_("Local quadric")), ("point", N_("Nearest point")),
 )  # fmt: skip
 
 
 class ValidatePanel(QWidget):
-    """Options of the comparison, and choice of the point clouds shown."""
+    """Options of the comparison, and choice of the lines shown: before or after."""
 
     validate_requested = Signal()
     shown_changed = Signal(str)
-    """The view is to show the clouds with the "prior" or the "estimated" boresight."""
+    """Boresight of the lines to show in the view: "prior" or "estimated"."""
     model_changed = Signal(object)
     """`LocalModel` of the surface to which distances are to be measured."""
 
@@ -46,7 +46,7 @@ class ValidatePanel(QWidget):
         self.advice = widgets.label("", wrap=True, name="validate_advice")
         layout.addWidget(self.advice)
         self.kind = widgets.ChoiceBox(
-            "distance_to", [gettext(title) for _, title in KINDS],
+            "distance_to", [gettext(title) for _, title in SURFACE_MODELS],
             gettext(
                 "Model of the surface between the points of a line. Use a plane for walls and "
                 "boards and a quadric for curved surfaces. Distances to the nearest point include "
@@ -68,7 +68,7 @@ class ValidatePanel(QWidget):
         form.addRow(gettext("Surface model"), self.kind)
         form.addRow(gettext("Points per fit"), self.neighbours)
         layout.addLayout(form)
-        self.kind.currentIndexChanged.connect(self._kind_chosen)
+        self.kind.currentIndexChanged.connect(self._on_kind_chosen)
         self.neighbours.valueChanged.connect(lambda _value: self.model_changed.emit(self.model))
         self.run = widgets.button(
             gettext("Validate"), "validate", icon="check-decagram-outline", primary=True,
@@ -98,10 +98,10 @@ class ValidatePanel(QWidget):
     @property
     def model(self) -> LocalModel:
         """The chosen model of the surface."""
-        return LocalModel(KINDS[self.kind.currentIndex()][0], int(self.neighbours.value()))
+        return LocalModel(SURFACE_MODELS[self.kind.currentIndex()][0], int(self.neighbours.value()))
 
-    def _kind_chosen(self) -> None:
-        kind = KINDS[self.kind.currentIndex()][0]
+    def _on_kind_chosen(self) -> None:
+        kind = SURFACE_MODELS[self.kind.currentIndex()][0]
         self._fill_neighbours(kind, USUAL_NEIGHBOURS[kind])
         self.model_changed.emit(self.model)
 
@@ -120,14 +120,14 @@ class ValidatePanel(QWidget):
         if project.validation:
             model = project.validation[0].model
             self.kind.blockSignals(True)
-            self.kind.setCurrentIndex([kind for kind, _ in KINDS].index(model.kind))
+            self.kind.setCurrentIndex([kind for kind, _ in SURFACE_MODELS].index(model.kind))
             self.kind.blockSignals(False)
             self._fill_neighbours(model.kind, model.neighbours)
             # A radius given on the command line has no field; it is kept until a new choice.
             self.model_changed.emit(model)
 
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
-        """Enable the controls that can be used now."""
+        """Show the last surface model and the next action; enable the controls usable now."""
         if project is not None:
             self._show_last_model(project)
         self.advice.setText(status.advice)
