@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-PRIOR_OFF, ROUGHLY_OFF = radians(2.0), radians(0.2)
+PRIOR_BORESIGHT_SIGMA, ROUGH_BORESIGHT_SIGMA = radians(2.0), radians(0.2)
 """Sigma in radians of each boresight angle: for a boresight without an estimate, and for a rough
 one with which the lines nearly coincide."""
 

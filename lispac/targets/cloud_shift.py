@@ -17,10 +17,10 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 # Coarse to fine: side of a voxel at each level, metres; the kernel reaches two voxels.
-LEVELS = (0.2, 0.1, 0.05)
+VOXEL_SIDES = (0.2, 0.1, 0.05)
 # Number of candidates passed from one level to the next, and their smallest difference, in voxels.
 MAX_CANDIDATES = 24
-MIN_SEPARATION = 1.5
+MIN_SEPARATION_VOXELS = 1.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,12 +65,12 @@ def find_shifts(
     """
     origin = first.mean(axis=0)
     first, second = first - origin, second - origin
-    steps = int(np.ceil(max_shift / LEVELS[0]))
-    axis = np.arange(-steps, steps + 1) * LEVELS[0]
+    steps = int(np.ceil(max_shift / VOXEL_SIDES[0]))
+    axis = np.arange(-steps, steps + 1) * VOXEL_SIDES[0]
     tried: Array = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
-    tried = tried[np.linalg.norm(tried, axis=1) <= max_shift + 0.5 * LEVELS[0]]
+    tried = tried[np.linalg.norm(tried, axis=1) <= max_shift + 0.5 * VOXEL_SIDES[0]]
     found: list[CloudShift] = []
-    for level, voxel in enumerate(LEVELS):
+    for level, voxel in enumerate(VOXEL_SIDES):
         if level > 0:
             around = np.stack(np.meshgrid(*[[-voxel, 0.0, voxel]] * 3, indexing="ij"), axis=-1)
             tried = np.concatenate([s.vector + around.reshape(-1, 3) for s in found])
@@ -79,7 +79,7 @@ def find_shifts(
         scores = _shift_scores(first, weights, second, tried, voxel)
         scores -= prefer_small * np.linalg.norm(tried, axis=1)
         found = _distinct_best_shifts(
-            tried, scores, MIN_SEPARATION * voxel if level < 2 else 2.0 * LEVELS[0]
+            tried, scores, MIN_SEPARATION_VOXELS * voxel if level < 2 else 2.0 * VOXEL_SIDES[0]
         )
         if not found:
             return []
@@ -100,7 +100,7 @@ def rate_shifts(
     if len(vectors) == 0:
         return []
     origin = first.mean(axis=0)
-    scores = _shift_scores(first - origin, weights, second - origin, vectors, LEVELS[-1])
+    scores = _shift_scores(first - origin, weights, second - origin, vectors, VOXEL_SIDES[-1])
     scores -= prefer_small * np.linalg.norm(vectors, axis=1)
     return [CloudShift(vector, float(score)) for vector, score in zip(vectors, scores, strict=True)]
 

@@ -21,11 +21,11 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 # Points used for the normal of a point: a square of four by four points without its corners.
-NEIGHBOURS = 12
+NEIGHBOURS_PER_NORMAL = 12
 # Largest angle between the normals of a neighbour and of the region.
-TURN = cos(radians(20.0))
+MIN_NORMAL_COSINE = cos(radians(20.0))
 # Smallest side of a voxel, in thresholds; in smaller ones noise dominates the normals.
-WIDE = 1.7
+MIN_VOXEL_THRESHOLDS = 1.7
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ class FlatPatches:
 
 def voxel_side(threshold: float, finest: float = 0.04) -> float:
     """Side of the voxels for thinning a cloud with this noise, metres."""
-    return max(finest, WIDE * threshold)
+    return max(finest, MIN_VOXEL_THRESHOLDS * threshold)
 
 
 def find_flat_patches(
@@ -94,16 +94,16 @@ def find_flat_patches(
     voxel = voxel or voxel_side(threshold)
     thinned = _thin_to_voxels(points, voxel)
     none = np.full(len(thinned), -1, dtype=np.int64)
-    if len(thinned) < max(least, NEIGHBOURS):
+    if len(thinned) < max(least, NEIGHBOURS_PER_NORMAL):
         return FlatPatches((), thinned, none)
-    _, neighbours = build_tree(thinned).query(thinned, NEIGHBOURS, workers=1)
+    _, neighbours = build_tree(thinned).query(thinned, NEIGHBOURS_PER_NORMAL, workers=1)
     neighbours = np.ascontiguousarray(neighbours, dtype=np.int64)
     centroids, normals = local_planes(thinned, neighbours)
     uneven = _neighbourhood_rms(thinned, neighbours, centroids, normals)
     order = np.argsort(uneven, kind="stable")
     # Points on a straight line have NaN, which is sorted last; they do not start a region.
     order = order[: np.count_nonzero(uneven <= threshold)]
-    label, count = _grow_regions(thinned, neighbours, normals, order, threshold, TURN, least)
+    label, count = _grow_regions(thinned, neighbours, normals, order, threshold, MIN_NORMAL_COSINE, least)
     patches = [_build_patch(thinned[label == k], voxel) for k in range(count)]
     ranked = sorted(range(count), key=lambda k: -patches[k].area)
     rank = np.empty(count + 1, dtype=np.int64)
@@ -173,7 +173,7 @@ def _grow_regions(
         products[:] = 0.0
         label[seed] = count
         queue[0] = seed
-        head, tail, refit = 0, 1, NEIGHBOURS
+        head, tail, refit = 0, 1, NEIGHBOURS_PER_NORMAL
         while head < tail:
             here = queue[head]
             head += 1
@@ -200,7 +200,7 @@ def _grow_regions(
                 _, axes = np.linalg.eigh(scatter)
                 normal[:] = axes[:, 0]
                 centre[:] = mean + points[seed]
-                refit = refit + max(NEIGHBOURS, refit // 2)
+                refit = refit + max(NEIGHBOURS_PER_NORMAL, refit // 2)
         if tail < least:
             for i in range(tail):
                 label[queue[i]] = -1

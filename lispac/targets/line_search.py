@@ -28,14 +28,14 @@ Indices = NDArray[np.int64]
 Patch = TypeVar("Patch")
 
 # Weight of the patch when the translation is determined; its surroundings have the remainder.
-PATCH_SHARE = 0.5
+PATCH_WEIGHT_SHARE = 0.5
 # A seed within this distance of a point of a line, metres, is considered a point of that line:
 # coordinates are often written with three decimals.
-CLICK_GAP = 0.002
+MAX_CLICK_DISTANCE = 0.002
 # Number of translations tested, and the ratio to the best score from which a patch is ambiguous.
-MAX_CANDIDATES, MIN_SCORE_RATIO = 6, 0.97
+MAX_TESTED_SHIFTS, AMBIGUOUS_SCORE_RATIO = 6, 0.97
 # A match whose score is below this share of the translation's score differs from the reference.
-MIN_MATCH = 0.9
+MIN_MATCH_SCORE_RATIO = 0.9
 
 
 @dataclass(frozen=True)
@@ -172,7 +172,7 @@ def surroundings_of_patch(
         ratio = _count_filled_voxels(cloud[around[on_patch]]) / max(
             1, _count_filled_voxels(cloud[around[beside]])
         )
-        weights[beside] *= ratio * (1.0 - PATCH_SHARE) / PATCH_SHARE / weights[beside].mean()
+        weights[beside] *= ratio * (1.0 - PATCH_WEIGHT_SHARE) / PATCH_WEIGHT_SHARE / weights[beside].mean()
         weights[on_patch] = 1.0
     return WeightedSurroundings(cloud[around], weights)
 
@@ -207,7 +207,7 @@ def find_shifts_into_line(
     shifts = find_shifts(reference.points, reference.weights, around, settings.max_shift)
     if not shifts:
         raise TargetNotFound(error("finder.not_alike"))
-    return shifts[:MAX_CANDIDATES]
+    return shifts[:MAX_TESTED_SHIFTS]
 
 
 def best_match(
@@ -243,7 +243,7 @@ def best_match(
     """
     refused: list[TargetNotFound] = []
     matches = _match_shifts(shifts, match, refused)
-    if max((score for _, score, _ in matches), default=0.0) < MIN_MATCH * shifts[0].score:
+    if max((score for _, score, _ in matches), default=0.0) < MIN_MATCH_SCORE_RATIO * shifts[0].score:
         matches += _match_shifts(further(), match, refused)
     if not matches:
         raise TargetNotFound(refused[0].reason)
@@ -267,7 +267,7 @@ def _rivals_of_best(
 ) -> list[tuple[Patch, float, CloudShift]]:
     """Matches that are about as good as the best one, which comes first."""
     ranked = sorted(matches, key=lambda scored: -scored[1])
-    return [scored for scored in ranked if scored[1] > MIN_SCORE_RATIO * ranked[0][1]]
+    return [scored for scored in ranked if scored[1] > AMBIGUOUS_SCORE_RATIO * ranked[0][1]]
 
 
 def _match_shifts(
@@ -277,7 +277,7 @@ def _match_shifts(
 ) -> list[tuple[Patch, float, CloudShift]]:
     found: list[tuple[Patch, float, CloudShift]] = []
     for shift in shifts:
-        if found and shift.score < MIN_SCORE_RATIO * max(score for _, score, _ in found):
+        if found and shift.score < AMBIGUOUS_SCORE_RATIO * max(score for _, score, _ in found):
             break  # a match never has a higher score than its translation: no better one can follow
         try:
             found.append((*match(shift), shift))
@@ -340,7 +340,7 @@ def _clicked_line(
     """Line with the point nearest to the seed, if it is within `CLICK_GAP`; otherwise None."""
     nearest: tuple[float, str] | None = None
     for name, cloud in clouds.items():
-        at_seed = indices_near(cloud, grids.get(name), seed, CLICK_GAP)
+        at_seed = indices_near(cloud, grids.get(name), seed, MAX_CLICK_DISTANCE)
         if len(at_seed):
             off = float(np.linalg.norm(cloud[at_seed] - seed, axis=1).min())
             nearest = min(nearest, (off, name)) if nearest else (off, name)

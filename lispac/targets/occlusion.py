@@ -17,10 +17,10 @@ Array = NDArray[np.float64]
 
 MAX_EXTENT_RATIO = 1.5
 """Extent of a plane, in search radii, from which the plane is cut by the search radius."""
-EXTENT_LIMITS = (0.7, 0.5)
+VISIBLE_SHARE_LIMITS = (0.7, 0.5)
 """Visible shares below which a sighting is doubtful and poor; the same limits apply where points
 are missing inside the outline."""
-MIN_LINES = 3
+MIN_OTHER_LINES = 3
 """Number of other lines from which a single line with a far larger extent is considered wrong."""
 
 
@@ -108,10 +108,10 @@ def compare_observed_extents(
             found.append(None)
             continue
         areas = size[others].prod(axis=1)
-        largest, enough = float(areas.max()), len(others) >= MIN_LINES
-        alone = enough and largest < EXTENT_LIMITS[0] * float(size[k].prod())
+        largest, enough = float(areas.max()), len(others) >= MIN_OTHER_LINES
+        alone = enough and largest < VISIBLE_SHARE_LIMITS[0] * float(size[k].prod())
         without = np.delete(others, areas.argmax())
-        if enough and float(size[without].prod(axis=1).max()) < EXTENT_LIMITS[0] * largest:
+        if enough and float(size[without].prod(axis=1).max()) < VISIBLE_SHARE_LIMITS[0] * largest:
             others = without
         # Each line may show another part of it; where they do not quite meet, together they
         # seem to show more than there is.

@@ -11,7 +11,7 @@ Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 # Largest number of cells on each side of a raster; larger areas get larger cells.
-MAX_CELLS = 1500
+MAX_CELLS_PER_SIDE = 1500
 
 
 def outline_cell_size(placed: Array, votes: Array) -> float:
@@ -106,7 +106,7 @@ def filled_area(placed: Array, cell: float) -> float:
 
 
 def _limit_cell_count(cell: float, low: Array, high: Array) -> float:
-    return max(cell, float((high - low).max()) / MAX_CELLS)
+    return max(cell, float((high - low).max()) / MAX_CELLS_PER_SIDE)
 
 
 @njit(nogil=True, cache=True)

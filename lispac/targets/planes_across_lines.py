@@ -21,7 +21,7 @@ from lispac.targets import outline
 from lispac.targets.cloud_shift import CloudShift, rate_shifts
 from lispac.targets.flat_patches import find_flat_patches
 from lispac.targets.line_search import (
-    MAX_CANDIDATES,
+    MAX_TESTED_SHIFTS,
     ShapeSearch,
     WeightedSurroundings,
     best_match,
@@ -42,20 +42,20 @@ from lispac.targets.plane_finder import (
 Array = NDArray[np.float64]
 
 # Largest distance of a plane from its predicted position, metres.
-OFFSET = 0.3
+MAX_PREDICTION_OFFSET = 0.3
 # A patch that extends beyond this share of the search radius is cut by it. If the seed was not
 # clicked in a line, the distance of such a patch is increased by the second number, metres: with a
 # wrong boresight, the wall behind a target may lie at the seed in one line and the target beside
 # the seed in another one; the target is preferred.
-UNCUT_SHARE, BACKDROP = 0.97, 1.0
+UNCUT_RADIUS_SHARE, CUT_PLANE_PENALTY = 0.97, 1.0
 # Flat patches larger than this, square metres, have a weight smaller than their area.
-LARGE = 0.25
+MAX_FULL_WEIGHT_AREA = 0.25
 # A patch of a surface that crosses the plane continues beyond the threshold: twice as many points
 # lie between one and three thresholds from the plane as on it. The second number is the largest
 # excess of this ratio over that of the reference, which may be smeared by the boresight as well.
-BEYOND, CROSSING = 3.0, 0.8
+CROSSING_BAND, MAX_CROSSING_EXCESS = 3.0, 0.8
 # Smallest share of the reference's outline that a patch has to cover, and largest ratio of areas.
-MIN_COVERED, MAX_AREA_RATIO = 0.3, 3.0
+MIN_COVERED_SHARE, MAX_AREA_RATIO = 0.3, 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,9 +135,9 @@ def _distance_to_seed(cloud: Array, patch: PlanePatch, seed: Array, radius: floa
     beside = (seed - patch.centre) @ plane_axes(patch.plane.normal).T
     outside = np.maximum(np.abs(beside) - 0.5 * patch.extent, 0.0)
     farthest = float(np.linalg.norm(cloud[patch.indices] - seed, axis=1).max())
-    extends = farthest > UNCUT_SHARE * radius
+    extends = farthest > UNCUT_RADIUS_SHARE * radius
     return (
-        float(np.hypot(patch.plane.distances(seed), np.linalg.norm(outside))) + BACKDROP * extends
+        float(np.hypot(patch.plane.distances(seed), np.linalg.norm(outside))) + CUT_PLANE_PENALTY * extends
     )
 
 
@@ -199,7 +199,7 @@ def _scores_without_wide_surfaces(
     around_reference = reference.around
     flat = find_flat_patches(around_reference.points, settings.threshold)
     areas = np.array([patch.area for patch in flat.patches])
-    weights = 1.0 / np.sqrt(np.maximum(np.append(areas, 0.0), LARGE))[flat.label]
+    weights = 1.0 / np.sqrt(np.maximum(np.append(areas, 0.0), MAX_FULL_WEIGHT_AREA))[flat.label]
     around = cloud[indices_near(cloud, grid, reference.seed, settings.radius + settings.max_shift)]
     vectors = np.array([shift.vector for shift in rivals])
     return [shift.score for shift in rate_shifts(flat.thinned, weights, around, vectors)]
@@ -220,7 +220,7 @@ def _shifts_onto_patches(
     vectors = [
         other.centre - patch.centre
         for other in find_flat_patches(around, settings.threshold).patches
-        if MIN_COVERED * area <= other.area <= MAX_AREA_RATIO * area
+        if MIN_COVERED_SHARE * area <= other.area <= MAX_AREA_RATIO * area
         and other.plane.tilt_to(patch.plane) <= settings.max_tilt
     ]
     vectors = [v for v in vectors if np.linalg.norm(v) <= settings.max_shift]
@@ -228,7 +228,7 @@ def _shifts_onto_patches(
     shifts = rate_shifts(
         around_reference.points, around_reference.weights, around, np.reshape(vectors, (-1, 3))
     )
-    return sorted(shifts, key=lambda shift: -shift.score)[:MAX_CANDIDATES]
+    return sorted(shifts, key=lambda shift: -shift.score)[:MAX_TESTED_SHIFTS]
 
 
 def _match_at_shift(
@@ -253,8 +253,8 @@ def _match_at_shift(
     axes = plane_axes(normal)
     offset = (points - reference.patch.centre - shift.vector) @ normal
     inside = outline.is_covered(points @ axes.T, moved @ axes.T, reference.cell)
-    votes = np.where(inside & (np.abs(offset) <= OFFSET), 1.0 / (1.0 + (offset / 0.1) ** 2), 1e-6)
-    if np.count_nonzero(inside & (np.abs(offset) <= OFFSET)) < settings.min_points:
+    votes = np.where(inside & (np.abs(offset) <= MAX_PREDICTION_OFFSET), 1.0 / (1.0 + (offset / 0.1) ** 2), 1e-6)
+    if np.count_nonzero(inside & (np.abs(offset) <= MAX_PREDICTION_OFFSET)) < settings.min_points:
         raise PlaneNotFound(error("finder.too_few_where_expected"))
     patch = extract_patch(points, there, votes, settings, seed, expected_normal=normal)
     placed = cloud[patch.indices] @ axes.T
@@ -262,13 +262,13 @@ def _match_at_shift(
     coverage = float(outline.is_covered(moved @ axes.T, placed, cell).mean())
     larger = outline.filled_area(placed, cell) / outline.filled_area(moved @ axes.T, cell)
     tilt = degrees(patch.plane.tilt_to(reference.patch.plane))
-    if coverage < MIN_COVERED:
+    if coverage < MIN_COVERED_SHARE:
         raise PlaneNotFound(error("finder.small_part", share=coverage))
     if larger > MAX_AREA_RATIO:
         raise PlaneNotFound(error("finder.too_large", ratio=larger))
     own = cloud[patch.indices] @ plane_axes(patch.plane.normal).T
     beyond = _ratio_beyond_threshold(points, patch.plane, own, cell, settings)
-    if beyond - reference.beyond > CROSSING:
+    if beyond - reference.beyond > MAX_CROSSING_EXCESS:
         raise PlaneNotFound(error("finder.crossing"))
     likeness = coverage * min(1.0, 1.5 / larger) * np.cos(np.radians(2.0 * tilt))
     return patch, shift.score * float(likeness)
@@ -289,7 +289,7 @@ def _ratio_beyond_threshold(
         Cell size of the outline.
     """
     off = np.abs(plane.distances(points))
-    there = points[(off > settings.threshold) & (off <= BEYOND * settings.threshold)]
+    there = points[(off > settings.threshold) & (off <= CROSSING_BAND * settings.threshold)]
     if not len(there):
         return 0.0
     axes = plane_axes(plane.normal)

@@ -11,8 +11,8 @@ from lispac.geometry.planes import Plane, extent_in_plane, plane_axes, rms_dista
 from lispac.geometry.spheres import Sphere, rms_from_sphere, visible_share
 from lispac.messages import Level, Message, Value, note
 from lispac.targets import outline
-from lispac.targets.boresight_smear import PRIOR_OFF, beam_intersections, remove_smear
-from lispac.targets.occlusion import EXTENT_LIMITS, ObservedExtent
+from lispac.targets.boresight_smear import PRIOR_BORESIGHT_SIGMA, beam_intersections, remove_smear
+from lispac.targets.occlusion import VISIBLE_SHARE_LIMITS, ObservedExtent
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -20,26 +20,26 @@ Rating = Literal["good", "doubtful", "poor"]
 
 # Pairs of limits: a sighting is doubtful beyond the first and poor beyond the second.
 # Number of points; with fewer, outliers and random gaps in the outline dominate the plane.
-POINT_LIMITS = (200, 50)
+POINT_COUNT_LIMITS = (200, 50)
 # RMS divided by the noise: 1 with noise alone; mixed pixels add a tenth.
-NOISE_LIMITS = (2.0, 3.0)
+NOISE_RATIO_LIMITS = (2.0, 3.0)
 # RMS divided by the threshold of the search. The ratio is 0.58 if the points are spread evenly up
 # to the threshold; more of the surface then lies beyond it, and a rough surface is rated poor.
-FILLED = 0.5
+MAX_RMS_TO_THRESHOLD = 0.5
 # Angle of incidence, degrees; the beam footprint grows with the tangent, to four times at 75.
-OBLIQUE_DEG = (65.0, 75.0)
+INCIDENCE_LIMITS_DEG = (65.0, 75.0)
 # Share of the outline with points; if half is missing, the tilt depends on the remaining parts.
-FILL_LIMITS = (0.7, 0.5)
+COVERAGE_LIMITS = (0.7, 0.5)
 # Deviation of the surface from a plane, divided by the noise of a point: the sagitta for a bend,
 # and the RMS for roughness. The first limit is the noise of a single point; at the second one, the
 # deviation shifts the plane by more than its noise. A sagitta of three times the noise has an RMS
 # of once the noise; roughness averages out more than a bend.
-CURVED, UNEVEN = (1.0, 3.0), (1.0, 1.5)
+SAGITTA_LIMITS, ROUGHNESS_LIMITS = (1.0, 3.0), (1.0, 1.5)
 # Significance level of the tests whether a deviation exists, and whether it exceeds a limit.
 TEST_LEVEL = 1e-3
-SIGMAS = -NormalDist().inv_cdf(TEST_LEVEL)
+TEST_LIMIT_SIGMAS = -NormalDist().inv_cdf(TEST_LEVEL)
 # Share of a sphere's surface; a full view shows half of it.
-SPHERE_LIMITS = (0.2, 0.12)
+SPHERE_SHARE_LIMITS = (0.2, 0.12)
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,7 +132,7 @@ def plane_quality(
     *,
     scanner_local: Array | None = None,
     turns_local: Array | None = None,
-    boresight_off: float = PRIOR_OFF,
+    boresight_off: float = PRIOR_BORESIGHT_SIGMA,
     threshold: float | None = None,
     shown: ObservedExtent | None = None,
 ) -> SightingQuality:
@@ -186,17 +186,17 @@ def plane_quality(
     flat = _grade_roughness(rms, rms_own, noise, threshold)
     if curved:
         flat += _grade_by_limits(
-            (sagitta - SIGMAS * uncertainty) / noise,
-            CURVED,
+            (sagitta - TEST_LIMIT_SIGMAS * uncertainty) / noise,
+            SAGITTA_LIMITS,
             note("quality.curved", sagitta=sagitta),
         )
-    flat += _grade_by_limits(uneven / noise, UNEVEN, note("quality.uneven", rms=uneven))
+    flat += _grade_by_limits(uneven / noise, ROUGHNESS_LIMITS, note("quality.uneven", rms=uneven))
     found = _grade_point_count(len(points))
     if incidence is not None:
         degrees = float(np.degrees(incidence))
-        found += _grade_by_limits(degrees, OBLIQUE_DEG, note("quality.oblique", angle=incidence))
+        found += _grade_by_limits(degrees, INCIDENCE_LIMITS_DEG, note("quality.oblique", angle=incidence))
     found += _grade_by_limits(
-        -coverage, (-FILL_LIMITS[0], -FILL_LIMITS[1]), note("quality.sparse", share=coverage)
+        -coverage, (-COVERAGE_LIMITS[0], -COVERAGE_LIMITS[1]), note("quality.sparse", share=coverage)
     )
     found += _grade_occlusion(shown) + flat
     rating, reasons = _rating_of(found)
@@ -218,7 +218,7 @@ def sphere_quality(
     flat = _grade_roughness(rms, rms, noise, None)
     found = _grade_point_count(len(points)) + flat
     found += _grade_by_limits(
-        -share, (-SPHERE_LIMITS[0], -SPHERE_LIMITS[1]), note("quality.sphere_part", share=share)
+        -share, (-SPHERE_SHARE_LIMITS[0], -SPHERE_SHARE_LIMITS[1]), note("quality.sphere_part", share=share)
     )
     rating, reasons = _rating_of(found)
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
@@ -228,22 +228,22 @@ def sphere_quality(
     )  # fmt: skip
 
 
-Graded = tuple[int, Message]
+GradedReason = tuple[int, Message]
 """A reason with its severity: 1 doubtful, 2 poor."""
 
 
-def _grade_point_count(points: int) -> list[Graded]:
+def _grade_point_count(points: int) -> list[GradedReason]:
     return _grade_by_limits(
-        -points, (-POINT_LIMITS[0], -POINT_LIMITS[1]), note("quality.few_points", count=points)
+        -points, (-POINT_COUNT_LIMITS[0], -POINT_COUNT_LIMITS[1]), note("quality.few_points", count=points)
     )
 
 
 def _grade_roughness(
     rms: float, own_noise: float, noise: float, threshold: float | None
-) -> list[Graded]:
+) -> list[GradedReason]:
     """Grade the RMS without the effect of the boresight; messages give the RMS of the points."""
     ratio, without = rms / noise, own_noise / noise
-    is_filled = threshold is not None and own_noise > FILLED * threshold
+    is_filled = threshold is not None and own_noise > MAX_RMS_TO_THRESHOLD * threshold
     if round(ratio, 1) == round(without, 1):
         code = "quality.rough_beyond_threshold" if is_filled else "quality.rough"
     else:
@@ -253,25 +253,25 @@ def _grade_roughness(
     params: dict[str, Value] = {"rms": rms, "ratio": ratio, "without": without}
     if threshold is not None:
         params["threshold"] = threshold
-    limits = (NOISE_LIMITS[0], NOISE_LIMITS[0]) if is_filled else NOISE_LIMITS
+    limits = (NOISE_RATIO_LIMITS[0], NOISE_RATIO_LIMITS[0]) if is_filled else NOISE_RATIO_LIMITS
     return _grade_by_limits(without, limits, Message(code, Level.NOTE, params))
 
 
-def _grade_occlusion(shown: ObservedExtent | None) -> list[Graded]:
+def _grade_occlusion(shown: ObservedExtent | None) -> list[GradedReason]:
     if shown is None:
         return []
     if shown.alone:
         return [(1, shown.message)]
-    return _grade_by_limits(-shown.share, (-EXTENT_LIMITS[0], -EXTENT_LIMITS[1]), shown.message)
+    return _grade_by_limits(-shown.share, (-VISIBLE_SHARE_LIMITS[0], -VISIBLE_SHARE_LIMITS[1]), shown.message)
 
 
-def _grade_by_limits(value: float, limits: tuple[float, float], reason: Message) -> list[Graded]:
+def _grade_by_limits(value: float, limits: tuple[float, float], reason: Message) -> list[GradedReason]:
     """Reason with its grade if a value is beyond the first limit; otherwise empty."""
     grade = int(value > limits[0]) + int(value > limits[1])
     return [(grade, reason)] if grade else []
 
 
-def _rating_of(graded: list[Graded]) -> tuple[Rating, tuple[Message, ...]]:
+def _rating_of(graded: list[GradedReason]) -> tuple[Rating, tuple[Message, ...]]:
     lights: tuple[Rating, ...] = ("good", "doubtful", "poor")
     ranked = sorted(graded, key=lambda each: -each[0])
     return lights[ranked[0][0] if ranked else 0], tuple(reason for _, reason in ranked)

@@ -6,19 +6,19 @@ from numpy.typing import NDArray
 from lispac.compiled_code import njit
 from lispac.geometry.spheres import Sphere
 from lispac.targets.finder_settings import FinderSettings
-from lispac.targets.plane_ransac import AGAINST, BATCH, BESIDE, MAX_BATCHES
+from lispac.targets.plane_ransac import PENALTY_WEIGHT, BATCH_SIZE, PENALTY_BAND, MAX_BATCHES
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 # Hypotheses are evaluated on all nearest points and on a sample of those farther away, so that a
 # sphere with some hundred points is not thinned like a wall with a hundred thousand.
-NEAREST, FARTHER = 2500, 2500
+MAX_NEAREST_POINTS, MAX_FARTHER_POINTS = 2500, 2500
 # The radius of a hypothesis from four noisy points may be outside the range by this fraction.
-ROUGH = 0.25
+RADIUS_MARGIN_SHARE = 0.25
 # Hypotheses to refine: largest number, smallest ratio to the best score, and smallest distance
 # between their centres as a fraction of the radius.
-MAX_CONTENDERS, MIN_SCORE_RATIO, MIN_GAP = 8, 0.6, 0.25
+MAX_CONTENDERS, MIN_SCORE_RATIO, MIN_CENTRE_DISTANCE = 8, 0.6, 0.25
 
 
 def draw_spheres(
@@ -36,19 +36,19 @@ def draw_spheres(
     settings : FinderSettings
     """
     rng = np.random.default_rng(settings.seed)
-    step = max(1, -(-(len(points) - NEAREST) // FARTHER))
-    sample = np.concatenate([points[:NEAREST], points[NEAREST::step]])
-    weights = np.concatenate([votes[:NEAREST], step * votes[NEAREST::step]])
+    step = max(1, -(-(len(points) - MAX_NEAREST_POINTS) // MAX_FARTHER_POINTS))
+    sample = np.concatenate([points[:MAX_NEAREST_POINTS], points[MAX_NEAREST_POINTS::step]])
+    weights = np.concatenate([votes[:MAX_NEAREST_POINTS], step * votes[MAX_NEAREST_POINTS::step]])
     chance = np.cumsum(weights / weights.sum())
     known = lower == upper
     need = 3 if known else 4
-    span = np.array([lower, upper]) * (1.0 if known else np.array([1.0 - ROUGH, 1.0 + ROUGH]))
+    span = np.array([lower, upper]) * (1.0 if known else np.array([1.0 - RADIUS_MARGIN_SHARE, 1.0 + RADIUS_MARGIN_SHARE]))
     hypotheses = np.empty((0, 6))
     for batch in range(1, MAX_BATCHES + 1):
-        first = np.minimum(np.searchsorted(chance, rng.random(BATCH)), len(sample) - 1)
+        first = np.minimum(np.searchsorted(chance, rng.random(BATCH_SIZE)), len(sample) - 1)
         # From a part of the smallest sphere up to the diameter of the largest one.
-        reach = np.exp(rng.uniform(np.log(0.5 * lower), np.log(2.0 * upper), BATCH))
-        picks = rng.random((BATCH, 3))
+        reach = np.exp(rng.uniform(np.log(0.5 * lower), np.log(2.0 * upper), BATCH_SIZE))
+        picks = rng.random((BATCH_SIZE, 3))
         drawn = _score_spheres(
             sample, weights, first, reach, picks, settings.threshold, span, known
         )
@@ -56,7 +56,7 @@ def draw_spheres(
         if len(hypotheses) == 0:
             continue
         share = float(hypotheses[np.argmax(hypotheses[:, 0]), 1])
-        if (1.0 - share**need) ** (batch * BATCH) <= 1.0 - settings.stop:
+        if (1.0 - share**need) ** (batch * BATCH_SIZE) <= 1.0 - settings.stop:
             break
     return _distinct_best_spheres(hypotheses)
 
@@ -70,7 +70,7 @@ def _distinct_best_spheres(hypotheses: Array) -> list[Sphere]:
     for row in ranked[ranked[:, 0] >= MIN_SCORE_RATIO * ranked[0, 0]]:
         sphere = Sphere(row[2:5].copy(), float(row[5]))
         if all(
-            np.linalg.norm(sphere.centre - other.centre) > MIN_GAP * other.radius for other in kept
+            np.linalg.norm(sphere.centre - other.centre) > MIN_CENTRE_DISTANCE * other.radius for other in kept
         ):
             kept.append(sphere)
             if len(kept) == MAX_CONTENDERS:
@@ -147,14 +147,14 @@ def _score_spheres(
                 dy = points[i, 1] - c[1]
                 dz = points[i, 2] - c[2]
                 off = np.sqrt(dx * dx + dy * dy + dz * dz) - radius
-                if off > BESIDE * threshold:
+                if off > PENALTY_BAND * threshold:
                     continue
                 if abs(off) <= threshold:
                     # MSAC (Torr and Zisserman 2000) with a sharper peak, as for planes.
                     score += weights[i] * (1.0 - (off / threshold) ** 2) ** 2
                     share += weights[i]
                 elif off > 0.0:
-                    score -= weights[i] * AGAINST
+                    score -= weights[i] * PENALTY_WEIGHT
                 else:
                     score -= weights[i]  # a sphere is solid: there are no points inside it
             if score > judged[trial, 0]:

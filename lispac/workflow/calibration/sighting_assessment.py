@@ -14,7 +14,7 @@ from lispac.messages import Message, as_message, note
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Settings, Target
 from lispac.survey.georeferencing import Georeferencer
-from lispac.targets.boresight_smear import PRIOR_OFF, ROUGHLY_OFF
+from lispac.targets.boresight_smear import PRIOR_BORESIGHT_SIGMA, ROUGH_BORESIGHT_SIGMA
 from lispac.targets.expected_target import deviations_from_expected
 from lispac.targets.finder_settings import FinderSettings
 from lispac.targets.occlusion import ObservedExtent, compare_observed_extents, does_plane_end_within
@@ -166,7 +166,7 @@ class _PlacedMounting:
             tuple(Georeferencer.of(survey.trajectory, each) for each in turned)
             if not estimated
             else (),
-            ROUGHLY_OFF if estimated or survey.alignment.is_aligned else PRIOR_OFF,
+            ROUGH_BORESIGHT_SIGMA if estimated or survey.alignment.is_aligned else PRIOR_BORESIGHT_SIGMA,
             estimated or survey.alignment.is_aligned,
         )
 

@@ -14,7 +14,7 @@ from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
 from lispac.survey.cloud import MAX_POINTS, Cloud, SphereRegion
-from lispac.targets.line_search import CLICK_GAP
+from lispac.targets.line_search import MAX_CLICK_DISTANCE
 from lispac.targets.plane_finder import (
     FinderSettings,
     PlanePatch,
@@ -251,7 +251,7 @@ def _clicked_line(
     """Name of the clicked line; None if it is not known."""
     if first_line is not None:
         return first_line
-    return next((name for name in lines if len(clouds[name].within(seed, CLICK_GAP).numbers)), None)
+    return next((name for name in lines if len(clouds[name].within(seed, MAX_CLICK_DISTANCE).numbers)), None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -293,7 +293,7 @@ class SearchPlace:
         """
         seed = require_seed(seed)
         reach = ALIGNED_MAX_SHIFT if aligned.is_aligned else FinderSettings().max_shift
-        reaches = (CLICK_GAP,) if line is None else (CLICK_GAP, 0.1, radius)
+        reaches = (MAX_CLICK_DISTANCE,) if line is None else (MAX_CLICK_DISTANCE, 0.1, radius)
         nearest: list[tuple[float, str, Array]] = []
         for name in aligned.before if line is None else (line,):
             nearest += _nearest_point(aligned, name, seed, reaches)
@@ -349,7 +349,7 @@ def _points_near_click(region: SphereRegion, cloud: Cloud, seed: Array) -> Array
     The sample may contain none of these points. A click on the edge of a board would then appear to
     be in front of the wall behind it.
     """
-    if region.one_in == 1 or len(cloud.within(seed, CLICK_GAP).numbers) == 0:
+    if region.one_in == 1 or len(cloud.within(seed, MAX_CLICK_DISTANCE).numbers) == 0:
         return None
     points = cloud.within(seed, CLICK_RADIUS).points
     return points[np.argsort(np.linalg.norm(points - seed, axis=1), kind="stable")]

@@ -25,10 +25,10 @@ from lispac.message_texts import english_text
 from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, PickedSighting, Project, Target
-from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import DEFAULT_CHOICES
 from lispac.survey.store.stored_line import StoredLine
-from lispac.targets.finder_settings import USUAL as USUAL_CHOICES
-from lispac.targets.line_search import CLICK_GAP
+from lispac.targets.finder_settings import DEFAULT_CHOICES as USUAL_CHOICES
+from lispac.targets.line_search import MAX_CLICK_DISTANCE
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import find_target
@@ -154,7 +154,7 @@ def _new_project_step(project: Project, files: FilePaths, *, resolved: bool) -> 
     if project.accuracy is not None:
         named["accuracy"] = files(project.accuracy)
     for name in ("trajectory_reading", "accuracy_reading"):
-        if (reading := getattr(project, name)) != USUAL:
+        if (reading := getattr(project, name)) != DEFAULT_CHOICES:
             named[name] = reading
     named |= {"lever_arm": settings.lever_arm, **non_default_fields(settings, but=("lever_arm",))}
     if project.truth_deg is not None:
@@ -188,10 +188,10 @@ def _missing_file_notes(project: Project) -> list[Message]:
 
 def _line_code(line: LineSource, files: FilePaths) -> PythonCode:
     path = files(line.path)
-    if line.name == line.path.stem and not line.columns and line.reading == USUAL:
+    if line.name == line.path.stem and not line.columns and line.reading == DEFAULT_CHOICES:
         return path
     options = {"columns": line.columns} if line.columns else {}
-    if line.reading != USUAL:
+    if line.reading != DEFAULT_CHOICES:
         options["reading"] = line.reading  # type: ignore[assignment]
     return PythonCode(call_text("lispac.LineSource", line.name, path, **options))
 
@@ -306,7 +306,7 @@ def _seed_arguments(
     # If several lines or no line have a point at the seed, the clicked line affects the result.
     place = np.array(target.seed)
     clicked = [
-        line for line in survey.lines if len(survey.clouds[line].within(place, CLICK_GAP).points)
+        line for line in survey.lines if len(survey.clouds[line].within(place, MAX_CLICK_DISTANCE).points)
     ]
     for line in (None, *(clicked or [sighting.line for sighting in target.sightings])):
         try:
