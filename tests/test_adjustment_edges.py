@@ -241,7 +241,7 @@ def test_a_given_value_weighs_in_the_likelihood_of_the_sigmas(
 
 def test_one_round_of_the_sigmas_is_reported_and_used(monkeypatch: pytest.MonkeyPatch) -> None:
     """Positions stated five times too small; the sigmas could settle in more rounds only."""
-    monkeypatch.setattr(solver, "COMPONENT_ROUNDS", 1)
+    monkeypatch.setattr(solver, "MAX_COMPONENT_ROUNDS", 1)
     stated = survey(1, 0.3).with_sigmas(1.0, 0.2, 1.0)
     found = adjust(stated, PRIOR, MODEL, components=True, diagnostics=False)
     position = found.components[1]
@@ -271,7 +271,7 @@ def test_the_scatter_of_two_targets_or_halves_of_lines_is_not_reported(
     solved = SolvedEquations.of(adjust(few, PRIOR, MODEL), few, PRIOR)
     assert solved is not None
     assert excess_variance(solved.here, solved.origins).shape == (3,)
-    monkeypatch.setattr(excess_scatter, "LINE_PARTS", 2)
+    monkeypatch.setattr(excess_scatter, "PARTS_PER_LINE", 2)
     np.testing.assert_array_equal(excess_variance(solved.here, solved.origins), np.zeros(3))
 
 
@@ -287,7 +287,9 @@ def test_the_remainder_is_that_of_adjustments_without_each_place(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Two sightings displaced; the jackknife, less what the sigmas foresee (Tukey, Hausman)."""
-    monkeypatch.setattr(excess_scatter, "LINE_PARTS", 2)  # too few to tell anything of the lines
+    monkeypatch.setattr(
+        excess_scatter, "PARTS_PER_LINE", 2
+    )  # too few to tell anything of the lines
     generator = np.random.default_rng(5)
     exact = error_free_survey(TRUTH, BESIDE_EACH_OTHER, six_courses(), 0.5, generator)
     data = shifted(add_errors(exact, HYDROGRAPHIC_INS, generator), 2, 0.02)

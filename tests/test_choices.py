@@ -115,7 +115,10 @@ def test_kept_in_the_project_where_they_are_not_the_usual_ones(tmp_path: Path) -
         False, *(True for _ in project.targets[1:])
     ]  # fmt: skip
     read = read_project(tmp_path / "p")
-    assert [t.choices for t in read.targets] == [CHOSEN, *(DEFAULT_CHOICES for _ in project.targets[1:])]
+    assert [t.choices for t in read.targets] == [
+        CHOSEN,
+        *(DEFAULT_CHOICES for _ in project.targets[1:]),
+    ]
     for wrong, code in (
         ({"min_points": 2}, "finder.setting"),
         ({"surprise": 1}, "content.unknown_fields"),

@@ -28,7 +28,7 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-SHORTER_TIMES = (0.3, 0.1, 0.03)
+CORRELATION_TIME_FACTORS = (0.3, 0.1, 0.03)
 """Factors on the correlation times that are tried if the chi-square test rejects the model."""
 
 
@@ -138,7 +138,7 @@ def _with_shorter_correlation_times(
 ) -> AdjustmentResult:
     """Result with the longest correlation times that pass the test; ``found`` if none pass."""
     given = settings.model.position_time, settings.model.attitude_time
-    for factor in SHORTER_TIMES:
+    for factor in CORRELATION_TIME_FACTORS:
         model = replace(
             settings.model, position_time=factor * given[0], attitude_time=factor * given[1]
         )

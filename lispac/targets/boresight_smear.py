@@ -30,7 +30,7 @@ def remove_smear(placed: Array, off: Array, moves: Array, noise: float, off_by: 
     noise : float, metres
         Standard deviation of the distance of a point.
     off_by : float, radians
-        Sigma of each angle of the boresight: `PRIOR_OFF` or `ROUGHLY_OFF`.
+        Sigma of each angle of the boresight: `PRIOR_BORESIGHT_SIGMA` or `ROUGH_BORESIGHT_SIGMA`.
 
     Returns
     -------

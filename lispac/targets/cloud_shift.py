@@ -16,9 +16,11 @@ from lispac.geometry.radius_search import cell_keys, finite_bounds
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# Coarse to fine: side of a voxel at each level, metres; the kernel reaches two voxels.
+# Sides of the voxels from coarse to fine, metres. Voxels up to two voxels from a filled one count
+# as close to it.
 VOXEL_SIDES = (0.2, 0.1, 0.05)
-# Number of candidates passed from one level to the next, and their smallest difference, in voxels.
+# Largest number of candidates passed from one voxel size to the next, and smallest distance
+# between them, in voxels.
 MAX_CANDIDATES = 24
 MIN_SEPARATION_VOXELS = 1.5
 
@@ -31,8 +33,9 @@ class CloudShift:
     ----------
     vector : ndarray of shape (3,), metres, local frame
         Vector to be added to the points of the first cloud.
-    score : float, in [0, 1]
-        Weighted share of the first cloud's points that coincide with the second cloud.
+    score : float
+        Weighted mean closeness of the points of the first cloud to the second cloud, from 0 to 1,
+        minus a reduction for the length of the translation.
     """
 
     vector: Array
@@ -44,8 +47,8 @@ def find_shifts(
 ) -> list[CloudShift]:
     """Find translations of the first cloud onto the second, the best first.
 
-    All translations up to ``max_shift`` on each axis are tried on coarse voxels; the best of them
-    are refined on finer ones.
+    All translations no longer than ``max_shift`` are tried on coarse voxels; the best of them are
+    refined on finer voxels.
 
     Parameters
     ----------
@@ -60,7 +63,7 @@ def find_shifts(
 
     Returns
     -------
-    list of Shift
+    list of CloudShift
         Translations that differ from each other; empty if nothing matches.
     """
     origin = first.mean(axis=0)
@@ -126,7 +129,7 @@ def voxel_numbers(points: Array, voxel: float) -> Indices:
 
 
 def _voxel_means(points: Array, weights: Array, voxel: float) -> tuple[Array, Array]:
-    """Mean point and largest weight in each voxel, so that dense parts have no more influence."""
+    """Mean point and mean weight of each voxel, so that dense parts have no more influence."""
     _, group, count = np.unique(
         voxel_numbers(points, voxel), return_inverse=True, return_counts=True
     )
@@ -151,7 +154,7 @@ def _distinct_best_shifts(tried: Array, scores: Array, min_distance: float) -> l
 def _closeness_field(
     points: Array, low: Array, voxel: float, shape: Indices
 ) -> NDArray[np.float32]:  # pragma: no cover - compiled
-    """Closeness to the nearest filled voxel: 1 inside, falling to 0 two voxels away."""
+    """Closeness to the nearest filled voxel: 1 inside, falling to 0 at 2.5 voxels."""
     field = np.zeros((shape[0], shape[1], shape[2]), np.float32)
     kernel = np.empty((5, 5, 5), np.float32)
     for i in range(5):

@@ -1,7 +1,7 @@
 """Cross-sections: the points of all lines in a thin strip, drawn to scale.
 
-A cross-section shows differences between lines. Across a board, the points of each line form a
-stroke, and an offset or tilt between the strokes is that between the lines.
+A cross-section shows differences between lines. In a section across a board, the points of each
+line appear as a stroke. The strokes are offset or tilted as the lines are.
 """
 
 from collections.abc import Iterable
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 UP_DIRECTION = np.array([0.0, 0.0, 1.0])
 
 MIN_HORIZONTAL_COMPONENT = np.cos(np.radians(80.0))
-"""Horizontal component of a normal below which the target is horizontal and has no azimuth."""
+"""Horizontal component of a unit normal below which a target is horizontal and has no azimuth."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,7 +13,10 @@ THRESHOLD_LIMITS, RADIUS_LIMITS = (1e-6, 100.0), (1e-3, 1e6)
 
 def is_possible_search(threshold: float, radius: float) -> bool:
     """Whether planes can be searched for with a threshold and a radius, both in metres."""
-    return THRESHOLD_LIMITS[0] <= threshold <= THRESHOLD_LIMITS[1] and RADIUS_LIMITS[0] <= radius <= RADIUS_LIMITS[1]
+    return (
+        THRESHOLD_LIMITS[0] <= threshold <= THRESHOLD_LIMITS[1]
+        and RADIUS_LIMITS[0] <= radius <= RADIUS_LIMITS[1]
+    )
 
 
 @dataclass(frozen=True)
@@ -83,7 +86,7 @@ class FinderChoices:
         self.settings()
 
     def settings(self, **others: Any) -> FinderSettings:
-        """Settings with these choices.
+        """Settings with these choices, and with the other settings given by name.
 
         Raises
         ------

@@ -20,11 +20,11 @@ from lispac.targets import outline
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# Points used for the normal of a point: a square of four by four points without its corners.
+# Number of points from which a normal is computed: a square of four by four without its corners.
 NEIGHBOURS_PER_NORMAL = 12
-# Largest angle between the normals of a neighbour and of the region.
+# Smallest cosine of the angle between the normals of a neighbour and of the region.
 MIN_NORMAL_COSINE = cos(radians(20.0))
-# Smallest side of a voxel, in thresholds; in smaller ones noise dominates the normals.
+# Smallest side of a voxel, in thresholds. In smaller voxels, noise dominates the normals.
 MIN_VOXEL_THRESHOLDS = 1.7
 
 
@@ -70,7 +70,13 @@ class FlatPatches:
 
 
 def voxel_side(threshold: float, finest: float = 0.04) -> float:
-    """Side of the voxels for thinning a cloud with this noise, metres."""
+    """Side of the voxels for thinning a cloud, metres, at least ``finest``.
+
+    Parameters
+    ----------
+    threshold, finest : float, metres
+        Largest distance of a point from its patch, and smallest side of a voxel.
+    """
     return max(finest, MIN_VOXEL_THRESHOLDS * threshold)
 
 
@@ -103,7 +109,9 @@ def find_flat_patches(
     order = np.argsort(uneven, kind="stable")
     # Points on a straight line have NaN, which is sorted last; they do not start a region.
     order = order[: np.count_nonzero(uneven <= threshold)]
-    label, count = _grow_regions(thinned, neighbours, normals, order, threshold, MIN_NORMAL_COSINE, least)
+    label, count = _grow_regions(
+        thinned, neighbours, normals, order, threshold, MIN_NORMAL_COSINE, least
+    )
     patches = [_build_patch(thinned[label == k], voxel) for k in range(count)]
     ranked = sorted(range(count), key=lambda k: -patches[k].area)
     rank = np.empty(count + 1, dtype=np.int64)

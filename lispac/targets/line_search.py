@@ -27,14 +27,17 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Patch = TypeVar("Patch")
 
-# Weight of the patch when the translation is determined; its surroundings have the remainder.
+# Share of the patch in the total weight that determines the translation; its surroundings have the
+# remainder.
 PATCH_WEIGHT_SHARE = 0.5
 # A seed within this distance of a point of a line, metres, is considered a point of that line:
 # coordinates are often written with three decimals.
 MAX_CLICK_DISTANCE = 0.002
-# Number of translations tested, and the ratio to the best score from which a patch is ambiguous.
+# Largest number of translations tested, and ratio to the best score above which another patch is
+# considered about as good.
 MAX_TESTED_SHIFTS, AMBIGUOUS_SCORE_RATIO = 6, 0.97
-# A match whose score is below this share of the translation's score differs from the reference.
+# If the best match has a score below this share of the best translation's score, it differs from
+# the reference, and more translations are tested.
 MIN_MATCH_SCORE_RATIO = 0.9
 
 
@@ -152,7 +155,7 @@ def surroundings_of_patch(
     seed: Array,
     settings: FinderSettings,
 ) -> WeightedSurroundings:
-    """Surroundings of a patch out to the search radius.
+    """Points within the search radius of the seed, with weights that favour those near the patch.
 
     Parameters
     ----------
@@ -172,7 +175,9 @@ def surroundings_of_patch(
         ratio = _count_filled_voxels(cloud[around[on_patch]]) / max(
             1, _count_filled_voxels(cloud[around[beside]])
         )
-        weights[beside] *= ratio * (1.0 - PATCH_WEIGHT_SHARE) / PATCH_WEIGHT_SHARE / weights[beside].mean()
+        weights[beside] *= (
+            ratio * (1.0 - PATCH_WEIGHT_SHARE) / PATCH_WEIGHT_SHARE / weights[beside].mean()
+        )
         weights[on_patch] = 1.0
     return WeightedSurroundings(cloud[around], weights)
 
@@ -243,7 +248,10 @@ def best_match(
     """
     refused: list[TargetNotFound] = []
     matches = _match_shifts(shifts, match, refused)
-    if max((score for _, score, _ in matches), default=0.0) < MIN_MATCH_SCORE_RATIO * shifts[0].score:
+    if (
+        max((score for _, score, _ in matches), default=0.0)
+        < MIN_MATCH_SCORE_RATIO * shifts[0].score
+    ):
         matches += _match_shifts(further(), match, refused)
     if not matches:
         raise TargetNotFound(refused[0].reason)
@@ -337,7 +345,7 @@ def _search_from_reference(
 def _clicked_line(
     clouds: Mapping[str, Array], grids: Mapping[str, PointGrid], seed: Array
 ) -> str | None:
-    """Line with the point nearest to the seed, if it is within `CLICK_GAP`; otherwise None."""
+    """Line with a point within `MAX_CLICK_DISTANCE` of the seed, the nearest; None without one."""
     nearest: tuple[float, str] | None = None
     for name, cloud in clouds.items():
         at_seed = indices_near(cloud, grids.get(name), seed, MAX_CLICK_DISTANCE)

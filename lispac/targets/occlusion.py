@@ -16,12 +16,12 @@ from lispac.messages import Message, note
 Array = NDArray[np.float64]
 
 MAX_EXTENT_RATIO = 1.5
-"""Extent of a plane, in search radii, from which the plane is cut by the search radius."""
+"""Extent of a plane, in search radii, from which on the search radius cuts the plane."""
 VISIBLE_SHARE_LIMITS = (0.7, 0.5)
 """Visible shares below which a sighting is doubtful and poor; the same limits apply where points
 are missing inside the outline."""
 MIN_OTHER_LINES = 3
-"""Number of other lines from which a single line with a far larger extent is considered wrong."""
+"""Smallest number of other lines for which a single far larger extent is considered wrong."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +45,7 @@ class ObservedExtent:
 
     @property
     def message(self) -> Message:
-        """Reason if the line shows too little, or implausibly more than others; otherwise None."""
+        """Message that the line shows less than the other lines, or implausibly more."""
         width, height = (
             (float(here), float(there))
             for here, there in zip(self.size, self.elsewhere, strict=True)

@@ -42,9 +42,10 @@ MIN_AREA, MIN_WIDTH = 0.4, 0.3
 # Largest number of surfaces searched for in the lines. A smeared or rough surface is detected in
 # pieces that differ between lines; pieces of a surface that was already found do not count.
 MAX_SURFACES = 12
-# Area, square metres, from which a larger area gives no advantage: the search radius cuts it.
+# Area, square metres, above which larger surfaces are not preferred, since the search radius cuts
+# them.
 MAX_RANKED_AREA = 12.0
-# Share of common points from which two planes found are the same.
+# Share of common points from which on two planes are considered the same.
 MIN_COMMON_POINT_SHARE = 0.2
 
 
@@ -162,7 +163,9 @@ def _distinct_surfaces(
             and 0.3 <= other.area / patch.area <= 3.0
         }
         shown.append(len(alike))
-    order = sorted(range(len(every)), key=lambda k: (-shown[k], -min(every[k][1].area, MAX_RANKED_AREA)))
+    order = sorted(
+        range(len(every)), key=lambda k: (-shown[k], -min(every[k][1].area, MAX_RANKED_AREA))
+    )
     kept: list[tuple[str, FlatPatch]] = []
     for k in order:
         line, patch = every[k]

@@ -28,7 +28,7 @@ __all__ = ["FinderSettings", "PlanePatch", "find_plane"]
 
 # Distance from the seed within which points have full weight in the choice of the plane, metres.
 FULL_VOTE_DISTANCE = 0.25
-# Number of points whose median is taken as the clicked place.
+# Number of points near the seed whose median is the clicked position.
 CLICKED_POINTS = 15
 
 

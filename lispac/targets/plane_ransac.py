@@ -12,14 +12,16 @@ from lispac.targets.finder_settings import FinderSettings
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# Largest number of points on which hypotheses are evaluated.
+# Size of the sample on which hypotheses are evaluated: of more points, every k-th one is
+# used, which gives between this number and twice this number.
 SAMPLE_SIZE = 4000
 # Hypotheses per batch, after which the stop criterion is checked, and largest number of batches.
 BATCH_SIZE, MAX_BATCHES = 128, 12
-# Largest triangle that gives a hypothesis, as a share of the search radius.
+# Largest distance between the first and another corner of a triangle, as a share of the search
+# radius.
 MAX_TRIANGLE_SHARE = 0.5
-# Distance from the plane, in thresholds, up to which points beside it count against it, and the
-# weight of these votes: unlike a real surface, a plane across other surfaces has points beside it.
+# Points between one threshold and this number of thresholds from the plane count against it, and
+# weight of these votes. A real surface has few such points, a plane across other surfaces many.
 PENALTY_BAND, PENALTY_WEIGHT = 3.0, 0.3
 # Angle from the expected normal at which a hypothesis has half of its score, radians.
 HALF_SCORE_TILT = radians(10.0)

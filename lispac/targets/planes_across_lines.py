@@ -41,7 +41,7 @@ from lispac.targets.plane_finder import (
 
 Array = NDArray[np.float64]
 
-# Largest distance of a plane from its predicted position, metres.
+# Largest distance from the predicted plane of a point that votes for the plane, metres.
 MAX_PREDICTION_OFFSET = 0.3
 # A patch that extends beyond this share of the search radius is cut by it. If the seed was not
 # clicked in a line, the distance of such a patch is increased by the second number, metres: with a
@@ -65,9 +65,9 @@ class _ReferenceSurface:
     seed: Array
     patch: PlanePatch
     patch_points: Array
-    around: WeightedSurroundings
+    surroundings: WeightedSurroundings
     cell: float
-    beyond: float
+    ratio_beyond: float
 
 
 def find_in_lines(
@@ -115,7 +115,7 @@ def find_in_lines(
 
     def follow(first_line: str, first: PlanePatch) -> Callable[[str], PlanePatch]:
         grid = grids.get(first_line)
-        reference = _describe_reference(clouds[first_line], grid, first, seed, settings)
+        reference = _reference_surface(clouds[first_line], grid, first, seed, settings)
         return lambda name: _find_in_line(clouds[name], grids.get(name), reference, settings)
 
     shape = ShapeSearch(
@@ -137,11 +137,12 @@ def _distance_to_seed(cloud: Array, patch: PlanePatch, seed: Array, radius: floa
     farthest = float(np.linalg.norm(cloud[patch.indices] - seed, axis=1).max())
     extends = farthest > UNCUT_RADIUS_SHARE * radius
     return (
-        float(np.hypot(patch.plane.distances(seed), np.linalg.norm(outside))) + CUT_PLANE_PENALTY * extends
+        float(np.hypot(patch.plane.distances(seed), np.linalg.norm(outside)))
+        + CUT_PLANE_PENALTY * extends
     )
 
 
-def _describe_reference(
+def _reference_surface(
     cloud: Array, grid: PointGrid | None, patch: PlanePatch, seed: Array, settings: FinderSettings
 ) -> _ReferenceSurface:
     patch_points = cloud[patch.indices]
@@ -152,9 +153,11 @@ def _describe_reference(
         seed=seed,
         patch=patch,
         patch_points=patch_points,
-        around=surroundings_of_patch(cloud, grid, patch.indices, patch.centre, seed, settings),
+        surroundings=surroundings_of_patch(
+            cloud, grid, patch.indices, patch.centre, seed, settings
+        ),
         cell=cell,
-        beyond=_ratio_beyond_threshold(about, patch.plane, placed, cell, settings),
+        ratio_beyond=_ratio_beyond_threshold(about, patch.plane, placed, cell, settings),
     )
 
 
@@ -172,7 +175,7 @@ def _find_in_line(
         distance = float(np.linalg.norm(other.centre - best.centre))
         return error("finder.two_planes", distance=distance)
 
-    shifts = find_shifts_into_line(cloud, grid, reference.around, reference.seed, settings)
+    shifts = find_shifts_into_line(cloud, grid, reference.surroundings, reference.seed, settings)
     return best_match(
         shifts,
         lambda shift: _match_at_shift(cloud, grid, reference, shift, settings),
@@ -196,7 +199,7 @@ def _scores_without_wide_surfaces(
     a second board. The many points of the wall would dominate the score. The weight of a flat patch
     is therefore proportional to its side instead of its area.
     """
-    around_reference = reference.around
+    around_reference = reference.surroundings
     flat = find_flat_patches(around_reference.points, settings.threshold)
     areas = np.array([patch.area for patch in flat.patches])
     weights = 1.0 / np.sqrt(np.maximum(np.append(areas, 0.0), MAX_FULL_WEIGHT_AREA))[flat.label]
@@ -224,7 +227,7 @@ def _shifts_onto_patches(
         and other.plane.tilt_to(patch.plane) <= settings.max_tilt
     ]
     vectors = [v for v in vectors if np.linalg.norm(v) <= settings.max_shift]
-    around_reference = reference.around
+    around_reference = reference.surroundings
     shifts = rate_shifts(
         around_reference.points, around_reference.weights, around, np.reshape(vectors, (-1, 3))
     )
@@ -253,7 +256,9 @@ def _match_at_shift(
     axes = plane_axes(normal)
     offset = (points - reference.patch.centre - shift.vector) @ normal
     inside = outline.is_covered(points @ axes.T, moved @ axes.T, reference.cell)
-    votes = np.where(inside & (np.abs(offset) <= MAX_PREDICTION_OFFSET), 1.0 / (1.0 + (offset / 0.1) ** 2), 1e-6)
+    votes = np.where(
+        inside & (np.abs(offset) <= MAX_PREDICTION_OFFSET), 1.0 / (1.0 + (offset / 0.1) ** 2), 1e-6
+    )
     if np.count_nonzero(inside & (np.abs(offset) <= MAX_PREDICTION_OFFSET)) < settings.min_points:
         raise PlaneNotFound(error("finder.too_few_where_expected"))
     patch = extract_patch(points, there, votes, settings, seed, expected_normal=normal)
@@ -268,7 +273,7 @@ def _match_at_shift(
         raise PlaneNotFound(error("finder.too_large", ratio=larger))
     own = cloud[patch.indices] @ plane_axes(patch.plane.normal).T
     beyond = _ratio_beyond_threshold(points, patch.plane, own, cell, settings)
-    if beyond - reference.beyond > MAX_CROSSING_EXCESS:
+    if beyond - reference.ratio_beyond > MAX_CROSSING_EXCESS:
         raise PlaneNotFound(error("finder.crossing"))
     likeness = coverage * min(1.0, 1.5 / larger) * np.cos(np.radians(2.0 * tilt))
     return patch, shift.score * float(likeness)

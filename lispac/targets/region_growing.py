@@ -18,7 +18,8 @@ MIN_ON_PLANE_RATIO = 0.6
 MAX_ROUNDS = 12
 # Steps of the weighted fit in one round of growing.
 ROBUST_FIT_STEPS = 5
-# For normal noise, a point beyond three sigma is more likely a mixed pixel.
+# Largest residual of a point of the plane, in sigmas. Beyond it, a point is more likely a mixed
+# pixel than a point with normal noise.
 TRIM_LIMIT_SIGMAS = 3.0
 
 

@@ -1,6 +1,6 @@
 """Rough boresight from the whole scene, used to find targets in all lines.
 
-With the prior boresight, the positions of a target in different lines differ by a metre or more. If
+With the prior boresight, the positions of a target in different lines may differ by a metre. If
 the platform turns or the range changes along the target, it also appears bent. Both effects depend
 on the three boresight angles, which can be determined from the whole scene to a tenth of a degree
 before targets are picked. The method is the iterative closest point algorithm with point-to-plane
@@ -88,7 +88,7 @@ class Alignment:
     determined : bool
         Whether all three angles are determined. A single wall is not enough, since lines shifted
         along it also coincide.
-    apart : float, metres
+    separation : float, metres
         Robust standard deviation of the distance between the surfaces of two lines.
     """
 
@@ -141,7 +141,7 @@ def align_lines(clouds: Mapping[str, Cloud]) -> Alignment:
             best, matched = boresight, share
         if matched >= MIN_MATCHED_SHARE:
             break
-    determined, separation = scene.determines(best), scene.separation(best)
+    determined, separation = scene.determines_all_angles(best), scene.separation(best)
     if best is prior:
         return Alignment(clouds, clouds, matched, before, determined, separation)
     nearer = scene.place.mounting.with_boresight(best)
@@ -156,7 +156,7 @@ class _LineSample:
     points_lidar: Array
     time: Array
     neighbours: Indices
-    rough: float
+    max_roughness: float
 
     @classmethod
     def of(cls, cloud: Cloud, count: int) -> "_LineSample":
@@ -164,17 +164,23 @@ class _LineSample:
         numbers = numbers[_thin_to_count(cloud.sample[numbers], count)]
         points = cloud.sample[numbers]
         # The neighbours are determined once and used for every boresight.
-        distance, neighbours = build_tree(points).query(points, min(NEIGHBOURS_PER_NORMAL, len(points)))
-        rough = max(MAX_RELATIVE_ROUGHNESS * float(np.median(distance[:, 1])), MAX_ROUGHNESS)
+        distance, neighbours = build_tree(points).query(
+            points, min(NEIGHBOURS_PER_NORMAL, len(points))
+        )
+        max_roughness = max(
+            MAX_RELATIVE_ROUGHNESS * float(np.median(distance[:, 1])), MAX_ROUGHNESS
+        )
         return cls(
-            *cloud.sample_lidar(numbers), np.ascontiguousarray(neighbours, dtype=np.int64), rough
+            *cloud.sample_lidar(numbers),
+            np.ascontiguousarray(neighbours, dtype=np.int64),
+            max_roughness,
         )
 
-    def faces(self, placed: Array) -> tuple[Array, Flags]:
+    def normals_and_flatness(self, placed: Array) -> tuple[Array, Flags]:
         """Normal at each point, and whether its neighbourhood is flat enough for a normal."""
         centroids, normals = local_planes(placed, self.neighbours)
         off = np.einsum("nmk,nk->nm", placed[self.neighbours] - centroids[:, None], normals)
-        return normals, np.sqrt((off * off).mean(axis=1)) < self.rough
+        return normals, np.sqrt((off * off).mean(axis=1)) < self.max_roughness
 
 
 @dataclass(frozen=True, eq=False)
@@ -209,7 +215,7 @@ class _SceneLines:
         """Prior boresight, shape (3,), radians."""
         return self.place.mounting.boresight
 
-    def placed(self, boresight: Array) -> list[Array]:
+    def place_points(self, boresight: Array) -> list[Array]:
         """Points of each line placed with a boresight, shape (n, 3), metres, local frame."""
         mounting = self.place.mounting.with_boresight(boresight)
         place = Georeferencer.of(self.place.trajectory, mounting)
@@ -227,8 +233,14 @@ class _SceneLines:
         coarse = _SceneLines.of(
             clouds, COMPARISON_POINTS
         )  # computed only if the search from the prior boresight failed
-        turns = [START_ANGLE_CHANGE * np.array(turn) for turn in product((-1, 0, 1), repeat=3) if any(turn)]
-        stepped = [coarse.gauss_newton_step(self.boresight + turn, STAGE_DISTANCES[0]) for turn in turns]
+        turns = [
+            START_ANGLE_CHANGE * np.array(turn)
+            for turn in product((-1, 0, 1), repeat=3)
+            if any(turn)
+        ]
+        stepped = [
+            coarse.gauss_newton_step(self.boresight + turn, STAGE_DISTANCES[0]) for turn in turns
+        ]
         shares = np.array([coarse.matched_share(boresight) for boresight in stepped])
         for k in np.argsort(-shares, kind="stable")[:REFINED_STARTS]:
             yield stepped[k]
@@ -251,7 +263,7 @@ class _SceneLines:
         gradient = gradient + prior * (boresight - self.boresight)
         return np.asarray(boresight - np.linalg.solve(information + prior * np.eye(3), gradient))
 
-    def determines(self, boresight: Array) -> bool:
+    def determines_all_angles(self, boresight: Array) -> bool:
         """Whether the overlapping parts of the lines determine all three angles."""
         information, _ = self._normal_equations(boresight, STAGE_DISTANCES[-1])
         return bool(np.linalg.eigvalsh(information)[0] >= MIN_SENSITIVITY**2)
@@ -264,8 +276,8 @@ class _SceneLines:
         information : ndarray of shape (3, 3), (metres / radian)^2
         gradient : ndarray of shape (3,), metres^2 / radian
         """
-        placed = self.placed(boresight)
-        turned = [self.placed(boresight + DERIVATIVE_STEP * axis) for axis in np.eye(3)]
+        placed = self.place_points(boresight)
+        turned = [self.place_points(boresight + DERIVATIVE_STEP * axis) for axis in np.eye(3)]
         moves = [
             np.stack([(other[k] - points) / DERIVATIVE_STEP for other in turned], axis=-1)
             for k, points in enumerate(placed)
@@ -283,7 +295,7 @@ class _SceneLines:
 
     def matched_share(self, boresight: Array) -> float:
         """See `Alignment`."""
-        placed = self.placed(boresight)
+        placed = self.place_points(boresight)
         matched = count = 0
         for pair in self._pairs(placed, STAGE_DISTANCES[0]):
             difference = placed[pair.first][pair.here] - placed[pair.second][pair.there]
@@ -295,13 +307,18 @@ class _SceneLines:
 
     def separation(self, boresight: Array) -> float:
         """Distance between the lines in metres, as in `Alignment`; 0 without common surfaces."""
-        placed = self.placed(boresight)
-        off = [_distances_to_plane(placed, pair) for pair in self._pairs(placed, MAX_POINT_DISTANCE)]
+        placed = self.place_points(boresight)
+        off = [
+            _distances_to_plane(placed, pair) for pair in self._pairs(placed, MAX_POINT_DISTANCE)
+        ]
         every = np.concatenate([np.empty(0), *off])
         return SIGMA_PER_MAD * float(np.median(np.abs(every))) if len(every) else 0.0
 
     def _pairs(self, placed: list[Array], reach: float) -> Iterator[_PointPairs]:
-        faces = [line.faces(points) for line, points in zip(self.lines, placed, strict=True)]
+        faces = [
+            line.normals_and_flatness(points)
+            for line, points in zip(self.lines, placed, strict=True)
+        ]
         trees = [build_tree(points) for points in placed]
         for first, second in combinations(range(len(placed)), 2):
             (own, own_flat), (normals, flat) = faces[first], faces[second]

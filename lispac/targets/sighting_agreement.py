@@ -35,13 +35,13 @@ parts of an uneven surface such as a tarpaulin."""
 MAX_POINTS = 500
 """Largest number of points of a sighting used in the tests."""
 DERIVATIVE_STEP = radians(0.01)
-"""Step of the numerical derivatives with respect to the boresight angles."""
+"""Step of the numerical derivatives with respect to the boresight angles, radians."""
 MIN_OVERLAP = 0.5
 """Smallest share of the points of one of two sightings inside the outline of the other one."""
 MIN_COMPLETE_SIZE_RATIO = 0.8
-"""Smallest ratio of the sides for which two outlines count as complete views of one surface."""
+"""Smallest ratio of the sides of an outline to the largest ones for it to count as complete."""
 MAX_BOARD_SEARCH_RADIUS = 2.0
-"""Largest search radius used for boards, metres."""
+"""Radius, metres, that replaces a larger search radius in the test whether planes are boards."""
 SPHERE_CENTRE_SIGMA = 0.5
 """Standard deviation of the centre of a sphere from one line, which shows only a part, in radii."""
 
@@ -200,9 +200,9 @@ class _SightingSample:
         mounting = cloud.place.mounting
         points = cloud[indices]
         turned = [
-            cloud.georeferenced_with(mounting.with_boresight(mounting.boresight + DERIVATIVE_STEP * axis))[
-                indices
-            ]
+            cloud.georeferenced_with(
+                mounting.with_boresight(mounting.boresight + DERIVATIVE_STEP * axis)
+            )[indices]
             for axis in np.eye(3)
         ]
         return cls(patch, points, np.stack([(each - points) / DERIVATIVE_STEP for each in turned]))

@@ -23,10 +23,11 @@ Rating = Literal["good", "doubtful", "poor"]
 POINT_COUNT_LIMITS = (200, 50)
 # RMS divided by the noise: 1 with noise alone; mixed pixels add a tenth.
 NOISE_RATIO_LIMITS = (2.0, 3.0)
-# RMS divided by the threshold of the search. The ratio is 0.58 if the points are spread evenly up
-# to the threshold; more of the surface then lies beyond it, and a rough surface is rated poor.
+# Ratio of the RMS to the threshold of the search above which more of the surface probably lies
+# beyond the threshold; it is 0.58 if the points are spread evenly up to the threshold. A surface
+# whose RMS exceeds the first limit of the noise is then rated poor.
 MAX_RMS_TO_THRESHOLD = 0.5
-# Angle of incidence, degrees; the beam footprint grows with the tangent, to four times at 75.
+# Angle of incidence, degrees; the beam footprint grows with 1 / cosine, to four times at 75.
 INCIDENCE_LIMITS_DEG = (65.0, 75.0)
 # Share of the outline with points; if half is missing, the tilt depends on the remaining parts.
 COVERAGE_LIMITS = (0.7, 0.5)
@@ -71,7 +72,7 @@ class SightingQuality:
         RMS of the deviations that an error of the boresight can explain. They are removed before
         RMS, curvature and roughness are rated. None if the boresight is an estimated one.
     visible_share : float or None, in [0, 1]
-        Visible share of the extent in the other lines; None if it cannot be compared.
+        Share of the extent in the other lines that this line shows; None if it cannot be compared.
     flatness : "good", "doubtful" or "poor"
         Rating by RMS, curvature and roughness alone.
     rating : "good", "doubtful" or "poor"
@@ -194,9 +195,13 @@ def plane_quality(
     found = _grade_point_count(len(points))
     if incidence is not None:
         degrees = float(np.degrees(incidence))
-        found += _grade_by_limits(degrees, INCIDENCE_LIMITS_DEG, note("quality.oblique", angle=incidence))
+        found += _grade_by_limits(
+            degrees, INCIDENCE_LIMITS_DEG, note("quality.oblique", angle=incidence)
+        )
     found += _grade_by_limits(
-        -coverage, (-COVERAGE_LIMITS[0], -COVERAGE_LIMITS[1]), note("quality.sparse", share=coverage)
+        -coverage,
+        (-COVERAGE_LIMITS[0], -COVERAGE_LIMITS[1]),
+        note("quality.sparse", share=coverage),
     )
     found += _grade_occlusion(shown) + flat
     rating, reasons = _rating_of(found)
@@ -218,7 +223,9 @@ def sphere_quality(
     flat = _grade_roughness(rms, rms, noise, None)
     found = _grade_point_count(len(points)) + flat
     found += _grade_by_limits(
-        -share, (-SPHERE_SHARE_LIMITS[0], -SPHERE_SHARE_LIMITS[1]), note("quality.sphere_part", share=share)
+        -share,
+        (-SPHERE_SHARE_LIMITS[0], -SPHERE_SHARE_LIMITS[1]),
+        note("quality.sphere_part", share=share),
     )
     rating, reasons = _rating_of(found)
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
@@ -234,7 +241,9 @@ GradedReason = tuple[int, Message]
 
 def _grade_point_count(points: int) -> list[GradedReason]:
     return _grade_by_limits(
-        -points, (-POINT_COUNT_LIMITS[0], -POINT_COUNT_LIMITS[1]), note("quality.few_points", count=points)
+        -points,
+        (-POINT_COUNT_LIMITS[0], -POINT_COUNT_LIMITS[1]),
+        note("quality.few_points", count=points),
     )
 
 
@@ -262,19 +271,23 @@ def _grade_occlusion(shown: ObservedExtent | None) -> list[GradedReason]:
         return []
     if shown.alone:
         return [(1, shown.message)]
-    return _grade_by_limits(-shown.share, (-VISIBLE_SHARE_LIMITS[0], -VISIBLE_SHARE_LIMITS[1]), shown.message)
+    return _grade_by_limits(
+        -shown.share, (-VISIBLE_SHARE_LIMITS[0], -VISIBLE_SHARE_LIMITS[1]), shown.message
+    )
 
 
-def _grade_by_limits(value: float, limits: tuple[float, float], reason: Message) -> list[GradedReason]:
+def _grade_by_limits(
+    value: float, limits: tuple[float, float], reason: Message
+) -> list[GradedReason]:
     """Reason with its grade if a value is beyond the first limit; otherwise empty."""
     grade = int(value > limits[0]) + int(value > limits[1])
     return [(grade, reason)] if grade else []
 
 
 def _rating_of(graded: list[GradedReason]) -> tuple[Rating, tuple[Message, ...]]:
-    lights: tuple[Rating, ...] = ("good", "doubtful", "poor")
+    ratings: tuple[Rating, ...] = ("good", "doubtful", "poor")
     ranked = sorted(graded, key=lambda each: -each[0])
-    return lights[ranked[0][0] if ranked else 0], tuple(reason for _, reason in ranked)
+    return ratings[ranked[0][0] if ranked else 0], tuple(reason for _, reason in ranked)
 
 
 def _coverage_cell_size(placed: Array) -> float:

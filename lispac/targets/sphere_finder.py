@@ -30,8 +30,9 @@ __all__ = ["RadiusRange", "SpherePatch", "find_sphere"]
 
 # Largest distance of a point of the sphere from the seed, in units of the largest radius.
 MAX_SEED_DISTANCE_RADII = 3.0
-# Largest number of points used for the fit while the choice of points and the fit alternate, and
-# factor by which the radius may be outside the allowed range meanwhile.
+# While the choice of points and the fit alternate: size of the sample used for the fit (of more
+# points, between this number and twice this number), and factor by which the radius may be outside
+# the allowed range.
 FIT_SAMPLE_SIZE, RADIUS_MARGIN_FACTOR = 1000, 1.5
 # Half angle of the cap that is used. Beyond it, the beams graze the sphere, and mixed pixels behind
 # the rim lie near its surface.
@@ -225,7 +226,11 @@ def _refine_sphere(
             sphere = _fit_sphere_robustly(
                 points[sample], sphere, radius_range.known, settings.threshold
             )
-            if not radius_range.min / RADIUS_MARGIN_FACTOR <= sphere.radius <= radius_range.max * RADIUS_MARGIN_FACTOR:
+            if (
+                not radius_range.min / RADIUS_MARGIN_FACTOR
+                <= sphere.radius
+                <= radius_range.max * RADIUS_MARGIN_FACTOR
+            ):
                 return None
         on = _trim_outliers(points, on, radius_range.known, settings)
         return fit_sphere(points[on], radius_range.known), on
@@ -332,7 +337,12 @@ def _require_ball(
     share = visible_share(sphere, points[on])
     if share < MIN_VISIBLE_SHARE:
         raise SphereNotFound(
-            error("finder.sphere_small_part", share=share, needed=MIN_VISIBLE_SHARE, place=seed_text(seed))
+            error(
+                "finder.sphere_small_part",
+                share=share,
+                needed=MIN_VISIBLE_SHARE,
+                place=seed_text(seed),
+            )
         )
     flat = rms_distance(fit_plane(points[on]), points[on])
     if flat < MIN_PLANE_RESIDUAL_RATIO * rms_from_sphere(sphere, points[on]):

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from lispac.compiled_code import njit
 from lispac.geometry.spheres import Sphere
 from lispac.targets.finder_settings import FinderSettings
-from lispac.targets.plane_ransac import PENALTY_WEIGHT, BATCH_SIZE, PENALTY_BAND, MAX_BATCHES
+from lispac.targets.plane_ransac import BATCH_SIZE, MAX_BATCHES, PENALTY_BAND, PENALTY_WEIGHT
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -42,7 +42,9 @@ def draw_spheres(
     chance = np.cumsum(weights / weights.sum())
     known = lower == upper
     need = 3 if known else 4
-    span = np.array([lower, upper]) * (1.0 if known else np.array([1.0 - RADIUS_MARGIN_SHARE, 1.0 + RADIUS_MARGIN_SHARE]))
+    span = np.array([lower, upper]) * (
+        1.0 if known else np.array([1.0 - RADIUS_MARGIN_SHARE, 1.0 + RADIUS_MARGIN_SHARE])
+    )
     hypotheses = np.empty((0, 6))
     for batch in range(1, MAX_BATCHES + 1):
         first = np.minimum(np.searchsorted(chance, rng.random(BATCH_SIZE)), len(sample) - 1)
@@ -70,7 +72,8 @@ def _distinct_best_spheres(hypotheses: Array) -> list[Sphere]:
     for row in ranked[ranked[:, 0] >= MIN_SCORE_RATIO * ranked[0, 0]]:
         sphere = Sphere(row[2:5].copy(), float(row[5]))
         if all(
-            np.linalg.norm(sphere.centre - other.centre) > MIN_CENTRE_DISTANCE * other.radius for other in kept
+            np.linalg.norm(sphere.centre - other.centre) > MIN_CENTRE_DISTANCE * other.radius
+            for other in kept
         ):
             kept.append(sphere)
             if len(kept) == MAX_CONTENDERS:

@@ -23,7 +23,7 @@ MIN_SIGMA_SHARE = 1 / 6
 With it, a difference below half a sigma of the whole result is never significant.
 """
 
-Part = tuple[str, str, NDArray[np.bool_]]
+DataPart = tuple[str, str, NDArray[np.bool_]]
 
 
 def cross_checks(
@@ -111,14 +111,14 @@ def _settings_of_part(
     )
 
 
-def _leave_one_out_parts(observations: Observations) -> Iterator[Part]:
+def _leave_one_out_parts(observations: Observations) -> Iterator[DataPart]:
     for line in observations.lines:
         yield "line", line, np.array([s.line != line for s in observations.sightings])
     for target in observations.targets:
         yield "target", target, np.array([s.target != target for s in observations.sightings])
 
 
-def _survey_halves(observations: Observations) -> Iterator[Part]:
+def _survey_halves(observations: Observations) -> Iterator[DataPart]:
     """Two halves of the survey: the lines in order of time, divided in the middle."""
     times = observations.mean_by_sighting(observations.time)
     sailed = sorted(

@@ -36,9 +36,9 @@ from lispac.progress import Progress, no_progress
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-SCENE_PARTS = 12
+MAX_SCENE_PARTS = 12
 """Largest number of parts of the scene along its greatest length; each has at least one surface."""
-LINE_PARTS = 4
+PARTS_PER_LINE = 4
 """Number of parts of each line, with similar numbers of groups of points."""
 MIN_PARTS = 3
 """Smallest number of parts for an estimate of their scatter."""
@@ -217,15 +217,15 @@ def _place_and_stretch_groups(here: LinearisedProblem, origins: Array) -> Iterat
     assert groups.knots is not None
     target = observations.target_of_sighting[groups.sighting]
     along = np.linalg.svd(origins - origins.mean(axis=0), full_matrices=False)[2][0]
-    places = np.array_split(np.argsort(origins @ along), min(SCENE_PARTS, len(origins)))
+    places = np.array_split(np.argsort(origins @ along), min(MAX_SCENE_PARTS, len(origins)))
     yield [np.isin(target, place) for place in places]
     names = np.array([observations.lines.index(each.line) for each in observations.sightings])
     line, time = names[groups.sighting], groups.knots.time[groups.knot]
     for k in range(len(observations.lines)):
         own = line == k
-        ends = np.quantile(time[own], np.arange(1, LINE_PARTS) / LINE_PARTS)
+        ends = np.quantile(time[own], np.arange(1, PARTS_PER_LINE) / PARTS_PER_LINE)
         stretch = np.searchsorted(ends, time, side="right")
-        yield [own & (stretch == part) for part in range(LINE_PARTS)]
+        yield [own & (stretch == part) for part in range(PARTS_PER_LINE)]
 
 
 def _leave_out_differences(

@@ -25,7 +25,7 @@ It is low, because a position error of two sigmas is not a jump.
 """
 MIN_DATA_SHARE = 0.05
 """Smallest share of the data, not the prior, in the information on a direction that is tested."""
-AXES = 3
+AXIS_COUNT = 3
 """Number of axes: north, west, up."""
 
 
@@ -62,13 +62,13 @@ class LineShiftScores:
         place = {line: k for k, line in enumerate(lines)}
         of_sighting = np.array([place[each.line] for each in observations.sightings])
         line = of_sighting[problem.groups.sighting]
-        shifts = np.zeros((len(lines), AXES, len(knots.time), 6))
+        shifts = np.zeros((len(lines), AXIS_COUNT, len(knots.time), 6))
         for k in range(len(lines)):
             own = problem.groups.knot[line == k]
-            for axis in range(AXES):
+            for axis in range(AXIS_COUNT):
                 shifts[k, axis, own, axis] = shifts[k, axis, own + 1, axis] = 1.0
         weighted = np.array([[knots.apply_prior_precision(each) for each in own] for own in shifts])
-        size = len(lines) * AXES
+        size = len(lines) * AXIS_COUNT
         flat, given = weighted.reshape(size, -1), shifts.reshape(size, -1)
         half = forward_substitution(normal.factor, flat.T)
         through = half.T @ normal.whitened_mixed
@@ -120,7 +120,7 @@ class LineShiftScores:
         return tuple(self.lines[k] for k in sorted(found))
 
     def _columns_of_line(self, k: int) -> slice:
-        return slice(AXES * k, AXES * (k + 1))
+        return slice(AXIS_COUNT * k, AXIS_COUNT * (k + 1))
 
     def _information_shares(self, k: int) -> tuple[Array, Array]:
         """Eigenvalues and eigenvectors of the information on the shift of a line.

@@ -24,12 +24,12 @@ from lispac.adjustment.result import PossibleCause
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.solve.banded_cholesky import forward_substitution
 from lispac.adjustment.solve.normal_equations import unknown_directions
-from lispac.adjustment.solve.variance_components import LARGEST_SURFACE
+from lispac.adjustment.solve.variance_components import MAX_SURFACE_SIGMA
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-PRIOR_SIGMA = {
+PRIOR_ERROR_SIGMAS = {
     "lever_x": 0.1, "lever_y": 0.1, "lever_z": 0.1, "range_offset": 0.1,
     "scan_angle_offset": float(np.radians(0.5)), "latency": 0.02, "line_position": 0.2,
     "line_boresight": float(np.radians(1.0)), "line_time": 0.2, "sighting_shift": 0.2,
@@ -39,7 +39,7 @@ PRIOR_SIGMA = {
 
 The evidence depends only on its logarithm.
 """
-FORM_SIGMA = (0.01, 0.03, 0.1)
+TARGET_FORM_SIGMAS = (0.01, 0.03, 0.1)
 """Trial sigmas of the differences between sightings of a target that is not flat, metres."""
 STRONG_EVIDENCE = 6.0
 """Difference of evidence from which a candidate is clearly better than another.
@@ -57,13 +57,13 @@ MAX_CAUSES = 3
 """Largest number of errors that are searched for, one after the other."""
 MAX_CANDIDATES = 4
 """Largest number of candidates named for one error."""
-SMALLEST_SURFACE, SIGMA_STEPS = 1e-4, 13
+MIN_TRIED_SURFACE_SIGMA, TRIED_SIGMA_COUNT = 1e-4, 13
 """Smallest sigma of the form errors that is tried, metres, and number of sigmas that are tried.
 
-The largest one is `LARGEST_SURFACE`.
+The largest one is `MAX_SURFACE_SIGMA`.
 """
-AXES = 3
-LINE_UNKNOWNS = 2 * AXES
+AXIS_COUNT = 3
+LINE_UNKNOWNS = 2 * AXIS_COUNT
 """Number of unknowns of the position and of the boresight of a line."""
 
 
@@ -89,7 +89,7 @@ def find_possible_causes(linearised: LinearisedProblem) -> tuple[tuple[PossibleC
     solutions = [equations.solve_without_errors(sigma) for sigma in _trial_surface_sigmas(problem)]
     found: list[tuple[PossibleCause, ...]] = []
     given: tuple[_ModelError, ...] = ()
-    moved = np.zeros(AXES)
+    moved = np.zeros(AXIS_COUNT)
     while len(found) < MAX_CAUSES:
         without = max(each.likelihood(given) for each in solutions)
         judged = [
@@ -117,9 +117,9 @@ def find_possible_causes(linearised: LinearisedProblem) -> tuple[tuple[PossibleC
     return tuple(found)
 
 
-def _best_of_each_cause(judged: Iterable["_Judged"]) -> list["_Judged"]:
+def _best_of_each_cause(judged: Iterable["_ScoredCandidate"]) -> list["_ScoredCandidate"]:
     """Keep the best candidate of each kind and place; a target may occur with several sizes."""
-    found: dict[tuple[str, str, str], _Judged] = {}
+    found: dict[tuple[str, str, str], _ScoredCandidate] = {}
     for item in judged:
         found.setdefault((item[2].kind, item[2].target, item[2].line), item)
     return list(found.values())
@@ -139,8 +139,8 @@ def _trial_surface_sigmas(problem: AdjustmentProblem) -> Iterator[Array]:
     if problem.model.surface is not None:
         yield usual
         return
-    for sigma in np.geomspace(SMALLEST_SURFACE, LARGEST_SURFACE, SIGMA_STEPS):
-        yield np.full(AXES, sigma)
+    for sigma in np.geomspace(MIN_TRIED_SURFACE_SIGMA, MAX_SURFACE_SIGMA, TRIED_SIGMA_COUNT):
+        yield np.full(AXIS_COUNT, sigma)
         if problem.has_own_offsets:
             yield np.array([*usual[:2], sigma])
 
@@ -227,7 +227,7 @@ class _CandidateEquations:
     def solve_without_errors(self, sigma: Array) -> "_ErrorFreeSolution":
         """Solve the model without errors, with sigmas of tilts and offset, shape (3,), metres."""
         base, errors = self.base, self.errors
-        precision = np.tile(sigma**-2.0, len(self.departures) // AXES)
+        precision = np.tile(sigma**-2.0, len(self.departures) // AXIS_COUNT)
         matrix = self.matrix[np.ix_(base, base)]
         right = self.right[base]
         surfaces = np.arange(len(base) - len(precision), len(base))
@@ -240,8 +240,8 @@ class _CandidateEquations:
             factor, np.column_stack([crossed, right * scale]), lower=True
         )
         by_errors, own = half[:, :-1], half[:, -1]
-        angles = np.zeros((len(base), AXES))
-        angles[:AXES] = np.diag(scale[:AXES])
+        angles = np.zeros((len(base), AXIS_COUNT))
+        angles[:AXIS_COUNT] = np.diag(scale[:AXIS_COUNT])
         back = scipy.linalg.solve_triangular(factor, angles, lower=True)
         likelihood = float(
             own @ own
@@ -371,7 +371,7 @@ def _build_candidates(problem: AdjustmentProblem, omitted: Sequence[str]) -> Ite
     observations = problem.observations
 
     def candidate(kind: str, target: str, line: str, columns: Indices, share: float) -> _ModelError:
-        return _ModelError(kind, target, line, columns, share, PRIOR_SIGMA[kind])
+        return _ModelError(kind, target, line, columns, share, PRIOR_ERROR_SIGMAS[kind])
 
     for k, name in enumerate(omitted):
         yield candidate(name, "", "", np.array([k]), 1.0)
@@ -379,22 +379,22 @@ def _build_candidates(problem: AdjustmentProblem, omitted: Sequence[str]) -> Ite
     spheres = observations.is_sphere[observations.target_of_sighting]
     of_target: dict[str, list[Indices]] = {}
     for s, sighting in enumerate(observations.sightings):
-        own = first + AXES * s + np.arange(AXES)
+        own = first + AXIS_COUNT * s + np.arange(AXIS_COUNT)
         where = sighting.target, sighting.line
         of_target.setdefault(sighting.target, []).append(own[2:] if spheres[s] else own)
         yield candidate("sighting_shift", *where, own[2:], 1 / count)
         if not spheres[s]:
             yield candidate("sighting_surface", *where, own, 1 / count)
     for target, parts in of_target.items():
-        share = 1 / (len(of_target) * len(FORM_SIGMA))
-        for sigma in FORM_SIGMA:
+        share = 1 / (len(of_target) * len(TARGET_FORM_SIGMAS))
+        for sigma in TARGET_FORM_SIGMAS:
             yield _ModelError("target_surface", target, "", np.concatenate(parts), share, sigma)
-    first, count = first + AXES * count, len(observations.lines)
+    first, count = first + AXIS_COUNT * count, len(observations.lines)
     has_times = observations.pose_rate is not None
     for k, line in enumerate(observations.lines):
         own = first + (LINE_UNKNOWNS + has_times) * k + np.arange(LINE_UNKNOWNS + has_times)
-        yield candidate("line_position", "", line, own[:AXES], 1 / count)
-        yield candidate("line_boresight", "", line, own[AXES:LINE_UNKNOWNS], 1 / count)
+        yield candidate("line_position", "", line, own[:AXIS_COUNT], 1 / count)
+        yield candidate("line_boresight", "", line, own[AXIS_COUNT:LINE_UNKNOWNS], 1 / count)
         if has_times:
             yield candidate("line_time", "", line, own[LINE_UNKNOWNS:], 1 / count)
 
@@ -418,8 +418,10 @@ def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array
     size = np.zeros((sums.shape[1], unknowns))
     size[latency, LINE_UNKNOWNS:] = 1.0
     # The same shift of the POS position at the knots before and after
-    size[own : own + AXES, :AXES] = size[own + 6 : own + 6 + AXES, :AXES] = np.eye(AXES)
-    size[:AXES, AXES:LINE_UNKNOWNS] = np.eye(AXES)
+    size[own : own + AXIS_COUNT, :AXIS_COUNT] = size[
+        own + 6 : own + 6 + AXIS_COUNT, :AXIS_COUNT
+    ] = np.eye(AXIS_COUNT)
+    size[:AXIS_COUNT, AXIS_COUNT:LINE_UNKNOWNS] = np.eye(AXIS_COUNT)
     products = np.einsum("wc,gwv->gcv", size, sums)
     basis = unknown_directions(layout, observations.target_of_sighting, linearised.bases)
     added = layout.size + unknowns * len(lines)
@@ -440,5 +442,5 @@ def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array
     return matrix[:-1, :-1], right, mixed
 
 
-_Judged = tuple[float, _ErrorFreeSolution, _ModelError]
+_ScoredCandidate = tuple[float, _ErrorFreeSolution, _ModelError]
 """Evidence for a candidate, and the solution and candidate."""

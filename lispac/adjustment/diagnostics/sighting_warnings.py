@@ -33,7 +33,7 @@ OUTLIER_PROBABILITY = 0.001
 USUAL_OUTLIER_SHARE = 0.005
 """Usual share of outliers; no warning is given below it."""
 
-MAX_REJECTED_SHARE = 0.2
+MAX_WRONG_LINE_SHARE = 0.2
 """Share of wrong lines above which the other lines are not reliable either."""
 
 MIN_SHIFT_TEST_VALUE = 2.0

@@ -20,15 +20,15 @@ from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
 
-MIN_POINTS = 20
+MIN_RADIUS_POINTS = 20
 """Smallest number of points of a sighting from which a radius is computed."""
 TEST_LEVEL = 1e-3
 """Significance level of the test that the radii differ."""
-MIN_DIFFERENCE = 0.003
+ADDED_RADIUS_SIGMA = 0.003
 """Standard deviation added to that of each radius, metres; smaller differences do not matter."""
-LATENCIES = np.linspace(-0.3, 0.3, 61)
+LATENCY_CHANGES = np.linspace(-0.3, 0.3, 61)
 """Changes of the latency that are tried, seconds."""
-RANGE_OFFSETS = np.linspace(-0.2, 0.2, 81)
+RANGE_OFFSET_CHANGES = np.linspace(-0.2, 0.2, 81)
 """Changes of the range offset that are tried, metres."""
 
 
@@ -74,7 +74,7 @@ def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Arr
     radii, sigmas = [], []
     for s in range(len(observations.sightings)):
         own = points[observations.sighting == s]
-        if len(own) < MIN_POINTS:
+        if len(own) < MIN_RADIUS_POINTS:
             continue
         try:
             sphere = fit_sphere(own)
@@ -90,7 +90,7 @@ def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Arr
 
 def _radius_chi_square(radii: Array, sigmas: Array) -> float:
     """Weighted sum of squared deviations from the mean radius, no unit."""
-    weights = 1.0 / (sigmas**2 + MIN_DIFFERENCE**2)
+    weights = 1.0 / (sigmas**2 + ADDED_RADIUS_SIGMA**2)
     mean = weights @ radii / weights.sum()
     return float(weights @ (radii - mean) ** 2)
 
@@ -111,13 +111,13 @@ def _candidate_corrections(
         turned = observations.attitude * np.array(signs)
         yield cause, 0.0, replace(observations, attitude=turned), mounting
     if observations.pose_rate is not None:
-        for late in LATENCIES:
+        for late in LATENCY_CHANGES:
             off = late * observations.pose_rate
             moved = replace(
                 observations, position=observations.position + off[:, :3],
                 attitude=observations.attitude + off[:, 3:],
             )  # fmt: skip
             yield "latency", float(late), moved, mounting
-    for offset in RANGE_OFFSETS:
+    for offset in RANGE_OFFSET_CHANGES:
         longer = replace(mounting, range_offset=mounting.range_offset + float(offset))
         yield "range_offset", float(offset), observations, longer

@@ -15,7 +15,7 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-MIN_SAMPLE = 200  # a sighting with fewer points in a sample keeps all its points
+MIN_SAMPLED_POINTS = 200  # a sighting with fewer points in a sample keeps all its points
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,9 @@ class Observations:
         mixed = (mixed ^ (mixed >> np.uint64(32))) * np.uint64(0x94D049BB133111EB)
         chosen = (mixed >> np.uint64(40)).astype(np.float64) < share * 2**24
         # A sighting with few points keeps all of them.
-        scarce = np.bincount(self.sighting[chosen], minlength=len(self.sightings)) < MIN_SAMPLE
+        scarce = (
+            np.bincount(self.sighting[chosen], minlength=len(self.sightings)) < MIN_SAMPLED_POINTS
+        )
         return np.asarray(chosen | scarce[self.sighting])
 
     def where(self, keep: NDArray[np.bool_]) -> "Observations":

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.robust_loss import Loss
-from lispac.adjustment.model.stochastic_model import KNOT_INTERVAL
+from lispac.adjustment.model.stochastic_model import MAX_KNOT_INTERVAL
 from lispac.adjustment.model.target_shapes import points_local
 from lispac.errors import PlaneNotFound
 from lispac.geometry.planes import fit_plane_robustly, plane_axes
@@ -21,7 +21,7 @@ from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
 
-OUTLIER_LIMIT = Loss("tukey").tuning
+OUTLIER_LIMIT_SIGMAS = Loss("tukey").tuning
 """Distance of an outlier from the plane of its sighting, in standard deviations."""
 
 
@@ -30,7 +30,7 @@ def average_points_in_cells(
     mounting: Mounting,
     distance: float,
     *,
-    longest: float = KNOT_INTERVAL,
+    longest: float = MAX_KNOT_INTERVAL,
     no_outliers: bool = False,
 ) -> Observations:
     """Average the points of each sighting of a plane over squares of side ``distance``.
@@ -173,7 +173,7 @@ def _find_outliers(observations: Observations, planes: list[_SightingPlane]) -> 
         if observations.is_sphere[observations.target_of_sighting[s]]:
             continue
         spread = max(_robust_sigma(plane.off), _given_lidar_sigma(observations, plane.own))
-        standing[plane.own] = np.abs(plane.off) > OUTLIER_LIMIT * spread
+        standing[plane.own] = np.abs(plane.off) > OUTLIER_LIMIT_SIGMAS * spread
     return standing
 
 

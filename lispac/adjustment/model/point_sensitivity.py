@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.model.condition_equations import CALIBRATION, POSE, linearise
+from lispac.adjustment.model.condition_equations import MOUNTING_COLUMNS, POSE_COLUMNS, linearise
 from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import Poses
@@ -78,7 +78,7 @@ def sensitivity(
         mounting,
         np.column_stack([directions_local, np.zeros(n)]),
     )
-    poses_moved = rows.rows[:, POSE]
+    poses_moved = rows.rows[:, POSE_COLUMNS]
     return Sensitivity(
-        rows.rows[:, CALIBRATION], poses_moved[:, :3], poses_moved[:, 3:], rows.by_lidar
+        rows.rows[:, MOUNTING_COLUMNS], poses_moved[:, :3], poses_moved[:, 3:], rows.by_lidar
     )

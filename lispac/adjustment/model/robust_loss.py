@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from lispac.compiled_code import kernel
 
 LossName = Literal["none", "huber", "tukey"]
-LOSSES: tuple[LossName, ...] = ("none", "huber", "tukey")
+LOSS_NAMES: tuple[LossName, ...] = ("none", "huber", "tukey")
 
-_TUNING = {"none": 0.0, "huber": 1.345, "tukey": 4.685}
+_TUNING_CONSTANTS = {"none": 0.0, "huber": 1.345, "tukey": 4.685}
 """Tuning constants in standard deviations, for 95 % efficiency with normal residuals."""
 
 
@@ -35,12 +35,12 @@ class Loss:
     @property
     def code(self) -> int:
         """Number of the loss in the compiled kernels."""
-        return LOSSES.index(self.name)
+        return LOSS_NAMES.index(self.name)
 
     @property
     def tuning(self) -> float:
         """Tuning constant in standard deviations."""
-        return _TUNING[self.name]
+        return _TUNING_CONSTANTS[self.name]
 
     @property
     def kept(self) -> float:

@@ -21,7 +21,7 @@ from lispac.adjustment.model.robust_loss import LossName
 Array = NDArray[np.float64]
 
 PosErrors = Literal["independent", "correlated"]
-POS_ERRORS: tuple[PosErrors, ...] = ("correlated", "independent")
+POS_ERROR_MODELS: tuple[PosErrors, ...] = ("correlated", "independent")
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class StochasticModel:
     def knot_interval(self) -> float:
         """Time between the knots of the POS error, seconds; shorter for short correlation times."""
         fastest = min(self.position_time, self.attitude_time)
-        return float(np.clip(fastest / 250, SHORTEST_INTERVAL, KNOT_INTERVAL))
+        return float(np.clip(fastest / 250, MIN_KNOT_INTERVAL, MAX_KNOT_INTERVAL))
 
     @property
     def correlated(self) -> bool:
@@ -68,14 +68,14 @@ class StochasticModel:
         return self.pos_errors == "correlated"
 
 
-SHORTEST_INTERVAL, KNOT_INTERVAL = 0.02, 0.15
+MIN_KNOT_INTERVAL, MAX_KNOT_INTERVAL = 0.02, 0.15
 """Shortest and longest time between the knots of the POS error, seconds.
 
 Halfway between two knots, a process with a correlation time of 300 s and a sigma of 12 mm deviates
 from the linear interpolation by 0.19 mm. This deviation is added to the noise of the points.
 """
 
-SMALLEST_SIGMA = 1e-9
+MIN_POS_SIGMA = 1e-9
 """Smallest sigma of the POS errors, metres or radians; zero would give an infinite weight."""
 
 
@@ -134,7 +134,7 @@ class PosErrorKnots:
         ):
             mean = np.bincount(left, column, len(grid))[filled] / counts[filled]
             sigma[:, k] = np.interp(time, middle, mean)
-        sigma = np.maximum(sigma, SMALLEST_SIGMA)
+        sigma = np.maximum(sigma, MIN_POS_SIGMA)
         correlation_time = np.repeat([model.position_time, model.attitude_time], 3)
         step = np.diff(time)[:, None] / correlation_time
         kept = np.exp(-step)  # correlation with the next knot

@@ -19,10 +19,10 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-MIN_FOR_MAJORITY = 3
+MIN_MAJORITY_SIGHTINGS = 3
 """Smallest number of sightings of a target that can have a majority."""
 
-SMALLEST_EXTENT = 1e-3
+MIN_EXTENT = 1e-3
 """Smallest extent used for a sighting, metres.
 
 The tilts of a sighting whose points coincide would otherwise be singular.
@@ -162,7 +162,7 @@ def fit_majority_shapes(observations: Observations, mounting: Mounting, fitted: 
     shapes = fitted.copy()
     for k in range(len(shapes)):
         indices = np.flatnonzero(observations.target_of_sighting == k)
-        if observations.is_sphere[k] or len(indices) < MIN_FOR_MAJORITY:
+        if observations.is_sphere[k] or len(indices) < MIN_MAJORITY_SIGHTINGS:
             continue
         clouds = [points[observations.sighting == s] for s in indices]
         agreed = np.inf
@@ -234,7 +234,7 @@ def surface_tangents(normals: Array, moments: Array, spheres: NDArray[np.bool_])
     tangents[spheres, 3, 2] = -1
     centres, extents = centres_and_extents(moments[~spheres])
     planes = plane_tangents(normals[~spheres], centres)
-    planes[:, :, :2] /= np.maximum(extents, SMALLEST_EXTENT)[:, None, None]
+    planes[:, :, :2] /= np.maximum(extents, MIN_EXTENT)[:, None, None]
     tangents[~spheres] = planes
     return tangents
 

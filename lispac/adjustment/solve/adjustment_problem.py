@@ -42,7 +42,7 @@ Array = NDArray[np.float64]
 
 NO_LOSS = Loss("none")
 
-EVERY_DIRECTION, TILTS, OFFSETS = slice(0, 3), slice(0, 2), slice(2, 3)
+ALL_COMPONENTS, TILT_COMPONENTS, OFFSET_COMPONENT = slice(0, 3), slice(0, 2), slice(2, 3)
 """Components of the deviation of a sighting from the shape of its target: two tilts, one offset."""
 
 INITIAL_SURFACE_SIGMA = 0.003
@@ -217,13 +217,13 @@ class AdjustmentProblem:
         return replace(self, surface_sigma=changed)
 
     def with_rejected(
-        self, sightings: Sequence[int], directions: slice = EVERY_DIRECTION
+        self, sightings: Sequence[int], directions: slice = ALL_COMPONENTS
     ) -> "AdjustmentProblem":
         """Problem with the tilts (0, 1) and/or the offset (2) of some sightings rejected."""
         return self._with_rejection(sightings, directions, REJECTED_SIGMA, rejected=True)
 
     def with_restored(
-        self, sightings: Sequence[int], directions: slice = EVERY_DIRECTION
+        self, sightings: Sequence[int], directions: slice = ALL_COMPONENTS
     ) -> "AdjustmentProblem":
         """Problem with the rejected tilts (0, 1) and/or offset (2) of some sightings restored."""
         usual = self.default_surface_sigmas[directions]

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.solve.adjustment_problem import (
-    EVERY_DIRECTION,
-    OFFSETS,
+    ALL_COMPONENTS,
+    OFFSET_COMPONENT,
     AdjustmentProblem,
     LinearisedProblem,
 )
@@ -76,7 +76,7 @@ class Blunder:
 
     @property
     def _directions(self) -> slice:
-        return EVERY_DIRECTION if self.kind == "surface" else OFFSETS
+        return ALL_COMPONENTS if self.kind == "surface" else OFFSET_COMPONENT
 
 
 def worst_blunder(linearised: LinearisedProblem, spared: Collection[Blunder]) -> Blunder | None:

@@ -252,7 +252,7 @@ def write_group_row(i, active, fraction, out, rows, place):  # type: ignore[no-u
             rows[place, count + 10 + k] = u * out[13 + k]
 
 
-BLOCK = 64
+POINTS_PER_BLOCK = 64
 """Number of points whose products are summed in one BLAS call, which halves the time."""
 
 
@@ -265,11 +265,11 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
     loss, tuning, tangent, scale, noise = weights
     out, lidar = np.empty(20), np.empty(3)
     width = sums.shape[1]
-    rows, weighted = np.empty((BLOCK, width)), np.empty((BLOCK, width))
+    rows, weighted = np.empty((POINTS_PER_BLOCK, width)), np.empty((POINTS_PER_BLOCK, width))
     product = np.empty((width, width))
     for g in range(first, last):
-        for begin in range(start[g], start[g + 1], BLOCK):
-            count = min(BLOCK, start[g + 1] - begin)
+        for begin in range(start[g], start[g + 1], POINTS_PER_BLOCK):
+            count = min(POINTS_PER_BLOCK, start[g + 1] - begin)
             for place in range(count):
                 i = begin + place
                 t = target[i]

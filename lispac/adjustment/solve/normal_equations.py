@@ -28,7 +28,7 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-_LOWER = np.tril_indices(12)
+_LOWER_TRIANGLE = np.tril_indices(12)
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +88,7 @@ class UnknownsOrder:
         return cls(active, shapes, tuple(slices), size, index)
 
 
-MAX_SURFACES = 24
+MAX_UNELIMINATED_SURFACES = 24
 """Number of sightings up to which it is faster to eliminate the POS error before the surfaces."""
 
 
@@ -177,7 +177,7 @@ class NormalEquations:
         error therefore remains banded, with the width of the longest sighting.
         """
         layout = self.layout
-        if len(layout.surfaces) <= MAX_SURFACES:
+        if len(layout.surfaces) <= MAX_UNELIMINATED_SURFACES:
             return self
         knots = [_nonzero_span(self.mixed[place]) for place in layout.surfaces]
         wide = max([len(self.band), *(own.stop - own.start for own in knots)])
@@ -364,7 +364,7 @@ def assemble_normal_equations(
         prior = groups.knots.apply_prior_precision(effects)
         own_knots = 6 * groups.knot[:, None] + np.arange(12)
         pose = slice(own, own + 12)
-        lower, upper = _LOWER
+        lower, upper = _LOWER_TRIANGLE
         places = (lower - upper) * unknowns + own_knots[:, upper]
         products = sums[:, pose, pose][:, lower, upper]
         band = _sum_by_place(places, products, 12 * unknowns).reshape(12, unknowns)

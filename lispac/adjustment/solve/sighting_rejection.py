@@ -26,7 +26,7 @@ from lispac.adjustment.solve.variance_components import need_own_offset_sigma
 from lispac.errors import NotConverged, RankDeficient
 from lispac.progress import Progress
 
-SIGHTINGS_PER_REJECTION = 3
+MIN_SIGHTINGS_PER_REJECTION = 3
 """Smallest number of sightings for each one that may be rejected."""
 
 
@@ -47,7 +47,7 @@ def iterate_with_majority(
         off = find_displaced_sightings(observations, problem.residuals(start)[1])
     balls = observations.is_sphere[observations.target_of_sighting]
     rejected = [Blunder("shift" if balls[s] else "surface", (int(s),)) for s in off]
-    if 0 < len(rejected) <= len(observations.sightings) // SIGHTINGS_PER_REJECTION:
+    if 0 < len(rejected) <= len(observations.sightings) // MIN_SIGHTINGS_PER_REJECTION:
         without = problem
         for found in rejected:
             without = found.reject_in(without)
@@ -136,7 +136,7 @@ def _reject_blunders(
     A blunder may make other sightings look like blunders. Rejected sightings, including those in
     ``rejected``, are restored if they agree once the blunder is removed.
     """
-    limit = len(solution.linearised.problem.observations.sightings) // SIGHTINGS_PER_REJECTION
+    limit = len(solution.linearised.problem.observations.sightings) // MIN_SIGHTINGS_PER_REJECTION
     rejected = list(rejected)
     spared: set[Blunder] = set()
     while True:

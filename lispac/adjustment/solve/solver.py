@@ -51,9 +51,9 @@ Array = NDArray[np.float64]
 SAMPLE_SIZE = 50_000
 """Number of points of the sample; with more points, only the last iterations use all."""
 
-COMPONENT_ROUNDS = 5
+MAX_COMPONENT_ROUNDS = 5
 
-MIN_INCREASE = 1.05
+MIN_SIGMA_INCREASE = 1.05
 """Smallest factor by which a given sigma is increased; smaller ones have no relevant effect."""
 
 CONTRADICTION_CODES = {
@@ -307,13 +307,13 @@ def _iterate_variance_components(
 
     ``total``, shape (3,), are the factors on the given sigmas already used in ``solution``.
     """
-    for _ in range(COMPONENT_ROUNDS):
+    for _ in range(MAX_COMPONENT_ROUNDS):
         found = estimate_variance_components(solution.linearised)
         # A sigma is raised if its factor is determined and larger than 1, but lowered only if the
         # factor is significantly smaller, because a sigma that is too large does little harm.
         news = np.array(
             [
-                c.factor if (determined and c.factor > MIN_INCREASE) or c.upper < 1 else 1.0
+                c.factor if (determined and c.factor > MIN_SIGMA_INCREASE) or c.upper < 1 else 1.0
                 for c, determined in zip(found.components, found.determined, strict=True)
             ]
         )

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.result import VarianceComponent
 from lispac.adjustment.solve.adjustment_problem import (
-    EVERY_DIRECTION,
-    OFFSETS,
-    TILTS,
+    ALL_COMPONENTS,
+    OFFSET_COMPONENT,
+    TILT_COMPONENTS,
     AdjustmentProblem,
     LinearisedProblem,
 )
@@ -24,15 +24,15 @@ from lispac.adjustment.solve.banded_cholesky import cholesky_factor, forward_sub
 
 Array = NDArray[np.float64]
 
-SMALLEST_SURFACE, LARGEST_SURFACE = 1e-5, 0.3  # metres
+MIN_SURFACE_SIGMA, MAX_SURFACE_SIGMA = 1e-5, 0.3  # metres
 
 
-MIN_GAIN = 10.0
+MIN_LIKELIHOOD_GAIN = 10.0
 """Smallest gain in twice the log likelihood for a separate sigma of the offsets.
 
 By chance, it is exceeded about once in 1000.
 """
-REJECTION_GAIN = 5.0
+ADDED_GAIN_IF_REJECTED = 5.0
 """Additional gain required if sightings were rejected.
 
 Jumps of single sightings are about a dozen times more common, exp(5 / 2), than displaced boards.
@@ -40,7 +40,7 @@ Jumps of single sightings are about a dozen times more common, exp(5 / 2), than 
 
 
 def most_likely_surface_sigma(
-    linearised: LinearisedProblem, directions: slice = EVERY_DIRECTION
+    linearised: LinearisedProblem, directions: slice = ALL_COMPONENTS
 ) -> float:
     """Most likely sigma of the deviations of sightings from the shapes of their targets, metres.
 
@@ -66,8 +66,15 @@ def need_own_offset_sigma(linearised: LinearisedProblem) -> bool:
     every = np.repeat(~problem.rejected[:, :1], 3, axis=1)
     own = every & (np.arange(3) == 2)
     gain = _maximise_surface_likelihood(linearised, own)[1]
-    least = MIN_GAIN + REJECTION_GAIN if problem.rejected_sightings.any() else MIN_GAIN
-    return gain > least and gain - _maximise_surface_likelihood(linearised, every)[1] > MIN_GAIN
+    least = (
+        MIN_LIKELIHOOD_GAIN + ADDED_GAIN_IF_REJECTED
+        if problem.rejected_sightings.any()
+        else MIN_LIKELIHOOD_GAIN
+    )
+    return (
+        gain > least
+        and gain - _maximise_surface_likelihood(linearised, every)[1] > MIN_LIKELIHOOD_GAIN
+    )
 
 
 def _maximise_surface_likelihood(
@@ -86,7 +93,7 @@ def _maximise_surface_likelihood(
     unlikeliness = _surface_likelihood(linearised)
     found = scipy.optimize.minimize_scalar(
         lambda log_sigma: unlikeliness(np.where(alike, np.exp(log_sigma), now)),
-        bounds=(np.log(SMALLEST_SURFACE), np.log(LARGEST_SURFACE)),
+        bounds=(np.log(MIN_SURFACE_SIGMA), np.log(MAX_SURFACE_SIGMA)),
         method="bounded",
     )
     return float(np.exp(found.x)), unlikeliness(now) - float(found.fun)
@@ -131,7 +138,9 @@ def reestimate_surface_sigma(
         return problem
     if not problem.own_offsets:
         return problem.with_surface_sigma(most_likely_surface_sigma(linearised))
-    tilts, offsets = (most_likely_surface_sigma(linearised, some) for some in (TILTS, OFFSETS))
+    tilts, offsets = (
+        most_likely_surface_sigma(linearised, some) for some in (TILT_COMPONENTS, OFFSET_COMPONENT)
+    )
     return problem.with_surface_sigma(np.array([tilts, tilts, offsets]))
 
 
@@ -146,7 +155,7 @@ MIN_NOISE_FACTOR = 1.1
 The noise estimated from the residuals then already replaces the given LiDAR sigma.
 """
 
-MIN_LINES = 3
+MIN_SEPARATING_LINES = 3
 """Smallest number of lines with which position errors and form errors can be separated."""
 
 MAX_LOG_SIGMA = 0.6
@@ -186,11 +195,11 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
     free = np.ones(4, dtype=bool)
     free[0] = bool(problem.noise.max() < MIN_NOISE_FACTOR)
     free[3] = problem.model.surface is None
-    enough = len(problem.observations.lines) >= MIN_LINES
+    enough = len(problem.observations.lines) >= MIN_SEPARATING_LINES
     usual = float(problem.default_surface_sigmas.max()) if free[3] else 1.0
     bounds = [
         *[(np.log(FACTOR_LIMITS[0]), np.log(FACTOR_LIMITS[1]))] * len(COMPONENT_NAMES),
-        (np.log(SMALLEST_SURFACE / usual), np.log(LARGEST_SURFACE / usual)),
+        (np.log(MIN_SURFACE_SIGMA / usual), np.log(MAX_SURFACE_SIGMA / usual)),
     ]
 
     def unlikeliness(some: Array) -> float:

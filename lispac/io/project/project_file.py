@@ -348,7 +348,9 @@ def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, 
                 "shape": target.shape,
                 "sphere_radius": target.sphere_radius,
                 "expected": encode_value(target.expected),
-                "choices": None if target.choices == DEFAULT_CHOICES else encode_value(target.choices),
+                "choices": None
+                if target.choices == DEFAULT_CHOICES
+                else encode_value(target.choices),
                 "indices": index_files[target.name],
                 "sightings": [
                     {
@@ -478,7 +480,9 @@ def _decode_target(folder: Path, content: dict[str, Any], points: Points) -> Tar
         content["shape"],
         None if content["sphere_radius"] is None else decode_value(content["sphere_radius"], float),
         decode_value(expected, ExpectedTarget) if (expected := content.get("expected")) else None,
-        decode_value(choices, FinderChoices) if (choices := content["choices"]) else DEFAULT_CHOICES,
+        decode_value(choices, FinderChoices)
+        if (choices := content["choices"])
+        else DEFAULT_CHOICES,
     )
 
 

@@ -166,7 +166,9 @@ class _PlacedMounting:
             tuple(Georeferencer.of(survey.trajectory, each) for each in turned)
             if not estimated
             else (),
-            ROUGH_BORESIGHT_SIGMA if estimated or survey.alignment.is_aligned else PRIOR_BORESIGHT_SIGMA,
+            ROUGH_BORESIGHT_SIGMA
+            if estimated or survey.alignment.is_aligned
+            else PRIOR_BORESIGHT_SIGMA,
             estimated or survey.alignment.is_aligned,
         )
 

@@ -251,7 +251,9 @@ def _clicked_line(
     """Name of the clicked line; None if it is not known."""
     if first_line is not None:
         return first_line
-    return next((name for name in lines if len(clouds[name].within(seed, MAX_CLICK_DISTANCE).numbers)), None)
+    return next(
+        (name for name in lines if len(clouds[name].within(seed, MAX_CLICK_DISTANCE).numbers)), None
+    )
 
 
 @dataclass(frozen=True, eq=False)

@@ -306,7 +306,9 @@ def _seed_arguments(
     # If several lines or no line have a point at the seed, the clicked line affects the result.
     place = np.array(target.seed)
     clicked = [
-        line for line in survey.lines if len(survey.clouds[line].within(place, MAX_CLICK_DISTANCE).points)
+        line
+        for line in survey.lines
+        if len(survey.clouds[line].within(place, MAX_CLICK_DISTANCE).points)
     ]
     for line in (None, *(clicked or [sighting.line for sighting in target.sightings])):
         try:
