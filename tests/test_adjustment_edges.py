@@ -151,7 +151,7 @@ def test_a_wrong_lever_arm_that_leaves_the_angles_open_is_named() -> None:
     """Surfaces as different as they seem with it determine nothing, under attitudes that vague."""
     wrong = replace(PRIOR, lever_arm=PRIOR.lever_arm + [1.0, 0.0, 0.0])
     with pytest.raises(RankDeficient) as refused:
-        adjust(survey(1, 0.15).with_sigmas(1.0, 1.0, 50.0), wrong, MODEL)
+        adjust(survey(1, 0.15).with_scaled_sigmas(1.0, 1.0, 50.0), wrong, MODEL)
     assert refused.value.code == "adjustment.contradicts_lever_arm"
     assert refused.value.message is not None
     assert refused.value.message.params["axis"] == "X"
@@ -159,7 +159,7 @@ def test_a_wrong_lever_arm_that_leaves_the_angles_open_is_named() -> None:
 
 
 def test_open_angles_that_no_given_value_explains_are_refused_as_such(few: Observations) -> None:
-    vague = few.with_sigmas(1.0, 1.0, 1000.0)
+    vague = few.with_scaled_sigmas(1.0, 1.0, 1000.0)
     with pytest.raises(RankDeficient, check=has_code("adjustment.undetermined")):
         solver._require_still_determined(_linearised(vague))
 
@@ -242,7 +242,7 @@ def test_a_given_value_weighs_in_the_likelihood_of_the_sigmas(
 def test_one_round_of_the_sigmas_is_reported_and_used(monkeypatch: pytest.MonkeyPatch) -> None:
     """Positions stated five times too small; the sigmas could settle in more rounds only."""
     monkeypatch.setattr(solver, "MAX_COMPONENT_ROUNDS", 1)
-    stated = survey(1, 0.3).with_sigmas(1.0, 0.2, 1.0)
+    stated = survey(1, 0.3).with_scaled_sigmas(1.0, 0.2, 1.0)
     found = adjust(stated, PRIOR, MODEL, components=True, diagnostics=False)
     position = found.components[1]
     assert position.applied

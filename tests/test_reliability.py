@@ -226,7 +226,7 @@ def test_components_find_the_errors_that_were_put_in() -> None:
     logs = []
     for seed in range(6):
         data = survey(30 + seed, 0.08)
-        stated = data.with_sigmas(0.5, 2.0, 1.0)
+        stated = data.with_scaled_sigmas(0.5, 2.0, 1.0)
         result = adjust(
             stated, PRIOR, StochasticModel(surface=0.0), components=True, diagnostics=False
         )
@@ -252,7 +252,7 @@ def test_positions_worse_than_given_are_found_with_surfaces_unknown_too() -> Non
     model = StochasticModel(loss="tukey")
     plain, told, factors = [], [], []
     for seed in range(6):
-        stated = survey(60 + seed, 0.2).with_sigmas(1.0, 0.4, 1.0)
+        stated = survey(60 + seed, 0.2).with_scaled_sigmas(1.0, 0.4, 1.0)
         without = adjust(stated, PRIOR, model, diagnostics=False)
         result = adjust(stated, PRIOR, model, components=True, diagnostics=False)
         plain.append((without.boresight - TRUTH.boresight) / without.sigma)

@@ -216,7 +216,7 @@ def test_weights_fall_from_one_and_never_rise(name) -> None:
     assert weights[0] == 1
     assert (np.diff(weights) <= 0).all()
     assert weights[-1] == (0 if name == "tukey" else pytest.approx(loss.tuning / 10))
-    assert 0.5 < loss.kept < 1
+    assert 0.5 < loss.expected_square_share < 1
 
 
 def test_the_scale_is_that_of_the_majority() -> None:

@@ -50,8 +50,8 @@ def adjust(
 
     Gauss-Helmert model. Planes are parametrised by two rotations of the normal and an offset, so
     that normals keep unit length. Each iteration sums the products of the Jacobian rows over groups
-    of points in one pass, and solves a small system of equations. A target that does not agree with
-    the others at any point is excluded, and the result names it.
+    of points in one pass, and solves a small system of equations. A target is excluded if none of
+    its points has any weight, because it disagrees with the others; the result names it.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def adjust(
     Raises
     ------
     AdjustmentError
-        A sighting has too few points.
+        There is no target, a sighting has too few points, or a value is invalid.
     RankDeficient
         Lines and targets do not determine the boresight, or nothing checks it.
     TargetDisagrees
@@ -95,7 +95,7 @@ def adjust(
     if not diagnostics:
         return estimate(observations, mounting, settings, progress)
 
-    def diagnosed(some: Observations) -> AdjustmentResult:
+    def adjust_and_diagnose(some: Observations) -> AdjustmentResult:
         found = _diagnose(solve(some, mounting, settings, progress), raise_sigmas=test_model)
         radii = find_radius_discrepancies(some, found.mounting)
         found = replace(found, radius_discrepancies=radii)
@@ -105,7 +105,7 @@ def adjust(
             return found
         return _with_shorter_correlation_times(found, some, mounting, settings, progress)
 
-    return with_agreeing_targets(observations, diagnosed, may_exclude=shapes is None)
+    return with_agreeing_targets(observations, adjust_and_diagnose, may_exclude=shapes is None)
 
 
 def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:

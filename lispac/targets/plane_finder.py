@@ -66,7 +66,7 @@ def find_plane(
     *,
     index: PointGrid | None = None,
     expected_normal: Array | None = None,
-    beside: Array | None = None,
+    points_at_seed: Array | None = None,
 ) -> PlanePatch:
     """Find the plane on which the seed lies.
 
@@ -86,7 +86,7 @@ def find_plane(
         Prepared cells of the same points.
     expected_normal : ndarray of shape (3,), local frame, optional
         Only planes within ``settings.max_tilt`` of this normal are accepted.
-    beside : ndarray of shape (m, 3), metres, local frame, optional
+    points_at_seed : ndarray of shape (m, 3), metres, local frame, optional
         If ``points_local`` is a sample: all points of the line close to the seed, the nearest
         first. They only determine the clicked place; as votes they would have too much weight.
 
@@ -98,7 +98,7 @@ def find_plane(
     seed = require_seed(seed)
     near = neighbourhood_of(points_local, seed, settings, index=index)
     points = points_local[near]
-    about = points if beside is None or not len(beside) else beside
+    about = points if points_at_seed is None or not len(points_at_seed) else points_at_seed
     # The seed itself may lie in front of the surface; the nearest point is on a surface.
     reach = np.linalg.norm(points - about[0], axis=1)
     # Distant points also vote, but with a weight that gives the few points near the seed priority.

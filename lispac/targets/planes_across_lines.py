@@ -77,7 +77,7 @@ def find_in_lines(
     *,
     first_line: str | None = None,
     indices: Mapping[str, PointGrid] | None = None,
-    beside: Mapping[str, Array] | None = None,
+    points_at_seed: Mapping[str, Array] | None = None,
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
     """Find the plane at the seed in every line.
@@ -94,7 +94,7 @@ def find_in_lines(
         nearest three whose plane is found in most lines.
     indices : mapping of line name to PointGrid, optional
         Prepared cells; lines without them are read completely.
-    beside : mapping of line name to ndarray of shape (m, 3), metres, optional
+    points_at_seed : mapping of line name to ndarray of shape (m, 3), metres, optional
         For lines that are sampled, all points close to the seed; see `find_plane`.
     progress : Progress
 
@@ -111,7 +111,7 @@ def find_in_lines(
         The clicked line has no plane at the seed, or no line has.
     """
     seed = require_seed(seed)
-    grids, close = indices or {}, beside or {}
+    grids, close = indices or {}, points_at_seed or {}
 
     def follow(first_line: str, first: PlanePatch) -> Callable[[str], PlanePatch]:
         grid = grids.get(first_line)
@@ -123,7 +123,7 @@ def find_in_lines(
         in_no_line="finder.no_plane_in_lines",
         error=PlaneNotFound,
         find=lambda name: find_plane(
-            clouds[name], seed, settings, index=grids.get(name), beside=close.get(name)
+            clouds[name], seed, settings, index=grids.get(name), points_at_seed=close.get(name)
         ),
         distance=lambda name, patch: _distance_to_seed(clouds[name], patch, seed, settings.radius),
         follow=follow,

@@ -37,6 +37,7 @@ SAME_ON_LINES_CODE = "data.same_on_lines"
 EFFECT_PARAMETERS = ("effect", "shift", "misfit")
 """Names of message parameters with the displacement of points, metres."""
 FORM_ERROR_CODES = ("adjustment.surfaces_differ", "adjustment.surfaces_displaced")
+"""Codes of the notes that sightings deviate from the shape of their target."""
 MIN_EFFECT_RATIO = 0.5
 """Smallest ratio of the effect of a known error to that of a candidate which it explains."""
 

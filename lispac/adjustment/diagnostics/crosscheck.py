@@ -24,6 +24,7 @@ With it, a difference below half a sigma of the whole result is never significan
 """
 
 DataPart = tuple[str, str, NDArray[np.bool_]]
+"""Kind and name of a part of the data as in `CrossCheck`, and mask of its sightings."""
 
 
 def cross_checks(
@@ -121,14 +122,14 @@ def _leave_one_out_parts(observations: Observations) -> Iterator[DataPart]:
 def _survey_halves(observations: Observations) -> Iterator[DataPart]:
     """Two halves of the survey: the lines in order of time, divided in the middle."""
     times = observations.mean_by_sighting(observations.time)
-    sailed = sorted(
+    lines_by_time = sorted(
         observations.lines,
         key=lambda line: np.mean(
             [t for t, s in zip(times, observations.sightings, strict=True) if s.line == line]
         ),
     )
-    middle = (len(sailed) + 1) // 2
-    for name, lines in (("first", sailed[:middle]), ("second", sailed[middle:])):
+    middle = (len(lines_by_time) + 1) // 2
+    for name, lines in (("first", lines_by_time[:middle]), ("second", lines_by_time[middle:])):
         yield "half", name, np.array([s.line in lines for s in observations.sightings])
 
 

@@ -108,7 +108,7 @@ def excess_variance(
             whole = _change_without_groups(tangent, np.zeros(len(here.sums), dtype=bool))
         except (AdjustmentError, np.linalg.LinAlgError):
             return added  # there is no whole result to compare with
-        for parts in _place_and_stretch_groups(here, origins):
+        for parts in _place_and_section_groups(here, origins):
             differences, predicted = _leave_out_differences(tangent, whole, parts, progress)
             added += _variance_beyond_prediction(differences, predicted)
     return added
@@ -159,7 +159,7 @@ def expected_sigma_factors(here: LinearisedProblem, omitted: Flags) -> Array:
     omitted : ndarray of shape (groups,), bool
         Groups of points that are not used.
     """
-    chance = np.random.default_rng(0)
+    rng = np.random.default_rng(0)
     added = np.zeros(3)
     with single_blas_thread():
         try:
@@ -171,7 +171,7 @@ def expected_sigma_factors(here: LinearisedProblem, omitted: Flags) -> Array:
             _, predicted = _leave_out_differences(here, whole, left, no_progress)
             checked = predicted <= MAX_LEVERAGE * whole[1]
             predicted = predicted * checked
-            drawn = chance.normal(size=(SIMULATED_SETS, *predicted.shape)) * np.sqrt(predicted)
+            drawn = rng.normal(size=(SIMULATED_SETS, *predicted.shape)) * np.sqrt(predicted)
             excess = [
                 _is_scatter_significant(each, predicted)
                 * _variance_beyond_prediction(each, predicted)
@@ -210,7 +210,7 @@ def _is_scatter_significant(differences: Array, predicted: Array) -> NDArray[np.
     return np.asarray(together | largest)
 
 
-def _place_and_stretch_groups(here: LinearisedProblem, origins: Array) -> Iterator[list[Flags]]:
+def _place_and_section_groups(here: LinearisedProblem, origins: Array) -> Iterator[list[Flags]]:
     """Groups of points to omit: places of the scene, and sections of each line."""
     problem = here.problem
     groups, observations = problem.groups, problem.observations
@@ -224,8 +224,8 @@ def _place_and_stretch_groups(here: LinearisedProblem, origins: Array) -> Iterat
     for k in range(len(observations.lines)):
         own = line == k
         ends = np.quantile(time[own], np.arange(1, PARTS_PER_LINE) / PARTS_PER_LINE)
-        stretch = np.searchsorted(ends, time, side="right")
-        yield [own & (stretch == part) for part in range(PARTS_PER_LINE)]
+        section = np.searchsorted(ends, time, side="right")
+        yield [own & (section == part) for part in range(PARTS_PER_LINE)]
 
 
 def _leave_out_differences(
@@ -233,7 +233,7 @@ def _leave_out_differences(
 ) -> tuple[Array, Array]:
     """Angles without each part minus those of the whole, and predicted variances, (parts, 3) each.
 
-    Parts without which there is no solution are left out.
+    Parts without which there is no solution are omitted from both arrays.
     """
     found = []
     for part in parts:

@@ -46,8 +46,8 @@ def find_failure_causes(
     Parameters
     ----------
     mounting, model, parameters : as in `adjust`
-        Correlated POS errors are used in any case, because independent ones would explain nearly
-        any residuals.
+        The correlated model with the loss of Tukey is used in any case, because independent POS
+        errors would explain nearly any residuals.
     """
     model = replace(model, pos_errors="correlated", loss="tukey")
     found: list[tuple[float, Message]] = []

@@ -21,16 +21,16 @@ from lispac.progress import Progress, no_progress
 Array = NDArray[np.float64]
 
 MAX_SIGHTING_SIGMA_RATIO = 4.0
-"""Increase of a sigma without a sighting above which the angle depends on this sighting alone."""
+"""Ratio of a sigma without a sighting to that with it above which the angle depends on it alone."""
 MAX_CLUSTER_RATIO = 0.05
 """Ratio of the largest distance between targets to the range below which they act as one target.
 
 POS errors, beam directions and errors of a line are then the same for all of them.
 """
 MAX_TESTED_SIGHTINGS = 100
-"""Number of sightings above which no angle depends on a single sighting."""
+"""Largest number of sightings for which the dependence of angles on single ones is examined."""
 MIN_LINE_SIGMA_RATIO = 1.25
-"""Increase of a sigma without a line above which the line is reported."""
+"""Ratio of the sigma of an angle without a line to that with it above which the line is named."""
 
 
 def assess_observability(

@@ -1,12 +1,12 @@
 """Compare the errors that may cause residuals that contradict the model.
 
-Each candidate is one kind of error in one place: a component of the lever arm, the latency, the
-position, the boresight or the times of one line, or one sighting. It adds unknowns to the
-adjustment, with a normal prior whose standard deviation is the typical size of such errors. The
-evidence for a candidate is twice the logarithm of its Bayes factor against a model without errors
-(Kass and Raftery 1995). The sigma of the form errors is set to its most likely value for each
-candidate. Otherwise an error such as a wrong lever arm, which increases this sigma, would be hidden
-by it.
+Each candidate is one kind of error in one place: a wrong value of the mounting, such as the
+latency; the position, the boresight or the times of one line; the shift or the surface of one
+sighting; or the surface of one target. It adds unknowns to the adjustment, with a
+normal prior whose standard deviation is the typical size of such errors. The evidence for a
+candidate is twice the logarithm of its Bayes factor against a model without errors (Kass and
+Raftery 1995). The sigma of the form errors is set to its most likely value for each candidate.
+Otherwise an error such as a wrong lever arm, which increases this sigma, would be hidden by it.
 
 The unknowns of all candidates are eliminated together, so that the cost is that of a few solutions
 of the normal equations.
@@ -37,7 +37,7 @@ PRIOR_ERROR_SIGMAS = {
 }  # fmt: skip
 """Typical size of each kind of error, metres, radians or seconds.
 
-The evidence depends only on its logarithm.
+The evidence changes only with its logarithm.
 """
 TARGET_FORM_SIGMAS = (0.01, 0.03, 0.1)
 """Trial sigmas of the differences between sightings of a target that is not flat, metres."""
@@ -89,38 +89,38 @@ def find_possible_causes(linearised: LinearisedProblem) -> tuple[tuple[PossibleC
     solutions = [equations.solve_without_errors(sigma) for sigma in _trial_surface_sigmas(problem)]
     found: list[tuple[PossibleCause, ...]] = []
     given: tuple[_ModelError, ...] = ()
-    moved = np.zeros(AXIS_COUNT)
+    angle_change = np.zeros(AXIS_COUNT)
     while len(found) < MAX_CAUSES:
         without = max(each.likelihood(given) for each in solutions)
-        judged = [
+        scored = [
             (evidence - without, solution, each)
             for each in equations.candidates
             if each.has_own_unknowns(given)
             for evidence, solution in [_maximise_likelihood(solutions, (*given, each))]
         ]
-        judged.sort(key=lambda item: -item[0])
-        if not judged or judged[0][0] < VERY_STRONG_EVIDENCE:
+        scored.sort(key=lambda item: -item[0])
+        if not scored or scored[0][0] < VERY_STRONG_EVIDENCE:
             break
-        if judged[0][1].visible((*given, judged[0][2])) < MIN_RMS_EFFECT:
+        if scored[0][1].unexplained_effect((*given, scored[0][2])) < MIN_RMS_EFFECT:
             break
         fitting = _best_of_each_cause(
-            item for item in judged if judged[0][0] - item[0] < STRONG_EVIDENCE
+            item for item in scored if scored[0][0] - item[0] < STRONG_EVIDENCE
         )
         found.append(
             tuple(
-                solution.cause((*given, each), evidence, moved)
+                solution.cause((*given, each), evidence, angle_change)
                 for evidence, solution, each in fitting[:MAX_CANDIDATES]
             )
         )
-        given = (*given, judged[0][2])
-        moved = judged[0][1].angles_with(given)
+        given = (*given, scored[0][2])
+        angle_change = scored[0][1].angles_with(given)
     return tuple(found)
 
 
-def _best_of_each_cause(judged: Iterable["_ScoredCandidate"]) -> list["_ScoredCandidate"]:
-    """Keep the best candidate of each kind and place; a target may occur with several sizes."""
+def _best_of_each_cause(scored: Iterable["_ScoredCandidate"]) -> list["_ScoredCandidate"]:
+    """Keep the best candidate of each kind and place, since a target has one for each sigma."""
     found: dict[tuple[str, str, str], _ScoredCandidate] = {}
-    for item in judged:
+    for item in scored:
         found.setdefault((item[2].kind, item[2].target, item[2].line), item)
     return list(found.values())
 
@@ -289,7 +289,7 @@ class _ErrorFreeSolution:
     effect: Array
     weight: float
 
-    def visible(self, errors: tuple[_ModelError, ...]) -> float:
+    def unexplained_effect(self, errors: tuple[_ModelError, ...]) -> float:
         """RMS effect of the last error that the other errors do not explain, metres."""
         columns, size, _ = self._sizes(errors)
         last = errors[-1].columns

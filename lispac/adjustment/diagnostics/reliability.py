@@ -69,10 +69,10 @@ def sighting_tests(linearised: LinearisedProblem) -> SightingTests:
     places = np.array([place.stop - 1 for place in linearised.normal.layout.surfaces])
     prior = problem.surface_sigma[:, 2] ** 2
     after = covariance[places, places]
-    # Variance of the offset from all other data; infinite if only the prior determines it
-    open_to_data = np.maximum(1 / after - 1 / prior, 1e-9)
-    shift = linearised.departures[:, 2] / after / open_to_data
-    sigma = np.sqrt(problem.default_surface_sigmas[2] ** 2 + 1 / open_to_data)
+    # Information on the offset from the data; nearly zero if only the prior determines it
+    data_information = np.maximum(1 / after - 1 / prior, 1e-9)
+    shift = linearised.departures[:, 2] / after / data_information
+    sigma = np.sqrt(problem.default_surface_sigmas[2] ** 2 + 1 / data_information)
     return SightingTests(shift, sigma, covariance[:3, places].T / prior[:, None])
 
 

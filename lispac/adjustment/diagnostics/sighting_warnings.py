@@ -143,7 +143,7 @@ def noise_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[
 
 
 def form_error_factor(target: TargetResidual) -> float:
-    """Ratio of the noise by form errors to the given one; of all noise if form is not known."""
+    """Ratio of the noise by form errors to the given one; that of all noise if it is unknown."""
     return target.noise if target.noise_of_form is None else target.noise_of_form
 
 

@@ -72,4 +72,4 @@ class SolvedEquations:
                 end = iterate(problem, start, progress).linearised
                 return cls(end.problem.linearised(end.state, end.loss), origins)
         except (AdjustmentError, np.linalg.LinAlgError):
-            return None  # there is no solution to compare the parts with
+            return None

@@ -1,8 +1,8 @@
 """Test whether a ball has the same radius in every line, and search for the cause of a difference.
 
 The vessel moves during the second or two in which a ball is scanned. A wrong sign of the attitude,
-latency or range offset therefore distorts the points and changes the radius, by a different amount
-in every line. Planes do not show this.
+a wrong latency or a wrong range offset therefore distorts the points and changes the radius, by a
+different amount in every line. Planes do not show this.
 """
 
 from collections.abc import Iterator
@@ -52,12 +52,12 @@ def find_radius_discrepancies(
         radii = _radius_by_line(own, mounting)
         if radii is None or not _do_radii_differ(*radii):
             continue
-        names = [
+        candidates = [
             (cause, value, other)
-            for cause, value, changed, way in _candidate_corrections(own, mounting)
-            if (other := _radius_by_line(changed, way)) is not None
+            for cause, value, changed, trial_mounting in _candidate_corrections(own, mounting)
+            if (other := _radius_by_line(changed, trial_mounting)) is not None
         ]
-        best = min(names, key=lambda each: _radius_chi_square(*each[2]), default=None)
+        best = min(candidates, key=lambda each: _radius_chi_square(*each[2]), default=None)
         smallest, largest = float(radii[0].min()), float(radii[0].max())
         if best is None or _do_radii_differ(*best[2]):
             found.append(RadiusDiscrepancy(target, smallest, largest))

@@ -40,7 +40,7 @@ MAX_FLAT_FORM_SIGMA = 0.005
 def result_warnings(
     result: AdjustmentResult, checks: CrossChecks | None, also: Iterable[Message] = ()
 ) -> tuple[Message, ...]:
-    """All warnings about a result, then the notes; ``also`` are the messages about its data."""
+    """All warnings about a result, then the notes; ``also`` are messages about its data."""
     also = tuple(also)
     found = [message for rule in WARNING_RULES for message in rule(result, checks)]
     return sort_by_level(
@@ -306,6 +306,7 @@ WARNING_RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[M
     _raised_sigma_note,
     _method_messages,
 )
+"""Functions that give warnings and notes about a result and its cross-checks."""
 
 
 def outdated_result_warning(reason: Message | str) -> Message:

@@ -27,7 +27,7 @@ Below it, the two sightings show different parts.
 MIN_COMMON_POINTS, MIN_COMMON_SHARE = 30, 0.1
 """Smallest number of points of a line in the common part, and smallest share of its sighting."""
 CURVATURE_SIGMAS = 3.0
-"""Standard deviations added to the curvature, so that uncertain flatness is not accepted."""
+"""Number of its standard deviations added to the curvature: uncertain flatness is not accepted."""
 MAX_SAGITTA_SIGMAS = 1.0
 """Largest sagitta over the whole surface, in standard deviations of the LiDAR noise."""
 

@@ -19,9 +19,10 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-MOUNTING_COLUMNS = slice(0, 9)  # dF by the values of the mounting
-SHAPE_COLUMNS = slice(9, 13)  # dF by a, b, c, d of a plane or centre and radius of a sphere
-POSE_COLUMNS = slice(13, 19)  # dF by POS position (3) and roll, pitch, heading
+# Columns of `Conditions.rows`
+MOUNTING_COLUMNS = slice(0, 9)  # derivatives by the values of the mounting
+SHAPE_COLUMNS = slice(9, 13)  # by a, b, c, d of a plane, or centre and radius of a sphere
+POSE_COLUMNS = slice(13, 19)  # by POS position (3) and roll, pitch, heading
 MISCLOSURE_COLUMN = 19
 COLUMN_COUNT = 20
 
@@ -257,7 +258,7 @@ def condition_row(  # type: ignore[no-untyped-def]
 def _linearise_kernel(  # type: ignore[no-untyped-def]
     first, last, points, placing, rows, by_lidar
 ):
-    """Derivatives of the conditions of the points from ``first`` to ``last``, into ``rows``."""
+    """Write the results of `condition_row` for the points from ``first`` to ``last``."""
     for i in range(first, last):
         at, pose = lidar_point(i, points), point_pose(i, points)
         condition_row(i, at, pose, points, placing, rows[i], by_lidar[i])

@@ -72,7 +72,7 @@ class Observations:
     time_separation : ndarray of shape (n,) or None, seconds
         Mean time between two of the points averaged into one; None for single points.
     excluded_outliers : int
-        Number of outliers of their sighting that were excluded from the averages.
+        Number of points that are outliers of their sighting and were excluded before averaging.
     """
 
     points_lidar: Array
@@ -115,7 +115,7 @@ class Observations:
         """Whether each target is a sphere, shape (targets,)."""
         return np.array([target in self.radii for target in self.targets], dtype=bool)
 
-    def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Observations":
+    def with_scaled_sigmas(self, lidar: float, position: float, attitude: float) -> "Observations":
         """Observations with factors applied to the given sigmas.
 
         Parameters

@@ -20,7 +20,8 @@ OPTIONAL_NAMES = CALIBRATION[3:]
 MAX_PARAMETER_SIGMAS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 0.02])
 """Largest sigma of a determined parameter, in the order of `CALIBRATION`; radians, metres, seconds.
 
-A parameter with a larger sigma is fixed, because a tape measure or an inspection is more precise.
+A parameter with a larger sigma counts as not determined, because a tape measure or an inspection is
+more precise.
 """
 
 CRITICAL_TEST_VALUE = 1.96
@@ -60,8 +61,10 @@ class ParameterEstimate:
     name : str
     value, sigma : float or None, radians, metres or seconds
         Estimate and its standard deviation; None if the geometry does not determine it.
-    prior, prior_sigma : float, None; in the same unit
-        Given value and its standard deviation.
+    prior : float, in the same unit
+        Given value.
+    prior_sigma : float or None, in the same unit
+        Standard deviation of the prior value; None if none was given.
     significance : float or None
         Difference between the value from the data alone and the prior value, in standard deviations
         of the former. None if there is no estimate, and with independent POS errors, since the
@@ -142,5 +145,5 @@ def amount_with_unit(name: str, value: float) -> Message:
 
 
 def signed_change(name: str, value: float) -> Message:
-    """Format a change of such a value (metres, radians or seconds) with its sign and unit."""
+    """Format a change of a mounting value (metres, radians or seconds) with its sign and unit."""
     return note(f"change.{PARAMETER_DISPLAYS[name].unit}", value=float(value))

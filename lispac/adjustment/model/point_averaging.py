@@ -63,11 +63,11 @@ def average_points_in_cells(
     points = points_local(observations, mounting)
     planes = _sighting_planes(observations, points, distance)
     if no_outliers:
-        standing = _find_outliers(observations, planes)
-        if standing.any():
-            fewer = observations.reordered(np.flatnonzero(~standing))
+        outlying = _find_outliers(observations, planes)
+        if outlying.any():
+            fewer = observations.reordered(np.flatnonzero(~outlying))
             fewer = replace(
-                fewer, excluded_outliers=observations.excluded_outliers + int(standing.sum())
+                fewer, excluded_outliers=observations.excluded_outliers + int(outlying.sum())
             )
             return average_points_in_cells(fewer, mounting, distance, longest=longest)
     order, start = _sort_into_cells(observations, planes, points, distance, longest)
@@ -168,13 +168,13 @@ def _robust_sigma(off: Array) -> float:
 
 def _find_outliers(observations: Observations, planes: list[_SightingPlane]) -> NDArray[np.bool_]:
     """Mask of the outliers: points to which a redescending loss would give no weight."""
-    standing = np.zeros(len(observations), dtype=bool)
+    outlying = np.zeros(len(observations), dtype=bool)
     for s, plane in enumerate(planes):
         if observations.is_sphere[observations.target_of_sighting[s]]:
             continue
         spread = max(_robust_sigma(plane.off), _given_lidar_sigma(observations, plane.own))
-        standing[plane.own] = np.abs(plane.off) > OUTLIER_LIMIT_SIGMAS * spread
-    return standing
+        outlying[plane.own] = np.abs(plane.off) > OUTLIER_LIMIT_SIGMAS * spread
+    return outlying
 
 
 def _sort_into_cells(
@@ -190,8 +190,8 @@ def _sort_into_cells(
         across[plane.own] = plane.along
     grid = np.floor(across / distance).astype(np.int64)
     # Each point of a sphere has its own cell, so that it is not averaged.
-    alone = observations.is_sphere[observations.target_of_sighting[observations.sighting]]
-    grid[alone, 0] = np.arange(alone.sum())
+    on_sphere = observations.is_sphere[observations.target_of_sighting[observations.sighting]]
+    grid[on_sphere, 0] = np.arange(on_sphere.sum())
     key = observations.sighting.astype(np.int64)
     for each in (*grid.T, np.floor(observations.time / longest).astype(np.int64)):
         # Combine the keys one by one and renumber them, to avoid an overflow.

@@ -43,8 +43,8 @@ class Loss:
         return _TUNING_CONSTANTS[self.name]
 
     @property
-    def kept(self) -> float:
-        """Expected share of the sum of squares of normal residuals that the weights keep."""
+    def expected_square_share(self) -> float:
+        """Expected ratio of the weighted to the unweighted sum of squares of normal residuals."""
         z = np.linspace(-10, 10, 20_001)
         weights = [
             1.0 if self.name == "none" else loss_weight(self.code, self.tuning, v) for v in z

@@ -45,7 +45,7 @@ def target_centroids(observations: Observations, mounting: Mounting) -> Array:
 
 
 def moments_by_sighting(observations: Observations, mounting: Mounting) -> Array:
-    """Sums of the products of (x, y, z, 1) of each sighting, shape (sightings, 4, 4), metres."""
+    """Sums of the products of (x, y, z, 1) in metres of each sighting, shape (sightings, 4, 4)."""
     points = points_local(observations, mounting)
     means = observations.mean_by_sighting(points)
     centred = points - means[observations.sighting]
@@ -94,7 +94,7 @@ def shapes_relative_to(shapes: Array, origins: Array, is_sphere: NDArray[np.bool
 def with_median_radii(observations: Observations, mounting: Mounting) -> Observations:
     """Observations with unknown radii fixed to the median of the radii of single lines.
 
-    A sphere fitted to all lines would have a wrong radius if the boresight error is degrees.
+    A sphere fitted to all lines would have a wrong radius if the boresight is wrong by degrees.
     """
     unknown = [name for name, radius in observations.radii.items() if radius is None]
     if not unknown:
@@ -245,7 +245,7 @@ def centres_and_extents(moments: Array) -> tuple[Array, Array]:
     Parameters
     ----------
     moments : ndarray of shape (m, 4, 4)
-        Sums of the products of (x, y, z, 1), metres.
+        Sums of the products of (x, y, z, 1), with coordinates in metres.
 
     Returns
     -------

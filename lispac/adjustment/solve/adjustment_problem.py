@@ -251,7 +251,9 @@ class AdjustmentProblem:
             effects = np.stack(columns, axis=1)
         return replace(state, effects=effects)
 
-    def with_sigmas(self, lidar: float, position: float, attitude: float) -> "AdjustmentProblem":
+    def with_scaled_sigmas(
+        self, lidar: float, position: float, attitude: float
+    ) -> "AdjustmentProblem":
         """Problem with factors applied to the given sigmas.
 
         Parameters
@@ -259,7 +261,9 @@ class AdjustmentProblem:
         lidar, position, attitude : float
             Factors, no unit.
         """
-        return self.with_observations(self.observations.with_sigmas(lidar, position, attitude))
+        return self.with_observations(
+            self.observations.with_scaled_sigmas(lidar, position, attitude)
+        )
 
     def with_parameters(self, parameters: tuple[Parameter, ...]) -> "AdjustmentProblem":
         """Problem with other values to estimate."""

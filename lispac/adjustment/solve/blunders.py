@@ -92,28 +92,28 @@ def worst_blunder(linearised: LinearisedProblem, spared: Collection[Blunder]) ->
     promising = [item for item in first if item[0] < CANDIDATE_LEVEL]
     promising.sort(key=_weighted_p_value)
     again = [
-        (_weighted_p_value((chance, found)), k, found)
+        (_weighted_p_value((p_value, found)), k, found)
         for k, (_, found) in enumerate(promising[:MAX_CANDIDATES])
-        for chance in [
+        for p_value in [
             _score_test_p_value(_surfaces_from_other_sightings(linearised, found), found)
         ]
-        if chance < FAMILY_WISE_LEVEL / len(candidates)
+        if p_value < FAMILY_WISE_LEVEL / len(candidates)
     ]
     return min(again)[-1] if again else None
 
 
 def _weighted_p_value(item: tuple[float, Blunder]) -> float:
-    chance, found = item
-    return chance * (SHIFT_PREFERENCE if found.kind == "surface" else 1.0)
+    p_value, found = item
+    return p_value * (SHIFT_PREFERENCE if found.kind == "surface" else 1.0)
 
 
 def find_restorable_blunder(
     linearised: LinearisedProblem, rejected: Collection[Blunder]
 ) -> Blunder | None:
     """Find the rejected blunder that agrees best, if it agrees well enough to be restored."""
-    chances = [(_p_value_if_restored(linearised, found), found) for found in rejected]
-    chance, best = max(chances, key=lambda item: item[0], default=(0.0, None))
-    return best if chance > RESTORATION_LEVEL else None
+    p_values = [(_p_value_if_restored(linearised, found), found) for found in rejected]
+    p_value, best = max(p_values, key=lambda item: item[0], default=(0.0, None))
+    return best if p_value > RESTORATION_LEVEL else None
 
 
 def find_confirmed_blunders(
@@ -192,7 +192,7 @@ def _score_test_p_value(linearised: LinearisedProblem, blunder: Blunder) -> floa
 
 
 MIN_INFORMATION_SHARE = 1e-6
-"""Smallest share of the information that remains after elimination of all other unknowns."""
+"""Smallest share of the information that the other unknowns leave in a direction to be tested."""
 
 
 def _blunder_equations(

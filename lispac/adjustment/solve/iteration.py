@@ -42,7 +42,7 @@ a sighting whose points alternate between a small weight and none.
 """
 
 IRLS_TOLERANCE_RATIO = 100
-"""Multiple of the limits below which IRLS steps are used; the sigmas are computed from these."""
+"""Multiple of the limits below which IRLS steps are used, from which the sigmas are computed."""
 
 MAX_GAUSS_NEWTON_STEPS = 10
 """Largest number of Gauss-Newton steps with updated weights, after which IRLS steps are used."""
@@ -82,6 +82,7 @@ class Status(Enum):
     FAR = "far"
     """Noise, form errors and outliers cannot be separated yet."""
     NEAR = "near"
+    """Noise, form errors and outliers can be separated."""
     CLOSE = "close"
     """IRLS steps are sufficient."""
     CONVERGED = "converged"
@@ -230,8 +231,8 @@ def _adapt_sigmas(
 ) -> tuple[AdjustmentProblem, Phase]:
     """Estimate noise and form errors from the residuals; also return the next phase."""
     if convergence.status is Status.FAR:  # form errors cannot be separated from noise yet
-        falling = convergence.iteration <= EARLY_ITERATIONS
-        return reestimate_noise(problem, state, falling=falling), phase
+        may_decrease = convergence.iteration <= EARLY_ITERATIONS
+        return reestimate_noise(problem, state, may_decrease=may_decrease), phase
     adapted = reestimate_surface_sigma(reestimate_noise(problem, state), linearised)
     if phase is Phase.START:
         return adapted, Phase.ROBUST

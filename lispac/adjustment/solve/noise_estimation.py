@@ -47,15 +47,15 @@ SIGMA_TOLERANCE = 0.01
 
 
 def reestimate_noise(
-    problem: AdjustmentProblem, state: AdjustmentState, *, falling: bool = True
+    problem: AdjustmentProblem, state: AdjustmentState, *, may_decrease: bool = True
 ) -> AdjustmentProblem:
     """Return the problem with the noise estimated again from its residuals.
 
-    Without ``falling``, the noise of a target cannot decrease. This prevents an endless alternation
-    of noise and solution.
+    If ``may_decrease`` is false, the noise of a target cannot decrease, which prevents an endless
+    alternation of noise and solution.
     """
     updated = _noise_from_residuals(problem, state)
-    if falling:
+    if may_decrease:
         return updated
     return replace(
         updated,

@@ -89,7 +89,7 @@ class UnknownsOrder:
 
 
 MAX_UNELIMINATED_SURFACES = 24
-"""Number of sightings up to which it is faster to eliminate the POS error before the surfaces."""
+"""Largest number of sightings for which it is faster not to eliminate the surfaces first."""
 
 
 @dataclass(frozen=True, eq=False)

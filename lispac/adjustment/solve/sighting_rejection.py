@@ -104,10 +104,10 @@ def _reject_unexplained_sightings(
         return after
     fewest, rejected_then = count, None
     tried: list[tuple[str, ...]] = [()]
-    for judged in (solution, after):
+    for reference in (solution, after):
         # In the order in which they were found, the most significant first.
         names = tuple(
-            each.name for each in find_contradicted_parameters(judged.linearised, least=0.0)
+            each.name for each in find_contradicted_parameters(reference.linearised, least=0.0)
         )
         if names in tried:
             continue

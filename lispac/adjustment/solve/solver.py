@@ -52,6 +52,7 @@ SAMPLE_SIZE = 50_000
 """Number of points of the sample; with more points, only the last iterations use all."""
 
 MAX_COMPONENT_ROUNDS = 5
+"""Largest number of times that the variance components are estimated and applied."""
 
 MIN_SIGMA_INCREASE = 1.05
 """Smallest factor by which a given sigma is increased; smaller ones have no relevant effect."""
@@ -97,7 +98,7 @@ def estimate(
     Raises
     ------
     AdjustmentError
-        A sighting has too few points.
+        There is no target, a sighting has too few points, or a value is invalid.
     RankDeficient
         Lines and targets do not determine the boresight, or nothing checks it.
     TargetDisagrees
@@ -119,7 +120,7 @@ def with_agreeing_targets(
     *,
     may_exclude: bool,
 ) -> AdjustmentResult:
-    """Adjust, and exclude targets that do not agree with the others at any point.
+    """Adjust, and exclude targets all of whose points have no weight.
 
     Parameters
     ----------
@@ -171,7 +172,7 @@ def solve(
     RankDeficient
         A parameter is not determined.
     TargetDisagrees
-        A target does not agree with the others at any point.
+        No point of a target has any weight, because it disagrees with the others.
     NotConverged
         The iteration does not converge.
     LinAlgError
@@ -212,7 +213,7 @@ def solve(
     if estimates_components:
         found, components, factors = _iterate_variance_components(found, factors, progress)
     if len(sampled) < len(observations):
-        observations = relative_to_origins(observations.with_sigmas(*factors), origins)
+        observations = relative_to_origins(observations.with_scaled_sigmas(*factors), origins)
         found = _continue_with_all_points(found, observations, progress)
     _require_still_determined(found.linearised)
     return Solution(found.linearised, found.state, found.path, fitted, origins, fixed, components)
@@ -311,18 +312,20 @@ def _iterate_variance_components(
         found = estimate_variance_components(solution.linearised)
         # A sigma is raised if its factor is determined and larger than 1, but lowered only if the
         # factor is significantly smaller, because a sigma that is too large does little harm.
-        news = np.array(
+        new_factors = np.array(
             [
                 c.factor if (determined and c.factor > MIN_SIGMA_INCREASE) or c.upper < 1 else 1.0
                 for c, determined in zip(found.components, found.determined, strict=True)
             ]
         )
-        factors = np.clip(total * news, *FACTOR_LIMITS) / total
+        factors = np.clip(total * new_factors, *FACTOR_LIMITS) / total
         total = total * factors
         if np.abs(np.log(factors)).max() < SIGMA_TOLERANCE:
             break
-        problem = solution.linearised.problem.with_sigmas(*factors)
-        problem = problem.with_surface_sigma(found.rough * problem.default_surface_sigmas)
+        problem = solution.linearised.problem.with_scaled_sigmas(*factors)
+        problem = problem.with_surface_sigma(
+            found.form_error_factor * problem.default_surface_sigmas
+        )
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
     final = estimate_variance_components(solution.linearised)
     return (

@@ -90,13 +90,13 @@ def _maximise_surface_likelihood(
     import scipy.optimize  # slow to import, and not needed by programs that do not adjust
 
     now = linearised.problem.surface_sigma
-    unlikeliness = _surface_likelihood(linearised)
+    deviance = _surface_likelihood(linearised)
     found = scipy.optimize.minimize_scalar(
-        lambda log_sigma: unlikeliness(np.where(alike, np.exp(log_sigma), now)),
+        lambda log_sigma: deviance(np.where(alike, np.exp(log_sigma), now)),
         bounds=(np.log(MIN_SURFACE_SIGMA), np.log(MAX_SURFACE_SIGMA)),
         method="bounded",
     )
-    return float(np.exp(found.x)), unlikeliness(now) - float(found.fun)
+    return float(np.exp(found.x)), deviance(now) - float(found.fun)
 
 
 def _surface_likelihood(linearised: LinearisedProblem) -> Callable[[Array], float]:
@@ -112,7 +112,7 @@ def _surface_likelihood(linearised: LinearisedProblem) -> Callable[[Array], floa
     scale[others] = 1 / np.sqrt(np.diag(reduced)[others])
     reduced, right = reduced * np.outer(scale, scale), right * scale
 
-    def unlikeliness(sigmas: Array) -> float:
+    def deviance(sigmas: Array) -> float:
         sigma = sigmas.reshape(-1)
         precision = sigma**-2.0
         matrix, pull = reduced.copy(), right.copy()
@@ -127,7 +127,7 @@ def _surface_likelihood(linearised: LinearisedProblem) -> Callable[[Array], floa
             - explained @ explained
         )
 
-    return unlikeliness
+    return deviance
 
 
 def reestimate_surface_sigma(
@@ -172,13 +172,13 @@ class MaximumLikelihood:
         Factors on the sigmas of LiDAR, POS position and POS attitude.
     determined : tuple of bool
         Whether the data determine each factor.
-    rough : float
+    form_error_factor : float
         Factor on the sigma of the form errors.
     """
 
     components: tuple[VarianceComponent, ...]
     determined: tuple[bool, ...]
-    rough: float
+    form_error_factor: float
 
 
 def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikelihood:
@@ -202,7 +202,7 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
         (np.log(MIN_SURFACE_SIGMA / usual), np.log(MAX_SURFACE_SIGMA / usual)),
     ]
 
-    def unlikeliness(some: Array) -> float:
+    def deviance(some: Array) -> float:
         factors = np.zeros(4)
         factors[free] = some
         return likelihood(factors)
@@ -212,7 +212,7 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
     best = min(
         (
             scipy.optimize.minimize(
-                unlikeliness, start[free], method="Nelder-Mead",
+                deviance, start[free], method="Nelder-Mead",
                 bounds=[bound for bound, is_free in zip(bounds, free, strict=True) if is_free],
                 options={"xatol": 0.01, "fatol": 0.01, "maxfev": 600},
             )
@@ -220,7 +220,7 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
         ),
         key=lambda result: float(result.fun),
     )  # fmt: skip
-    curvature = _likelihood_curvature(unlikeliness, best.x) / 2
+    curvature = _likelihood_curvature(deviance, best.x) / 2
     found, spread, alone = np.zeros(4), np.full(4, np.inf), np.full(4, np.inf)
     found[free] = best.x
     spread[free] = np.sqrt(np.diag(np.linalg.inv(curvature)))
@@ -266,7 +266,7 @@ class _RestrictedLikelihood:
         knots, effects = problem.groups.knots, linearised.state.effects
         assert knots is not None
         # A loss also reduces the weights of large residuals that follow the normal distribution.
-        self.points = len(problem.observations) * linearised.loss.kept
+        self.points = len(problem.observations) * linearised.loss.expected_square_share
         self.knots = len(knots.time)
         self.kind = np.tile([1, 1, 1, 2, 2, 2], self.knots)
         self.own = knots.precision_diagonal.reshape(-1)
@@ -306,18 +306,27 @@ class _RestrictedLikelihood:
                 self.fixed_quadratic += float(off[parameter.index] ** 2 * self.diagonal[k])
 
     def __call__(self, given: Array) -> float:
-        log_factors, rough = np.array(given[:3]), float(given[3]) if len(given) > 3 else 0.0
-        normal, trust, smooth = self.normal, np.exp(-2 * log_factors), np.exp(-2 * rough)
-        band = self.band * trust[0]
-        band[0] += self.own * trust[self.kind]
-        band[6, : len(self.beside)] += self.beside * trust[self.kind[: len(self.beside)]]
-        pull = self.pull * trust[0] - self.prior_pull * trust[self.kind]
-        mixed = normal.mixed * trust[0]
-        prior = np.where(self.surfaces > 0, smooth, 1.0)
-        matrix = normal.matrix * trust[0]
+        log_factors, log_form_factor = (
+            np.array(given[:3]),
+            float(given[3]) if len(given) > 3 else 0.0,
+        )
+        normal, precision_factors, form_precision_factor = (
+            self.normal,
+            np.exp(-2 * log_factors),
+            np.exp(-2 * log_form_factor),
+        )
+        band = self.band * precision_factors[0]
+        band[0] += self.own * precision_factors[self.kind]
+        band[6, : len(self.beside)] += (
+            self.beside * precision_factors[self.kind[: len(self.beside)]]
+        )
+        pull = self.pull * precision_factors[0] - self.prior_pull * precision_factors[self.kind]
+        mixed = normal.mixed * precision_factors[0]
+        prior = np.where(self.surfaces > 0, form_precision_factor, 1.0)
+        matrix = normal.matrix * precision_factors[0]
         places = np.arange(len(matrix))
-        matrix[places, places] += self.diagonal * (prior - trust[0])
-        right = (normal.right - self.prior_right) * trust[0] + self.prior_right * prior
+        matrix[places, places] += self.diagonal * (prior - precision_factors[0])
+        right = (normal.right - self.prior_right) * precision_factors[0] + self.prior_right * prior
         factor = cholesky_factor(band)
         halved, halved_pull = (
             forward_substitution(factor, mixed.T),
@@ -332,13 +341,15 @@ class _RestrictedLikelihood:
         fixed = self.fixed_quadratic + self.surface_quadratic
         data = normal.quadratic - sum(self.prior_quadratic) - fixed
         quadratic = (
-            data * trust[0]
-            + float(np.dot(self.prior_quadratic, trust))
+            data * precision_factors[0]
+            + float(np.dot(self.prior_quadratic, precision_factors))
             + self.fixed_quadratic
-            + self.surface_quadratic * smooth
+            + self.surface_quadratic * form_precision_factor
             - float(halved_pull @ halved_pull)
             - float(explained @ explained)
         )
         determinants = 2 * np.log(factor[0]).sum() + 2 * np.log(np.diag(lower) / scale).sum()
         counts = np.array([self.points, 3 * self.knots, 3 * self.knots])
-        return float(2 * counts @ log_factors + 2 * self.used * rough + determinants + quadratic)
+        return float(
+            2 * counts @ log_factors + 2 * self.used * log_form_factor + determinants + quadratic
+        )

@@ -364,7 +364,7 @@ def complete_result(
 def _with_advice(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
     """Result with a note on the additional line that would improve the precision most."""
     # The additional line is assessed with the sigmas of the complete adjustment.
-    judged = observations.with_sigmas(*result.sigma_factors)
+    judged = observations.with_scaled_sigmas(*result.sigma_factors)
     seen = result.observability
     if seen is None or not (found := further_line_advice(judged, result)):
         return result
@@ -397,7 +397,7 @@ def _selected_observations(
 def _with_cross_checks(project: Project, observations: Observations, progress: Progress) -> Project:
     assert project.result is not None
     # The parts are judged by the sigmas of the whole.
-    observations = observations.with_sigmas(*project.result.sigma_factors)
+    observations = observations.with_scaled_sigmas(*project.result.sigma_factors)
     prior, parameters = project.mounting("prior"), project.settings.parameters
     checks = cross_checks(observations, prior, project.result, parameters, progress=progress)
     return project.with_cross_checks(checks)

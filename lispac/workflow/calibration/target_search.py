@@ -145,9 +145,9 @@ class TargetSearch:
                 find_sphere(region.points, seed, self.radius_range, settings), region
             )
         region = cloud.within(require_seed(seed), settings.radius, limit=SEARCH_SAMPLE)
-        beside = _points_near_click(region, cloud, require_seed(seed))
+        points_at_seed = _points_near_click(region, cloud, require_seed(seed))
         return _complete_plane(
-            find_plane(region.points, seed, settings, beside=beside), region, cloud
+            find_plane(region.points, seed, settings, points_at_seed=points_at_seed), region, cloud
         )
 
     def patch_of_points(self, cloud: Cloud, indices: NDArray[np.int64]) -> Patch:
@@ -227,12 +227,12 @@ def find_planes_in_lines(
 ) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
     """Find the plane at ``seed`` (3,), local frame, in every line, or the reason without it."""
     regions, points = _search_regions(clouds, seed, settings, limit=SEARCH_SAMPLE)
-    beside = {
+    points_at_seed = {
         name: _points_near_click(regions[name], cloud, seed) for name, cloud in clouds.items()
     }
     found, missing = find_in_lines(
         points, seed, settings, first_line=first_line, progress=progress,
-        beside={name: close for name, close in beside.items() if close is not None},
+        points_at_seed={name: close for name, close in points_at_seed.items() if close is not None},
     )  # fmt: skip
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         every = pool.map(

@@ -184,7 +184,7 @@ def targetless(
         )
     solved = SolvedEquations.of(
         result,
-        observations.with_sigmas(*result.sigma_factors),
+        observations.with_scaled_sigmas(*result.sigma_factors),
         project.mounting("prior"),
         settings.parameters,
         progress=sub_progress(progress, 0.9, 0.95),
