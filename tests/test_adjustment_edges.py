@@ -377,11 +377,11 @@ def test_a_contradiction_is_reported_above_a_number_of_sigmas_of_an_angle(
     problem = AdjustmentProblem.of(few, wrong, MODEL)
     first = problem.linearised(problem.start(wrong, fit_shapes(few, wrong)))
     here = problem.linearised(first.next_state()[0])
-    (found,) = find_contradicted_parameters(here, least=1.0)
+    (found,) = find_contradicted_parameters(here, min_angle_change=1.0)
     assert 3.5 < abs(found.w) < 5.5  # beyond 6 it would be told whatever it does
     sigmas = np.abs(found.angle_change / np.sqrt(np.diag(here.normal.covariance)[:3])).max()
     assert sigmas > 1.0
-    assert find_contradicted_parameters(here, least=1.01 * sigmas) == ()
+    assert find_contradicted_parameters(here, min_angle_change=1.01 * sigmas) == ()
 
 
 def test_the_sigma_of_the_surfaces_is_the_likeliest(few: Observations) -> None:

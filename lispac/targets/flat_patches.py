@@ -81,7 +81,7 @@ def voxel_side(threshold: float, finest: float = 0.04) -> float:
 
 
 def find_flat_patches(
-    points: Array, threshold: float, *, voxel: float | None = None, least: int = 12
+    points: Array, threshold: float, *, voxel: float | None = None, min_points: int = 12
 ) -> FlatPatches:
     """Find every flat patch.
 
@@ -94,13 +94,13 @@ def find_flat_patches(
     voxel : float, metres, optional
         Side of the voxels; the first point in each voxel is used. If omitted, `voxel_side` of the
         threshold.
-    least : int
+    min_points : int
         Smallest number of points of the thinned cloud in a patch.
     """
     voxel = voxel or voxel_side(threshold)
     thinned = _thin_to_voxels(points, voxel)
     none = np.full(len(thinned), -1, dtype=np.int64)
-    if len(thinned) < max(least, NEIGHBOURS_PER_NORMAL):
+    if len(thinned) < max(min_points, NEIGHBOURS_PER_NORMAL):
         return FlatPatches((), thinned, none)
     _, neighbours = build_tree(thinned).query(thinned, NEIGHBOURS_PER_NORMAL, workers=1)
     neighbours = np.ascontiguousarray(neighbours, dtype=np.int64)
@@ -110,7 +110,7 @@ def find_flat_patches(
     # Points on a straight line have NaN, which is sorted last; they do not start a region.
     order = order[: np.count_nonzero(uneven <= threshold)]
     label, count = _grow_regions(
-        thinned, neighbours, normals, order, threshold, MIN_NORMAL_COSINE, least
+        thinned, neighbours, normals, order, threshold, MIN_NORMAL_COSINE, min_points
     )
     patches = [_build_patch(thinned[label == k], voxel) for k in range(count)]
     ranked = sorted(range(count), key=lambda k: -patches[k].area)
@@ -162,8 +162,8 @@ def _grow_regions(
     normals: Array,
     order: Indices,
     threshold: float,
-    turn: float,
-    least: int,
+    min_cosine: float,
+    min_points: int,
 ) -> tuple[Indices, int]:  # pragma: no cover - compiled
     n = len(points)
     label = np.full(n, -1, np.int64)
@@ -192,7 +192,7 @@ def _grow_regions(
                 for k in range(3):
                     off += (points[there, k] - centre[k]) * normal[k]
                     along += normals[there, k] * normal[k]
-                if abs(off) <= threshold and abs(along) >= turn:
+                if abs(off) <= threshold and abs(along) >= min_cosine:
                     label[there] = count
                     queue[tail] = there
                     tail += 1
@@ -209,7 +209,7 @@ def _grow_regions(
                 normal[:] = axes[:, 0]
                 centre[:] = mean + points[seed]
                 refit = refit + max(NEIGHBOURS_PER_NORMAL, refit // 2)
-        if tail < least:
+        if tail < min_points:
             for i in range(tail):
                 label[queue[i]] = -1
                 tried[queue[i]] = True

@@ -219,9 +219,9 @@ def best_match(
     shifts: list[CloudShift],
     match: Callable[[CloudShift], tuple[Patch, float]],
     contradiction: Callable[[Patch, Patch], Message | str | None],
-    further: Callable[[], list[CloudShift]] = list,
-    closer: Callable[[list[CloudShift]], list[float]] | None = None,
-    same: Callable[[Patch, Patch], bool] = lambda best, other: False,
+    more_shifts: Callable[[], list[CloudShift]] = list,
+    finer_scores: Callable[[list[CloudShift]], list[float]] | None = None,
+    is_same: Callable[[Patch, Patch], bool] = lambda best, other: False,
 ) -> Patch:
     """Patch that matches the reference best, among those at the most likely translations.
 
@@ -233,12 +233,12 @@ def best_match(
         translation; raises TargetNotFound.
     contradiction : callable of the best patch and another
         Gives a message if only one of the two can be the target, otherwise None.
-    further : callable
+    more_shifts : callable
         Gives more translations, the best first; used if these lead to no patch that resembles the
         reference.
-    closer : callable of translations, optional
+    finer_scores : callable of translations, optional
         Gives scores by a finer comparison; used if several matches are about equally good.
-    same : callable of the best patch and another
+    is_same : callable of the best patch and another
         Whether both are the same patch, so that no decision is needed.
 
     Raises
@@ -252,15 +252,17 @@ def best_match(
         max((score for _, score, _ in matches), default=0.0)
         < MIN_MATCH_SCORE_RATIO * shifts[0].score
     ):
-        matches += _match_shifts(further(), match, refused)
+        matches += _match_shifts(more_shifts(), match, refused)
     if not matches:
         raise TargetNotFound(refused[0].reason)
     matches = _rivals_of_best(matches)
-    if closer is not None and not all(same(matches[0][0], other) for other, _, _ in matches[1:]):
-        scores = closer([shift for _, _, shift in matches])
+    if finer_scores is not None and not all(
+        is_same(matches[0][0], other) for other, _, _ in matches[1:]
+    ):
+        scores = finer_scores([shift for _, _, shift in matches])
         matches = _rivals_of_best([
-            (patch, score * closely / shift.score, shift)
-            for (patch, score, shift), closely in zip(matches, scores, strict=True)
+            (patch, score * fine_score / shift.score, shift)
+            for (patch, score, shift), fine_score in zip(matches, scores, strict=True)
         ])  # fmt: skip
     best = matches[0][0]
     for other, _, _ in matches[1:]:

@@ -25,7 +25,9 @@ from lispac.targets.planes_across_lines import find_in_lines
 Array = NDArray[np.float64]
 
 PatchesAndReasons = tuple[Mapping[str, PlanePatch], Mapping[str, Message]]
+"""Patch of each line, and reason for each line without one."""
 PlaneSearch = Callable[[Array, str, Progress], PatchesAndReasons]
+"""Search for the plane at a seed in all lines, starting with the line of this name."""
 
 
 class IndexedPoints(Protocol):

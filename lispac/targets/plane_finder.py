@@ -273,21 +273,21 @@ def patch_of(points_local: Array, indices: Indices, direction: Array) -> PlanePa
     return _build_patch(points, indices, fit_plane(points).facing(direction))
 
 
-def extend_sample_patch(points_local: Array, some: Array, plane: Plane) -> PlanePatch:
+def extend_sample_patch(points_local: Array, sample_points: Array, plane: Plane) -> PlanePatch:
     """Extend a patch found in a sample to all points of the cloud.
 
     Parameters
     ----------
     points_local : ndarray of shape (n, 3), metres
-    some : ndarray of shape (m, 3), metres, local frame
+    sample_points : ndarray of shape (m, 3), metres, local frame
         Points of the patch in the sample, without outliers.
     plane : Plane
         Plane through these points.
     """
-    near = np.abs(plane.distances(points_local)) <= np.abs(plane.distances(some)).max()
+    near = np.abs(plane.distances(points_local)) <= np.abs(plane.distances(sample_points)).max()
     indices = np.flatnonzero(near)
     axes = plane_axes(plane.normal)
-    placed, shown = points_local[indices] @ axes.T, some @ axes.T
+    placed, shown = points_local[indices] @ axes.T, sample_points @ axes.T
     # Cells as wide as the spacing of the sample: points beyond its outline are not included.
     spacing = outline.outline_cell_size(shown, np.ones(len(shown))) / 3.0
     return patch_of(points_local, indices[outline.is_covered(placed, shown, spacing)], plane.normal)

@@ -109,7 +109,7 @@ def _score_triangles(
 ) -> Array:  # pragma: no cover - compiled
     """Score, share of the votes, normal and d of each triangle; zeros if it is unusable."""
     n = points.shape[0]
-    judged = np.zeros((first.size, 6))
+    scored_triangles = np.zeros((first.size, 6))
     near = np.empty(n, np.int64)
     limit = threshold * threshold
     beside = (PENALTY_BAND * threshold) ** 2
@@ -138,12 +138,12 @@ def _score_triangles(
         if longest == 0.0 or twice_area < 0.2 * longest:
             continue
         normal /= twice_area
-        trust = 1.0
+        tilt_factor = 1.0
         if max_tilt > 0.0:
             tilt = np.arccos(min(1.0, abs((normal * expected).sum())))
             if tilt > max_tilt:
                 continue
-            trust = 1.0 / (1.0 + (tilt / HALF_SCORE_TILT) ** 2)
+            tilt_factor = 1.0 / (1.0 + (tilt / HALF_SCORE_TILT) ** 2)
         d = -(normal * a).sum()
         if abs((normal * through).sum() + d) > threshold:  # false where it is NaN: not given
             continue
@@ -157,9 +157,9 @@ def _score_triangles(
                 share += weights[i]
             elif off * off <= beside:
                 score -= weights[i] * PENALTY_WEIGHT
-        score *= trust
-        judged[trial, 0] = score
-        judged[trial, 1] = share / total
-        judged[trial, 2:5] = normal
-        judged[trial, 5] = d
-    return judged
+        score *= tilt_factor
+        scored_triangles[trial, 0] = score
+        scored_triangles[trial, 1] = share / total
+        scored_triangles[trial, 2:5] = normal
+        scored_triangles[trial, 5] = d
+    return scored_triangles

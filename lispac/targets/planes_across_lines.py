@@ -164,13 +164,13 @@ def _reference_surface(
 def _find_in_line(
     cloud: Array, grid: PointGrid | None, reference: _ReferenceSurface, settings: FinderSettings
 ) -> PlanePatch:
-    def same(best: PlanePatch, other: PlanePatch) -> bool:
+    def is_same(best: PlanePatch, other: PlanePatch) -> bool:
         return bool(np.isin(other.indices, best.indices, assume_unique=True).mean() >= 0.2)
 
     def contradiction(best: PlanePatch, other: PlanePatch) -> Message | None:
         # Two parts of one large surface are no contradiction: both give the same plane.
         off = abs(float(best.plane.distances(other.centre)))
-        if same(best, other) or off <= settings.threshold:
+        if is_same(best, other) or off <= settings.threshold:
             return None
         distance = float(np.linalg.norm(other.centre - best.centre))
         return error("finder.two_planes", distance=distance)
@@ -182,7 +182,7 @@ def _find_in_line(
         contradiction,
         lambda: _shifts_onto_patches(cloud, grid, reference, settings),
         lambda rivals: _scores_without_wide_surfaces(cloud, grid, reference, rivals, settings),
-        same,
+        is_same,
     )
 
 

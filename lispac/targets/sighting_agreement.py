@@ -263,8 +263,8 @@ def _position_disagreement(
         return None
     first, second = _in_plane_coordinates(reference, other)
     # Different edges of the target may be missing, as far as both outlines count as complete.
-    lacking = (1.0 - MIN_COMPLETE_SIZE_RATIO) * float(np.linalg.norm(largest))
-    allowed = _allowed_shift(reference, other, accuracy, 0.0) + lacking
+    max_missing = (1.0 - MIN_COMPLETE_SIZE_RATIO) * float(np.linalg.norm(largest))
+    allowed = _allowed_shift(reference, other, accuracy, 0.0) + max_missing
     middles = [(each.min(axis=0) + each.max(axis=0)) / 2.0 for each in (first, second)]
     distance = float(np.linalg.norm(middles[1] - middles[0]))
     if distance <= allowed:
@@ -297,16 +297,19 @@ def _in_plane_coordinates(
 
 
 def _allowed_shift(
-    reference: _SightingSample, other: _SightingSample, accuracy: PlacementAccuracy, further: float
+    reference: _SightingSample,
+    other: _SightingSample,
+    accuracy: PlacementAccuracy,
+    position_sigma: float,
 ) -> float:
     """Largest distance between two sightings of one target, metres.
 
-    ``further`` is an additional standard deviation of the position of each sighting, metres.
+    ``position_sigma`` is an additional standard deviation of the position of each sighting, metres.
     """
     middles = [each.moves.mean(axis=1) for each in (reference, other)]
     by_boresight = accuracy.boresight * float(np.linalg.norm(middles[1] - middles[0]))
     sigmas = -NormalDist().inv_cdf(SIGNIFICANCE_LEVEL / 2.0)
-    return sigmas * sqrt(by_boresight**2 + accuracy.offset**2 + 2.0 * further**2)
+    return sigmas * sqrt(by_boresight**2 + accuracy.offset**2 + 2.0 * position_sigma**2)
 
 
 def _plane_derivatives(sighting: _SightingSample, axes: Array, middle: Array) -> Array:

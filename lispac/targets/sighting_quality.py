@@ -133,7 +133,7 @@ def plane_quality(
     *,
     scanner_local: Array | None = None,
     turns_local: Array | None = None,
-    boresight_off: float = PRIOR_BORESIGHT_SIGMA,
+    boresight_sigma: float = PRIOR_BORESIGHT_SIGMA,
     threshold: float | None = None,
     shown: ObservedExtent | None = None,
 ) -> SightingQuality:
@@ -154,8 +154,8 @@ def plane_quality(
         Derivatives of the points of the sighting with respect to roll, pitch and yaw of the
         boresight. If given, deviations that a boresight error can explain are not rated; used as
         long as the boresight is not estimated.
-    boresight_off : float, radians
-        Sigma of the boresight error in each angle.
+    boresight_sigma : float, radians
+        Sigma of each boresight angle.
     threshold : float, metres, optional
         Distance threshold of the search for the points.
     shown : ObservedExtent, optional
@@ -176,7 +176,7 @@ def plane_quality(
             hits, turns = beam_intersections(points, turns_local, off, beams, plane.normal)
         coordinates = (hits - points.mean(axis=0)) @ plane_axes(plane.normal).T
         moves = (turns @ plane.normal).T
-        own = remove_smear(coordinates, off, moves, noise, boresight_off)
+        own = remove_smear(coordinates, off, moves, noise, boresight_sigma)
     sagitta, uncertainty, curved, uneven = _form_error(placed, own, cell)
     incidence = None
     if beams is not None:

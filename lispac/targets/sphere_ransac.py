@@ -42,7 +42,7 @@ def draw_spheres(
     chance = np.cumsum(weights / weights.sum())
     known = lower == upper
     need = 3 if known else 4
-    span = np.array([lower, upper]) * (
+    radius_limits = np.array([lower, upper]) * (
         1.0 if known else np.array([1.0 - RADIUS_MARGIN_SHARE, 1.0 + RADIUS_MARGIN_SHARE])
     )
     hypotheses = np.empty((0, 6))
@@ -52,7 +52,7 @@ def draw_spheres(
         reach = np.exp(rng.uniform(np.log(0.5 * lower), np.log(2.0 * upper), BATCH_SIZE))
         picks = rng.random((BATCH_SIZE, 3))
         drawn = _score_spheres(
-            sample, weights, first, reach, picks, settings.threshold, span, known
+            sample, weights, first, reach, picks, settings.threshold, radius_limits, known
         )
         hypotheses = np.concatenate([hypotheses, drawn[drawn[:, 0] > 0.0]])
         if len(hypotheses) == 0:
@@ -89,12 +89,12 @@ def _score_spheres(
     reach: Array,
     picks: Array,
     threshold: float,
-    span: Array,
+    radius_limits: Array,
     known: bool,
 ) -> Array:  # pragma: no cover - compiled
     """Score, share of the votes, centre and radius of each hypothesis; zeros if unusable."""
     n = points.shape[0]
-    judged = np.zeros((first.size, 6))
+    scored_spheres = np.zeros((first.size, 6))
     near = np.empty(n, np.int64)
     centres = np.empty((2, 3))
     total = weights.sum()
@@ -122,7 +122,7 @@ def _score_spheres(
         if square < 0.01 * max(uu, vv) ** 2 or square == 0.0:
             continue
         if known:
-            radius = span[0]
+            radius = radius_limits[0]
             middle = np.cross(uu * v - vv * u, normal) / (2.0 * square)
             left = radius * radius - (middle * middle).sum()
             if left < 0.0:
@@ -138,7 +138,7 @@ def _score_spheres(
                 continue
             centres[0] = (uu * np.cross(v, w) + vv * np.cross(w, u) + ww * normal) / (2.0 * volume)
             radius = np.sqrt((centres[0] * centres[0]).sum())
-            if radius < span[0] or radius > span[1]:
+            if radius < radius_limits[0] or radius > radius_limits[1]:
                 continue
             sides = 1
         for side in range(sides):
@@ -160,9 +160,9 @@ def _score_spheres(
                     score -= weights[i] * PENALTY_WEIGHT
                 else:
                     score -= weights[i]  # a sphere is solid: there are no points inside it
-            if score > judged[trial, 0]:
-                judged[trial, 0] = score
-                judged[trial, 1] = share / total
-                judged[trial, 2:5] = c
-                judged[trial, 5] = radius
-    return judged
+            if score > scored_spheres[trial, 0]:
+                scored_spheres[trial, 0] = score
+                scored_spheres[trial, 1] = share / total
+                scored_spheres[trial, 2:5] = c
+                scored_spheres[trial, 5] = radius
+    return scored_spheres

@@ -149,17 +149,18 @@ def error_budget(
         raise InputError(error("adjustment.budget_distances"))
     chosen = tuple(sorted(set(map(float, distances))))
     beams = tuple(
-        _beam_budget(name, np.array(way), system, chosen) for name, way in BEAM_DIRECTIONS.items()
+        _beam_budget(name, np.array(beam_direction), system, chosen)
+        for name, beam_direction in BEAM_DIRECTIONS.items()
     )
     return ErrorBudget(chosen, beams, tuple(_budget_assumptions(system)))
 
 
 def _beam_budget(
-    name: str, way: Array, system: SystemErrors, distances: Sequence[float]
+    name: str, beam_direction: Array, system: SystemErrors, distances: Sequence[float]
 ) -> BeamBudget:
-    found = [_covariance_by_source(way, system, distance) for distance in distances]
+    found = [_covariance_by_source(beam_direction, system, distance) for distance in distances]
     sources = tuple(
-        SourceBudget(source, _point_sigmas([each[source] for each in found], way))
+        SourceBudget(source, _point_sigmas([each[source] for each in found], beam_direction))
         for source in found[0]
     )
     known = [{k: c for k, c in each.items() if c is not None} for each in found]
@@ -168,21 +169,25 @@ def _beam_budget(
         # The other estimated values are correlated with each other and with the boresight.
         both = [
             sum((c for source, c in each.items() if source != out), np.zeros((3, 3)))
-            + (_cross_covariance(way, system, far) if out == PRIOR_BORESIGHT_SOURCE else 0.0)
+            + (
+                _cross_covariance(beam_direction, system, far)
+                if out == PRIOR_BORESIGHT_SOURCE
+                else 0.0
+            )
             for each, far in zip(known, distances, strict=True)
         ]
-        totals.append(_point_sigmas(both, way))
+        totals.append(_point_sigmas(both, beam_direction))
     return BeamBudget(
         name, sources, SourceBudget(TOTAL_BEFORE, totals[0]), SourceBudget(TOTAL_AFTER, totals[1])
     )
 
 
 def _point_pose_derivatives(
-    way: Array, system: SystemErrors, distance: float
+    beam_direction: Array, system: SystemErrors, distance: float
 ) -> tuple[Array, Poses, Sensitivity]:
     """Point in the LiDAR frame, pose, and derivatives of north, west and up of the point."""
     poses = Poses(np.zeros((3, 3)), np.zeros((3, 3)))
-    local = np.tile(system.mounting.lever_arm + distance * way, (3, 1))
+    local = np.tile(system.mounting.lever_arm + distance * beam_direction, (3, 1))
     points_lidar = to_lidar(local, poses, system.mounting)
     rate = np.tile([system.speed, 0.0, 0.0, *system.rates], (3, 1))
     moved = sensitivity(points_lidar, poses, system.mounting, np.eye(3), pose_rate=rate)
@@ -190,10 +195,10 @@ def _point_pose_derivatives(
 
 
 def _covariance_by_source(
-    way: Array, system: SystemErrors, distance: float
+    beam_direction: Array, system: SystemErrors, distance: float
 ) -> dict[str, Array | None]:
     """Covariance of the point by each source, shape (3, 3), square metres; None if unknown."""
-    points_lidar, poses, moved = _point_pose_derivatives(way, system, distance)
+    points_lidar, poses, moved = _point_pose_derivatives(beam_direction, system, distance)
     found: dict[str, Array | None] = {
         POSITION_SOURCE: _propagate_sigmas(moved.by_position, system.position)
     }
@@ -255,9 +260,9 @@ def _estimated_covariance(
     return jacobian @ system.covariance[np.ix_(chosen, chosen)] @ jacobian.T
 
 
-def _cross_covariance(way: Array, system: SystemErrors, distance: float) -> Array:
+def _cross_covariance(beam_direction: Array, system: SystemErrors, distance: float) -> Array:
     """Covariance of the point from correlations between groups of estimated values."""
-    _, _, moved = _point_pose_derivatives(way, system, distance)
+    _, _, moved = _point_pose_derivatives(beam_direction, system, distance)
     names = [name for name in system.estimated if name != "latency"]
     groups = [["roll", "pitch", "yaw"], [n for n in names if n.startswith("lever")]]
     groups += [[name] for name in names if name in OFFSET_SOURCES]
@@ -265,7 +270,9 @@ def _cross_covariance(way: Array, system: SystemErrors, distance: float) -> Arra
     return _estimated_covariance(moved, system, names) - alone
 
 
-def _point_sigmas(covariances: Sequence[Array | None], way: Array) -> tuple[PointSigma, ...] | None:
+def _point_sigmas(
+    covariances: Sequence[Array | None], beam_direction: Array
+) -> tuple[PointSigma, ...] | None:
     spreads = []
     for covariance in covariances:
         if covariance is None:
@@ -273,7 +280,7 @@ def _point_sigmas(covariances: Sequence[Array | None], way: Array) -> tuple[Poin
         # Because of rounding, a variance of zero may be slightly negative.
         north, west, up = np.maximum(np.diag(covariance), 0.0)
         total = north + west + up
-        across = max(total - way @ covariance @ way, 0.0)
+        across = max(total - beam_direction @ covariance @ beam_direction, 0.0)
         spreads.append(PointSigma(*(float(np.sqrt(v)) for v in (north + west, up, across, total))))
     return tuple(spreads)
 

@@ -63,6 +63,7 @@ MIN_TRIED_SURFACE_SIGMA, TRIED_SIGMA_COUNT = 1e-4, 13
 The largest one is `MAX_SURFACE_SIGMA`.
 """
 AXIS_COUNT = 3
+"""Number of axes of a position, of angles of a boresight, and of components of a surface."""
 LINE_UNKNOWNS = 2 * AXIS_COUNT
 """Number of unknowns of the position and of the boresight of a line."""
 

@@ -209,7 +209,7 @@ def _point_tests_kernel(  # type: ignore[no-untyped-def]
     loss, tuning, _, scale, noise = weights
     out, lidar = np.empty(20), np.empty(3)
     width = local.shape[1]
-    wide = np.empty((1, width))
+    group_row = np.empty((1, width))
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
             t = target[i]
@@ -217,13 +217,13 @@ def _point_tests_kernel(  # type: ignore[no-untyped-def]
             misclosure, variance = point_misclosure(
                 i, g, pose, points, placing, effects, out, lidar
             )
-            write_group_row(i, active, fraction, out, wide, 0)
+            write_group_row(i, active, fraction, out, group_row, 0)
             explained = 0.0
             for j in range(width):
                 across = 0.0
                 for k in range(j):
-                    across += local[g, j, k] * wide[0, k]
-                explained += wide[0, j] * (2 * across + local[g, j, j] * wide[0, j])
+                    across += local[g, j, k] * group_row[0, k]
+                explained += group_row[0, j] * (2 * across + local[g, j, j] * group_row[0, j])
             weighted = 1.0
             if loss > 0:
                 weighted = loss_weight(loss, tuning, misclosure / np.sqrt(variance) / scale[t])

@@ -14,6 +14,7 @@ from lispac.survey.georeferencing import CALIBRATION
 Array = NDArray[np.float64]
 
 BORESIGHT_NAMES = CALIBRATION[:3]
+"""Parameters that are always estimated."""
 OPTIONAL_NAMES = CALIBRATION[3:]
 """Parameters that are estimated only on request."""
 

@@ -219,8 +219,8 @@ class NormalEquations:
         """
         reduced = self.eliminate_surfaces.reduced_matrix
         rest = reduced[count:, count:].copy()
-        unseen = np.flatnonzero(np.diag(rest) <= 0)
-        rest[unseen, unseen] = 1.0  # a target without points
+        without_points = np.flatnonzero(np.diag(rest) <= 0)
+        rest[without_points, without_points] = 1.0  # a target without points
         mixed = reduced[:count, count:]
         scale = 1 / np.sqrt(np.maximum(np.diag(rest), np.finfo(float).tiny))
         try:
@@ -350,13 +350,13 @@ def assemble_normal_equations(
     own = len(layout.active) + 4
     wide, unknowns = layout.size + 1, effects.size
     basis = unknown_directions(layout, target_of_sighting, bases)
-    turned = np.swapaxes(basis, 1, 2)
+    transposed_basis = np.swapaxes(basis, 1, 2)
     index = layout.index
     squares = index[:, :, None] * wide + index[:, None, :]
-    matrix = _sum_by_place(squares, turned @ summed[:, :own, :own] @ basis, wide**2).reshape(
-        wide, wide
-    )
-    right = _sum_by_place(index, -(turned @ summed[:, :own, own, None])[..., 0], wide)
+    matrix = _sum_by_place(
+        squares, transposed_basis @ summed[:, :own, :own] @ basis, wide**2
+    ).reshape(wide, wide)
+    right = _sum_by_place(index, -(transposed_basis @ summed[:, :own, own, None])[..., 0], wide)
     quadratic = float(summed[:, own, own].sum())
     band, pull = np.zeros((12, unknowns)), np.zeros(unknowns)
     mixed = np.zeros((wide, unknowns))
@@ -373,6 +373,6 @@ def assemble_normal_equations(
         pull = _sum_by_place(own_knots, -sums[:, pose, -1], unknowns) - prior.reshape(-1)
         quadratic += float((prior * effects).sum())
         shared = index[groups.sighting][:, :, None] * unknowns + own_knots[:, None, :]
-        crossed = turned[groups.sighting] @ sums[:, :own, pose]
+        crossed = transposed_basis[groups.sighting] @ sums[:, :own, pose]
         mixed = _sum_by_place(shared, crossed, wide * unknowns).reshape(wide, unknowns)
     return NormalEquations(layout, matrix[:-1, :-1], right[:-1], quadratic, band, mixed[:-1], pull)

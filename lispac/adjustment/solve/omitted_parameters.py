@@ -37,7 +37,7 @@ Such an error has also increased the sigmas with which the change of the angles 
 
 
 def find_contradicted_parameters(
-    linearised: LinearisedProblem, *, least: float = MIN_ANGLE_CHANGE
+    linearised: LinearisedProblem, *, min_angle_change: float = MIN_ANGLE_CHANGE
 ) -> tuple[ContradictedParameter, ...]:
     """Find values that the data contradict, the most significant first (correlated model).
 
@@ -45,7 +45,7 @@ def find_contradicted_parameters(
 
     Parameters
     ----------
-    least : float
+    min_angle_change : float
         Smallest change of an angle, in sigmas, for which a value is reported.
     """
     problem = linearised.problem
@@ -71,7 +71,7 @@ def find_contradicted_parameters(
             break
         if (
             abs(worst.w) > ALWAYS_REPORTED_VALUE
-            or (np.abs(worst.angle_change) >= least * sigma_now).any()
+            or (np.abs(worst.angle_change) >= min_angle_change * sigma_now).any()
         ):
             found.append(worst)
         others, moved = (*others, Parameter(worst.name)), moved + worst.angle_change

@@ -78,7 +78,7 @@ def reject_disagreeing_sightings(
     here = solution.linearised
     if here.problem.model.surface is not None or not need_own_offset_sigma(here):
         return solution
-    if find_contradicted_parameters(here, least=0.0):
+    if find_contradicted_parameters(here, min_angle_change=0.0):
         return solution
     problem = replace(start.linearised.problem, own_offsets=True)
     try:
@@ -107,7 +107,8 @@ def _reject_unexplained_sightings(
     for reference in (solution, after):
         # In the order in which they were found, the most significant first.
         names = tuple(
-            each.name for each in find_contradicted_parameters(reference.linearised, least=0.0)
+            each.name
+            for each in find_contradicted_parameters(reference.linearised, min_angle_change=0.0)
         )
         if names in tried:
             continue

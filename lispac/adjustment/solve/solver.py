@@ -250,7 +250,7 @@ def _require_still_determined(linearised: LinearisedProblem) -> None:
         require_determined(linearised)
     except RankDeficient as reason:
         wrong = (
-            find_contradicted_parameters(linearised, least=0.0)
+            find_contradicted_parameters(linearised, min_angle_change=0.0)
             if linearised.problem.layout.surfaces
             else ()
         )

@@ -66,13 +66,13 @@ def need_own_offset_sigma(linearised: LinearisedProblem) -> bool:
     every = np.repeat(~problem.rejected[:, :1], 3, axis=1)
     own = every & (np.arange(3) == 2)
     gain = _maximise_surface_likelihood(linearised, own)[1]
-    least = (
+    min_gain = (
         MIN_LIKELIHOOD_GAIN + ADDED_GAIN_IF_REJECTED
         if problem.rejected_sightings.any()
         else MIN_LIKELIHOOD_GAIN
     )
     return (
-        gain > least
+        gain > min_gain
         and gain - _maximise_surface_likelihood(linearised, every)[1] > MIN_LIKELIHOOD_GAIN
     )
 

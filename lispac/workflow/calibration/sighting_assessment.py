@@ -150,7 +150,7 @@ class _PlacedMounting:
     points: Georeferencer
     scanner: Georeferencer
     turned: tuple[Georeferencer, ...]
-    boresight_off: float
+    boresight_sigma: float
     is_nearly_aligned: bool
 
     @classmethod
@@ -250,7 +250,7 @@ def _observed_parts(
     found = compare_observed_extents(
         list(planes.values()),
         [target.sightings[k].used for k in planes],
-        placing.boresight_off * max(ranges),
+        placing.boresight_sigma * max(ranges),
     )
     for k, each_shown in zip(planes, found, strict=True):
         shown[k] = each_shown
@@ -281,7 +281,7 @@ def _sighting_quality(
     quality = plane_quality(
         seen.lidar, seen.local, every, plane, noise,
         scanner_local=placing.scanner(np.zeros_like(seen.lidar), seen.time), turns_local=turns,
-        boresight_off=placing.boresight_off,
+        boresight_sigma=placing.boresight_sigma,
         threshold=None if sighting.by_hand else target.threshold, shown=shown,
     )  # fmt: skip
     if target.expected is None or quality.extent is None:
