@@ -25,9 +25,9 @@ from lispac.message_texts import english_text
 from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, PickedSighting, Project, Target
-from lispac.survey.line_source import DEFAULT_CHOICES
+from lispac.survey.line_source import USUAL
 from lispac.survey.store.stored_line import StoredLine
-from lispac.targets.finder_settings import DEFAULT_CHOICES as USUAL_CHOICES
+from lispac.targets.finder_settings import DEFAULT_CHOICES
 from lispac.targets.line_search import MAX_CLICK_DISTANCE
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.workflow.calibration.estimation import estimate
@@ -154,7 +154,7 @@ def _new_project_step(project: Project, files: FilePaths, *, resolved: bool) -> 
     if project.accuracy is not None:
         named["accuracy"] = files(project.accuracy)
     for name in ("trajectory_reading", "accuracy_reading"):
-        if (reading := getattr(project, name)) != DEFAULT_CHOICES:
+        if (reading := getattr(project, name)) != USUAL:
             named[name] = reading
     named |= {"lever_arm": settings.lever_arm, **non_default_fields(settings, but=("lever_arm",))}
     if project.truth_deg is not None:
@@ -188,10 +188,10 @@ def _missing_file_notes(project: Project) -> list[Message]:
 
 def _line_code(line: LineSource, files: FilePaths) -> PythonCode:
     path = files(line.path)
-    if line.name == line.path.stem and not line.columns and line.reading == DEFAULT_CHOICES:
+    if line.name == line.path.stem and not line.columns and line.reading == USUAL:
         return path
     options = {"columns": line.columns} if line.columns else {}
-    if line.reading != DEFAULT_CHOICES:
+    if line.reading != USUAL:
         options["reading"] = line.reading  # type: ignore[assignment]
     return PythonCode(call_text("lispac.LineSource", line.name, path, **options))
 
@@ -300,7 +300,7 @@ def _seed_arguments(
         "threshold": (target.threshold, search.threshold(project.settings.threshold)),
         "radius": (target.radius, search.search_radii(target.role)[0]),
         "expected": (target.expected, None),
-        "choices": (target.choices, USUAL_CHOICES),
+        "choices": (target.choices, DEFAULT_CHOICES),
     }
     given = {name: value for name, (value, usual) in named.items() if value != usual}
     # If several lines or no line have a point at the seed, the clicked line affects the result.
@@ -347,7 +347,7 @@ def _target_code(target: Target) -> PythonCode:
         named |= {"shape": target.shape, "sphere_radius": target.sphere_radius}
     if target.expected is not None:
         named["expected"] = target.expected
-    if target.choices != USUAL_CHOICES:
+    if target.choices != DEFAULT_CHOICES:
         named["choices"] = target.choices
     return PythonCode(call_text("lispac.Target", **named))
 
