@@ -139,7 +139,7 @@ class TargetResidual:
 
 @dataclass(frozen=True)
 class RadiusDiscrepancy:
-    """A ball whose radius differs from line to line by more than the noise explains.
+    """A sphere whose radius differs from line to line by more than the noise explains.
 
     Attributes
     ----------
@@ -350,7 +350,7 @@ class AdjustmentResult:
         Given correlation times of position and attitude, if the residuals required
         the shorter ones of ``model``.
     radius_discrepancies : tuple of RadiusDiscrepancy
-        Balls whose radius differs between lines.
+        Spheres whose radius differs between lines.
     excluded_targets : tuple of str
         Targets all of whose points have no weight, because they disagree with the other targets;
         they are not used.

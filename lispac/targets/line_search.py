@@ -234,7 +234,7 @@ def best_match(
     contradiction : callable of the best patch and another
         Gives a message if only one of the two can be the target, otherwise None.
     more_shifts : callable
-        Gives more translations, the best first; used if these lead to no patch that resembles the
+        Gives more translations, the best first; used if no match at ``shifts`` resembles the
         reference.
     finer_scores : callable of translations, optional
         Gives scores by a finer comparison; used if several matches are about equally good.

@@ -224,6 +224,8 @@ class _SceneLines:
     def starting_boresights(self, clouds: Mapping[str, Cloud]) -> Iterator[Array]:
         """Yield the prior boresight, then the alternative starts with most matching points.
 
+        The alternative starts are yielded after one Gauss-Newton step.
+
         Parameters
         ----------
         clouds : mapping of line name to Cloud
@@ -283,7 +285,7 @@ class _SceneLines:
             for k, points in enumerate(placed)
         ]
         information, gradient, total = np.zeros((3, 3)), np.zeros(3), 0.0
-        for pair in self._pairs(placed, reach):
+        for pair in self._find_pairs(placed, reach):
             off = _distances_to_plane(placed, pair)
             moved = moves[pair.first][pair.here] - moves[pair.second][pair.there]
             rows = np.einsum("nk,nkb->nb", pair.normals, moved)
@@ -297,7 +299,7 @@ class _SceneLines:
         """See `Alignment`."""
         placed = self.place_points(boresight)
         matched = count = 0
-        for pair in self._pairs(placed, STAGE_DISTANCES[0]):
+        for pair in self._find_pairs(placed, STAGE_DISTANCES[0]):
             difference = placed[pair.first][pair.here] - placed[pair.second][pair.there]
             near = np.linalg.norm(difference, axis=1) < MAX_POINT_DISTANCE
             near &= np.abs(_distances_to_plane(placed, pair)) < MAX_SURFACE_DISTANCE
@@ -309,12 +311,13 @@ class _SceneLines:
         """Distance between the lines in metres, as in `Alignment`; 0 without common surfaces."""
         placed = self.place_points(boresight)
         off = [
-            _distances_to_plane(placed, pair) for pair in self._pairs(placed, MAX_POINT_DISTANCE)
+            _distances_to_plane(placed, pair)
+            for pair in self._find_pairs(placed, MAX_POINT_DISTANCE)
         ]
         every = np.concatenate([np.empty(0), *off])
         return SIGMA_PER_MAD * float(np.median(np.abs(every))) if len(every) else 0.0
 
-    def _pairs(self, placed: list[Array], reach: float) -> Iterator[_PointPairs]:
+    def _find_pairs(self, placed: list[Array], reach: float) -> Iterator[_PointPairs]:
         faces = [
             line.normals_and_flatness(points)
             for line, points in zip(self.lines, placed, strict=True)

@@ -320,7 +320,7 @@ def _outline_coverage(placed: Array, cell: float) -> float:
 
 
 def _form_error(placed: Array, off: Array, cell: float) -> tuple[float, float, bool, float]:
-    """Sagitta of a fitted quadric, its sigma, its significance, and the roughness.
+    """Sagitta of a fitted quadric, its sigma, whether it is significant, and the roughness.
 
     The quadric is fitted to the means of cells, since the roughness at neighbouring points is
     correlated, while that of different cells is not.

@@ -184,7 +184,7 @@ def find_sphere(
             )
         )
     _, sphere, on = best
-    _require_ball(local, sphere, on, radius_range, settings, seed)
+    _require_sphere(local, sphere, on, radius_range, settings, seed)
     indices = np.sort(near[on])
     return patch_on_sphere(points_local, indices, radius_range)
 
@@ -279,7 +279,7 @@ def _sphere_votes(points: Array, votes: Array, sphere: Sphere, threshold: float)
     return float(votes @ (on - (off < -1.0)))
 
 
-def _require_ball(
+def _require_sphere(
     points: Array,
     sphere: Sphere,
     on: Indices,

@@ -157,7 +157,7 @@ def _cross_check_part(
 def _is_target_on_two_lines(
     observations: Observations, keep: NDArray[np.bool_]
 ) -> NDArray[np.bool_]:
-    """Whether the target of each sighting is seen in at least two of the kept sightings."""
+    """Whether the target of each sighting has at least two of the kept sightings."""
     owners = observations.target_of_sighting
     counts = np.bincount(owners[keep], minlength=len(observations.targets))
     return np.asarray(counts[owners] >= 2)

@@ -76,7 +76,7 @@ class LineShiftScores:
         prior = flat @ given.T
         root = np.sqrt(np.diag(prior))
         variance = (prior - after) / np.outer(root, root)
-        score = flat @ here.state.effects.reshape(-1) / root
+        score = flat @ here.state.pos_errors.reshape(-1) / root
         return cls(lines, score, (variance + variance.T) / 2)
 
     def p_value_of_shift(self, k: int) -> float:
@@ -125,7 +125,7 @@ class LineShiftScores:
     def _information_shares(self, k: int) -> tuple[Array, Array]:
         """Eigenvalues and eigenvectors of the information on the shift of a line.
 
-        Directions with a share below `MIN_DATA_SHARE` are left out.
+        Directions with a share below `MIN_DATA_SHARE` are omitted.
         """
         own = self._columns_of_line(k)
         shares, directions = np.linalg.eigh(self.variance[own, own])

@@ -103,7 +103,7 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
         found.append(
             SightingReliability(
                 sighting=sighting,
-                pos_error=linearised.state.effects[nearest[s]],
+                pos_error=linearised.state.pos_errors[nearest[s]],
                 pos_sigma=prior[s],
                 pos_sigma_after=np.sqrt(variance[nearest[s]]),
                 shift=float(tests.shift[s]),

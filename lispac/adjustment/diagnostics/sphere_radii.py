@@ -1,8 +1,8 @@
-"""Test whether a ball has the same radius in every line, and search for the cause of a difference.
+"""Test whether a sphere has the same radius in all lines, and find the cause of a difference.
 
-The vessel moves during the second or two in which a ball is scanned. A wrong sign of the attitude,
-a wrong latency or a wrong range offset therefore distorts the points and changes the radius, by a
-different amount in every line. Planes do not show this.
+The vessel moves during the second or two in which a sphere is scanned. A wrong sign of the
+attitude, a wrong latency or a wrong range offset therefore distorts the points and changes the
+radius, by a different amount in every line. Planes do not show this.
 """
 
 from collections.abc import Iterator
@@ -35,7 +35,7 @@ RANGE_OFFSET_CHANGES = np.linspace(-0.2, 0.2, 81)
 def find_radius_discrepancies(
     observations: Observations, mounting: Mounting
 ) -> tuple[RadiusDiscrepancy, ...]:
-    """Find balls whose radii differ between lines by more than the noise explains.
+    """Find spheres whose radii differ between lines by more than the noise explains.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def find_radius_discrepancies(
 
 
 def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Array, Array] | None:
-    """Radius of one ball in each line and its sigma, (lines,), metres; None with fewer than two."""
+    """Radius of one sphere and its sigma, (lines,), metres; None with fewer than two lines."""
     points = place_points(
         observations.points_lidar, Poses(observations.position, observations.attitude), mounting
     )

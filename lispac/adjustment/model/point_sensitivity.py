@@ -60,15 +60,15 @@ def sensitivity(
     pose_rate : ndarray of shape (n, 6), metres and radians per second, optional
     """
     n = len(points_lidar)
-    nothing = np.zeros((n, 3))
+    no_sigma = np.zeros((n, 3))
     rows = linearise(
         Observations(
             points_lidar=np.ascontiguousarray(points_lidar, dtype=np.float64),
             position=np.ascontiguousarray(poses.position),
             attitude=np.ascontiguousarray(poses.attitude),
-            sigma_lidar=nothing,
-            sigma_position=nothing,
-            sigma_attitude=nothing,
+            sigma_lidar=no_sigma,
+            sigma_position=no_sigma,
+            sigma_attitude=no_sigma,
             time=np.zeros(n),
             sighting=np.arange(n),
             sightings=tuple(Sighting(str(k), "") for k in range(n)),

@@ -245,11 +245,11 @@ class AdjustmentProblem:
     def resume_state(self, state: AdjustmentState, of: "AdjustmentProblem") -> AdjustmentState:
         """Transfer the state of another problem of the same sightings to this one."""
         here, there = self.groups.knots, of.groups.knots
-        effects = state.effects
+        pos_errors = state.pos_errors
         if here is not None and there is not None:
-            columns = [np.interp(here.time, there.time, column) for column in effects.T]
-            effects = np.stack(columns, axis=1)
-        return replace(state, effects=effects)
+            columns = [np.interp(here.time, there.time, column) for column in pos_errors.T]
+            pos_errors = np.stack(columns, axis=1)
+        return replace(state, pos_errors=pos_errors)
 
     def with_scaled_sigmas(
         self, lidar: float, position: float, attitude: float
@@ -295,7 +295,7 @@ class AdjustmentProblem:
         owners = self.observations.target_of_sighting
         summed = self.sums_by_sighting(sums)
         normal = assemble_normal_equations(
-            sums, summed, self.groups, self.layout, owners, bases, state.effects
+            sums, summed, self.groups, self.layout, owners, bases, state.pos_errors
         )
         matrix, right, quadratic = normal.matrix, normal.right, normal.quadratic
         for parameter in self.parameters:
@@ -411,6 +411,6 @@ class LinearisedProblem:
             state.mounting.with_values(values),
             apply_shape_changes(state.shapes, changes, problem.observations.is_sphere),
             surface,
-            state.effects + change,
+            state.pos_errors + change,
         )
         return new, correction

@@ -79,15 +79,17 @@ class Blunder:
         return ALL_COMPONENTS if self.kind == "surface" else OFFSET_COMPONENT
 
 
-def worst_blunder(linearised: LinearisedProblem, spared: Collection[Blunder]) -> Blunder | None:
+def worst_blunder(linearised: LinearisedProblem, untested: Collection[Blunder]) -> Blunder | None:
     """Find the most significant blunder; None if all sightings agree.
 
     Parameters
     ----------
-    spared : collection of Blunder
+    untested : collection of Blunder
         Blunders that have already been restored, and are not tested again.
     """
-    candidates = [found for found in _candidate_blunders(linearised.problem) if found not in spared]
+    candidates = [
+        found for found in _candidate_blunders(linearised.problem) if found not in untested
+    ]
     first = [(_score_test_p_value(linearised, found), found) for found in candidates]
     promising = [item for item in first if item[0] < CANDIDATE_LEVEL]
     promising.sort(key=_weighted_p_value)
@@ -209,7 +211,7 @@ def _blunder_equations(
     width, count = sums.shape[1], 1 if found.kind == "shift" else 3
     among, right = np.zeros((count, count)), np.zeros(count)
     by_unknowns = np.zeros((count, layout.size + 1))
-    by_pos = np.zeros((count, linearised.state.effects.size))
+    by_pos = np.zeros((count, linearised.state.pos_errors.size))
     for g in np.flatnonzero(np.isin(groups.sighting, found.sightings)):
         s, first = groups.sighting[g], 6 * groups.knot[g]
         size = np.zeros((width, count))

@@ -95,7 +95,7 @@ class AdjustmentState:
     shapes : ndarray of shape (targets, 4), local frame
     surface : ndarray of shape (sightings, 4)
         Deviation of each sighting from the shape of its target, in the same parameters.
-    effects : ndarray of shape (knots, 6), metres and radians
+    pos_errors : ndarray of shape (knots, 6), metres and radians
         POS error at the knots.
 
     The current deviations and POS errors are included in the misclosures. Misclosures are therefore
@@ -105,7 +105,7 @@ class AdjustmentState:
     mounting: Mounting
     shapes: Array
     surface: Array
-    effects: Array
+    pos_errors: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,8 +173,8 @@ class EffectArrays(NamedTuple):
     start: NDArray[np.int64]
     knot: NDArray[np.int64]
     fraction: Array  # empty with independent POS errors
-    outlying: Array
-    bridge: Array
+    bridge_variance: Array
+    bridge_factor: Array
     surface: Array
     pos: Array
 
@@ -183,8 +183,10 @@ class EffectArrays(NamedTuple):
         """Take the arrays from ``groups`` and ``state``."""
         knots = groups.knots
         none = (np.zeros(0),) * 3
-        between = none if knots is None else (knots.fraction, knots.outlying, knots.bridge)
-        return cls(groups.start, groups.knot, *between, state.surface, state.effects)
+        between = (
+            none if knots is None else (knots.fraction, knots.bridge_variance, knots.bridge_factor)
+        )
+        return cls(groups.start, groups.knot, *between, state.surface, state.pos_errors)
 
 
 class WeightArrays(NamedTuple):
@@ -215,7 +217,11 @@ def point_misclosure(  # type: ignore[no-untyped-def]
     xyz, sigma_lidar, beam = points.xyz, points.sigma_lidar, points.beam_sigmas
     sigma_position, sigma_attitude = points.sigma_position, points.sigma_attitude
     s, surface, knot, fraction = points.sighting[i], effects.surface, effects.knot, effects.fraction
-    outlying, bridge, pos = effects.outlying, effects.bridge, effects.pos
+    bridge_variance, bridge_factor, pos = (
+        effects.bridge_variance,
+        effects.bridge_factor,
+        effects.pos,
+    )
     variance = lidar_variance(i, xyz, sigma_lidar, beam, lidar)
     misclosure = out[19]
     for k in range(4):
@@ -226,9 +232,9 @@ def point_misclosure(  # type: ignore[no-untyped-def]
             misclosure += out[13 + k] * ((1 - u) * pos[before, k] + u * pos[before + 1, k])
         # Variance of the POS error about the linear interpolation between two knots
         for k in range(3):
-            between = bridge[k] * outlying[i]
+            between = bridge_factor[k] * bridge_variance[i]
             variance += between * (out[13 + k] * sigma_position[i, k]) ** 2
-            between = bridge[3 + k] * outlying[i]
+            between = bridge_factor[3 + k] * bridge_variance[i]
             variance += between * (out[16 + k] * sigma_attitude[i, k]) ** 2
     else:
         for k in range(3):

@@ -45,23 +45,23 @@ def iterate_with_majority(
     observations, off = problem.observations, np.zeros(0, dtype=np.int64)
     if may_reject_sightings(problem.model):
         off = find_displaced_sightings(observations, problem.residuals(start)[1])
-    balls = observations.is_sphere[observations.target_of_sighting]
-    rejected = [Blunder("shift" if balls[s] else "surface", (int(s),)) for s in off]
+    spheres = observations.is_sphere[observations.target_of_sighting]
+    rejected = [Blunder("shift" if spheres[s] else "surface", (int(s),)) for s in off]
     if 0 < len(rejected) <= len(observations.sightings) // MIN_SIGHTINGS_PER_REJECTION:
         without = problem
         for found in rejected:
             without = found.reject_in(without)
         with suppress(RankDeficient, NotConverged):  # then iterate with all sightings
             solution = iterate(without, start, progress)
-            plain = find_confirmed_blunders(solution.linearised, rejected)
-            if plain == rejected:
+            confirmed = find_confirmed_blunders(solution.linearised, rejected)
+            if confirmed == rejected:
                 return solution, rejected
             problem = solution.linearised.problem
             for found in rejected:
                 problem = found.restore_in(problem)
-            for found in plain:
+            for found in confirmed:
                 problem = found.reject_in(problem)
-            return iterate(problem, solution.state, progress, earlier=solution.path), plain
+            return iterate(problem, solution.state, progress, earlier=solution.path), confirmed
     return iterate(problem, start, progress), []
 
 
@@ -139,15 +139,15 @@ def _reject_blunders(
     """
     limit = len(solution.linearised.problem.observations.sightings) // MIN_SIGHTINGS_PER_REJECTION
     rejected = list(rejected)
-    spared: set[Blunder] = set()
+    untested: set[Blunder] = set()
     while True:
         here = solution.linearised
-        if (back := find_restorable_blunder(here, rejected)) is not None:
-            rejected.remove(back)
-            spared.add(back)
-            problem = back.restore_in(here.problem)
+        if (restorable := find_restorable_blunder(here, rejected)) is not None:
+            rejected.remove(restorable)
+            untested.add(restorable)
+            problem = restorable.restore_in(here.problem)
         else:
-            worst = worst_blunder(here, spared)
+            worst = worst_blunder(here, untested)
             if worst is None or sum(len(b.sightings) for b in [*rejected, worst]) > limit:
                 return solution
             rejected.append(worst)

@@ -182,7 +182,7 @@ def solve(
     sampled = _sample_points(observations)
     origins = target_centroids(sampled, mounting)
     sampled = relative_to_origins(sampled, origins)
-    # The radii of the balls are estimated once the boresight is near the solution.
+    # The radii of the spheres are estimated once the boresight is near the solution.
     first = with_median_radii(sampled, mounting)
     fitted = fit_shapes(first, mounting)
     if settings.shapes is not None:

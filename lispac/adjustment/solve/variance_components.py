@@ -263,7 +263,7 @@ class _RestrictedLikelihood:
 
     def __init__(self, linearised: LinearisedProblem) -> None:
         problem, self.normal = linearised.problem, linearised.normal
-        knots, effects = problem.groups.knots, linearised.state.effects
+        knots, pos_errors = problem.groups.knots, linearised.state.pos_errors
         assert knots is not None
         # A loss also reduces the weights of large residuals that follow the normal distribution.
         self.points = len(problem.observations) * linearised.loss.expected_square_share
@@ -271,10 +271,10 @@ class _RestrictedLikelihood:
         self.kind = np.tile([1, 1, 1, 2, 2, 2], self.knots)
         self.own = knots.precision_diagonal.reshape(-1)
         self.beside = knots.precision_beside.reshape(-1)
-        weighted = knots.apply_prior_precision(effects)
+        weighted = knots.apply_prior_precision(pos_errors)
         self.prior_pull = weighted.reshape(-1)
         self.prior_quadratic = [0.0] + [
-            float((weighted * effects)[:, part].sum()) for part in (slice(3), slice(3, 6))
+            float((weighted * pos_errors)[:, part].sum()) for part in (slice(3), slice(3, 6))
         ]
         self.band = self.normal.band.copy()
         self.band[0] -= self.own
