@@ -270,9 +270,9 @@ def test_the_scatter_of_two_targets_or_halves_of_lines_is_not_reported(
     """Two parts of a kind are too few for a jackknife."""
     solved = SolvedEquations.of(adjust(few, PRIOR, MODEL), few, PRIOR)
     assert solved is not None
-    assert excess_variance(solved.here, solved.origins).shape == (3,)
+    assert excess_variance(solved.linearised, solved.origins).shape == (3,)
     monkeypatch.setattr(excess_scatter, "PARTS_PER_LINE", 2)
-    np.testing.assert_array_equal(excess_variance(solved.here, solved.origins), np.zeros(3))
+    np.testing.assert_array_equal(excess_variance(solved.linearised, solved.origins), np.zeros(3))
 
 
 BESIDE_EACH_OTHER = (
@@ -304,10 +304,10 @@ def test_the_remainder_is_that_of_adjustments_without_each_place(
     expected = 3 / 4 * np.maximum((off**2 - predicted).sum(axis=0), 0.0)
     solved = SolvedEquations.of(whole, data, TRUTH)
     assert solved is not None
-    more = excess_variance(solved.here, solved.origins)
+    more = excess_variance(solved.linearised, solved.origins)
     np.testing.assert_allclose(more, expected, rtol=0.01)
     assert np.count_nonzero(expected) == 2
-    raised = raise_sigmas_by_scatter(whole, solved.here, solved.origins)
+    raised = raise_sigmas_by_scatter(whole, solved.linearised, solved.origins)
     np.testing.assert_allclose(raised.sigma**2, whole.sigma**2 + more)
     np.testing.assert_allclose(raised.correlation_all, whole.correlation_all)
 
@@ -321,7 +321,7 @@ def test_the_equations_at_an_answer_say_how_its_weights_follow(
     model = StochasticModel(loss=loss, surface=0.001)
     solved = SolvedEquations.of(adjust(outliers, PRIOR, model, diagnostics=False), outliers, PRIOR)
     assert solved is not None
-    here, step = solved.here.tangent, 1e-6
+    here, step = solved.linearised.tangent, 1e-6
     mounting = here.state.mounting
 
     def pull(turn: np.ndarray) -> np.ndarray:
@@ -366,8 +366,10 @@ def test_the_statistic_is_the_quadratic_form_of_the_equations(few: Observations)
     result = adjust(data, off, MODEL, parameters=stated, diagnostics=False)
     solved = SolvedEquations.of(result, data, off, stated)
     assert solved is not None
-    assert np.abs(solved.here.departures).max() > 0
-    assert result.chi_square.statistic == pytest.approx(solved.here.normal.quadratic, rel=1e-6)
+    assert np.abs(solved.linearised.departures).max() > 0
+    assert result.chi_square.statistic == pytest.approx(
+        solved.linearised.normal.quadratic, rel=1e-6
+    )
 
 
 def test_a_contradiction_is_reported_above_a_number_of_sigmas_of_an_angle(

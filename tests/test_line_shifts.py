@@ -64,7 +64,7 @@ def here(sparse_project: Project, tmp_path_factory: pytest.TempPathFactory) -> L
     observations = observations_of(found, survey, mounting=found.mounting("estimated"))
     solved = SolvedEquations.of(adjust(observations, prior, model), observations, prior)
     assert solved is not None
-    return solved.here
+    return solved.linearised
 
 
 def test_scores_are_those_of_dense_matrices(here: LinearisedProblem) -> None:
@@ -77,7 +77,7 @@ def test_scores_of_a_few_boards_are_those_of_dense_matrices() -> None:
         adjust(data, PRIOR, StochasticModel(), diagnostics=False), data, PRIOR
     )
     assert solved is not None
-    _compare_with_dense_matrices(solved.here)
+    _compare_with_dense_matrices(solved.linearised)
 
 
 def _compare_with_dense_matrices(here: LinearisedProblem) -> None:

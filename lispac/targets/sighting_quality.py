@@ -135,7 +135,7 @@ def plane_quality(
     turns_local: Array | None = None,
     boresight_sigma: float = PRIOR_BORESIGHT_SIGMA,
     threshold: float | None = None,
-    shown: ObservedExtent | None = None,
+    observed_extent: ObservedExtent | None = None,
 ) -> SightingQuality:
     """Assess a plane in one line.
 
@@ -158,7 +158,7 @@ def plane_quality(
         Sigma of each boresight angle.
     threshold : float, metres, optional
         Distance threshold of the search for the points.
-    shown : ObservedExtent, optional
+    observed_extent : ObservedExtent, optional
         Comparison with the extent in other lines, if the plane ends within the search radius.
     """
     points = points_local[indices]
@@ -203,13 +203,13 @@ def plane_quality(
         (-COVERAGE_LIMITS[0], -COVERAGE_LIMITS[1]),
         note("quality.sparse", share=coverage),
     )
-    found += _grade_occlusion(shown) + flat
+    found += _grade_occlusion(observed_extent) + flat
     rating, reasons = _rating_of(found)
     return SightingQuality(
         len(points), rms, float(np.median(ranges)), len(points) / area, incidence,
         extent_in_plane(plane, points), coverage, sagitta, curved, uneven, rating, reasons,
         None if turns_local is None else float(np.sqrt(np.mean((off - own) ** 2))),
-        None if shown is None else shown.share, _rating_of(flat)[0],
+        None if observed_extent is None else observed_extent.share, _rating_of(flat)[0],
     )  # fmt: skip
 
 
@@ -266,13 +266,15 @@ def _grade_roughness(
     return _grade_by_limits(without, limits, Message(code, Level.NOTE, params))
 
 
-def _grade_occlusion(shown: ObservedExtent | None) -> list[GradedReason]:
-    if shown is None:
+def _grade_occlusion(observed_extent: ObservedExtent | None) -> list[GradedReason]:
+    if observed_extent is None:
         return []
-    if shown.alone:
-        return [(1, shown.message)]
+    if observed_extent.is_far_larger:
+        return [(1, observed_extent.message)]
     return _grade_by_limits(
-        -shown.share, (-VISIBLE_SHARE_LIMITS[0], -VISIBLE_SHARE_LIMITS[1]), shown.message
+        -observed_extent.share,
+        (-VISIBLE_SHARE_LIMITS[0], -VISIBLE_SHARE_LIMITS[1]),
+        observed_extent.message,
     )
 
 

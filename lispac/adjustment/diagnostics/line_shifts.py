@@ -47,15 +47,15 @@ class LineShiftScores:
     variance: Array
 
     @classmethod
-    def of(cls, here: LinearisedProblem) -> "LineShiftScores":
+    def of(cls, linearised: LinearisedProblem) -> "LineShiftScores":
         """Compute the score of every line.
 
         Parameters
         ----------
-        here : LinearisedProblem
+        linearised : LinearisedProblem
             Equations of the correlated model at its solution.
         """
-        problem, normal = here.problem, here.normal
+        problem, normal = linearised.problem, linearised.normal
         observations, knots = problem.observations, problem.groups.knots
         assert knots is not None
         lines = tuple(observations.lines)
@@ -76,7 +76,7 @@ class LineShiftScores:
         prior = flat @ given.T
         root = np.sqrt(np.diag(prior))
         variance = (prior - after) / np.outer(root, root)
-        score = flat @ here.state.pos_errors.reshape(-1) / root
+        score = flat @ linearised.state.pos_errors.reshape(-1) / root
         return cls(lines, score, (variance + variance.T) / 2)
 
     def p_value_of_shift(self, k: int) -> float:

@@ -27,14 +27,14 @@ class SolvedEquations:
 
     Attributes
     ----------
-    here : LinearisedProblem
+    linearised : LinearisedProblem
         Equations without the rejected sightings. Their covariance is that of the result before its
         sigmas were raised.
     origins : ndarray of shape (targets, 3), metres, local frame
         Origin of the coordinates of each target, its mean point.
     """
 
-    here: LinearisedProblem
+    linearised: LinearisedProblem
     origins: Array
 
     @classmethod

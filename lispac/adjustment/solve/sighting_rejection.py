@@ -75,10 +75,10 @@ def reject_disagreeing_sightings(
     the displacements.
     """
     solution = _reject_unexplained_sightings(start, rejected, progress)
-    here = solution.linearised
-    if here.problem.model.surface is not None or not need_own_offset_sigma(here):
+    linearised = solution.linearised
+    if linearised.problem.model.surface is not None or not need_own_offset_sigma(linearised):
         return solution
-    if find_contradicted_parameters(here, min_angle_change=0.0):
+    if find_contradicted_parameters(linearised, min_angle_change=0.0):
         return solution
     problem = replace(start.linearised.problem, own_offsets=True)
     try:
@@ -141,17 +141,17 @@ def _reject_blunders(
     rejected = list(rejected)
     untested: set[Blunder] = set()
     while True:
-        here = solution.linearised
-        if (restorable := find_restorable_blunder(here, rejected)) is not None:
+        linearised = solution.linearised
+        if (restorable := find_restorable_blunder(linearised, rejected)) is not None:
             rejected.remove(restorable)
             untested.add(restorable)
-            problem = restorable.restore_in(here.problem)
+            problem = restorable.restore_in(linearised.problem)
         else:
-            worst = worst_blunder(here, untested)
+            worst = worst_blunder(linearised, untested)
             if worst is None or sum(len(b.sightings) for b in [*rejected, worst]) > limit:
                 return solution
             rejected.append(worst)
-            problem = worst.reject_in(here.problem)
+            problem = worst.reject_in(linearised.problem)
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
 
 

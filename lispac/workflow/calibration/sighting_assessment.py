@@ -282,7 +282,7 @@ def _sighting_quality(
         seen.lidar, seen.local, every, plane, noise,
         scanner_local=placing.scanner(np.zeros_like(seen.lidar), seen.time), turns_local=turns,
         boresight_sigma=placing.boresight_sigma,
-        threshold=None if sighting.by_hand else target.threshold, shown=shown,
+        threshold=None if sighting.by_hand else target.threshold, observed_extent=shown,
     )  # fmt: skip
     if target.expected is None or quality.extent is None:
         return quality
