@@ -60,7 +60,11 @@ MIN_COVERED_SHARE, MAX_AREA_RATIO = 0.3, 3.0
 
 @dataclass(frozen=True, eq=False)
 class _ReferenceSurface:
-    """Surface found in the reference line, which is searched for in the other lines."""
+    """Surface found in the reference line, which is searched for in the other lines.
+
+    ``cell`` is the cell size of its outline, metres, and ``ratio_beyond`` the result of
+    `_ratio_beyond_threshold`.
+    """
 
     seed: Array
     patch: PlanePatch
@@ -94,7 +98,7 @@ def find_in_lines(
         nearest three whose plane is found in most lines.
     indices : mapping of line name to PointGrid, optional
         Prepared cells; lines without them are read completely.
-    points_at_seed : mapping of line name to ndarray of shape (m, 3), metres, optional
+    points_at_seed : mapping of line name to ndarray of shape (m, 3), metres, local frame, optional
         For lines that are sampled, all points close to the seed; see `find_plane`.
     progress : Progress
 

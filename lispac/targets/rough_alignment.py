@@ -151,7 +151,12 @@ def align_lines(clouds: Mapping[str, Cloud]) -> Alignment:
 
 @dataclass(frozen=True, eq=False)
 class _LineSample:
-    """Sample of the points of a line in the scanner frame, with the neighbours for normals."""
+    """Sample of the points of a line in the scanner frame.
+
+    ``neighbours`` has shape (n, k) and contains the indices of the points from which the normal of
+    each point is computed. ``max_roughness`` is the largest RMS distance of such points from their
+    plane, metres, for which the normal is used.
+    """
 
     points_lidar: Array
     time: Array
@@ -185,7 +190,11 @@ class _LineSample:
 
 @dataclass(frozen=True, eq=False)
 class _PointPairs:
-    """Corresponding points of two lines, shape (n,), with the normals (n, 3) of the second line."""
+    """Corresponding points of two lines, with the normals (n, 3) at the points of the second line.
+
+    ``first`` and ``second`` are the indices of the lines. ``here`` and ``there``, of shape (n,), are
+    those of the points.
+    """
 
     first: int
     second: int

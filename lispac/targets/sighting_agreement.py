@@ -32,7 +32,7 @@ EFFECTIVE_POINTS = 4
 """Number of independent points assumed for a sighting. The scatter of its points about the plane is
 mainly form error and POS error, which neighbouring points share; lines may also show different
 parts of an uneven surface such as a tarpaulin."""
-MAX_POINTS = 500
+MAX_TESTED_POINTS = 500
 """Largest number of points of a sighting used in the tests."""
 DERIVATIVE_STEP = radians(0.01)
 """Step of the numerical derivatives with respect to the boresight angles, radians."""
@@ -196,7 +196,7 @@ class _SightingSample:
 
     @classmethod
     def of(cls, patch: PlanePatch | SpherePatch, cloud: Cloud) -> "_SightingSample":
-        indices = patch.indices[:: 1 + len(patch.indices) // MAX_POINTS]
+        indices = patch.indices[:: 1 + len(patch.indices) // MAX_TESTED_POINTS]
         mounting = cloud.place.mounting
         points = cloud[indices]
         turned = [

@@ -49,18 +49,18 @@ def iterate_with_majority(
     rejected = [Blunder("shift" if spheres[s] else "surface", (int(s),)) for s in off]
     if 0 < len(rejected) <= len(observations.sightings) // MIN_SIGHTINGS_PER_REJECTION:
         without = problem
-        for found in rejected:
-            without = found.reject_in(without)
+        for blunder in rejected:
+            without = blunder.reject_in(without)
         with suppress(RankDeficient, NotConverged):  # then iterate with all sightings
             solution = iterate(without, start, progress)
             confirmed = find_confirmed_blunders(solution.linearised, rejected)
             if confirmed == rejected:
                 return solution, rejected
             problem = solution.linearised.problem
-            for found in rejected:
-                problem = found.restore_in(problem)
-            for found in confirmed:
-                problem = found.reject_in(problem)
+            for blunder in rejected:
+                problem = blunder.restore_in(problem)
+            for blunder in confirmed:
+                problem = blunder.reject_in(problem)
             return iterate(problem, solution.state, progress, earlier=solution.path), confirmed
     return iterate(problem, start, progress), []
 
