@@ -188,22 +188,24 @@ def _mean_closeness(
     """
     flat = field.reshape(-1)
     scores = np.zeros(steps.shape[0])
-    at = np.empty(places.shape[0], np.int64)
-    rest, last = np.empty(3), np.full(3, -1.0)
+    voxel_index = np.empty(places.shape[0], np.int64)
+    fraction, last = np.empty(3), np.full(3, -1.0)
     for t in range(steps.shape[0]):
         moved = 0
         for k in range(3):
-            whole = np.floor(steps[t, k] + 1e-6)
-            rest[k] = steps[t, k] - whole
-            moved = moved * field.shape[k] + int(whole)
-        if np.abs(rest - last).max() > 1e-6:
-            last[:] = rest
+            whole_step = np.floor(steps[t, k] + 1e-6)
+            fraction[k] = steps[t, k] - whole_step
+            moved = moved * field.shape[k] + int(whole_step)
+        if np.abs(fraction - last).max() > 1e-6:
+            last[:] = fraction
             for n in range(places.shape[0]):
-                at[n] = 0
+                voxel_index[n] = 0
                 for k in range(3):
-                    at[n] = at[n] * field.shape[k] + int(places[n, k] + rest[k])
+                    voxel_index[n] = voxel_index[n] * field.shape[k] + int(
+                        places[n, k] + fraction[k]
+                    )
         total = 0.0
         for n in range(places.shape[0]):
-            total += mass[n] * flat[at[n] + moved]
+            total += mass[n] * flat[voxel_index[n] + moved]
         scores[t] = total
     return scores

@@ -192,8 +192,8 @@ class _LineSample:
 class _PointPairs:
     """Corresponding points of two lines, with the normals (n, 3) at the points of the second line.
 
-    ``first`` and ``second`` are the indices of the lines. ``here`` and ``there``, of shape (n,), are
-    those of the points.
+    ``first`` and ``second`` are the indices of the lines, ``here`` and ``there`` (n,) those of the
+    points in these lines.
     """
 
     first: int

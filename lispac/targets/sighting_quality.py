@@ -308,9 +308,9 @@ def _outline_coverage(placed: Array, cell: float) -> float:
     from scipy.spatial import ConvexHull, QhullError
 
     low = placed.min(axis=0)
-    at = np.floor((placed - low) / cell).astype(np.int64)
-    filled = np.zeros(at.max(axis=0) + 1, dtype=bool)
-    filled[at[:, 0], at[:, 1]] = True
+    cell_index = np.floor((placed - low) / cell).astype(np.int64)
+    filled = np.zeros(cell_index.max(axis=0) + 1, dtype=bool)
+    filled[cell_index[:, 0], cell_index[:, 1]] = True
     middles = low + (np.argwhere(np.ones_like(filled)) + 0.5) * cell
     try:
         sides = ConvexHull(placed).equations
@@ -329,25 +329,27 @@ def _form_error(placed: Array, off: Array, cell: float) -> tuple[float, float, b
     """
     from scipy.special import fdtrc
 
-    at = np.floor((placed - placed.min(axis=0)) / cell).astype(np.int64)
-    _, key, count = np.unique(at[:, 0] * (at[:, 1].max() + 1) + at[:, 1], False, True, True)
+    cell_index = np.floor((placed - placed.min(axis=0)) / cell).astype(np.int64)
+    _, key, count = np.unique(
+        cell_index[:, 0] * (cell_index[:, 1].max() + 1) + cell_index[:, 1], False, True, True
+    )
     key = key.reshape(-1)
     x, y, w = (np.bincount(key, values) / count for values in (*placed.T, off))
     if len(count) < 12:
         return 0.0, 0.0, False, 0.0
     root = np.sqrt(count)
     flat = np.stack([np.ones_like(x), x, y], axis=1)
-    bent = np.stack([*flat.T, x * x, x * y, y * y], axis=1)
-    left = []
-    for design in (flat, bent):
+    quadric = np.stack([*flat.T, x * x, x * y, y * y], axis=1)
+    residuals = []
+    for design in (flat, quadric):
         solved, inverse = _solve_least_squares(design, w, count.astype(float))
-        left.append(root * (w - np.einsum("nk,k->n", design, solved)))
+        residuals.append(root * (w - np.einsum("nk,k->n", design, solved)))
     _, _, _, xx, xy, yy = solved
     bends, directions = np.linalg.eigh(np.array([[2 * xx, xy], [xy, 2 * yy]]))
     lengths = np.ptp(placed @ directions, axis=0)
     sagittas = np.abs(bends) * lengths**2 / 8
     largest = int(np.argmax(sagittas))
-    plain, smooth = (float(each @ each) for each in left)
+    plain, smooth = (float(each @ each) for each in residuals)
     freedom = len(count) - 6
     ratio = (plain - smooth) / 3 / max(smooth / freedom, 1e-30)
     u, v = directions[:, largest]

@@ -260,8 +260,8 @@ def _linearise_kernel(  # type: ignore[no-untyped-def]
 ):
     """Write the results of `condition_row` for the points from ``first`` to ``last``."""
     for i in range(first, last):
-        at, pose = lidar_point(i, points), point_pose(i, points)
-        condition_row(i, at, pose, points, placing, rows[i], by_lidar[i])
+        point_xyz, pose = lidar_point(i, points), point_pose(i, points)
+        condition_row(i, point_xyz, pose, points, placing, rows[i], by_lidar[i])
 
 
 @kernel()
@@ -270,8 +270,8 @@ def _evaluate_columns_kernel(  # type: ignore[no-untyped-def]
 ):
     out, lidar = np.empty(20), np.empty(3)
     for i in range(first, last):
-        at, pose = lidar_point(i, points), point_pose(i, points)
-        condition_row(i, at, pose, points, placing, out, lidar)
+        point_xyz, pose = lidar_point(i, points), point_pose(i, points)
+        condition_row(i, point_xyz, pose, points, placing, out, lidar)
         for k in range(selected.shape[1]):
             selected[i, k] = out[begin + k]
 

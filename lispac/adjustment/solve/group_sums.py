@@ -287,19 +287,19 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
                     # At the observed point, the noise of the derivatives and of the misclosure is
                     # correlated, which biases weakly determined unknowns. The derivatives are
                     # therefore computed at the adjusted point (Pope 1972).
-                    at = adjusted_observation(
+                    adjusted_xyz = adjusted_observation(
                         i, xyz, sigma_lidar, beam, lidar, misclosure / variance
                     )
-                    condition_row(i, at, pose, points, placing, out, lidar)
+                    condition_row(i, adjusted_xyz, pose, points, placing, out, lidar)
                 write_group_row(i, active, fraction, out, rows, place)
                 rows[place, width - 1] = misclosure
                 precision = 1 / (variance * noise[t] ** 2)
                 pull = precision * misclosure
                 if loss > 0:
                     off = misclosure / np.sqrt(variance) / scale[t]
-                    weighed = loss_weight(loss, tuning, off)
-                    pull *= weighed
-                    precision *= influence_slope(loss, tuning, off) if tangent else weighed
+                    loss_factor = loss_weight(loss, tuning, off)
+                    pull *= loss_factor
+                    precision *= influence_slope(loss, tuning, off) if tangent else loss_factor
                 for k in range(width - 1):
                     weighted[place, k] = precision * rows[place, k]
                 weighted[place, width - 1] = pull

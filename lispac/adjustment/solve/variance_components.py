@@ -239,16 +239,16 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
 
 
 def _likelihood_curvature(
-    likelihood: Callable[[Array], float], at: Array, step: float = 0.1
+    likelihood: Callable[[Array], float], centre: Array, step: float = 0.1
 ) -> Array:
     """Matrix of second derivatives of the likelihood, with eigenvalues of at least 1e-3."""
-    middle, steps = likelihood(at), step * np.eye(len(at))
-    there = np.array([likelihood(at + h) for h in steps])
-    curvature = np.empty((len(at), len(at)))
-    for j, one in enumerate(steps):
-        curvature[j, j] = there[j] - 2 * middle + likelihood(at - one)
+    middle, steps = likelihood(centre), step * np.eye(len(centre))
+    there = np.array([likelihood(centre + h) for h in steps])
+    curvature = np.empty((len(centre), len(centre)))
+    for j, step_j in enumerate(steps):
+        curvature[j, j] = there[j] - 2 * middle + likelihood(centre - step_j)
         for k in range(j):
-            both = likelihood(at + one + steps[k])
+            both = likelihood(centre + step_j + steps[k])
             curvature[j, k] = curvature[k, j] = both - there[j] - there[k] + middle
     values, directions = np.linalg.eigh(curvature / step**2)
     return np.asarray((directions * np.maximum(values, 1e-3)) @ directions.T)
