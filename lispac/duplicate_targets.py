@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.diagnostics.cause_warnings import SAME_ON_LINES, point_displacement
+from lispac.adjustment.diagnostics.cause_warnings import SAME_ON_LINES_CODE, point_displacement
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult
@@ -239,7 +239,7 @@ def data_warnings(project: Project) -> tuple[Message, ...]:
         if len(known) == len(effects):
             params["effect"] = max(known)
         make = error if first.level is Level.ERROR else warning
-        found.append(make(SAME_ON_LINES, subject=first.subject or RESULT, **params))
+        found.append(make(SAME_ON_LINES_CODE, subject=first.subject or RESULT, **params))
     return tuple(found)
 
 

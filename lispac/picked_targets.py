@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from lispac.errors import ProjectError
 from lispac.messages import Message, error
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 
 Role = Literal["target", "validation"]
 ROLES: tuple[Role, ...] = ("target", "validation")
@@ -77,7 +77,7 @@ class Target:
     shape: Shape = "plane"
     sphere_radius: float | None = None
     expected: ExpectedTarget | None = None
-    choices: FinderChoices = USUAL
+    choices: FinderChoices = DEFAULT_CHOICES
 
     def sighting(self, line: str) -> PickedSighting | None:
         """Sighting on ``line``; None if there is none."""

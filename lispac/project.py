@@ -13,9 +13,9 @@ from typing import Annotated, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.model.parameters import OPTIONAL_NAMES, PRIOR_SIGMAS, Parameter
-from lispac.adjustment.model.robust_loss import LOSSES, LossName
-from lispac.adjustment.model.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
+from lispac.adjustment.model.parameters import OPTIONAL_NAMES, PRIOR_SIGMA_LIMITS, Parameter
+from lispac.adjustment.model.robust_loss import LOSS_NAMES, LossName
+from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, PosErrors, StochasticModel
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.alternative_methods import METHODS, AlternativeResult, Method
 from lispac.errors import InputError, ProjectError
@@ -55,7 +55,7 @@ LIMITS: Mapping[str, tuple[float, float, Unit]] = {
 """Smallest and largest absolute value of each setting, other than zero, and its unit. Values
 outside these limits are typing errors and would cause overflow in the adjustment."""
 LIMITS_OF_BEAM: tuple[tuple[float, float, Unit], ...] = ((1e-6, 100.0, "m"), (1e-9, 180.0, "deg"))
-"""Limits, as in `LIMITS`, of the standard deviations of range and direction of a beam."""
+"""Limits of the sigmas of range and direction of a beam, in the form of `PRIOR_SIGMA_LIMITS`."""
 OUT_OF_RANGE: Mapping[Unit, str] = {
     "m": "settings.length_out_of_range", "deg": "settings.angle_out_of_range",
     "s": "settings.time_out_of_range",
@@ -165,9 +165,9 @@ class Settings:
                 raise InputError(_out_of_range("setting.lidar_beam_sigma", value, low, high, unit))
         if min(*self.position_sigma, *self.attitude_sigma_deg, self.subsample) < 0:
             raise InputError(error("settings.negative"))
-        if self.pos_errors not in POS_ERRORS:
+        if self.pos_errors not in POS_ERROR_MODELS:
             raise InputError(
-                error("settings.unknown_pos_errors", name=self.pos_errors, known=POS_ERRORS)
+                error("settings.unknown_pos_errors", name=self.pos_errors, known=POS_ERROR_MODELS)
             )
         lidar = (self.lidar_sigma, *(self.lidar_sigma_xyz or ()), *(self.lidar_beam_sigma or ()))
         if min(lidar) <= 0:
@@ -180,8 +180,8 @@ class Settings:
             raise InputError(error("settings.negative_surface"))
         if not self.longest_gap > 0:
             raise InputError(error("settings.zero_longest_gap"))
-        if self.loss is not None and self.loss not in LOSSES:
-            raise InputError(error("settings.unknown_loss", name=self.loss, known=LOSSES))
+        if self.loss is not None and self.loss not in LOSS_NAMES:
+            raise InputError(error("settings.unknown_loss", name=self.loss, known=LOSS_NAMES))
         if abs(self.latency) > 10:
             raise InputError(error("settings.latency_too_large", value=self.latency))
         if abs(self.range_offset) > 10:
@@ -212,13 +212,13 @@ class Settings:
 
 
 def require_prior_sigma(parameter: Parameter) -> None:
-    """Refuse a prior standard deviation outside `PRIOR_SIGMAS`.
+    """Refuse a prior standard deviation outside `PRIOR_SIGMA_LIMITS`.
 
     Raises
     ------
     InputError
     """
-    low, high = PRIOR_SIGMAS
+    low, high = PRIOR_SIGMA_LIMITS
     if parameter.sigma is not None and not low <= parameter.sigma <= high:
         raise InputError(error("settings.parameter_sigma_out_of_range", name=parameter.name))
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.model.parameters import ParameterEstimate, mounting_value_name
-from lispac.adjustment.model.robust_loss import LOSSES
+from lispac.adjustment.model.robust_loss import LOSS_NAMES
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import VarianceComponent
 from lispac.io.formats import POINT_FORMATS
@@ -149,7 +149,7 @@ VARIANTS: dict[str, Change] = {
     ),
     "origin": with_settings(origin_deg_m=(45.5, -73.5, -25.6)),
     "file gone": lambda p: replace(p, trajectory=p.folder / "gone.sbet"),
-    **{loss: with_result(model=StochasticModel(loss=loss)) for loss in LOSSES},
+    **{loss: with_result(model=StochasticModel(loss=loss)) for loss in LOSS_NAMES},
     **{f"{code} {k}": change for k, (code, _, change, _) in enumerate(CASES)},
 }
 

@@ -76,7 +76,7 @@ def test_the_chi_square_test_accepts_correct_sigmas(factor, passes_mostly) -> No
     count = 30
     passed = sum(
         adjust(
-            survey(300 + seed).with_sigmas(factor, 1.0, 1.0), PRIOR, StochasticModel(),
+            survey(300 + seed).with_scaled_sigmas(factor, 1.0, 1.0), PRIOR, StochasticModel(),
             diagnostics=False,
         ).chi_square.passed
         for seed in range(count)

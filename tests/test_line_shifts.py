@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.diagnostics.line_shifts import AXES, LineShiftScores
+from lispac.adjustment.diagnostics.line_shifts import AXIS_COUNT, LineShiftScores
 from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.stochastic_model import StochasticModel
@@ -21,9 +21,9 @@ SIGMAS = 6.0
 def seen(*shifts: float) -> LineShiftScores:
     """Lines seen against each other without noise, shifted northwards by so many sigmas."""
     count = len(shifts)
-    differences = np.kron(np.eye(count) - 1.0 / count, np.eye(AXES))
-    off = np.zeros(count * AXES)
-    off[::AXES] = shifts
+    differences = np.kron(np.eye(count) - 1.0 / count, np.eye(AXIS_COUNT))
+    off = np.zeros(count * AXIS_COUNT)
+    off[::AXIS_COUNT] = shifts
     return LineShiftScores(tuple("ABCDEF"[:count]), differences @ off, differences)
 
 
@@ -50,10 +50,10 @@ def test_who_is_shifted_is_named_and_nobody_that_it_pushed(
 
 def test_what_is_given_adds_no_message() -> None:
     after = seen(SIGMAS, 1.0, 0.0, 0.0).without_line_shift(0)
-    np.testing.assert_allclose(after.score[:AXES], 0.0, atol=1e-12)
-    np.testing.assert_allclose(after.variance[:AXES], 0.0, atol=1e-12)
+    np.testing.assert_allclose(after.score[:AXIS_COUNT], 0.0, atol=1e-12)
+    np.testing.assert_allclose(after.variance[:AXIS_COUNT], 0.0, atol=1e-12)
     # As if there were three lines: with the mean of the three taken off
-    np.testing.assert_allclose(after.score[AXES::AXES], np.array([2.0, -1.0, -1.0]) / 3)
+    np.testing.assert_allclose(after.score[AXIS_COUNT::AXIS_COUNT], np.array([2.0, -1.0, -1.0]) / 3)
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +64,7 @@ def here(sparse_project: Project, tmp_path_factory: pytest.TempPathFactory) -> L
     observations = observations_of(found, survey, mounting=found.mounting("estimated"))
     solved = SolvedEquations.of(adjust(observations, prior, model), observations, prior)
     assert solved is not None
-    return solved.here
+    return solved.linearised
 
 
 def test_scores_are_those_of_dense_matrices(here: LinearisedProblem) -> None:
@@ -77,7 +77,7 @@ def test_scores_of_a_few_boards_are_those_of_dense_matrices() -> None:
         adjust(data, PRIOR, StochasticModel(), diagnostics=False), data, PRIOR
     )
     assert solved is not None
-    _compare_with_dense_matrices(solved.here)
+    _compare_with_dense_matrices(solved.linearised)
 
 
 def _compare_with_dense_matrices(here: LinearisedProblem) -> None:
@@ -100,7 +100,7 @@ def _compare_with_dense_matrices(here: LinearisedProblem) -> None:
     shifts = []
     for line in scores.lines:
         first = knots.left[lines == line]
-        for axis in range(AXES):
+        for axis in range(AXIS_COUNT):
             shift = np.zeros((len(knots.time), 6))
             shift[np.union1d(first, first + 1), axis] = 1.0
             shifts.append(shift.reshape(-1))
@@ -108,11 +108,11 @@ def _compare_with_dense_matrices(here: LinearisedProblem) -> None:
     prior = moved.T @ weights @ moved
     root = np.sqrt(np.diag(prior))
     variance = (prior - moved.T @ weights @ after @ weights @ moved) / np.outer(root, root)
-    score = moved.T @ weights @ here.state.effects.reshape(-1) / root
+    score = moved.T @ weights @ here.state.pos_errors.reshape(-1) / root
     np.testing.assert_allclose(scores.variance, variance, rtol=0, atol=1e-7)
     np.testing.assert_allclose(scores.score, score, rtol=0, atol=1e-7)
     for k in range(len(scores.lines)):
-        own = slice(AXES * k, AXES * (k + 1))
+        own = slice(AXIS_COUNT * k, AXIS_COUNT * (k + 1))
         shares = np.linalg.eigvalsh(variance[own, own])
         assert (shares > -1e-9).all()  # a direction that no surface faces is not told
         assert (shares < 1).all()

@@ -10,7 +10,7 @@ from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.model.point_averaging import average_points_in_cells
-from lispac.adjustment.model.stochastic_model import POS_ERRORS, StochasticModel
+from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, StochasticModel
 from lispac.adjustment.model.target_shapes import points_local
 from lispac.adjustment.result import UncontrolledObservations
 from lispac.adjustment.solve.normal_equations import scaled_inverse
@@ -49,7 +49,7 @@ def survey(targets=THESIS_BOARDS, courses=None, seed: int = 0, still: bool = Fal
 
 
 @pytest.mark.parametrize("accepted", [False, True])
-@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+@pytest.mark.parametrize("pos_errors", POS_ERROR_MODELS)
 @pytest.mark.parametrize(
     ("targets", "lines", "reason"),
     [
@@ -98,7 +98,7 @@ def there_and_back(times: int) -> tuple[Course, ...]:
 def test_the_classical_model_refuses_what_the_correlated_model_refuses(seed, loss) -> None:
     """Its own information grows with the points, and any angle seems known."""
     points = survey(courses=there_and_back(2), seed=seed)
-    for pos_errors in POS_ERRORS:
+    for pos_errors in POS_ERROR_MODELS:
         with pytest.raises(RankDeficient) as refused:
             adjust(points, PRIOR, StochasticModel(pos_errors, loss=loss), diagnostics=False)
         assert reason_of(refused.value) == "adjustment.parallel_lines"
@@ -111,7 +111,7 @@ def facing(degrees: float) -> Board:
     return replace(UPRIGHT, name="T3", centre=(-3.0, 15.0, 4.0), normal=normal)
 
 
-@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+@pytest.mark.parametrize("pos_errors", POS_ERROR_MODELS)
 @pytest.mark.parametrize(
     ("targets", "code"),
     [

@@ -35,9 +35,9 @@ def shares(*sightings: np.ndarray, apart: float = 0.05) -> list[ObservedExtent]:
 def test_what_all_lines_show_alike_is_whole():
     for each in shares(*(seen(seed=k, beside=0.02 * k) for k in range(4))):
         assert each.share > 0.98
-        assert not each.alone
+        assert not each.is_far_larger
         np.testing.assert_allclose(each.size, [1.2, 1.0], atol=0.01)
-        np.testing.assert_allclose(each.elsewhere, [1.2, 1.0], atol=0.01)
+        np.testing.assert_allclose(each.size_in_others, [1.2, 1.0], atol=0.01)
 
 
 def test_half_a_board_is_half_whatever_the_line_lies_beside():
@@ -69,10 +69,10 @@ def test_parts_on_several_lines_make_a_whole():
 def test_one_line_against_several_is_the_odd_one():
     """It grew over the edge; the others do not hide half of what it shows."""
     grown, *others = shares(seen(wide=(-0.6, 1.8)), *(seen(seed=k) for k in range(1, 5)))
-    assert grown.alone
+    assert grown.is_far_larger
     assert grown.message.code == "quality.shows_more"
     assert grown.message.params["sides"][0].code == "quality.width_alone"
-    assert all(each.share > 0.98 and not each.alone for each in others)
+    assert all(each.share > 0.98 and not each.is_far_larger for each in others)
     assert shares(seen(wide=(-0.6, 1.8)), seen())[1].share == pytest.approx(0.5, abs=0.01)
 
 
@@ -88,7 +88,7 @@ def test_the_limits(part, light):
     points = seen(wide=(0.0, 1.2 * part))
     (shown, _) = shares(points, seen())
     quality = plane_quality(
-        points, points, np.arange(len(points)), fit_plane(points), NOISE, shown=shown
+        points, points, np.arange(len(points)), fit_plane(points), NOISE, observed_extent=shown
     )
     assert quality.rating == light
     assert quality.visible_share == pytest.approx(part, abs=0.01)

@@ -106,7 +106,7 @@ def test_by_chance_one_survey_in_a_hundred_contradicts_a_value() -> None:
         data = survey(KNOWN, 2000 + seed)
         solved = SolvedEquations.of(adjust(data, PRIOR, MODEL, diagnostics=False), data, PRIOR)
         assert solved is not None
-        told += bool(find_contradicted_parameters(solved.here, least=0.0))
+        told += bool(find_contradicted_parameters(solved.linearised, min_angle_change=0.0))
     assert told <= 1
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.model.threads import CHUNKS, MIN_PARALLEL_POINTS, run_in_chunks
+from lispac.adjustment.model.threads import CHUNK_COUNT, MIN_PARALLEL_POINTS, run_in_chunks
 
 
 @pytest.mark.parametrize(
@@ -25,7 +25,7 @@ def test_each_element_is_dealt_with_once_and_in_one_part(counts: list[int]) -> N
     run_in_chunks(
         lambda first, last: taken.append((first, last)), np.cumsum(counts, dtype=np.int64)
     )
-    assert len(taken) <= CHUNKS
+    assert len(taken) <= CHUNK_COUNT
     elements = [k for first, last in sorted(taken) for k in range(first, last)]
     assert elements == list(range(len(counts)))
     assert (len(taken) > 1) == (sum(counts) >= MIN_PARALLEL_POINTS and len(counts) > 1)

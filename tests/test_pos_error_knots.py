@@ -33,7 +33,9 @@ def test_points_lie_between_their_knots(observations) -> None:
     np.testing.assert_allclose(after - before, KNOTS, rtol=0, atol=1e-9)
     placed = before + knots.fraction * KNOTS
     np.testing.assert_allclose(placed, observations.time, rtol=0, atol=1e-9)
-    np.testing.assert_allclose(knots.outlying, knots.fraction * (1 - knots.fraction), atol=1e-12)
+    np.testing.assert_allclose(
+        knots.bridge_variance, knots.fraction * (1 - knots.fraction), atol=1e-12
+    )
 
 
 def test_the_precision_is_the_inverse_of_an_exponential_covariance(observations) -> None:
@@ -63,7 +65,7 @@ def test_between_two_knots_the_process_deviates_from_their_chord(observations) -
     """To first order of the interval by ``2 u (1 - u) interval / T`` of its variance."""
     knots = PosErrorKnots.of(observations, MODEL)
     for bridge, correlation in zip(
-        knots.bridge, np.repeat([MODEL.position_time, MODEL.attitude_time], 3), strict=True
+        knots.bridge_factor, np.repeat([MODEL.position_time, MODEL.attitude_time], 3), strict=True
     ):
         for u in (0.2, 0.5, 0.7):
             weights = np.array([1.0, u - 1.0, -u])  # of the process at u, at the two knots
@@ -77,6 +79,6 @@ def test_points_in_another_order_keep_their_knots(observations) -> None:
     order = np.random.default_rng(3).permutation(len(observations))
     knots = PosErrorKnots.of(observations, MODEL)
     again = knots.reordered(order)
-    for name in ("left", "fraction", "outlying"):
+    for name in ("left", "fraction", "bridge_variance"):
         np.testing.assert_array_equal(getattr(again, name), getattr(knots, name)[order])
     np.testing.assert_array_equal(again.precision_beside, knots.precision_beside)

@@ -8,7 +8,7 @@ import scipy.stats
 
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.stochastic_model import PosErrors, StochasticModel
-from lispac.adjustment.solve.normal_equations import MAX_SURFACES
+from lispac.adjustment.solve.normal_equations import MAX_UNELIMINATED_SURFACES
 from lispac.cli.planning.campaign import scatter_table
 from lispac.design.monte_carlo import simulate_plan
 from lispac.design.plan import Line, Plan, System, line_pattern
@@ -118,7 +118,9 @@ def test_many_sightings_are_eliminated_like_few(lines: int) -> None:
     plan = PLAN.with_targets((*PLAN.targets, ball)).with_lines(PLAN.lines * lines)
     normal = predicted_equations(plan).normal
     surfaces, knots = len(normal.layout.surfaces), len(normal.pull)
-    assert (len(normal.eliminate_surfaces.matrix) < len(normal.matrix)) == (surfaces > MAX_SURFACES)
+    assert (len(normal.eliminate_surfaces.matrix) < len(normal.matrix)) == (
+        surfaces > MAX_UNELIMINATED_SURFACES
+    )
     below = np.zeros((knots, knots))
     for k, diagonal in enumerate(normal.band):
         below += np.diag(diagonal[: knots - k], -k)

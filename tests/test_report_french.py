@@ -88,8 +88,8 @@ def _qualities() -> Iterator[SightingQuality]:
         ObservedExtent(np.array([0.3, 0.5]), np.array([0.6, 1.0]), 0.25, False),
         ObservedExtent(np.array([0.6, 1.0]), np.array([0.3, 0.5]), 1.0, True),
     )
-    yield judged(board(), shown=hidden)
-    yield judged(board(), shown=alone)
+    yield judged(board(), observed_extent=hidden)
+    yield judged(board(), observed_extent=alone)
     yield replace(
         judged(board()),
         reasons=(

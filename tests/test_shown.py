@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.diagnostics.findings import critical_test_value, variance_component_finding
-from lispac.adjustment.model.parameters import OUTPUT_UNITS, QUANTITIES, ParameterEstimate
+from lispac.adjustment.model.parameters import OUTPUT_UNITS, PARAMETER_DISPLAYS, ParameterEstimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
 from lispac.cli.calibration.result_output import print_result, result_values
 from lispac.gui.features.estimate import result_texts
@@ -49,7 +49,7 @@ def test_a_value_is_shown_alike_everywhere(
     result = replace(sample[0], parameters=(ParameterEstimate(name, 0.0, None, value, 0.1, 3.0),))
     print_result(result, None)
     printed = capsys.readouterr().out.splitlines()
-    (row,) = [line for line in printed if line.startswith(f"  {QUANTITIES[name].title} ")]
+    (row,) = [line for line in printed if line.startswith(f"  {PARAMETER_DISPLAYS[name].title} ")]
     assert f"  {words}  " in row
     printed = words.replace("-", "−")
     in_window = printed.replace(" deg", "°").replace(" ", "\u00a0")

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.least_squares import adjust
-from lispac.adjustment.model.stochastic_model import POS_ERRORS, StochasticModel
+from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, StochasticModel
 from lispac.cli.main import main
 from lispac.errors import ProjectError, SphereNotFound
 from lispac.geometry.spheres import visible_share
@@ -56,7 +56,7 @@ def test_the_cap_of_a_ball_faces_the_scanner(scanner):
     assert cosine.max() > 0.999
 
 
-@pytest.mark.parametrize("model", POS_ERRORS)
+@pytest.mark.parametrize("model", POS_ERROR_MODELS)
 @pytest.mark.parametrize(
     ("known", "with_board", "start_deg"),
     # Without the radius a ball of 0.1 m and the first guess, 0.7 m off with all angles at zero,

@@ -10,7 +10,7 @@ import pytest
 
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations, Sighting
-from lispac.adjustment.model.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
+from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, PosErrors, StochasticModel
 from lispac.errors import LispacError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.value_conversion import encode_value
@@ -57,7 +57,7 @@ def test_noise_free_survey_gives_the_boresight_back() -> None:
         np.repeat(np.arange(len(sightings)), [len(row[1]) for row in rows]),
         tuple(sightings),
     )
-    for pos_errors in POS_ERRORS:
+    for pos_errors in POS_ERROR_MODELS:
         result = adjust(
             observations, Mounting(survey.lever_arm, np.zeros(3)), StochasticModel(pos_errors)
         )
@@ -117,7 +117,7 @@ def test_edits_drop_what_no_longer_follows(calibrated: tuple[Project, Survey]) -
     assert project.with_target(promoted).result is None
 
 
-@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+@pytest.mark.parametrize("pos_errors", POS_ERROR_MODELS)
 def test_the_count_is_what_the_adjustment_takes(
     calibrated: tuple[Project, Survey], pos_errors: PosErrors
 ) -> None:

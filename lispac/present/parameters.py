@@ -6,9 +6,9 @@ from typing import Literal
 
 from lispac.adjustment.diagnostics.findings import variance_component_finding
 from lispac.adjustment.model.parameters import (
+    CRITICAL_TEST_VALUE,
     OUTPUT_UNITS,
-    QUANTITIES,
-    SIGNIFICANT,
+    PARAMETER_DISPLAYS,
     ParameterEstimate,
 )
 from lispac.adjustment.result import (
@@ -100,7 +100,7 @@ def significance_text(parameter: ParameterValues) -> str:
 def _parameter_format(parameter: ParameterValues) -> Format:
     if parameter.name in ANGLES:
         return DEGREES
-    shown, (stored, _) = QUANTITIES[parameter.name], OUTPUT_UNITS[parameter.name]
+    shown, (stored, _) = PARAMETER_DISPLAYS[parameter.name], OUTPUT_UNITS[parameter.name]
     return Format(shown.unit, shown.decimals, shown.factor / stored)
 
 
@@ -136,7 +136,7 @@ PARAMETERS = Table[P](
             gettext_lazy(
                 "Change from the prior divided by its standard deviation. Beyond {limit:x.2} it is "
                 "significant at the 5 % level.",
-                limit=SIGNIFICANT,
+                limit=CRITICAL_TEST_VALUE,
             ),
         ),
         Column(significance_text, N_("Finding"), tip=N_("Significance of the parameter")),

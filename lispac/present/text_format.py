@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime
 
-from lispac.adjustment.model.parameters import OUTPUT_UNITS, QUANTITIES
+from lispac.adjustment.model.parameters import OUTPUT_UNITS, PARAMETER_DISPLAYS
 from lispac.adjustment.model.parameters import mounting_value_name as quantity_name
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
@@ -162,7 +162,7 @@ def origin_text(origin: Sequence[float] | None) -> str:
 
 def quantity_text(name: str, value: float, *, sign: bool = False) -> str:
     """Text of a mounting value (metres, degrees or seconds) with the unit that is shown."""
-    shown, (shown_factor, _) = QUANTITIES[name], OUTPUT_UNITS[name]
+    shown, (shown_factor, _) = PARAMETER_DISPLAYS[name], OUTPUT_UNITS[name]
     number = fixed_number(shown.factor / shown_factor * value, shown.decimals, sign=sign)
     return with_unit(number, shown.unit)
 

@@ -1,6 +1,6 @@
 """The section on the boresight: fit, other estimated values, observability, displacements."""
 
-from lispac.adjustment.model.parameters import SIGNIFICANT
+from lispac.adjustment.model.parameters import CRITICAL_TEST_VALUE
 from lispac.language import N_, Plural, gettext
 from lispac.present.adjustment import (
     SIGMAS_WITHOUT_LINE,
@@ -127,7 +127,7 @@ def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
                     "A change is significant if it exceeds {limit} times its sigma; by chance, "
                     "this happens once in twenty cases. The boresight of this report is valid "
                     "only together with the estimated parameters, not with the prior ones.",
-                    limit=shortest_number(SIGNIFICANT),
+                    limit=shortest_number(CRITICAL_TEST_VALUE),
                 )
             )
         )

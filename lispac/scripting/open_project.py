@@ -14,7 +14,7 @@ from lispac.messages import as_message, error
 from lispac.project import LineSource, Role, Shape, Target
 from lispac.scripting.loaded_project import LoadedProject
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.validation.local_models import USUAL_NEIGHBOURS, Kind, LocalModel
 from lispac.validation.plane_comparison import PlaneComparison
@@ -103,7 +103,7 @@ class OpenProject(LoadedProject):
         threshold: float | None = None,
         radius: float | None = None,
         expected: ExpectedTarget | None = None,
-        choices: FinderChoices = USUAL,
+        choices: FinderChoices = DEFAULT_CHOICES,
         crs: str = "",
         height: str = "",
         trajectory_datum: str | None = None,

@@ -111,7 +111,7 @@ def _weighted_residual_sum(
     statistic = float(residuals @ residuals)
     if problem.groups.knots is not None:
         statistic += float(
-            (problem.groups.knots.apply_prior_precision(state.effects) * state.effects).sum()
+            (problem.groups.knots.apply_prior_precision(state.pos_errors) * state.pos_errors).sum()
         )
     if problem.layout.surfaces:
         statistic += float(((linearised.departures / problem.surface_sigma) ** 2).sum())

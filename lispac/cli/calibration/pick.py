@@ -21,7 +21,7 @@ from lispac.cli.console import ConsoleProgress, UsageError, opened_project, prin
 from lispac.cli.messages import print_messages
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, note
-from lispac.targets.finder_settings import RADII, THRESHOLDS, FinderChoices
+from lispac.targets.finder_settings import RADIUS_LIMITS, THRESHOLD_LIMITS, FinderChoices
 
 if TYPE_CHECKING:
     from lispac.project import Project, Target
@@ -78,14 +78,14 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--line", help="with --seed: search in this line only")
     parser.add_argument(
         "--threshold",
-        type=number_within(*THRESHOLDS),
+        type=number_within(*THRESHOLD_LIMITS),
         metavar="METRES",
         help="RANSAC distance threshold (m; default 0.01, or 3 LiDAR sigma if larger; for spheres "
         "at least 0.03, or 0.3 of a known radius if smaller)",
     )
     parser.add_argument(
         "--radius",
-        type=number_within(*RADII),
+        type=number_within(*RADIUS_LIMITS),
         metavar="METRES",
         help="search radius about the seed (m; default 2 for targets, 4 to 20 for validation "
         "planes)",

@@ -56,7 +56,7 @@ from lispac.project import (
 )
 from lispac.survey.store.layout import is_link, require_no_link
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from lispac.untrusted_values import InvalidContentError, json_values
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.validation.plane_comparison import PlaneComparison
@@ -348,7 +348,9 @@ def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, 
                 "shape": target.shape,
                 "sphere_radius": target.sphere_radius,
                 "expected": encode_value(target.expected),
-                "choices": None if target.choices == USUAL else encode_value(target.choices),
+                "choices": None
+                if target.choices == DEFAULT_CHOICES
+                else encode_value(target.choices),
                 "indices": index_files[target.name],
                 "sightings": [
                     {
@@ -478,7 +480,9 @@ def _decode_target(folder: Path, content: dict[str, Any], points: IndexReader) -
         content["shape"],
         None if content["sphere_radius"] is None else decode_value(content["sphere_radius"], float),
         decode_value(expected, ExpectedTarget) if (expected := content.get("expected")) else None,
-        decode_value(choices, FinderChoices) if (choices := content["choices"]) else USUAL,
+        decode_value(choices, FinderChoices)
+        if (choices := content["choices"])
+        else DEFAULT_CHOICES,
     )
 
 

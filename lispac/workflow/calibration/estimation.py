@@ -365,7 +365,7 @@ def complete_result(
 def _with_advice(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
     """Result with a note on the additional line that would improve the precision most."""
     # The additional line is assessed with the sigmas of the complete adjustment.
-    scaled = observations.with_sigmas(*result.sigma_factors)
+    scaled = observations.with_scaled_sigmas(*result.sigma_factors)
     seen = result.observability
     if seen is None or not (found := further_line_advice(scaled, result)):
         return result
@@ -398,7 +398,7 @@ def _selected_observations(
 def _with_cross_checks(project: Project, observations: Observations, progress: Progress) -> Project:
     assert project.result is not None
     # The parts are adjusted with the sigmas of the complete adjustment.
-    observations = observations.with_sigmas(*project.result.sigma_factors)
+    observations = observations.with_scaled_sigmas(*project.result.sigma_factors)
     prior, parameters = project.mounting("prior"), project.settings.parameters
     checks = cross_checks(observations, prior, project.result, parameters, progress=progress)
     return project.with_cross_checks(checks)

@@ -20,7 +20,7 @@ from lispac.project import (
     require_valid_target,
 )
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sighting_agreement import split_by_agreement
 from lispac.targets.sphere_finder import SpherePatch
@@ -43,7 +43,7 @@ def find_target(
     threshold: float | None = None,
     radius: float | None = None,
     expected: ExpectedTarget | None = None,
-    choices: FinderChoices = USUAL,
+    choices: FinderChoices = DEFAULT_CHOICES,
     progress: Progress = no_progress,
 ) -> Target:
     """Find the target at a seed, without adding it to the project.
@@ -122,7 +122,7 @@ def pick_target(
     threshold: float | None = None,
     radius: float | None = None,
     expected: ExpectedTarget | None = None,
-    choices: FinderChoices = USUAL,
+    choices: FinderChoices = DEFAULT_CHOICES,
     progress: Progress = no_progress,
 ) -> Project:
     """Find the target at a seed in all lines or one and add it; parameters as for `find_target`.

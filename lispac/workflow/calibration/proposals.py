@@ -23,9 +23,9 @@ from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Role, Target, Triple
 from lispac.survey.cloud import Cloud, place_clouds
-from lispac.targets.boresight_smear import ROUGHLY_OFF
+from lispac.targets.boresight_smear import ROUGH_BORESIGHT_SIGMA
 from lispac.targets.occlusion import does_plane_end_within
-from lispac.targets.plane_detection import DetectedPlane, Found, detect_planes
+from lispac.targets.plane_detection import DetectedPlane, PatchesAndReasons, detect_planes
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.validation.plane_comparison import comparable_pairs, reciprocal
@@ -110,7 +110,7 @@ def propose_targets(
     if aligned.is_aligned:
         settings = replace(settings, max_shift=ALIGNED_MAX_SHIFT)
 
-    def find(seed: Array, line: str, step: Progress) -> Found:
+    def find(seed: Array, line: str, step: Progress) -> PatchesAndReasons:
         return find_planes_in_lines(
             aligned.clouds, seed, settings,
             first_line=line, accuracy=aligned.accuracy, progress=step,
@@ -202,7 +202,7 @@ def _comparable_planes(
 
 def _is_boresight_known(result: AdjustmentResult) -> bool:
     """True if the boresight is precise enough to attribute a bend of a plane to the surface."""
-    return float(result.sigma.max()) <= ROUGHLY_OFF
+    return float(result.sigma.max()) <= ROUGH_BORESIGHT_SIGMA
 
 
 def _choose_targets(

@@ -11,14 +11,14 @@ from lispac.language import gettext_lazy
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud
-from lispac.targets.boresight_smear import ROUGHLY_OFF
+from lispac.targets.boresight_smear import ROUGH_BORESIGHT_SIGMA
 from lispac.targets.sighting_agreement import PlacementAccuracy
 from lispac.workflow.calibration.target_search import ALIGNED_MAX_SHIFT, TargetSearch
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 
-ESTIMATED_ACCURACY = PlacementAccuracy(ROUGHLY_OFF)
+ESTIMATED_ACCURACY = PlacementAccuracy(ROUGH_BORESIGHT_SIGMA)
 """Accuracy of lines placed with an adjusted boresight. It is not better than roughly aligned,
 because the first adjustment used points selected with the prior boresight."""
 

@@ -14,7 +14,7 @@ from lispac.messages import Message, as_message, note
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Settings, Target
 from lispac.survey.georeferencing import Georeferencer
-from lispac.targets.boresight_smear import PRIOR_OFF, ROUGHLY_OFF
+from lispac.targets.boresight_smear import PRIOR_BORESIGHT_SIGMA, ROUGH_BORESIGHT_SIGMA
 from lispac.targets.expected_target import deviations_from_expected
 from lispac.targets.finder_settings import FinderSettings
 from lispac.targets.occlusion import ObservedExtent, compare_observed_extents, does_plane_end_within
@@ -157,14 +157,14 @@ class _SurveyPlacement:
     ----------
     points, scanner : placement of points, and of the origin of the LiDAR frame
     turned : placement with each angle changed by `DERIVATIVE_STEP`; empty if not needed
-    boresight_error : largest error of the boresight, radians
+    boresight_sigma : largest error of the boresight, radians
     is_nearly_aligned : whether the lines agree within the errors of a rough alignment
     """
 
     points: Georeferencer
     scanner: Georeferencer
     turned: tuple[Georeferencer, ...]
-    boresight_error: float
+    boresight_sigma: float
     is_nearly_aligned: bool
 
     @classmethod
@@ -183,7 +183,9 @@ class _SurveyPlacement:
             tuple(Georeferencer.of(survey.trajectory, each) for each in turned)
             if not estimated
             else (),
-            ROUGHLY_OFF if estimated or survey.alignment.is_aligned else PRIOR_OFF,
+            ROUGH_BORESIGHT_SIGMA
+            if estimated or survey.alignment.is_aligned
+            else PRIOR_BORESIGHT_SIGMA,
             estimated or survey.alignment.is_aligned,
         )
 
@@ -268,7 +270,7 @@ def _observed_parts(
     found = compare_observed_extents(
         list(planes.values()),
         [target.sightings[k].used for k in planes],
-        placing.boresight_error * max(ranges),
+        placing.boresight_sigma * max(ranges),
     )
     for k, each_shown in zip(planes, found, strict=True):
         shown[k] = each_shown
@@ -299,8 +301,8 @@ def _sighting_quality(
     quality = plane_quality(
         seen.lidar, seen.local, every, plane, noise,
         scanner_local=placing.scanner(np.zeros_like(seen.lidar), seen.time), turns_local=turns,
-        boresight_off=placing.boresight_error,
-        threshold=None if sighting.by_hand else target.threshold, shown=shown,
+        boresight_sigma=placing.boresight_sigma,
+        threshold=None if sighting.by_hand else target.threshold, observed_extent=shown,
     )  # fmt: skip
     if target.expected is None or quality.extent is None:
         return quality

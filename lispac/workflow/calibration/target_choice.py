@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.excess_scatter import expected_sigma_factors
-from lispac.adjustment.diagnostics.observability import CLUSTER_RATIO, MAX_SIGMA_RATIO
+from lispac.adjustment.diagnostics.observability import MAX_CLUSTER_RATIO, MAX_SIGHTING_SIGMA_RATIO
 from lispac.adjustment.model.threads import single_blas_thread
 from lispac.adjustment.solve.adjustment_problem import LinearisedProblem
 from lispac.errors import AdjustmentError
@@ -89,7 +89,11 @@ class CandidatePlanes:
         """True if the other planes reveal an error of any one of the planes."""
         return (
             len(names) >= MIN_TARGETS
-            and bool((self.sigma_without_one(names) <= MAX_SIGMA_RATIO * self.sigma(names)).all())
+            and bool(
+                (
+                    self.sigma_without_one(names) <= MAX_SIGHTING_SIGMA_RATIO * self.sigma(names)
+                ).all()
+            )
             and self.are_spread(names)
         )
 
@@ -100,7 +104,7 @@ class CandidatePlanes:
             for a, b in combinations(names, 2)
         ]
         points = self.linearised.problem.observations.points_lidar
-        return min(distances) >= CLUSTER_RATIO * float(np.linalg.norm(points, axis=1).mean())
+        return min(distances) >= MAX_CLUSTER_RATIO * float(np.linalg.norm(points, axis=1).mean())
 
 
 def _sigma_of_targets(linearised: LinearisedProblem, names: Iterable[str]) -> Array:

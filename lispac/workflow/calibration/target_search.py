@@ -14,7 +14,7 @@ from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
 from lispac.survey.cloud import MAX_POINTS, Cloud, SphereRegion
-from lispac.targets.line_search import CLICK_GAP
+from lispac.targets.line_search import MAX_CLICK_DISTANCE
 from lispac.targets.plane_finder import (
     FinderSettings,
     PlanePatch,
@@ -148,9 +148,9 @@ class TargetSearch:
                 find_sphere(region.points, seed, self.radius_range, settings), region
             )
         region = cloud.within(require_seed(seed), settings.radius, limit=MAX_SAMPLE_POINTS)
-        near_click = _points_near_click(region, cloud, require_seed(seed))
+        points_at_seed = _points_near_click(region, cloud, require_seed(seed))
         return _complete_plane(
-            find_plane(region.points, seed, settings, beside=near_click), region, cloud
+            find_plane(region.points, seed, settings, points_at_seed=points_at_seed), region, cloud
         )
 
     def patch_of_points(self, cloud: Cloud, indices: NDArray[np.int64]) -> Patch:
@@ -233,12 +233,12 @@ def find_planes_in_lines(
     Parameters and errors as for `TargetSearch.find_in_lines`.
     """
     regions, points = _search_regions(clouds, seed, settings, limit=MAX_SAMPLE_POINTS)
-    near_click = {
+    points_at_seed = {
         name: _points_near_click(regions[name], cloud, seed) for name, cloud in clouds.items()
     }
     found, missing = find_in_lines(
         points, seed, settings, first_line=first_line, progress=progress,
-        beside={name: close for name, close in near_click.items() if close is not None},
+        points_at_seed={name: close for name, close in points_at_seed.items() if close is not None},
     )  # fmt: skip
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         every = pool.map(
@@ -257,7 +257,9 @@ def _clicked_line(
     """Line in which the seed was clicked; None if it is not given and no line has a point there."""
     if first_line is not None:
         return first_line
-    return next((name for name in lines if len(clouds[name].within(seed, CLICK_GAP).numbers)), None)
+    return next(
+        (name for name in lines if len(clouds[name].within(seed, MAX_CLICK_DISTANCE).numbers)), None
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -299,7 +301,7 @@ class SearchPlace:
         """
         seed = require_seed(seed)
         reach = ALIGNED_MAX_SHIFT if aligned.is_aligned else FinderSettings().max_shift
-        reaches = (CLICK_GAP,) if line is None else (CLICK_GAP, 0.1, radius)
+        reaches = (MAX_CLICK_DISTANCE,) if line is None else (MAX_CLICK_DISTANCE, 0.1, radius)
         nearest: list[tuple[float, str, Array]] = []
         for name in aligned.before if line is None else (line,):
             nearest += _nearest_point(aligned, name, seed, reaches)
@@ -355,7 +357,7 @@ def _points_near_click(region: SphereRegion, cloud: Cloud, seed: Array) -> Array
     The sample may contain none of these points. A click on the edge of a board would then appear to
     be in front of the wall behind it.
     """
-    if region.one_in == 1 or len(cloud.within(seed, CLICK_GAP).numbers) == 0:
+    if region.one_in == 1 or len(cloud.within(seed, MAX_CLICK_DISTANCE).numbers) == 0:
         return None
     points = cloud.within(seed, CLICK_RADIUS).points
     return points[np.argsort(np.linalg.norm(points - seed, axis=1), kind="stable")]

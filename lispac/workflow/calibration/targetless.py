@@ -189,7 +189,7 @@ def targetless(
         )
     solved = SolvedEquations.of(
         result,
-        observations.with_sigmas(*result.sigma_factors),
+        observations.with_scaled_sigmas(*result.sigma_factors),
         project.mounting("prior"),
         settings.parameters,
         progress=sub_progress(progress, 0.9, 0.95),
@@ -197,20 +197,20 @@ def targetless(
     raised_result, shifted = result, tuple[str, ...]()
     if solved is not None:
         raised_result = raise_sigmas_by_scatter(
-            result, solved.here, solved.origins, progress=sub_progress(progress, 0.95, 1.0)
+            result, solved.linearised, solved.origins, progress=sub_progress(progress, 0.95, 1.0)
         )
         if (
             raised_result.observability is not None
             and raised_result.angle_sigma_factors is not None
         ):
             seen = assess_observability(
-                solved.here,
+                solved.linearised,
                 angle_sigma_factors=raised_result.angle_sigma_factors,
                 covariance=raised_result.covariance,
                 origins=solved.origins,
             )
             raised_result = replace(raised_result, observability=seen)
-        shifted = LineShiftScores.of(solved.here).shifted_lines()
+        shifted = LineShiftScores.of(solved.linearised).shifted_lines()
     raised = float((raised_result.sigma / result.sigma).max())
     final = replace(picked, result=replace(raised_result, elapsed=perf_counter() - started))
     named = disagreeing_lines(result, survey.clouds, shifted)

@@ -47,7 +47,10 @@ def possible_meanings(format: FileFormat) -> tuple[str, ...]:
     """Possible meanings of a column, as values of the option; `UNUSED_COLUMN` comes first."""
     if format.kind == "points":
         return (UNUSED_COLUMN, *_POINT_MEANINGS)
-    return (UNUSED_COLUMN, *(role for role in _TRAJECTORY_MEANINGS if role in set(ROLES_BY_COLUMN_NAME.values())))
+    return (
+        UNUSED_COLUMN,
+        *(role for role in _TRAJECTORY_MEANINGS if role in set(ROLES_BY_COLUMN_NAME.values())),
+    )
 
 
 def meaning_label(meaning: str) -> str:

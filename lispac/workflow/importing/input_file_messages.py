@@ -176,7 +176,9 @@ def _own_messages(input_file: InputFile, longest_gap: float) -> list[Message]:
         actions = (CHOOSE_SYSTEM_ACTION, LEAVE_OUT_ACTION) if about_system else (LEAVE_OUT_ACTION,)
         messages.append(replace(input_file.error, actions=(*input_file.error.actions, *actions)))
     elif input_file.place is not None and input_file.place.error:
-        messages.append(replace(input_file.place.error, actions=(CHOOSE_SYSTEM_ACTION, LEAVE_OUT_ACTION)))
+        messages.append(
+            replace(input_file.place.error, actions=(CHOOSE_SYSTEM_ACTION, LEAVE_OUT_ACTION))
+        )
     if input_file.remembered and input_file.finding is not None:
         actions = (Action("detect_columns"),)
         messages.append(note("import.columns_remembered", file=file, actions=actions))

@@ -28,8 +28,8 @@ from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, PickedSighting, Project, Target
 from lispac.survey.line_source import USUAL
 from lispac.survey.store.stored_line import StoredLine
-from lispac.targets.finder_settings import USUAL as USUAL_CHOICES
-from lispac.targets.line_search import CLICK_GAP
+from lispac.targets.finder_settings import DEFAULT_CHOICES
+from lispac.targets.line_search import MAX_CLICK_DISTANCE
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import find_target
@@ -312,14 +312,16 @@ def _seed_arguments(
         "threshold": (target.threshold, search.threshold(project.settings.threshold)),
         "radius": (target.radius, search.search_radii(target.role)[0]),
         "expected": (target.expected, None),
-        "choices": (target.choices, USUAL_CHOICES),
+        "choices": (target.choices, DEFAULT_CHOICES),
     }
     given = {name: value for name, (value, usual) in named.items() if value != usual}
     # The clicked line, which is not stored, affects the result if several lines or no line have a
     # point at the seed.
     place = np.array(target.seed)
     clicked = [
-        line for line in survey.lines if len(survey.clouds[line].within(place, CLICK_GAP).points)
+        line
+        for line in survey.lines
+        if len(survey.clouds[line].within(place, MAX_CLICK_DISTANCE).points)
     ]
     for line in (None, *(clicked or [sighting.line for sighting in target.sightings])):
         try:
@@ -358,7 +360,7 @@ def _target_code(target: Target) -> PythonCode:
         named |= {"shape": target.shape, "sphere_radius": target.sphere_radius}
     if target.expected is not None:
         named["expected"] = target.expected
-    if target.choices != USUAL_CHOICES:
+    if target.choices != DEFAULT_CHOICES:
         named["choices"] = target.choices
     return PythonCode(call_text("lispac.Target", **named))
 

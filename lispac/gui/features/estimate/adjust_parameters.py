@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QGridLayout, QLabel, QWidget
 
-from lispac.adjustment.model.parameters import QUANTITIES, Parameter
+from lispac.adjustment.model.parameters import PARAMETER_DISPLAYS, Parameter
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
@@ -97,7 +97,7 @@ MOUNTING_PARAMETERS: dict[str, MountingParameter] = {
         name, PARAMETER_TITLES[name], each.unit.replace("deg", "°"), each.factor, each.decimals,
         *_LIMITS_AND_TEXTS[name],
     )
-    for name, each in QUANTITIES.items()
+    for name, each in PARAMETER_DISPLAYS.items()
 }  # fmt: skip
 LEVER_ARM_NAMES = ("lever_x", "lever_y", "lever_z")
 SCANNER_PARAMETER_NAMES = ("range_offset", "scan_angle_offset", "latency")

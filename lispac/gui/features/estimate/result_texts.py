@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from html import escape
 
-from lispac.adjustment.diagnostics.warnings import MAX_FLAT_SIGMA, result_warnings
+from lispac.adjustment.diagnostics.warnings import MAX_FLAT_FORM_SIGMA, result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, MountingParameter
@@ -93,7 +93,10 @@ def fit_verdict(
     """Text on the chi-square test and, without warnings, on the validity of the uncertainties."""
     is_sure = not result_warnings(result, checks, further)
     if result.chi_square.passed:
-        if result.model.surface is None and (most := float(result.surfaces.max())) > MAX_FLAT_SIGMA:
+        if (
+            result.model.surface is None
+            and (most := float(result.surfaces.max())) > MAX_FLAT_FORM_SIGMA
+        ):
             sure, unsure = GOOD_FIT_WITH_ROUGHNESS_TEXTS
             return gettext(sure if is_sure else unsure, most=most)
         return gettext(GOOD_FIT_TEXTS[0] if is_sure else GOOD_FIT_TEXTS[1])
