@@ -9,7 +9,7 @@ import errno
 from lispac.message_texts import CONTROL, message_text
 from lispac.messages import Message, note
 
-SYSTEM_REASONS = {
+SYSTEM_REASON_CODES = {
     errno.ENOENT: "system.not_found",
     errno.EIO: "system.input_output",
     errno.EACCES: "system.permission",
@@ -25,7 +25,7 @@ SYSTEM_REASONS = {
 
 def system_reason(failure: OSError) -> Message | str:
     """Reason of an error of the operating system, as a parameter of a message."""
-    code = SYSTEM_REASONS.get(failure.errno or 0)
+    code = SYSTEM_REASON_CODES.get(failure.errno or 0)
     return failure.strerror or str(failure) if code is None else note(code)
 
 

@@ -22,7 +22,7 @@ from lispac.message_texts import ACTIONS, TEXTS, TOPICS, message_text
 from lispac.message_texts.former_codes import CODES, former_code
 from lispac.message_texts.occasions import OCCASIONS
 from lispac.messages import (
-    MAX_LISTED,
+    MAX_LISTED_ITEMS,
     Action,
     Level,
     Message,
@@ -233,8 +233,8 @@ def test_lines_with_the_same_warning_are_named_together(tmp_path: Path) -> None:
 
 def test_a_long_list_is_shortened_and_the_rest_counted() -> None:
     names = list("ABCDEFGH")
-    assert shortened_list(names[:MAX_LISTED]) == tuple(names[:MAX_LISTED])
-    assert shortened_list(names) == (*names[:MAX_LISTED], note("item.more", count=4))
+    assert shortened_list(names[:MAX_LISTED_ITEMS]) == tuple(names[:MAX_LISTED_ITEMS])
+    assert shortened_list(names) == (*names[:MAX_LISTED_ITEMS], note("item.more", count=4))
     found = note("adjustment.target_excluded", targets=shortened_list(names))
     assert "A, B, C, D and 4 more." in message_text(found)
     with in_language("fr"):

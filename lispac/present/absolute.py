@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.present.tables import COUNT, PERCENT, PLAIN_MILLIMETRES, Column, Table
-from lispac.present.validation import STATES, DistanceValues, SignedDistances
+from lispac.present.validation import STATE_TEXTS, DistanceValues, SignedDistances
 from lispac.validation.absolute_check import (
     ALL_LINES,
     AbsoluteCheck,
@@ -168,12 +168,12 @@ def line_states(check: AbsoluteCheckValues) -> list[LineState]:
     ]
 
 
-YES_NO = {True: N_("yes"), False: N_("no")}
-REFERENCE_DISTANCES = Table[LineState](
+YES_NO_TEXTS = {True: N_("yes"), False: N_("no")}
+REFERENCE_DISTANCES_TABLE = Table[LineState](
     N_("Distances of the lines from the reference (mm)"),
     (
         Column(_line_name, N_("Line")),
-        Column("state", N_("State"), texts=STATES),
+        Column("state", N_("State"), texts=STATE_TEXTS),
         Column("distances.distances.n", N_("Compared\nplaces"), COUNT),
         Column("distances.signed.mean_m", N_("Mean"), PLAIN_MILLIMETRES.signed),
         Column(
@@ -186,10 +186,10 @@ REFERENCE_DISTANCES = Table[LineState](
         Column("distances.distances.p95_m", N_("95 %"), PLAIN_MILLIMETRES),
         Column("distances.distances.p99_m", N_("99 %"), PLAIN_MILLIMETRES),
         Column("distances.signed.robust_sigma_m", N_("Robust\nsigma"), PLAIN_MILLIMETRES),
-        Column("distances.mean_significant", N_("Mean\nsignificant"), texts=YES_NO),
+        Column("distances.mean_significant", N_("Mean\nsignificant"), texts=YES_NO_TEXTS),
     ),
 )  # fmt: skip
-MEAN_UNCERTAINTY = Table[LineReferenceDistances](
+MEAN_UNCERTAINTY_TABLE = Table[LineReferenceDistances](
     N_("Uncertainty of the mean distance after the calibration, 1 sigma (mm)"),
     (
         Column(_line_name, N_("Line")),
@@ -206,7 +206,7 @@ MEAN_UNCERTAINTY = Table[LineReferenceDistances](
         ),
     ),
 )  # fmt: skip
-SURVEYED_POINTS = Table[SurveyedPoint](
+SURVEYED_POINTS_TABLE = Table[SurveyedPoint](
     N_("Distances from surveyed points and planes, mean of the lines (mm)"),
     (
         Column("name", N_("Name")),
@@ -217,6 +217,6 @@ SURVEYED_POINTS = Table[SurveyedPoint](
         Column(
             "after_interval95_m", N_("95 %\ninterval\nof mean"), PLAIN_MILLIMETRES.half_interval
         ),
-        Column("significant", N_("Mean\nsignificant"), texts=YES_NO),
+        Column("significant", N_("Mean\nsignificant"), texts=YES_NO_TEXTS),
     ),
 )  # fmt: skip

@@ -18,9 +18,9 @@ from lispac.present.tables import (
     Format,
     Table,
 )
-from lispac.present.text_format import TITLES
+from lispac.present.text_format import VALUE_TITLES
 
-ANGLE_TITLES = tuple(TITLES[name] for name in ANGLES)
+ANGLE_TITLES = tuple(VALUE_TITLES[name] for name in ANGLES)
 
 
 @dataclass(frozen=True)
@@ -80,10 +80,10 @@ class AnglesRow:
 
 def angle_columns(path: str, form: Format, suffix: str = "") -> tuple[Column[Any], ...]:
     """A column for each angle; ``path`` leads to the `Angles`, ``suffix`` follows the title."""
-    return tuple(Column(f"{path}.{name}", f"{TITLES[name]}{suffix}", form) for name in ANGLES)
+    return tuple(Column(f"{path}.{name}", f"{VALUE_TITLES[name]}{suffix}", form) for name in ANGLES)
 
 
-SIGMAS = Table[AnglesRow](
+SIGMAS_TABLE = Table[AnglesRow](
     N_("Standard deviations of the angles, from the adjustment and by the jackknife"),
     (Column("name", ""), *angle_columns("values", DEGREES)),
 )

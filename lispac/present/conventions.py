@@ -20,7 +20,7 @@ from lispac.survey.conventions.systems import (
     convention_of_key,
 )
 
-MATRIX_OF = "pdal"
+MATRIX_PROGRAM = "pdal"
 """Program whose matrix is in every report, since any point cloud software can apply it."""
 
 
@@ -110,7 +110,7 @@ def convention_values(project: Project, key: str) -> ConventionValues | None:
 
 def scanner_to_body_matrix(project: Project) -> ScannerToBodyMatrix | None:
     """The matrix for PDAL; None if nothing is estimated yet."""
-    setup = ConventionSetup(convention_of_key(MATRIX_OF))
+    setup = ConventionSetup(convention_of_key(MATRIX_PROGRAM))
     converted = _mounting_in_convention(project, setup)
     if converted is None:
         return None

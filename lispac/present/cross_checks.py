@@ -115,35 +115,44 @@ def _agreement(row: SubsetRow) -> str:
     return "disagrees" if row.subset.disagrees else "agrees"
 
 
-AGREEMENT: Mapping[str, str] = {
+FINDING_TEXTS: Mapping[str, str] = {
     "no result": N_("no result"), "disagrees": N_("disagrees"), "agrees": N_("agrees"),
 }  # fmt: skip
-_DIFFERENCE = N_("Difference from the result with all points, or between the halves")
-_IN_SIGMA = N_("Difference divided by its standard deviation")
-SUBSETS = Table[SubsetRow](
+_DIFFERENCE_TIP = N_("Difference from the result with all points, or between the halves")
+_SIGNIFICANCE_TIP = N_("Difference divided by its standard deviation")
+SUBSETS_TABLE = Table[SubsetRow](
     N_("Results of subsets of the data: differences from the full adjustment"),
     (
         Column(
             "name", N_("Subset"),
             tip=N_("Line or target that was omitted, or halves that were compared"),
         ),
-        Column("subset.difference_deg.roll", N_("Roll\ndifference"), DEGREES.signed, _DIFFERENCE),
-        Column("subset.significance.roll", N_("in σ"), ratio(1).signed, _IN_SIGMA),
-        Column("subset.difference_deg.pitch", N_("Pitch\ndifference"), DEGREES.signed, _DIFFERENCE),
-        Column("subset.significance.pitch", N_("in σ"), ratio(1).signed, _IN_SIGMA),
-        Column("subset.difference_deg.yaw", N_("Yaw\ndifference"), DEGREES.signed, _DIFFERENCE),
-        Column("subset.significance.yaw", N_("in σ"), ratio(1).signed, _IN_SIGMA),
         Column(
-            _agreement, N_("Finding"), texts=AGREEMENT,
+            "subset.difference_deg.roll", N_("Roll\ndifference"), DEGREES.signed,
+            _DIFFERENCE_TIP,
+        ),
+        Column("subset.significance.roll", N_("in σ"), ratio(1).signed, _SIGNIFICANCE_TIP),
+        Column(
+            "subset.difference_deg.pitch", N_("Pitch\ndifference"), DEGREES.signed,
+            _DIFFERENCE_TIP,
+        ),
+        Column("subset.significance.pitch", N_("in σ"), ratio(1).signed, _SIGNIFICANCE_TIP),
+        Column(
+            "subset.difference_deg.yaw", N_("Yaw\ndifference"), DEGREES.signed,
+            _DIFFERENCE_TIP,
+        ),
+        Column("subset.significance.yaw", N_("in σ"), ratio(1).signed, _SIGNIFICANCE_TIP),
+        Column(
+            _agreement, N_("Finding"), texts=FINDING_TEXTS,
             tip=N_("Agreement with the result from all points, or between the halves"),
         ),
     ),
 )  # fmt: skip
 
-WINDOW_SUBSETS = replace(
-    SUBSETS,
+WINDOW_SUBSETS_TABLE = replace(
+    SUBSETS_TABLE,
     columns=(
-        *SUBSETS.columns,
+        *SUBSETS_TABLE.columns,
         Column("subset.reason", N_("Reason"), tip=N_("Why there is no result")),
     ),
 )

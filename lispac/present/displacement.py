@@ -14,8 +14,8 @@ from lispac.adjustment.result import ANGLES, AdjustmentResult
 
 EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
 
-ONE_95 = 1.96
-TWO_95 = 2.45
+FACTOR_95_1D = 1.96
+FACTOR_95_2D = 2.45
 """Factors from one sigma to the 95 % level in one and in two dimensions (IHO S-44)."""
 
 
@@ -62,8 +62,8 @@ def s44_contributions(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
     unit vector, so the largest horizontal variance is d^2 times the largest eigenvalue of W.
     """
     turns = _turn_covariance(result)
-    horizontal = TWO_95 * math.sqrt(np.linalg.eigvalsh(turns)[-1])
-    vertical = ONE_95 * math.sqrt(np.linalg.eigvalsh(turns[:2, :2])[-1])
+    horizontal = FACTOR_95_2D * math.sqrt(np.linalg.eigvalsh(turns)[-1])
+    vertical = FACTOR_95_1D * math.sqrt(np.linalg.eigvalsh(turns[:2, :2])[-1])
     return tuple(
         S44Contribution(distance, horizontal * distance, vertical * distance)
         for distance in EFFECT_DISTANCES_M

@@ -83,7 +83,7 @@ class ErrorBudgetValues:
 
 # -- table -----------------------------------------------------------------------------------------
 
-COMPONENTS = (
+COMPONENT_COLUMNS = (
     (
         "horizontal_m",
         N_("Horizontal\nat {distance:m.0} m"),
@@ -114,7 +114,7 @@ def budget_table(
                 _component(k, name), gettext_lazy(title, distance=distance), PLAIN_CENTIMETRES,
                 gettext_lazy(tip, distance=distance), unknown=N_("not given"),
             )
-            for name, title, tip in COMPONENTS
+            for name, title, tip in COMPONENT_COLUMNS
         ]  # fmt: skip
     title = gettext_lazy("Error of a point, 1 sigma (cm); beam {beam}", beam=beam.beam)
     return Table(title, tuple(columns)), (*beam.sources, beam.before, beam.after)

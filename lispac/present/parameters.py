@@ -25,7 +25,7 @@ from lispac.present.tables import (
     Table,
     ratio,
 )
-from lispac.present.text_format import TITLES
+from lispac.present.text_format import VALUE_TITLES
 
 
 @dataclass(frozen=True)
@@ -108,12 +108,12 @@ def _signed_parameter_format(parameter: ParameterValues) -> Format:
     return _parameter_format(parameter).signed
 
 
-P = ParameterValues
-PARAMETERS = Table[P](
+PARAMETERS_TABLE = Table[ParameterValues](
     N_("Parameters estimated together with the boresight"),
     (
         Column(
-            "name", N_("Parameter"), texts=TITLES, tip=N_("Estimated parameter of the mounting")
+            "name", N_("Parameter"), texts=VALUE_TITLES,
+            tip=N_("Estimated parameter of the mounting"),
         ),
         Column(
             "prior", N_("Prior"), _signed_parameter_format, N_("Value before the adjustment"),
@@ -143,15 +143,15 @@ PARAMETERS = Table[P](
     ),
 )  # fmt: skip
 
-WINDOW_PARAMETERS = replace(
-    PARAMETERS,
+WINDOW_PARAMETERS_TABLE = replace(
+    PARAMETERS_TABLE,
     columns=(
-        *PARAMETERS.columns, Column("reason", N_("Reason"), tip=N_("Why there is no value")),
+        *PARAMETERS_TABLE.columns, Column("reason", N_("Reason"), tip=N_("Why there is no value")),
     ),
 )  # fmt: skip
 """Table of the window, with a column of reasons; the report lists them below its table."""
 
-COMPONENTS: Mapping[str, str] = {
+COMPONENT_TITLES: Mapping[str, str] = {
     "LiDAR": N_("LiDAR"),
     "POS position": N_("POS position"),
     "POS attitude": N_("POS attitude"),
@@ -192,10 +192,10 @@ def interval_text(component: VarianceComponentValues) -> str:
     )
 
 
-VARIANCE_COMPONENTS = Table[VarianceComponentValues](
+VARIANCE_COMPONENTS_TABLE = Table[VarianceComponentValues](
     N_("Variance components: ratio of estimated to given sigmas"),
     (
-        Column("name", N_("Source"), texts=COMPONENTS),
+        Column("name", N_("Source"), texts=COMPONENT_TITLES),
         Column("factor", N_("Factor"), ratio(2)),
         Column(interval_text, N_("95 % interval")),
         Column("text", N_("Finding")),

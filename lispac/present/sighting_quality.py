@@ -12,7 +12,7 @@ from lispac.present.angles import floats
 from lispac.present.tables import COUNT, MILLIMETRES, PERCENT, Column, Format, Table
 from lispac.targets.sighting_quality import SightingQuality
 
-RATINGS: Mapping[str, str] = {
+RATING_TEXTS: Mapping[str, str] = {
     "good": N_("Good."),
     "doubtful": N_("Doubtful."),
     "poor": N_("Poor."),
@@ -82,14 +82,14 @@ def rating_text(quality: SightingQualityValues) -> str:
     edited = [gettext("The points of this sighting were edited manually.")]
     return " ".join(
         [
-            gettext(RATINGS[quality.rating]),
+            gettext(RATING_TEXTS[quality.rating]),
             *map(message_text, quality.reasons),
             *(edited if quality.edited_by_hand else ()),
         ]
     )
 
 
-QUALITIES = Table[SightingQualityValues](
+QUALITY_TABLE = Table[SightingQualityValues](
     N_("Quality of each sighting"),
     (
         Column("target", N_("Target")),

@@ -7,7 +7,7 @@ from typing import Any, Generic, Literal, TypeVar
 from lispac.language import LazyText, gettext
 from lispac.messages import Message
 from lispac.present.text_format import (
-    UNKNOWN,
+    UNKNOWN_TEXT,
     degrees_unit,
     fixed_number,
     grouped_number,
@@ -148,7 +148,7 @@ class Column(Generic[Row]):
 
     def unknown_text(self) -> str:
         """Text of an unknown value."""
-        return gettext(self.unknown) if self.unknown else UNKNOWN
+        return gettext(self.unknown) if self.unknown else UNKNOWN_TEXT
 
     def with_title(self, title: str | LazyText) -> "Column[Row]":
         """The same column under another title, in English."""

@@ -79,8 +79,7 @@ def _target_finding(target: TargetValues) -> str:
     return ""
 
 
-T = TargetValues
-TARGETS = Table[T](
+TARGETS_TABLE = Table[TargetValues](
     N_("Fit of each target to one surface, all lines together"),
     (
         Column("target", N_("Target"), tip=N_("Target")),

@@ -10,12 +10,12 @@ from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
 
-UNKNOWN = "\u2013"
-MINUS = "\u2212"
-HYPHEN = re.compile(r"(?<![^\s(])-(?=\d)")
+UNKNOWN_TEXT = "\u2013"
+MINUS_SIGN = "\u2212"
+MINUS_PATTERN = re.compile(r"(?<![^\s(])-(?=\d)")
 """Pattern of a hyphen that is the minus sign of a number."""
 
-TITLES: Mapping[str, str] = {
+VALUE_TITLES: Mapping[str, str] = {
     "roll": N_("Roll"),
     "pitch": N_("Pitch"),
     "yaw": N_("Yaw"),
@@ -30,7 +30,7 @@ TITLES: Mapping[str, str] = {
 
 
 def format_known(
-    value: float | None, formatted: Callable[[float], str], unknown: str = UNKNOWN
+    value: float | None, formatted: Callable[[float], str], unknown: str = UNKNOWN_TEXT
 ) -> str:
     """Formatted value, or a dash if it is not known."""
     return unknown if value is None else formatted(value)
@@ -61,7 +61,7 @@ def localised_number(text: str) -> str:
     # `number` would round the shortest decimal form, which may change the last digit of a tie.
     whole, point, decimals = text.partition(".")
     signs = decimal_sign() if point else ""
-    return f"{whole.replace(',', group_sign())}{signs}{decimals}".replace("-", MINUS)
+    return f"{whole.replace(',', group_sign())}{signs}{decimals}".replace("-", MINUS_SIGN)
 
 
 def decimal_sign() -> str:
@@ -133,13 +133,13 @@ def sentence_text(message: Message) -> str:
 def with_minus_signs(text: str, names: Iterable[str] = ()) -> str:
     """Text of a message with true minus signs, except in names."""
     whole = "|".join(map(re.escape, sorted(names, key=len, reverse=True)))
-    pattern = re.compile(f"{whole}|{HYPHEN.pattern}" if whole else HYPHEN.pattern)
-    return pattern.sub(lambda found: MINUS if found.group() == "-" else found.group(), text)
+    pattern = re.compile(f"{whole}|{MINUS_PATTERN.pattern}" if whole else MINUS_PATTERN.pattern)
+    return pattern.sub(lambda found: MINUS_SIGN if found.group() == "-" else found.group(), text)
 
 
 def title(name: str) -> str:
     """Title of an estimated value, for the first cell of a table row."""
-    return gettext(TITLES[name])
+    return gettext(VALUE_TITLES[name])
 
 
 def parameter_name(name: str) -> str:

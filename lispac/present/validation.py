@@ -266,11 +266,11 @@ def swath_overlap(planes: Sequence[PlaneComparison]) -> tuple[SwathDifference, .
     return tuple(_swath_difference(name, pairs) for name, pairs in (*known, ("", every)))
 
 
-_Measured = tuple[SignedStatistics, SignedStatistics]
+_BeforeAndAfter = tuple[SignedStatistics, SignedStatistics]
 """Signed distances of a pair of lines, before and after the calibration."""
 
 
-def _measured_pairs(plane: PlaneComparison) -> list[_Measured]:
+def _measured_pairs(plane: PlaneComparison) -> list[_BeforeAndAfter]:
     return [
         (before, after)
         for before, after in ((pair.before.signed, pair.after.signed) for pair in plane.pairs)
@@ -279,7 +279,7 @@ def _measured_pairs(plane: PlaneComparison) -> list[_Measured]:
     ]
 
 
-def _swath_difference(name: str, pairs: Sequence[_Measured]) -> SwathDifference:
+def _swath_difference(name: str, pairs: Sequence[_BeforeAndAfter]) -> SwathDifference:
     def pooled(statistics: Sequence[SignedStatistics]) -> float:
         squares = sum(each.n * (each.rms or 0.0) ** 2 for each in statistics)
         return sqrt(squares / sum(each.n for each in statistics))
@@ -337,13 +337,13 @@ def pairs_that_show_the_boresight(planes: Sequence[ValidationPlane]) -> list[Pai
     ]
 
 
-ROTATION = Format("deg", 3)
-STATES = {"before": N_("before"), "after": N_("after")}
-POOLED_DISTANCES = Table[PooledDistances](
+ROTATION_FORMAT = Format("deg", 3)
+STATE_TEXTS = {"before": N_("before"), "after": N_("after")}
+POOLED_DISTANCES_TABLE = Table[PooledDistances](
     N_("Distances between lines on each plane (mm)"),
     (
         Column("plane", N_("Plane")),
-        Column("state", N_("State"), texts=STATES),
+        Column("state", N_("State"), texts=STATE_TEXTS),
         Column("distances.n", N_("Points"), COUNT),
         Column("distances.mean_m", N_("Mean"), PLAIN_MILLIMETRES),
         Column("distances.median_m", N_("Median"), PLAIN_MILLIMETRES),
@@ -370,11 +370,11 @@ def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
     )
 
 
-PLANE_DISTANCES = Table[ValidationPlane](
+PLANE_DISTANCES_TABLE = Table[ValidationPlane](
     N_("Validation: distances between lines on planes not used in the adjustment (mm)"),
     (Column("name", N_("Plane")), *distance_columns("before", "after")),
 )
-PAIR_DISTANCES = Table[PairOnPlane](
+PAIR_DISTANCES_TABLE = Table[PairOnPlane](
     N_("Distances for every pair of lines (mm)"),
     (
         Column("plane.name", N_("Plane")),
@@ -383,7 +383,7 @@ PAIR_DISTANCES = Table[PairOnPlane](
         *distance_columns("pair.before.distances", "pair.after.distances"),
     ),
 )
-PAIR_PLACES = Table[PairOnPlane](
+PAIR_PLACES_TABLE = Table[PairOnPlane](
     N_("Signed distances along the normal, reciprocal pairs (mm)"),
     (
         Column("plane.name", N_("Plane")),
@@ -409,7 +409,7 @@ PAIR_PLACES = Table[PairOnPlane](
         ),
     ),
 )  # fmt: skip
-PAIR_PLANES = Table[PairOnPlane](
+PAIR_PLANES_TABLE = Table[PairOnPlane](
     N_("Comparison of the planes fitted to two lines, reciprocal pairs"),
     (
         Column("plane.name", N_("Plane")),
@@ -431,8 +431,9 @@ PAIR_PLANES = Table[PairOnPlane](
             )
             for (value, unit, form), title in zip(
                 (
-                    ("offset", "m", MILLIMETRES), ("rotation_horizontal_axis", "deg", ROTATION),
-                    ("rotation_slope_axis", "deg", ROTATION),
+                    ("offset", "m", MILLIMETRES),
+                    ("rotation_horizontal_axis", "deg", ROTATION_FORMAT),
+                    ("rotation_slope_axis", "deg", ROTATION_FORMAT),
                 ),
                 titles, strict=True,
             )

@@ -35,11 +35,11 @@ from lispac.report.report_values import (
     ReportContent,
 )
 from lispac.report.report_warnings import report_warnings
-from lispac.report.settings_used import CONVENTION, role_of_line, settings_used
+from lispac.report.settings_used import CONVENTION_TEXT, role_of_line, settings_used
 from lispac.survey.line_source import printable
 from lispac.targets.sighting_quality import SightingQuality
 
-__all__ = ["CONVENTION", "ReportContent", "report_content"]
+__all__ = ["CONVENTION_TEXT", "ReportContent", "report_content"]
 
 Array = NDArray[np.float64]
 

@@ -17,15 +17,17 @@ from lispac.present.text_format import decimal_sign, group_sign
 from lispac.present.validation import DistancesBySteps
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Block, Column, Table, as_rows
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
 from lispac.untrusted_values import as_csv_cell
 
-_EPOCH = (1980, 1, 1, 0, 0, 0)
+_ARCHIVE_TIME = (1980, 1, 1, 0, 0, 0)
 """Fixed time of every file in the archive, so that the same report gives the same bytes."""
 
 
-def write_tables(content: ReportContent, path: Path, options: ReportOptions = USUAL) -> None:
+def write_tables(
+    content: ReportContent, path: Path, options: ReportOptions = DEFAULT_OPTIONS
+) -> None:
     """Write one ZIP file with a CSV file (UTF-8) for each table, in the report's order.
 
     The last files contain the values drawn in the figures of the validation planes.
@@ -38,7 +40,7 @@ def write_tables(content: ReportContent, path: Path, options: ReportOptions = US
     with in_language(options.language), zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         tables += [*histogram_tables(content), *map_tables(content)]
         for k, table in enumerate(tables, start=1):
-            entry = zipfile.ZipInfo(f"{k:02d}-{_file_stem(table.title)}.csv", _EPOCH)
+            entry = zipfile.ZipInfo(f"{k:02d}-{_file_stem(table.title)}.csv", _ARCHIVE_TIME)
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, csv_text(table))
 

@@ -8,7 +8,7 @@ from lispac.errors import InputError, system_reason
 from lispac.language import gettext, in_language
 from lispac.message_texts import message_text
 from lispac.messages import error
-from lispac.present.text_format import HYPHEN, time_text, with_minus_signs
+from lispac.present.text_format import MINUS_PATTERN, time_text, with_minus_signs
 from lispac.report import sections
 from lispac.report.absolute_section import absolute_check_blocks
 from lispac.report.boresight_section import boresight_blocks
@@ -27,19 +27,19 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.identity_section import identity_form, signature_lines
 from lispac.report.methods_section import method_blocks
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.quality_section import quality_blocks
 from lispac.report.report_values import ReportContent
 from lispac.report.settings_section import settings_blocks
 from lispac.report.standards_section import standards_blocks
 from lispac.report.validation_section import validation_blocks
 
-TWO_ON_A_PAGE = 92.0
+MAX_HEIGHT_OF_TWO_MM = 92.0
 """Largest height of a picture, mm, at which two with captions fit on the smaller page size."""
 
 
 def report_document(
-    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = USUAL
+    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = DEFAULT_OPTIONS
 ) -> Document:
     """The texts, tables and figures of a report.
 
@@ -60,7 +60,7 @@ def report_document(
 def undrawn_document(
     content: ReportContent,
     pictures: Mapping[str, Path],
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
 ) -> Document:
     """Report in the language in use, with figures that are still to be drawn."""
     serious, notes = (_warning_texts(content, serious=is_serious) for is_serious in (True, False))
@@ -117,7 +117,7 @@ def undrawn_document(
 
 def _warning_texts(content: ReportContent, *, serious: bool) -> tuple[str, ...]:
     """Texts of the serious warnings, or of the others, with true minus signs."""
-    names = tuple(name for name in _proper_names(content) if HYPHEN.search(name))
+    names = tuple(name for name in _proper_names(content) if MINUS_PATTERN.search(name))
     return tuple(
         with_minus_signs(message_text(each), names)
         for each in content.warnings
@@ -176,7 +176,7 @@ def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
 
 def _view_pictures(pictures: Mapping[str, Path]) -> list[Picture]:
     """Pictures before and after the calibration, sized to fit on one page."""
-    tallest = TWO_ON_A_PAGE if len(pictures) > 1 else Picture.tallest
+    tallest = MAX_HEIGHT_OF_TWO_MM if len(pictures) > 1 else Picture.tallest
     return [replace(_make_picture(*each), tallest=tallest) for each in pictures.items()]
 
 

@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.language import current_language, gettext, in_language
-from lispac.present.sightings import POS_COMPONENTS, SightingValues
+from lispac.present.sightings import POS_COMPONENT_TITLES, SightingValues
 from lispac.present.text_format import (
     fixed_number,
     localised_number,
@@ -34,21 +34,21 @@ from lispac.report.report_values import LineValues, PickedPlane
 
 Array = NDArray[np.float64]
 
-BEFORE, AFTER = "#3b75af", "#9c5a1e"
-INK, GRID = "#333333", "#dddddd"
+BEFORE_COLOUR, AFTER_COLOUR = "#3b75af", "#9c5a1e"
+INK_COLOUR, GRID_COLOUR = "#333333", "#dddddd"
 LINE_COLOURS = (
     "#4477aa", "#ee6677", "#228833", "#997700", "#0088aa", "#aa3377", "#777777",
     "#332288", "#882255", "#44aa99",
 )  # fmt: skip
 """Distinguishable with any colour vision (Paul Tol); light colours darkened for thin lines."""
 
-TEXT, SMALL = 8.0, 7.0
-PER_RESIDUAL_FIGURE = 28
+TEXT_SIZE, SMALL_TEXT_SIZE = 8.0, 7.0
+MAX_SIGHTINGS_PER_FIGURE = 28
 """Largest number of sightings in a bar chart that fills one page."""
 
-LONGEST_LABEL = 24
+MAX_LABEL_LENGTH = 24
 
-LABEL_DISTANCE = 0.05, 0.09
+MIN_LABEL_DISTANCE = 0.05, 0.09
 """Distance below which the names of two marks would overlap, as shares of the drawn extent."""
 
 
@@ -69,7 +69,7 @@ def correlation_figure_of(
     axes = figure.add_subplot()
     image = axes.imshow(matrix, cmap="PuOr", vmin=-1, vmax=1)
     for (row, column), value in np.ndenumerate(matrix):
-        colour = "white" if abs(value) > 0.7 else INK
+        colour = "white" if abs(value) > 0.7 else INK_COLOUR
         axes.text(
             column,
             row,
@@ -77,7 +77,7 @@ def correlation_figure_of(
             ha="center",
             va="center",
             color=colour,
-            fontsize=SMALL,
+            fontsize=SMALL_TEXT_SIZE,
         )
     labels = [parameter_name(name) for name in names]
     axes.set_xticks(range(len(names)), labels)
@@ -85,11 +85,11 @@ def correlation_figure_of(
         for label in axes.get_xticklabels():
             label.set(rotation=40, ha="right", rotation_mode="anchor")
     axes.set_yticks(range(len(names)), labels)
-    axes.tick_params(length=0, labelsize=TEXT, colors=INK)
+    axes.tick_params(length=0, labelsize=TEXT_SIZE, colors=INK_COLOUR)
     axes.spines[:].set_visible(False)
     bar = figure.colorbar(image, ax=axes, shrink=0.85, format=LocalisedFormatter())
-    bar.ax.tick_params(labelsize=SMALL, colors=INK)
-    axes.set_title(gettext("Correlation"), fontsize=TEXT + 1, color=INK)
+    bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
+    axes.set_title(gettext("Correlation"), fontsize=TEXT_SIZE + 1, color=INK_COLOUR)
     return figure
 
 
@@ -125,7 +125,12 @@ def site_figure(
     axes.invert_xaxis()  # west is positive in the local frame, but drawn to the left
     style_axes(axes, gettext("West (m)"), gettext("North (m)"))
     if tracks or targets or validation:
-        figure.legend(loc="outside right upper", fontsize=SMALL, frameon=False, labelcolor=INK)
+        figure.legend(
+            loc="outside right upper",
+            fontsize=SMALL_TEXT_SIZE,
+            frameon=False,
+            labelcolor=INK_COLOUR,
+        )
     return figure
 
 
@@ -154,8 +159,8 @@ def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> F
 def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
     """Draw `residual_figure` from the values of a report, divided into figures of one page."""
     figures = []
-    for start in range(0, len(sightings), PER_RESIDUAL_FIGURE):
-        some = sightings[start : start + PER_RESIDUAL_FIGURE]
+    for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE):
+        some = sightings[start : start + MAX_SIGHTINGS_PER_FIGURE]
         labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in some]
         before, after = [s.rms_before_m for s in some], [s.rms_after_m for s in some]
         figures.append(_before_after_bars(None, labels, before, after))
@@ -165,8 +170,8 @@ def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
 def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
     """Draw the estimated POS errors with their prior, divided into figures of one page."""
     return [
-        _pos_error_figure(sightings[start : start + PER_RESIDUAL_FIGURE])
-        for start in range(0, len(sightings), PER_RESIDUAL_FIGURE)
+        _pos_error_figure(sightings[start : start + MAX_SIGHTINGS_PER_FIGURE])
+        for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE)
     ]
 
 
@@ -184,10 +189,10 @@ def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
         )
     )
     at = np.arange(len(sightings))
-    for k, (axes, name) in enumerate(zip(panels, POS_COMPONENTS, strict=True)):
+    for k, (axes, name) in enumerate(zip(panels, POS_COMPONENT_TITLES, strict=True)):
         axes.barh(at, 4 * prior[:, k], left=-2 * prior[:, k], height=1.0, color="#e4e7ec")
         beyond = np.abs(values[:, k]) > 2 * prior[:, k]
-        for own, colour in ((~beyond, BEFORE), (beyond, "#bb2222")):
+        for own, colour in ((~beyond, BEFORE_COLOUR), (beyond, "#bb2222")):
             axes.errorbar(
                 values[own, k], at[own], xerr=2 * after[own, k], fmt="o", markersize=2.6,
                 color=colour, elinewidth=0.8,
@@ -202,7 +207,7 @@ def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
             axes, "mm" if k < 3 else gettext("{number}\u00a0deg", number=fixed_number(0.001, 3)), ""
         )
         axes.grid(False)
-        axes.set_title(gettext(name), fontsize=TEXT, color=INK)
+        axes.set_title(gettext(name), fontsize=TEXT_SIZE, color=INK_COLOUR)
         axes.tick_params(axis="y", length=0)
     panels[0].set_yticks(at, [f"{short_name(s.target)}  {short_name(s.line)}" for s in sightings])
     panels[0].set_ylim(len(sightings) - 0.5, -0.5)
@@ -253,10 +258,10 @@ def blank_figure(figure: Figure | None, size: tuple[float, float]) -> Figure:
 
 def style_axes(axes: Axes, x_label: str, y_label: str) -> None:
     """Set labels, grid, spines and number format common to all figures."""
-    axes.set_xlabel(x_label, fontsize=TEXT, color=INK)
-    axes.set_ylabel(y_label, fontsize=TEXT, color=INK)
-    axes.tick_params(labelsize=SMALL, colors=INK, length=3)
-    axes.grid(True, color=GRID, linewidth=0.6)
+    axes.set_xlabel(x_label, fontsize=TEXT_SIZE, color=INK_COLOUR)
+    axes.set_ylabel(y_label, fontsize=TEXT_SIZE, color=INK_COLOUR)
+    axes.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR, length=3)
+    axes.grid(True, color=GRID_COLOUR, linewidth=0.6)
     axes.set_axisbelow(True)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["left", "bottom"]].set_color("#999999")
@@ -293,7 +298,7 @@ def _drawable_text(text: str) -> str:
 def short_name(name: str) -> str:
     """User-defined name, shortened to leave space for the plot."""
     return _drawable_text(
-        name if len(name) <= LONGEST_LABEL else name[: LONGEST_LABEL - 1] + "\u2026"
+        name if len(name) <= MAX_LABEL_LENGTH else name[: MAX_LABEL_LENGTH - 1] + "\u2026"
     )
 
 
@@ -307,13 +312,17 @@ def _before_after_bars(
     axes = figure.add_subplot()
     at = np.arange(len(labels))
     for shift, values, colour, label in (
-        (-0.2, before, BEFORE, gettext("before")),
-        (0.2, after, AFTER, gettext("after")),
+        (-0.2, before, BEFORE_COLOUR, gettext("before")),
+        (0.2, after, AFTER_COLOUR, gettext("after")),
     ):
         millimetres = 1000 * np.asarray(values)
         bars = axes.barh(at + shift, millimetres, height=0.38, color=colour, label=label)
         axes.bar_label(
-            bars, fmt=lambda each: fixed_number(each, 1), fontsize=SMALL - 1, color=INK, padding=2
+            bars,
+            fmt=lambda each: fixed_number(each, 1),
+            fontsize=SMALL_TEXT_SIZE - 1,
+            color=INK_COLOUR,
+            padding=2,
         )
     axes.set_yticks(at, labels)
     axes.set_ylim(len(labels) - 0.4, -0.6)
@@ -321,7 +330,13 @@ def _before_after_bars(
     style_axes(axes, gettext("RMS distance from the surface of the target (mm)"), "")
     axes.grid(False, axis="y")
     axes.tick_params(axis="y", length=0)
-    figure.legend(loc="outside upper right", ncols=2, fontsize=SMALL, frameon=False, labelcolor=INK)
+    figure.legend(
+        loc="outside upper right",
+        ncols=2,
+        fontsize=SMALL_TEXT_SIZE,
+        frameon=False,
+        labelcolor=INK_COLOUR,
+    )
     return figure
 
 
@@ -339,7 +354,7 @@ def _draw_track(axes: Axes, name: str, points: Array, colour: str) -> None:
     back *= 9 / max(float(np.hypot(*back)), 1e-9)
     axes.annotate(
         short_name(name), (west[0], north[0]), textcoords="offset points", xytext=tuple(back),
-        ha="center", va="center", fontsize=SMALL, color=colour,
+        ha="center", va="center", fontsize=SMALL_TEXT_SIZE, color=colour,
     )  # fmt: skip
 
 
@@ -365,7 +380,7 @@ def _label_seeds(
         return
     seeds = np.array([seed[:2] for _, seed, _ in marks], dtype=float)
     drawn = np.vstack([seeds, *(np.reshape(track, (-1, 2)) for track in tracks)])
-    near = np.array(LABEL_DISTANCE) * max(float(np.ptp(drawn, axis=0).max()), 1e-9)
+    near = np.array(MIN_LABEL_DISTANCE) * max(float(np.ptp(drawn, axis=0).max()), 1e-9)
     groups: list[list[int]] = []
     for k in np.argsort(-seeds[:, 0], kind="stable"):  # from north to south
         touched = [g for g in groups if (np.abs(seeds[g] - seeds[k]) < near).all(axis=1).any()]
@@ -381,6 +396,6 @@ def _label_seeds(
             beside = offset_copy(axes.transData, figure, right, up, units="points")
             axes.annotate(
                 short_name(name), (seeds[k, 1], seeds[k, 0]), xytext=(west, north),
-                textcoords=beside, fontsize=SMALL, color=colour, zorder=3, va="center",
+                textcoords=beside, fontsize=SMALL_TEXT_SIZE, color=colour, zorder=3, va="center",
                 arrowprops=None if alone else {"arrowstyle": "-", "color": colour, "lw": 0.5},
             )  # fmt: skip

@@ -13,7 +13,7 @@ from lispac.messages import Level, Message, plain_params
 from lispac.present.json_values import json_values
 from lispac.report.report_values import ReportContent
 
-NAME = "lispac-report"
+SCHEMA_NAME = "lispac-report"
 SCHEMA_VERSION = 5
 SCHEMA_FILE = "report.schema.json"
 
@@ -35,7 +35,7 @@ class JsonWarning:
 def json_text(content: ReportContent) -> str:
     """Report content as one JSON object in English; unknown values are null."""
     values = {
-        "schema": NAME,
+        "schema": SCHEMA_NAME,
         "schema_version": SCHEMA_VERSION,
         **json_values(content),
         "warnings": [asdict(_json_warning(each)) for each in content.warnings],

@@ -18,10 +18,10 @@ from lispac.errors import LispacError
 from lispac.messages import error
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Document
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
 
-LONGEST_WORD = 24
+MAX_UNBROKEN_LETTERS = 24
 """Longest word, letters, that is not broken; file names have no blanks to break at."""
 
 
@@ -29,7 +29,7 @@ def write_pdf(
     content: ReportContent,
     path: Path,
     pictures: Mapping[str, Path],
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
 ) -> None:
     """Write the report as PDF.
 
@@ -57,7 +57,7 @@ class Preview:
 def preview_of(
     content: ReportContent,
     pictures: Mapping[str, Path],
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
     *,
     ppi: float,
 ) -> Preview:
@@ -166,7 +166,7 @@ def _with_break_points(value: Any, key: str = "") -> Any:
         return {name: _with_break_points(item, name) for name, item in value.items()}
     if isinstance(value, list | tuple):
         return [_with_break_points(item, key) for item in value]
-    if isinstance(value, str) and any(len(word) > LONGEST_WORD for word in value.split()):
+    if isinstance(value, str) and any(len(word) > MAX_UNBROKEN_LETTERS for word in value.split()):
         return " ".join(_break_word(word) for word in value.split(" "))
     return value
 
@@ -180,7 +180,7 @@ def _break_word(word: str) -> str:
 def _word_pieces(word: str) -> Iterator[str]:
     """Parts of a word at its break points; longer parts are split every eight characters."""
     for run in word.split("\u200b"):
-        if len(run) <= LONGEST_WORD:
+        if len(run) <= MAX_UNBROKEN_LETTERS:
             yield run
         else:
             yield from (run[k : k + 8] for k in range(0, len(run), 8))

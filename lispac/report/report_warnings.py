@@ -18,11 +18,13 @@ from lispac.present.parameters import ParameterValues
 from lispac.present.sighting_quality import SightingQualityValues
 from lispac.report.absolute_warnings import absolute_check_warnings
 from lispac.report.report_values import PickedPlane, ReportContent
-from lispac.warning_causes import RESULT, Cause
+from lispac.warning_causes import RESULT_CAUSE, Cause
 
-DATA, ADJUST, VALIDATE = (Cause.of_step(name) for name in ("Data", "Adjust", "Validate"))
+DATA_STEP, ADJUST_STEP, VALIDATE_STEP = (
+    Cause.of_step(name) for name in ("Data", "Adjust", "Validate")
+)
 
-LARGER_RESIDUALS = {
+LARGE_RESIDUAL_CODES = {
     "adjustment.noise", "adjustment.not_flat", "adjustment.cause_not_located",
     "adjustment.cause_not_identified",
 }  # fmt: skip
@@ -38,14 +40,14 @@ def report_warnings(
     ----------
     warnings_found : about the result, as the window and the command line show them
     """
-    larger = any(each.code in LARGER_RESIDUALS for each in warnings_found)
+    larger = any(each.code in LARGE_RESIDUAL_CODES for each in warnings_found)
     return sort_by_level(
         [
             *_calibration_warnings(content),
             *(
                 each
                 for each in _fit_warnings(content)
-                if not (larger and each.code == CHI_SQUARE_LOW)
+                if not (larger and each.code == CHI_SQUARE_LOW_CODE)
             ),
             *warnings_found,
             *_parameter_warnings(content),
@@ -61,9 +63,9 @@ def report_warnings(
 
 def _calibration_warnings(content: ReportContent) -> Iterator[Message]:
     if not content.calibrated:
-        yield warning("report.not_calibrated", subject=ADJUST)
+        yield warning("report.not_calibrated", subject=ADJUST_STEP)
     if content.simulated:
-        yield note("report.simulated", subject=RESULT)
+        yield note("report.simulated", subject=RESULT_CAUSE)
     outside = [
         angle.name
         for angle in content.angles
@@ -72,7 +74,9 @@ def _calibration_warnings(content: ReportContent) -> Iterator[Message]:
         and abs(angle.error_deg) > angle.interval95_deg
     ]
     if outside:
-        yield note("report.truth_outside", angles=mounting_value_names(outside), subject=RESULT)
+        yield note(
+            "report.truth_outside", angles=mounting_value_names(outside), subject=RESULT_CAUSE
+        )
 
 
 def _fit_warnings(content: ReportContent) -> Iterator[Message]:
@@ -107,24 +111,24 @@ def _single_parameter_warnings(parameter: ParameterValues) -> Iterator[Message]:
         )
 
 
-CHI_SQUARE_LOW = "report.chi_square_low"
+CHI_SQUARE_LOW_CODE = "report.chi_square_low"
 
 
 def _chi_square_warnings(
     test: VarianceFactorTest, independent: bool, noisy: bool
 ) -> Iterator[Message]:
     if test.passed is None:
-        yield warning("report.no_redundancy", subject=RESULT)
+        yield warning("report.no_redundancy", subject=RESULT_CAUSE)
     elif test.passed:
         return
     elif test.upper is None or test.statistic <= test.upper:
-        yield note(CHI_SQUARE_LOW, subject=RESULT)
+        yield note(CHI_SQUARE_LOW_CODE, subject=RESULT_CAUSE)
     elif independent:
-        yield warning("report.chi_square_high_classical", subject=RESULT)
+        yield warning("report.chi_square_high_classical", subject=RESULT_CAUSE)
     elif noisy:
-        yield note("report.chi_square_high_noise", subject=RESULT)
+        yield note("report.chi_square_high_noise", subject=RESULT_CAUSE)
     else:
-        yield note("report.chi_square_high", subject=RESULT)
+        yield note("report.chi_square_high", subject=RESULT_CAUSE)
 
 
 def _target_warnings(content: ReportContent) -> Iterator[Message]:
@@ -218,9 +222,9 @@ def _sighting_warnings(content: ReportContent) -> Iterator[Message]:
 
 def _validation_warnings(content: ReportContent) -> Iterator[Message]:
     if content.calibrated and not content.validation:
-        yield note("report.not_validated", subject=VALIDATE)
+        yield note("report.not_validated", subject=VALIDATE_STEP)
     for reason in content.not_compared:
-        yield note("report.not_compared", reason=reason, subject=VALIDATE)
+        yield note("report.not_compared", reason=reason, subject=VALIDATE_STEP)
     for plane in content.validation:
         if plane.after.rms_m > plane.before.rms_m:
             yield warning(
@@ -234,10 +238,10 @@ def _method_warnings(content: ReportContent) -> Iterator[Message]:
     """Notes on methods that differ from the first; ``method_messages`` omits the first method."""
     for each, words in zip(content.methods[1:], content.method_messages, strict=False):
         if each.differ:
-            yield note("report.methods_differ", reason=words, subject=ADJUST)
+            yield note("report.methods_differ", reason=words, subject=ADJUST_STEP)
 
 
 def _file_warnings(content: ReportContent) -> Iterator[Message]:
     lost: Value = [file.name for file in content.files if file.sha256 is None]
     if lost:
-        yield warning("report.file_missing", files=lost, subject=DATA)
+        yield warning("report.file_missing", files=lost, subject=DATA_STEP)

@@ -3,7 +3,7 @@
 from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.language import N_
 
-NAMES: dict[PosErrors, str] = {
+POS_ERROR_MODEL_NAMES: dict[PosErrors, str] = {
     "correlated": N_("correlated POS errors"),
     "independent": N_("uncorrelated POS errors (classical)"),
 }

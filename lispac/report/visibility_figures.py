@@ -10,14 +10,21 @@ from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
 from lispac.present.text_format import fixed_number, title
-from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank_figure, style_axes
+from lispac.report.figures import (
+    INK_COLOUR,
+    LINE_COLOURS,
+    SMALL_TEXT_SIZE,
+    TEXT_SIZE,
+    blank_figure,
+    style_axes,
+)
 from lispac.simulation.thesis_site import HEADINGS_DEG, SIZES
 from lispac.simulation.visibility_study import THRESHOLD, VisibilityStudy
 
 Array = NDArray[np.float64]
 
-KEPT, BEST = "#e3ebf3", "#555555"
-WIDTHS = (6.0, 2.0, 6.0, 4.2, 2.6, 1.0)
+ACCEPTED_COLOUR, BEST_COLOUR = "#e3ebf3", "#555555"
+CURVE_WIDTHS = (6.0, 2.0, 6.0, 4.2, 2.6, 1.0)
 """Widths of the curves, points; they differ so that coincident curves are all visible."""
 
 
@@ -102,15 +109,18 @@ def visibility_figure(
     inclinations = np.degrees(study.site.inclinations)
     if best.kept:
         axes.axvspan(
-            np.degrees(best.kept[0]) - 5, np.degrees(best.kept[-1]) + 5, color=KEPT, linewidth=0
+            np.degrees(best.kept[0]) - 5,
+            np.degrees(best.kept[-1]) + 5,
+            color=ACCEPTED_COLOUR,
+            linewidth=0,
         )
     if best.inclination is not None:
-        axes.axvline(np.degrees(best.inclination), color=BEST, linewidth=0.9, linestyle="--")
+        axes.axvline(np.degrees(best.inclination), color=BEST_COLOUR, linewidth=0.9, linestyle="--")
     values = shown.values(study)[study.site.errors.index(error)]
     for k, heading in enumerate(HEADINGS_DEG):
         axes.plot(
-            inclinations, values[k], color=LINE_COLOURS[k], linewidth=WIDTHS[k],
-            marker="o", markersize=WIDTHS[k] + 1.5,
+            inclinations, values[k], color=LINE_COLOURS[k], linewidth=CURVE_WIDTHS[k],
+            marker="o", markersize=CURVE_WIDTHS[k] + 1.5,
             label=gettext("{heading:n} deg", heading=heading),
         )  # fmt: skip
     style_axes(
@@ -119,7 +129,7 @@ def visibility_figure(
         gettext(shown.label),
     )
     if criterion == "type-one":
-        axes.axhline(THRESHOLD, color=BEST, linewidth=0.6, linestyle=":")
+        axes.axhline(THRESHOLD, color=BEST_COLOUR, linewidth=0.6, linestyle=":")
         axes.set_ylim(-0.05, 1.05)
     elif best.kept:
         _set_y_limits(axes, values[:, np.isin(study.site.inclinations, best.kept)], shown.least)
@@ -130,8 +140,12 @@ def visibility_figure(
         error=systematic_error_label(error), site=gettext(SITE_NAMES[study.site.name]),
         criterion=gettext(shown.title),
     )  # fmt: skip
-    axes.set_title(head, fontsize=TEXT + 1, color=INK, loc="left")
+    axes.set_title(head, fontsize=TEXT_SIZE + 1, color=INK_COLOUR, loc="left")
     figure.legend(
-        loc="outside lower center", ncols=6, fontsize=SMALL, frameon=False, labelcolor=INK
+        loc="outside lower center",
+        ncols=6,
+        fontsize=SMALL_TEXT_SIZE,
+        frameon=False,
+        labelcolor=INK_COLOUR,
     )
     return figure

@@ -18,21 +18,21 @@ from lispac.simulation.thesis_comparison import (
 from lispac.simulation.thesis_site import HEADINGS_DEG
 from lispac.simulation.visibility_study import VisibilityStudy, fewest_sufficient_lines
 
-VALUES_TITLES: Mapping[str, str] = {
+VALUES_TABLE_TITLES: Mapping[str, str] = {
     "terrestrial": N_("Visibility on the terrestrial site"),
     "marine": N_("Visibility on the marine site"),
 }
-BEST_TITLES: Mapping[str, str] = {
+COMPARISON_TABLE_TITLES: Mapping[str, str] = {
     "terrestrial": N_("Best configurations on the terrestrial site"),
     "marine": N_("Best configurations on the marine site"),
 }
 """Titles of the tables by the name of the site."""
-VALUES = (
+VALUES_COLUMN_TITLES = (
     N_("Error"), N_("Line (deg)"), N_("Inclination (deg)"), N_("Points"), N_("Planarity"),
     N_("Centroidal distance (m)"), N_("Type I criterion (0 to 1)"), N_("Accepted"),
     N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
 )  # fmt: skip
-COMPARISON = (
+COMPARISON_COLUMN_TITLES = (
     N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl. in Shahraji's thesis"),
     N_("Best incl. (deg)"), N_("Best incl. in Shahraji's thesis"), N_("Required lines"),
     N_("Required lines in Shahraji's thesis"), N_("Inclination (vs. thesis)"),
@@ -60,7 +60,11 @@ def values_table(study: VisibilityStudy, errors: Sequence[str]) -> Table:
                         _number_text(np.degrees(study.angular_deviation[place]), 5),
                     )
                 )  # fmt: skip
-    return Table(gettext(VALUES_TITLES[study.site.name]), _table_columns(VALUES), as_rows(made))
+    return Table(
+        gettext(VALUES_TABLE_TITLES[study.site.name]),
+        _table_columns(VALUES_COLUMN_TITLES),
+        as_rows(made),
+    )
 
 
 def values_at_inclination(
@@ -113,7 +117,11 @@ def comparison_table(study: VisibilityStudy, errors: Sequence[str]) -> Table:
     made = [
         _comparison_row(each) for each in compare_with_thesis(study) if each.best.error in errors
     ]
-    return Table(gettext(BEST_TITLES[study.site.name]), _table_columns(COMPARISON), as_rows(made))
+    return Table(
+        gettext(COMPARISON_TABLE_TITLES[study.site.name]),
+        _table_columns(COMPARISON_COLUMN_TITLES),
+        as_rows(made),
+    )
 
 
 def _table_columns(titles: Sequence[str]) -> tuple[Column, ...]:

@@ -245,10 +245,10 @@ def _run_missing_methods(project: Project) -> tuple[Project, dict[str, Message]]
 
 def _print_methods(results: tuple[MethodResult, ...]) -> None:
     from lispac.method_comparison import comparison_messages
-    from lispac.present.methods import METHOD_RESULTS, MethodValues, method_differences
+    from lispac.present.methods import METHOD_RESULTS_TABLE, MethodValues, method_differences
 
     rows = [MethodValues.of(each) for each in results]
-    print_table(METHOD_RESULTS, rows)
+    print_table(METHOD_RESULTS_TABLE, rows)
     if len(rows) > 1:
         print_table(*method_differences(rows))
     for message in comparison_messages(results):

@@ -44,8 +44,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> None:
     """Compare the lines with a reference, and save the figures."""
     from lispac.present.absolute import (
-        REFERENCE_DISTANCES,
-        SURVEYED_POINTS,
+        REFERENCE_DISTANCES_TABLE,
+        SURVEYED_POINTS_TABLE,
         AbsoluteCheckValues,
         line_states,
     )
@@ -69,9 +69,9 @@ def run(arguments: Namespace) -> None:
     if arguments.json:
         print_json(json_values(found))
         return
-    print_table(REFERENCE_DISTANCES, line_states(found))
+    print_table(REFERENCE_DISTANCES_TABLE, line_states(found))
     if found.points:
-        print_table(SURVEYED_POINTS, found.points)
+        print_table(SURVEYED_POINTS_TABLE, found.points)
     for message in found.messages:
         print(message_text(message))
     for reason in found.not_compared:

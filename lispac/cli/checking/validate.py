@@ -103,9 +103,9 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
     from lispac.duplicate_targets import project_warnings
     from lispac.language import to_plain_text
     from lispac.present.tables import PLAIN_MILLIMETRES, Column
-    from lispac.present.validation import PLANE_DISTANCES, ValidationPlane
+    from lispac.present.validation import PLANE_DISTANCES_TABLE, ValidationPlane
 
-    table = PLANE_DISTANCES
+    table = PLANE_DISTANCES_TABLE
     if true:
         with_truth = Column[ValidationPlane](
             lambda plane: true.get(plane.name), "RMS with truth", PLAIN_MILLIMETRES

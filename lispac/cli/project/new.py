@@ -23,7 +23,7 @@ from lispac.cli.noise_options import (
     add_offset_options,
     noise_and_offset_settings,
 )
-from lispac.identity import BLANK
+from lispac.identity import EMPTY_IDENTITY
 from lispac.message_texts import message_text
 
 if TYPE_CHECKING:
@@ -159,7 +159,7 @@ def run(arguments: Namespace) -> None:
             accuracy_reading=Reading(
                 arguments.accuracy_format or "", tuple(arguments.accuracy_option)
             ),
-            identity=BLANK.changed(**named),
+            identity=EMPTY_IDENTITY.changed(**named),
             split_by=arguments.split_by,
             progress=progress,
         )
