@@ -23,7 +23,7 @@ from lispac.report.document_blocks import (
 from lispac.report.report_values import ReportContent
 
 LOCAL_FRAME_NAME = "the local frame"
-"""Name in the report content of the coordinate system of a reference in the local frame."""
+"""Value of `AbsoluteCheckValues.system` for a reference with coordinates in the local frame."""
 
 DISTANCES_TEXT = N_(
     "Distances between the lines and the reference along the normal of the surface, positive "

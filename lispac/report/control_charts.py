@@ -26,10 +26,11 @@ AXIS_LABELS: Mapping[str, str] = {
     "roll": N_("Roll (deg)"), "pitch": N_("Pitch (deg)"), "yaw": N_("Yaw (deg)")
 }  # fmt: skip
 LIMITS_COLOUR = "#dbe4ee"
+"""Colour of the band between the control limits of a calibration."""
 BAND_HALF_WIDTH = 0.35
-"""Width of the band of limits to either side, as a share of the time to the next calibration."""
+"""Width of this band to either side, as a share of the time to the neighbouring calibration."""
 DATE_FORMATS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
-"""Formats of a date beside the axis, from years to seconds, the same in every language."""
+"""Formats of the dates at the axis, for steps from years to seconds, the same in all languages."""
 
 
 def control_chart_figure(
@@ -42,6 +43,7 @@ def control_chart_figure(
     Parameters
     ----------
     days : dates of the calibrations, the earliest first
+    charted : the calibrations in the same order, with the earlier ones they are compared with
     """
     figure = blank_figure(figure, (6.3, 4.6))
     panels = figure.subplots(3, 1, sharex=True)
@@ -55,9 +57,9 @@ def control_chart_figure(
     has_moved = np.array([each.has_moved for each in charted])
     for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
         for j, each in enumerate(charted):
-            reach = control_limits(each)
-            if reach is not None and each.before is not None:
-                low, high = np.degrees(reach[:, k])
+            limits = control_limits(each)
+            if limits is not None and each.before is not None:
+                low, high = np.degrees(limits[:, k])
                 sides = (
                     at[j] - BAND_HALF_WIDTH * spacing[j],
                     at[j] + BAND_HALF_WIDTH * spacing[j + 1],
@@ -67,10 +69,10 @@ def control_chart_figure(
                     np.degrees(each.before.boresight[k]), *sides, color=BEFORE_COLOUR, lw=1.0
                 )
         values = np.degrees([each.calibration.boresight[k] for each in charted])
-        reach = NORMAL_95 * np.degrees([each.calibration.sigma[k] for each in charted])
+        half_widths = NORMAL_95 * np.degrees([each.calibration.sigma[k] for each in charted])
         for own, colour in ((~has_moved, INK_COLOUR), (has_moved, AFTER_COLOUR)):
             axes.errorbar(
-                at[own], values[own], yerr=reach[own], fmt="o", markersize=4, color=colour,
+                at[own], values[own], yerr=half_widths[own], fmt="o", markersize=4, color=colour,
                 elinewidth=1.0, capsize=2.5,
             )  # fmt: skip
         style_axes(axes, "", gettext(AXIS_LABELS[angle]))

@@ -21,7 +21,7 @@ ROTATION_TEXTS: Mapping[str, str] = {
     "body to LiDAR": N_("{formula}, body to LiDAR"),
 }
 PRECISE_DECIMALS = 8
-"""Decimals of angles, degrees, if they change much for a small rotation."""
+"""Decimals of angles in degrees if they change much with a small rotation (steep pitch)."""
 
 
 def convention_blocks(content: ReportContent) -> list[Block]:
@@ -105,7 +105,7 @@ def _angle_table(convention: ConventionValues) -> Table:
 
 
 def _program_name(name: str) -> str:
-    """Name of a program in the language in use, since some names contain words to translate."""
+    """Name of a program in the language in use; some names contain translated words."""
     return gettext(name)
 
 

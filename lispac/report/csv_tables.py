@@ -1,8 +1,8 @@
 """Every table of the report as CSV, in one ZIP file, for a spreadsheet or a script.
 
-The texts are those of the report, so the numbers agree with the signed report. A cell that contains
-only a number is written with a decimal point, a plain minus and no thousands separators; the
-plus-minus sign before half the width of an interval is omitted.
+The numbers are rounded as in the signed report. A cell that contains only a number is written with
+a decimal point, a hyphen as minus sign and no separators between groups of digits; the plus-minus
+sign of a cell that contains only half the width of an interval is omitted.
 """
 
 import csv
@@ -30,7 +30,7 @@ def write_tables(
 ) -> None:
     """Write one ZIP file with a CSV file (UTF-8) for each table, in the report's order.
 
-    The last files contain the values drawn in the figures of the validation planes.
+    The last files contain the values of the histograms, profiles and maps of the validation planes.
     """
     document = report_document(content, {}, options)
     blocks: list[Block] = [document.identity, *document.summary]
@@ -46,7 +46,7 @@ def write_tables(
 
 
 def histogram_tables(content: ReportContent) -> list[Table]:
-    """Tables of the bins of every histogram, and of the distances by height and range."""
+    """Tables of the histogram of each validation plane, and of distances by height and range."""
     made = []
     for plane in content.validation:
         edges = [1000 * edge for edge in plane.bin_edges_m]
@@ -143,7 +143,7 @@ def csv_text(table: Table) -> str:
 
 
 def _number_pattern() -> re.Pattern[str]:
-    """Pattern of a cell with one number or half an interval: sign, whole part and decimals."""
+    """Pattern of one number, or of half an interval; its groups are sign, integer and decimals."""
     groups, decimal = re.escape(group_sign()), re.escape(decimal_sign())
     return re.compile(
         rf"(?:\u00b1 ?)?([+-]?)(\d{{1,3}}(?:{groups}\d{{3}})+|\d+)(?:[{decimal}.](\d+))?"

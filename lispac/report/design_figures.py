@@ -24,7 +24,7 @@ from lispac.report.figures import (
 from lispac.report.stochastic_model_names import POS_ERROR_MODEL_NAMES
 
 MAX_DRAWN_SIGMAS = 4.0
-"""Limit of the drawn errors, in predicted sigmas; larger errors are counted in the outer bins."""
+"""Limit of the horizontal axis, in predicted sigmas; the outer bins include larger errors."""
 
 EXPLANATION_TEXT = N_(
     "Above each plot: standard deviation of the errors / predicted sigma, ± 1 sigma. Curve: "
@@ -35,7 +35,7 @@ RATIO_TITLES: Mapping[str, str] = {
     "pitch": N_("pitch: {ratio} ± {interval}"),
     "yaw": N_("yaw: {ratio} ± {interval}"),
 }
-"""Titles with the ratio of the scatter to the predicted sigma, and its random variation."""
+"""Titles of the plots: ratio of the scatter to the predicted sigma, and the sigma of the ratio."""
 
 ANGLE_COLOURS = (BEFORE_COLOUR, AFTER_COLOUR, "#228833")
 """Colours of roll, pitch and yaw; distinguishable with any colour vision."""
@@ -57,7 +57,8 @@ def scenario_figure(outcomes: Sequence[ScenarioOutcome], figure: Figure | None =
                      label=parameter_name(angle))  # fmt: skip
         for x in np.flatnonzero(~np.isfinite(table).all(axis=1)):
             axes.text(x, 0.03 * highest, gettext("not determined"), rotation=90,
-                      fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, ha="center", va="bottom")  # fmt: skip
+                      fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, ha="center",
+                      va="bottom")  # fmt: skip
         style_axes(axes, "", gettext("1 sigma (deg)"))
         axes.set_title(
             gettext(POS_ERROR_MODEL_NAMES[model]), fontsize=TEXT_SIZE, color=INK_COLOUR, loc="left"
@@ -119,12 +120,12 @@ def simulated_errors_figure(result: MonteCarloResult, figure: Figure | None = No
             gettext("number of surveys") if k == 0 else "",
         )
         ratio = result.ratio[k]
-        head = gettext(
+        title = gettext(
             RATIO_TITLES[angle],
             ratio=fixed_number(ratio, 2),
             interval=fixed_number(ratio * result.ratio_sigma, 2),
         )
-        axes.set_title(head, fontsize=TEXT_SIZE, color=INK_COLOUR, loc="left")
+        axes.set_title(title, fontsize=TEXT_SIZE, color=INK_COLOUR, loc="left")
     panels[0].yaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))
     figure.suptitle(gettext(EXPLANATION_TEXT), fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)
     return figure

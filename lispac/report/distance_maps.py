@@ -1,4 +1,4 @@
-"""Maps of the distances between two lines on a plane, before and after."""
+"""Maps of the distances between two lines on a plane, before and after the calibration."""
 
 from collections.abc import Sequence
 
@@ -30,23 +30,26 @@ COLOUR_MAP = "RdBu_r"
 SCALE_PERCENTILE = 98.0
 """Percentile of the absolute distances at the ends of the colour scale."""
 MIN_COLOUR_LIMIT_M = 1e-4
+"""Smallest distance at the ends of the colour scale, metres."""
 PIXELS_PER_CELL = 10
-"""Pixels along the side of a cell, since viewers blur single pixels of an image."""
+"""Pixels along the side of a cell; a viewer would blur cells of a single pixel."""
 FIGURE_WIDTH, MAX_PANEL_HEIGHT, MIN_PANEL_HEIGHT = 6.3, 3.2, 0.5
 """Width of the figure, and largest and smallest height of a panel, inches."""
 MARGIN_LEFT, MARGIN_RIGHT, COLUMN_SPACING = 0.8, 0.12, 0.34
 MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 0.85
-"""Margins around and between the panels, inches."""
+"""Margins around and between the panels, inches; the top margin is larger if all pairs are in one
+row."""
 MAX_TEXT_SHARE = 0.95
-"""Largest share of the distance between panels that a text may fill."""
+"""Largest share of the distance between the centres of two panels that a text may fill."""
 ONE_ROW_RATIO = 1.4
-"""Ratio of height to width above which all pairs of a plane are drawn in one row."""
+"""Ratio of height to width of a plane above which the maps of all its pairs are in one row."""
 
 
 def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
-    """Maps of the signed distances over the plane, for each mapped pair of lines.
+    """Maps of the signed distances on the plane, for each mapped pair of lines.
 
-    Three panels a pair: before and after with a common colour scale, and after with its own.
+    Each pair has three panels: before and after with a common colour scale, and after with a
+    separate one.
     """
     return _draw_maps(
         figure, comparison.name, [DistanceMapValues.of(each) for each in comparison.maps]
@@ -143,7 +146,7 @@ def _break_after_commas(text: str) -> str:
 def _map_panels(
     figure: Figure | None, pairs: int, sides: Array, tall: bool
 ) -> tuple[Figure, list[list[Axes]]]:
-    """Three panels for each pair: one row a pair, or a single row if the plane is tall."""
+    """Three panels for each pair: one row for each pair, or a single row if the plane is tall."""
     down, along = (1, 3 * pairs) if tall else (pairs, 3)
     wide = (FIGURE_WIDTH - MARGIN_LEFT - MARGIN_RIGHT - (along - 1) * COLUMN_SPACING) / along
     high = float(np.clip(sides[1] / sides[0] * wide, MIN_PANEL_HEIGHT, MAX_PANEL_HEIGHT))
@@ -214,7 +217,7 @@ def _cell_coordinates(pair: DistanceMapValues) -> tuple[tuple[float, ...], tuple
 
 
 def _map_size(pair: DistanceMapValues) -> Array:
-    """Width and height of the drawn area, metres."""
+    """Width and height of the area covered by a map, metres."""
     return np.array([max(values) + pair.cell_m / 2 for values in _cell_coordinates(pair)])
 
 

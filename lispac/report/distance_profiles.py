@@ -1,4 +1,4 @@
-"""Distances between lines against height and range, before and after."""
+"""Distances between lines as a function of height and range, before and after the calibration."""
 
 from collections.abc import Mapping, Sequence
 
@@ -32,7 +32,7 @@ LINE_STYLES = {"median": "-", "p95": "--"}
 
 
 def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
-    """Median (full) and 95th percentile (dashed) of the distances, before and after."""
+    """Median (solid) and 95th percentile (dashed) of the distances, by height and by range."""
     profiles = [
         None if each is None else DistancesBySteps.of(each)
         for each in (comparison.by_height, comparison.by_range)

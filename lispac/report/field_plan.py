@@ -1,4 +1,4 @@
-"""One page for the field: positions of the boards, and the lines in their order."""
+"""Survey plan for the field on one page: positions of the targets, and the lines in order."""
 
 from collections.abc import Sequence
 from textwrap import fill
@@ -45,10 +45,10 @@ EXPLANATION_TEXT = N_(
     "boards flat and firmly: the predicted sigmas assume that they do not move."
 )
 ROW_PITCH, MIN_ROW_PITCH, ROWS_SPACE, MAX_LIFT = 0.019, 0.0115, 0.24, 0.26
-"""Shares of the page height: row, smallest row, space for the rows below drawings of the usual
-height, and largest reduction of the drawings if there are many rows."""
+"""Shares of the page height: usual and smallest height of a row, space for the rows below drawings
+of the usual height, and largest reduction of the drawings if there are many rows."""
 MAX_PRINTED_WARNINGS, MAX_LINE_LENGTH = 3, 140
-"""Largest number of printed warnings, and of letters in a line."""
+"""Largest number of printed warnings, and of characters in a line of text."""
 OMITTED_WARNINGS_TEXT = Plural(
     "{count:n} more warning is not shown.", "{count:n} more warnings are not shown."
 )
@@ -59,14 +59,14 @@ SCALE_BAR_LENGTHS_M = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 def field_plan_figure(
     plan: Plan, wall: Wall, title: str, notes: Sequence[str] = (), *, warnings: Sequence[str] = ()
 ) -> Figure:
-    """Figure of one page with drawing, boards, lines and predicted sigmas.
+    """Figure of one page with drawings, targets, lines and predicted sigmas.
 
     Parameters
     ----------
     wall : Wall
-        Wall seen from the water.
+        Wall that carries the targets.
     notes : sequence of str
-        Printed below: assumptions of the plan.
+        Further assumptions of the plan, printed at the end.
     warnings : sequence of str
         Warnings about parts of the plan that cannot be realised.
     """
@@ -145,7 +145,7 @@ def _triple_text(numbers: Sequence[str]) -> str:
 
 
 def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
-    """Draw wall, targets and numbered lines from above, east to the right and north up."""
+    """Draw wall, targets and numbered lines in plan view, north up."""
     middle = np.array(plan.middle[:2])
     offset = 0.02 * max(line.distance for line in plan.lines)  # opposite lines side by side
     begins: dict[tuple[float, float], list[int]] = {}
@@ -177,7 +177,7 @@ def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
         east, north = -target.centre[1], target.centre[0]
         axes.plot(east, north, "s" if isinstance(target, Board) else "o", color=AFTER_COLOUR, ms=5)
         places.setdefault((round(east, 1), round(north, 1)), []).append(target.name)
-    for place, names in places.items():  # boards above each other share one mark
+    for place, names in places.items():  # targets above each other share one label
         axes.annotate(", ".join(names), place, xytext=(5, 4), textcoords="offset points",
                       fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
@@ -235,7 +235,7 @@ def _draw_north_and_scale(axes: Axes) -> None:
 
 
 def _draw_front_view(axes: Axes, plan: Plan, wall: Wall) -> None:
-    """Draw the wall as seen from the water."""
+    """Draw the targets on the wall as seen from the water."""
     for target in plan.targets:
         along = wall.wall_coordinates(target.centre)[0]
         up = target.centre[2]
@@ -297,7 +297,7 @@ def _signed_metres(metres: float) -> str:
 
 
 def _inclination_text(degrees: float) -> str:
-    """Text of an inclination from the horizontal, degrees, and its side; 90 is upright."""
+    """Text of an inclination, degrees: 90 vertical, smaller tilted back, larger tilted forward."""
     if abs(degrees - 90.0) < 0.5:
         return gettext("90, vertical")
     if degrees < 90.0:

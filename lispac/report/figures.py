@@ -35,21 +35,27 @@ from lispac.report.report_values import LineValues, PickedPlane
 Array = NDArray[np.float64]
 
 BEFORE_COLOUR, AFTER_COLOUR = "#3b75af", "#9c5a1e"
+"""Colours of values with the prior and with the estimated boresight."""
 INK_COLOUR, GRID_COLOUR = "#333333", "#dddddd"
+"""Colours of texts and curves, and of grid lines."""
 LINE_COLOURS = (
     "#4477aa", "#ee6677", "#228833", "#997700", "#0088aa", "#aa3377", "#777777",
     "#332288", "#882255", "#44aa99",
 )  # fmt: skip
-"""Distinguishable with any colour vision (Paul Tol); light colours darkened for thin lines."""
+"""Colours of the survey lines, distinguishable with any colour vision (Paul Tol); light colours
+are darkened for thin curves."""
 
 TEXT_SIZE, SMALL_TEXT_SIZE = 8.0, 7.0
+"""Font sizes of axis labels and of details, points."""
 MAX_SIGHTINGS_PER_FIGURE = 28
 """Largest number of sightings in a bar chart that fills one page."""
 
 MAX_LABEL_LENGTH = 24
+"""Largest number of characters of a name in a figure."""
 
 MIN_LABEL_DISTANCE = 0.05, 0.09
-"""Distance below which the names of two marks would overlap, as shares of the drawn extent."""
+"""Distances north and west below which the names of two marks would overlap, as shares of the
+drawn extent."""
 
 
 def correlation_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
@@ -99,7 +105,7 @@ def site_figure(
     validation: Mapping[str, Sequence[float]],
     figure: Figure | None = None,
 ) -> Figure:
-    """Plan view: courses of the lines, targets and validation planes; north is up.
+    """Plan view of the tracks of the lines, the targets and the validation planes; north is up.
 
     Parameters
     ----------
@@ -160,9 +166,9 @@ def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
     """Draw `residual_figure` from the values of a report, divided into figures of one page."""
     figures = []
     for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE):
-        some = sightings[start : start + MAX_SIGHTINGS_PER_FIGURE]
-        labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in some]
-        before, after = [s.rms_before_m for s in some], [s.rms_after_m for s in some]
+        part = sightings[start : start + MAX_SIGHTINGS_PER_FIGURE]
+        labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in part]
+        before, after = [s.rms_before_m for s in part], [s.rms_after_m for s in part]
         figures.append(_before_after_bars(None, labels, before, after))
     return figures
 
@@ -176,7 +182,10 @@ def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
 
 
 def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
-    """Draw error, 2 sigma and prior 2 sigma: a row for each sighting, a panel a component."""
+    """Draw the errors with their 2 sigma and prior 2 sigma intervals.
+
+    Each sighting has a row, and each component of the error a panel.
+    """
     figure = blank_figure(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
     errors = [each.pos_error for each in sightings if each.pos_error is not None]
@@ -215,7 +224,7 @@ def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
 
 
 def svg_of(figure: Figure) -> bytes:
-    """Convert a figure to reproducible SVG, with letters as outlines that need no font."""
+    """Convert a figure to reproducible SVG with letters as outlines, which require no font."""
     stream = BytesIO()
     with rc_context({"svg.hashsalt": "lispac", "svg.fonttype": "path"}):
         # `savefig` would draw the figure twice and take twice the time.
@@ -230,17 +239,17 @@ def svg_pictures(
 ) -> tuple[bytes, ...]:
     """Figures that ``draw`` creates from values of a report, as SVG, in the language in use.
 
-    Drawing takes nearly all of the time of a report. The last figures are cached, since all formats
-    of a report use the same figures, and so does the next report if a plane did not change.
+    Creating a report consists mainly of drawing. The last figures are therefore cached: all formats
+    of a report use the same figures, and the next report uses those whose values did not change.
     """
     return render_pictures(draw, pickle.dumps(values), current_language())
 
 
-@lru_cache(maxsize=64)  # the figures of a few reports, some megabytes
+@lru_cache(maxsize=64)  # enough for the figures of a few reports, which take some megabytes
 def render_pictures(
     draw: Callable[..., Figure | Sequence[Figure]], values: bytes, language: str
 ) -> tuple[bytes, ...]:
-    """SVG pictures of a figure function with pickled values."""
+    """Figures that ``draw`` creates from pickled values, as SVG in the given language; cached."""
     with in_language(language):
         made = draw(*pickle.loads(values))
         figures = [made] if isinstance(made, Figure) else made
@@ -248,7 +257,7 @@ def render_pictures(
 
 
 def blank_figure(figure: Figure | None, size: tuple[float, float]) -> Figure:
-    """Cleared figure, or a new one of this size in inches."""
+    """The given figure without its content, or a new one of this size in inches."""
     if figure is None:
         return Figure(figsize=size, layout="constrained")
     figure.clear()
@@ -271,32 +280,32 @@ def style_axes(axes: Axes, x_label: str, y_label: str) -> None:
 
 
 class LocalisedFormatter(ScalarFormatter):
-    """Formatter of tick labels with the decimal sign and the minus sign of the language in use."""
+    """Formatter of tick labels with the decimal sign of the language in use and a minus sign."""
 
     def __call__(self, x: float, pos: int | None = None) -> str:
         """Text of one number."""
         return localised_number(super().__call__(x, pos))
 
     def format_data_short(self, value: float) -> str:  # type: ignore[override]
-        """Text of a number below the pointer."""
+        """Text of the value at the mouse pointer."""
         return localised_number(super().format_data_short(value))
 
 
 @cache
 def drawable_characters() -> frozenset[int]:
-    """Code points of the letters in the font that is supplied with matplotlib."""
+    """Code points of the characters in the default font of matplotlib."""
     path = Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"
     return frozenset(FT2Font(str(path)).get_charmap())
 
 
 def _drawable_text(text: str) -> str:
-    """Text with mathematical markup escaped and letters missing in the font replaced."""
+    """Text with the sign of mathematical markup escaped and missing characters replaced."""
     shown = "".join(letter if ord(letter) in drawable_characters() else "\u25a1" for letter in text)
     return shown.replace("$", r"\$")
 
 
 def short_name(name: str) -> str:
-    """User-defined name, shortened to leave space for the plot."""
+    """Name typed by the user, shortened to `MAX_LABEL_LENGTH` and drawable by matplotlib."""
     return _drawable_text(
         name if len(name) <= MAX_LABEL_LENGTH else name[: MAX_LABEL_LENGTH - 1] + "\u2026"
     )
@@ -349,7 +358,8 @@ def _draw_track(axes: Axes, name: str, points: Array, colour: str) -> None:
         "", xy=(west[-1], north[-1]), xytext=(west[-2], north[-2]),
         arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.4, "mutation_scale": 12},
     )  # fmt: skip
-    # Placed before the start, clear of the arrow of a line that ends there; west is left.
+    # The name is before the start of the track, so that the arrow of a line that ends there does
+    # not cover it. The west axis points to the left.
     back = np.array([west[1] - west[0], north[0] - north[1]])
     back *= 9 / max(float(np.hypot(*back)), 1e-9)
     axes.annotate(
@@ -370,7 +380,7 @@ def _draw_seeds(
 def _label_seeds(
     axes: Axes, marks: Sequence[tuple[str, Sequence[float], str]], tracks: Iterable[ArrayLike]
 ) -> None:
-    """Draw names beside their marks; names of close marks are stacked, with a line to each.
+    """Draw names beside their marks; names of close marks are stacked, with a line to each mark.
 
     Parameters
     ----------

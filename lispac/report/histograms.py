@@ -1,4 +1,4 @@
-"""Histograms of the distances on a validation plane, before and after overlaid."""
+"""Histograms of the distances on a validation plane, before and after the calibration."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -32,8 +32,8 @@ Array = NDArray[np.float64]
 MAX_BARS = 60
 """Largest number of bars in a histogram."""
 ENLARGED_WIDTH, MAX_ENLARGED_SHARE = 1.6, 0.4
-"""Width of the enlarged view of the distances after, in their 95th percentiles, and the largest
-share of the whole range for which an enlarged view is drawn."""
+"""Ratio of the range of the enlarged view to the 95th percentile of the distances after the
+calibration, and the largest share of the full range for which an enlarged view is drawn."""
 STATE_COLOURS = (BEFORE_COLOUR, AFTER_COLOUR)
 _FULL_VIEW_LABEL = N_("Distance between lines (mm); last bin includes larger values")
 _ENLARGED_VIEW_LABEL = N_("Enlarged view (mm)")
@@ -46,7 +46,16 @@ _PLANE_TITLES: Mapping[str, str] = {
 
 @dataclass(frozen=True, eq=False)
 class _BinnedDistances:
-    """Distances before and after calibration in fine bins, with a legend text for each."""
+    """Distances before and after the calibration, counted in fine bins.
+
+    Attributes
+    ----------
+    edges : edges of the bins, metres
+    counts : numbers of distances in the bins, before and after
+    legend : text of the legend for each state
+    total : number of distances
+    near : range of the enlarged view, metres
+    """
 
     edges: ArrayLike
     counts: Sequence[ArrayLike]
@@ -66,7 +75,7 @@ def histogram_figure(
     Parameters
     ----------
     share : bool
-        Draw the share of the points in each millimetre instead of their number in each bin.
+        Draw the share of the points per millimetre instead of their number in each bin.
     """
     before, after = comparison.before, comparison.after
     counted = _BinnedDistances(
@@ -143,7 +152,7 @@ def _draw_histogram(
 
 
 def _count_text(value: float) -> str:
-    """Text of a number of points or a share, with as many decimals as necessary."""
+    """Text of a number of points or of a share, with as many decimals as it has."""
     whole, _, decimals = f"{value:.12g}".partition(".")
     return (
         grouped_number(value, len(decimals))
@@ -177,6 +186,7 @@ class _HistogramBars:
         self._axes.set_xlim(0.0, 1000.0 * reach)
 
     def _follow(self) -> None:
+        """Fit the bins and the vertical axis to the visible range."""
         low, high = sorted(self._axes.get_xlim())
         shown = min(max(high - low, 1e-9), 1000.0 * float(np.asarray(self._counted.edges)[-1]))
         highest, edges = np.zeros(0), np.zeros(1)

@@ -11,6 +11,7 @@ from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
 
 _MEDIA_TYPES = {".png": "image/png", ".svg": "image/svg+xml"}
+"""Media type of a picture by the suffix of its file."""
 
 
 def html_text(

@@ -15,7 +15,7 @@ def identity_form(content: ReportContent) -> Table:
 
 
 def signature_lines(content: ReportContent) -> SignatureLines:
-    """Lines for the signature of the surveyor."""
+    """Lines for surveyor, company, place, date and signature, with the known values."""
     known = content.identity
     return SignatureLines(
         (

@@ -20,10 +20,7 @@ SCHEMA_FILE = "report.schema.json"
 
 @dataclass(frozen=True)
 class JsonWarning:
-    """A typed message in English; ``code`` names the condition.
-
-    ``former_code`` is its code in versions before typed messages.
-    """
+    """Message of the report in English; ``former_code`` is its code in reports of old versions."""
 
     code: str
     former_code: str

@@ -1,4 +1,4 @@
-"""The map of the distances between lines, from above."""
+"""Plan view of the distances between lines."""
 
 from collections.abc import Sequence
 
@@ -20,13 +20,13 @@ from lispac.validation.line_differences import LineDifference
 COLOUR_MAP = "viridis_r"
 """Colour map: light where lines coincide, dark where they differ; suits any colour vision."""
 SCALE_PERCENTILE = 95.0
-"""Percentile of the differences at the end of the colour scale."""
+"""Percentile of the absolute distances at the end of the colour scale."""
 
 
 def line_difference_map(pairs: Sequence[LineDifference], figure: Figure | None = None) -> Figure:
-    """Map of places of some pairs of lines, coloured by the distance of the lines.
+    """Plan view of the places compared, coloured by the distance between the two lines.
 
-    If several places lie above each other, as on a wall, the largest difference is visible.
+    If several places lie above each other, as on a wall, the largest distance is visible.
 
     Parameters
     ----------

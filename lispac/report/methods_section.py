@@ -1,4 +1,4 @@
-"""The section on alternative methods, beside the targets (as table 4.4 of the thesis)."""
+"""The section that compares alternative methods with the targets (table 4.4 of the thesis)."""
 
 from lispac.language import N_, gettext
 from lispac.present.methods import METHOD_RESULTS_TABLE, METHOD_TITLES, method_differences
@@ -14,7 +14,7 @@ METHODS_TEXT = N_(
 
 
 def method_blocks(content: ReportContent) -> list[Block]:
-    """Blocks on the results of all methods and their differences."""
+    """Blocks on the results of all methods and their differences; none for a single method."""
     found = content.methods
     if len(found) < 2:
         return []

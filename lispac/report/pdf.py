@@ -1,7 +1,8 @@
 """The report as PDF, typeset by typst.
 
 Typst is installed as one wheel that includes its fonts. It needs no browser, no TeX and no network,
-and produces the same bytes on every machine.
+and produces the same bytes on every machine, unless a text has characters that require a system
+font.
 """
 
 import json
@@ -22,7 +23,8 @@ from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
 
 MAX_UNBROKEN_LETTERS = 24
-"""Longest word, letters, that is not broken; file names have no blanks to break at."""
+"""Largest number of letters of a word without break points. Longer words, such as file names, get
+break points."""
 
 
 def write_pdf(
@@ -102,8 +104,8 @@ def _typesetter(
             main,
             root=folder,
             font_paths=[_matplotlib_fonts()],
-            # System fonts are used only for letters that typst and matplotlib lack; otherwise the
-            # PDF is the same on every machine.
+            # System fonts are allowed only if the text has characters that matplotlib's font lacks;
+            # otherwise the PDF is the same on every machine.
             ignore_system_fonts=_has_fonts_for(text),
         )
         made = datetime.fromisoformat(content.generated)
@@ -141,8 +143,8 @@ def _require_readable_pictures(pictures: Iterable[Path], folder: Path) -> None:
 def _write_template_input(document: Document, folder: Path) -> str:
     """Write text and pictures for the template into ``folder`` and return the text.
 
-    The template reads the texts from JSON, and typst prints them literally: no part of a
-    user-defined name is interpreted as a command.
+    The template reads the texts from JSON, and typst prints them literally, so that no part of a
+    name typed by the user is interpreted as a command.
     """
     values = _with_break_points(asdict(document))
     pictures = 0
@@ -178,7 +180,7 @@ def _break_word(word: str) -> str:
 
 
 def _word_pieces(word: str) -> Iterator[str]:
-    """Parts of a word at its break points; longer parts are split every eight characters."""
+    """Parts of a word between its break points; long parts are split every eight characters."""
     for run in word.split("\u200b"):
         if len(run) <= MAX_UNBROKEN_LETTERS:
             yield run

@@ -1,4 +1,4 @@
-"""The table of the quality of each sighting."""
+"""The section on the quality of each sighting."""
 
 from lispac.language import N_, gettext
 from lispac.present.sighting_quality import QUALITY_TABLE
@@ -21,7 +21,7 @@ BEFORE_CALIBRATION_TEXT = N_(
 
 
 def quality_blocks(content: ReportContent) -> list[Block]:
-    """Table of all sightings with statistics and rating; empty if no sighting was rated."""
+    """Table of all sightings with statistics and rating, and explanations; none without ratings."""
     if not content.qualities:
         return []
     explained = [COLUMNS_TEXT]

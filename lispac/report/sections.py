@@ -1,6 +1,6 @@
 """Results of the first page, and the sections on targets, residuals, site and lines.
 
-Angles have four decimals in degrees, distances one in millimetres.
+Boresight angles have four decimals in degrees, residuals one decimal in millimetres.
 """
 
 from collections.abc import Sequence

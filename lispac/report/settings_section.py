@@ -1,4 +1,4 @@
-"""The section on settings: system, points, stochastic model, and the input files."""
+"""The section on settings: system, points, stochastic model and input files."""
 
 from collections.abc import Mapping
 
@@ -31,7 +31,7 @@ from lispac.report.report_values import ReportContent, SettingsUsed
 from lispac.report.settings_used import FILE_ROLES, role_of_line
 
 MIN_REPORTED_NOISE_FACTOR = 1.05
-"""Smallest ratio of the LiDAR noise of a target to the given one that is reported."""
+"""Smallest noise factor of a target (estimated divided by given LiDAR noise) that is reported."""
 
 POS_ERROR_TEXTS: Mapping[str, str] = {
     "correlated": N_("Correlated in time."),
@@ -67,7 +67,7 @@ VARIANCE_COMPONENTS_TEXT = N_(
 
 
 def settings_blocks(content: ReportContent) -> list[Block]:
-    """Blocks on the settings of system, points and stochastic model."""
+    """Blocks on the settings of system, points and stochastic model, and on the input files."""
     used, adjustment = content.settings, content.adjustment
     blocks: list[Block] = [
         facts_table(gettext("System and points"), _system_rows(used, adjustment)),

@@ -1,4 +1,4 @@
-"""The section on uncertainty in the terms of the published standards that apply."""
+"""The section on uncertainty as defined in IHO S-44 and the USGS Lidar Base Specification."""
 
 from lispac.language import N_, Plural, gettext
 from lispac.present.displacement import S44Contribution

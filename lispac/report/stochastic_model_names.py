@@ -1,4 +1,4 @@
-"""Names of the stochastic models in figures and forms of the survey design."""
+"""Names of the models of the POS errors in figures and forms of the survey design."""
 
 from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.language import N_

@@ -41,7 +41,7 @@ def largest_fitting_font_size(texts: Sequence[str], width: float, size: float) -
 
 
 def cut_to_width(text: str, width: float) -> str:
-    """Text without line breaks, cut at its end to fit in ``width`` at the smallest font size.
+    """Text of one line, cut at its end to fit in ``width`` at `MIN_FONT_SIZE`.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ POOLED_TEXTS: Mapping[str, str] = {
     "reciprocal pairs": N_("Histograms and totals use the reciprocal pairs of lines only."),
     "all pairs": N_("Histograms and totals use all pairs of lines."),
 }
-"""Texts on the pairs of lines used in the statistics of a plane, by their name in the content."""
+"""Texts on the pairs of lines in the statistics of a plane, by `ValidationPlane.pooled_from`."""
 
 DISTANCES_TEXT = N_(
     "Distances from each point of one line to the surface of the other, in both directions, only "
@@ -119,7 +119,7 @@ def _profile_caption(plane: ValidationPlane) -> str:
 
 
 def _signed_tables(planes: Sequence[ValidationPlane]) -> list[Block]:
-    """Tables of offsets and rotations of the pairs in which a boresight error is largest."""
+    """Tables of signed distances, and of offsets and rotations, of the reciprocal pairs."""
     rows = pairs_that_show_the_boresight(planes)
     blocks: list[Block] = []
     if any(row.pair.after.signed is not None for row in rows):

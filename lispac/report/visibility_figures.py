@@ -1,4 +1,4 @@
-"""Visibility of an error by line and inclination of the board (thesis, figures 3.13 to C.21)."""
+"""Figures of the visibility of an error by line and inclination (thesis, 3.13 to C.21)."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 
 ACCEPTED_COLOUR, BEST_COLOUR = "#e3ebf3", "#555555"
 CURVE_WIDTHS = (6.0, 2.0, 6.0, 4.2, 2.6, 1.0)
-"""Widths of the curves, points; they differ so that coincident curves are all visible."""
+"""Widths of the curves of the lines, points; they differ so that coincident curves are visible."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,9 @@ class Criterion:
     Attributes
     ----------
     title, label : str
-        English texts: the question, and the quantity on the axis with its unit.
+        English texts: name of the criterion, and quantity on the vertical axis with its unit.
+    decimals : int
+        Decimals of the values.
     least : float
         Smallest height of the axis, so that rounding errors are not enlarged.
     values : function of a `VisibilityStudy`
@@ -70,7 +72,7 @@ SITE_NAMES: Mapping[str, str] = {"terrestrial": N_("terrestrial"), "marine": N_(
 
 
 def systematic_error_label(error: str) -> str:
-    """An error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
+    """Name of a systematic error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
     size = SIZES[error]
     if error.startswith(("lever", "range")):
         return gettext("{error} {size} cm", error=title(error), size=fixed_number(100 * size, 0))
@@ -91,11 +93,11 @@ def visibility_figure(
     criterion: str,
     figure: Figure | None = None,
 ) -> Figure:
-    """One criterion of one error for six lines, over the inclination of the board.
+    """Values of a criterion for one error and all lines, by inclination of the board.
 
-    The inclinations accepted by the type I criterion are shaded; the best of them has a dashed
-    line. The vertical axis is scaled to the accepted inclinations, since at others the beams may
-    graze the board and give meaningless points.
+    The inclinations accepted by the type I criterion are shaded; a dashed line marks the best one.
+    The vertical axis of the other criteria is scaled to the accepted inclinations, since at others
+    the beams may graze the board and give meaningless points.
 
     Parameters
     ----------
