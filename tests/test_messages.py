@@ -12,7 +12,7 @@ import catalogues
 import numpy as np
 import pytest
 
-from lispac.cli.messages import OPTIONS, option_hint
+from lispac.cli.messages import OPTION_HINTS, option_hint
 from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
 from lispac.io.project.project_file import FILE_NAME, read_project, write_project
@@ -312,8 +312,8 @@ def test_no_text_of_window_and_command_line_names_an_option(language: str) -> No
 
 
 def test_the_command_line_adds_options_to_messages() -> None:
-    assert OPTIONS.keys() <= TEXTS.keys()
-    assert [code for code in OPTIONS if COMMAND_LINE.search(str(TEXTS[code]))] == []
+    assert OPTION_HINTS.keys() <= TEXTS.keys()
+    assert [code for code in OPTION_HINTS if COMMAND_LINE.search(str(TEXTS[code]))] == []
     refused = error("project.refused", reason=error("adjustment.parallel_planes"))
     assert option_hint(refused) == "--accept-single-orientation"
     assert option_hint(note("history.no_date", project="May")) == "lispac identity May --dates"

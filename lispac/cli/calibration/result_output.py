@@ -30,7 +30,7 @@ def project_result_values(project: Project) -> dict[str, Any]:
 def result_values(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> dict[str, Any]:
-    """Result of an adjustment as plain values: the keys of the JSON report."""
+    """Result of an adjustment as plain values, with the keys of the JSON report."""
     values: dict[str, Any] = json_values(adjustment_values(result))
     return values | {
         "elapsed_s": result.elapsed,
@@ -97,7 +97,10 @@ def print_result(
 
 
 def print_steep_rotation(result: AdjustmentResult) -> None:
-    """Print the rotation matrix for a steep pitch, where roll and yaw are nearly dependent."""
+    """Print orientation and rotation matrix if the pitch is steep.
+
+    Roll and yaw are then nearly dependent on each other.
+    """
     print(
         "The pitch is near 90 deg: roll and yaw are hardly separable. The sigmas are those of "
         "small rotations about the body axes (forward, left, down)."

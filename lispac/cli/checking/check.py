@@ -1,10 +1,7 @@
 """``lispac check``: distances of the lines from a reference."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import (
     add_crs_options,
@@ -15,9 +12,6 @@ from lispac.cli.argument_types import (
 from lispac.cli.console import ConsoleProgress, opened_project, print_json, print_table
 from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
-
-if TYPE_CHECKING:
-    pass
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -42,7 +36,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Compare the lines with a reference, and save the figures."""
+    """Compare the lines with a reference, save the result and print it."""
     from lispac.present.absolute import (
         REFERENCE_DISTANCES_TABLE,
         SURVEYED_POINTS_TABLE,

@@ -41,7 +41,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Compare the lines on the validation planes and save the figures.
+    """Compare the lines on the validation planes, save the result and print it.
 
     Raises
     ------
@@ -90,7 +90,10 @@ def run(arguments: Namespace) -> None:
 
 
 def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
-    """RMS distance between the lines on each plane with the simulated boresight, metres."""
+    """RMS distance between the lines with the true boresight, metres, by validation plane.
+
+    Empty for a real survey, whose true boresight is unknown.
+    """
     from lispac.workflow.checking.validation import validate_with_truth
 
     if project.truth_deg is None:

@@ -17,7 +17,8 @@ from lispac.messages import error
 if TYPE_CHECKING:
     from lispac.project import Project
 
-AUTO = "auto"
+AUTO_DATES = "auto"
+"""Value of ``--dates`` for the dates from the times of the lines."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -39,7 +40,7 @@ def run(arguments: Namespace) -> None:
     values = {name: getattr(arguments, name) for name in FIELD_NAMES}
     texts = {name: text for name, text in values.items() if text is not None}
     with opened_project(arguments.project, change=bool(texts)) as project:
-        if texts.get("dates") == AUTO:
+        if texts.get("dates") == AUTO_DATES:
             texts["dates"] = _require_survey_dates(project)
         if texts:
             project = project.with_identity(project.identity.changed(**texts))

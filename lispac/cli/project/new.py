@@ -181,7 +181,7 @@ def run(arguments: Namespace) -> None:
 
 
 def _pos_settings(word: str | None) -> dict[str, Any]:
-    """Sigmas of a POS of the library, by name of the setting; empty if no POS is named."""
+    """Sigmas of an INS/GNSS of the library, by name of the setting; empty for None."""
     from lispac.workflow.planning.sensors import read_library, sigma_settings, user_sensors_folder
 
     if word is None:
@@ -190,7 +190,7 @@ def _pos_settings(word: str | None) -> dict[str, Any]:
 
 
 def _sensor_titles(scanner: str | None, pos: str | None) -> dict[str, str]:
-    """Titles of the named sensors, by field of the identity."""
+    """Titles of the sensors with these names in the library, by field of the identity."""
     from lispac.workflow.planning.sensors import read_library, user_sensors_folder
 
     found = {}
