@@ -1,4 +1,4 @@
-"""Values of a report from the comparison with a reference."""
+"""Comparison of the lines with a reference, as values and tables."""
 
 from dataclasses import dataclass
 
@@ -38,7 +38,7 @@ class UncertaintyBySource:
 
 @dataclass(frozen=True)
 class ReferenceDistances:
-    """Distances of the lines from the reference with one boresight; see `AbsoluteState`."""
+    """Distances of the lines from the reference with one boresight, as in `AbsoluteState`."""
 
     distances: DistanceValues
     signed: SignedDistances
@@ -64,7 +64,7 @@ class ReferenceDistances:
 
 @dataclass(frozen=True)
 class LineReferenceDistances:
-    """Distances of one line, or of all lines, before and after, measured at the same places."""
+    """Distances of one line, or of all lines, at the same places before and after calibration."""
 
     line: str
     before: ReferenceDistances
@@ -89,7 +89,7 @@ class SurveyedPoint:
 
     @property
     def significant(self) -> bool:
-        """Whether the lines differ from the point at 95 %; False if the interval is unknown."""
+        """Whether the mean distance is significant at 95 %; False if its interval is unknown."""
         half = self.after_interval95_m
         return half is not None and abs(self.after_m) > half
 
@@ -143,7 +143,7 @@ class AbsoluteCheckValues:
 
 @dataclass(frozen=True)
 class LineState:
-    """Distances of one line, or of all lines, with one boresight."""
+    """Table row with the distances of one line, or of all lines, with one boresight."""
 
     line: str
     state: str
@@ -160,7 +160,7 @@ def lines_and_all(check: AbsoluteCheckValues) -> tuple[LineReferenceDistances, .
 
 
 def line_states(check: AbsoluteCheckValues) -> list[LineState]:
-    """Values of each line, then of all lines together, before and after the calibration."""
+    """Rows of each line, then of all lines together, before and after the calibration."""
     return [
         LineState(line.line, state, getattr(line, state))
         for line in lines_and_all(check)

@@ -62,10 +62,10 @@ NORMAL_FACTOR_95 = 1.96
 
 @dataclass(frozen=True)
 class ObservabilityValues:
-    """Observability of the angles by lines and targets.
+    """Observability of the angles with the lines and targets of the adjustment.
 
-    The directions are combinations of roll, pitch and yaw, the weakest first. The sigmas without a
-    line are None if the other lines do not determine the angles.
+    The directions are combinations of roll, pitch and yaw, the one with the largest sigma first.
+    The sigmas without a line are None if the other lines do not determine the angles.
     """
 
     direction_sigma_deg: tuple[float, ...]
@@ -76,7 +76,7 @@ class ObservabilityValues:
 
 
 def observability_values(observability: Observability | None) -> ObservabilityValues | None:
-    """Observability of the angles."""
+    """Observability of the angles as values; None if it is unknown."""
     if observability is None:
         return None
     return ObservabilityValues(
@@ -144,7 +144,7 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
 
 @dataclass(frozen=True)
 class ContradictionValues:
-    """A given value that the data contradict; ``change`` and ``sigma`` are in its own unit."""
+    """A given value that the data contradict; ``change`` and ``sigma`` are in ``unit``."""
 
     name: str
     unit: str
@@ -251,7 +251,7 @@ class AdjustmentValues:
 def adjustment_values(
     result: AdjustmentResult, headings_deg: Mapping[str, float] | None = None
 ) -> AdjustmentValues:
-    """Result of an adjustment.
+    """Result of an adjustment as values.
 
     Parameters
     ----------
@@ -305,7 +305,7 @@ SIGMAS_WITHOUT_LINE_TABLE = Table[AnglesRow](
 
 
 def sigma_without_line_rows(result: "AdjustmentValues") -> list[AnglesRow]:
-    """Standard deviations with all lines, and with each line omitted in turn."""
+    """Rows with the standard deviations for all lines, and with each line omitted in turn."""
     without = {} if result.observability is None else result.observability.sigma_without_line_deg
     return [
         AnglesRow(gettext("All lines"), result.sigma_deg),
@@ -318,7 +318,7 @@ def sigma_without_line_rows(result: "AdjustmentValues") -> list[AnglesRow]:
 
 @dataclass(frozen=True)
 class AngleValues:
-    """One boresight angle in degrees; None if it is not known."""
+    """Prior, estimated and true value of one boresight angle; None for unknown values."""
 
     name: str
     prior_deg: float
@@ -339,7 +339,7 @@ def angle_values(
     result: AdjustmentValues | None = None,
     true: Angles | None = None,
 ) -> tuple[AngleValues, ...]:
-    """The boresight, a row for each angle; the error is the estimated value minus the true one."""
+    """Values of each boresight angle; the error is the estimated value minus the true one."""
     error = None if true is None or result is None else angle_errors(result, true)
 
     estimated: tuple[Angles | None, ...] = (None, None, None)

@@ -72,14 +72,22 @@ def matrix(rows: Iterable[Iterable[float]]) -> tuple[tuple[float, ...], ...]:
 
 @dataclass(frozen=True)
 class AnglesRow:
-    """Table row with the name of a result and its value for each angle."""
+    """Table row with the name of a result and its values for the angles; None if unknown."""
 
     name: str
     values: Angles | None
 
 
 def angle_columns(path: str, form: Format, suffix: str = "") -> tuple[Column[Any], ...]:
-    """A column for each angle; ``path`` leads to the `Angles`, ``suffix`` follows the title."""
+    """Column for each angle.
+
+    Parameters
+    ----------
+    path : str
+        Path of the field of the row that contains the `Angles`.
+    suffix : str
+        Text after the name of the angle in the title.
+    """
     return tuple(Column(f"{path}.{name}", f"{VALUE_TITLES[name]}{suffix}", form) for name in ANGLES)
 
 

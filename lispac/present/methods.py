@@ -1,4 +1,4 @@
-"""Results of alternative methods beside that of the targets, as values and tables."""
+"""Results of the targets and of alternative methods, as values and tables."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -24,7 +24,8 @@ class MethodValues:
     """Result of a method, and its differences from the first method (this minus the first).
 
     ``significance``: the differences divided by their sigmas; ``probability``: the probability of
-    differences at least as large if both results are correct. The first method has no differences.
+    differences at least as large if both results are correct; ``differ``: whether they are
+    significant. For the first method these values are None.
     """
 
     method: str
@@ -100,7 +101,8 @@ WINDOW_METHODS_TABLE = Table[MethodValues](
         ),
     ),
 )  # fmt: skip
-"""Table of the window, with the significance of the differences; the report has it separately."""
+"""Table of the window, with the significance of the differences, which the report has in the table
+of `method_differences`."""
 
 
 def method_differences(

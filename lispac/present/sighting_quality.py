@@ -23,8 +23,8 @@ RATING_TEXTS: Mapping[str, str] = {
 class SightingQualityValues:
     """Quality of a sighting; None if a value does not apply or is not known.
 
-    ``boresight_error_rms_m`` is the RMS that an error of the boresight can explain. Curvature and
-    roughness are rated after it was removed.
+    ``boresight_error_rms_m`` is the part of the RMS that an error of the boresight can explain;
+    curvature and roughness are rated without it.
     """
 
     target: str
@@ -48,7 +48,7 @@ class SightingQualityValues:
 def sighting_quality_values(
     target: str, line: str, quality: SightingQuality, *, edited_by_hand: bool = False
 ) -> SightingQualityValues:
-    """Quality of one sighting."""
+    """Quality of one sighting as values."""
     incidence = quality.incidence
     return SightingQualityValues(
         target=target,
@@ -73,7 +73,7 @@ def sighting_quality_values(
 def quality_list(
     qualities: Mapping[tuple[str, str], SightingQuality],
 ) -> tuple[SightingQualityValues, ...]:
-    """Qualities by the names of target and line, as rows."""
+    """Qualities as rows; they are given by the names of target and line."""
     return tuple(sighting_quality_values(*key, each) for key, each in qualities.items())
 
 

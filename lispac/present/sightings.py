@@ -36,7 +36,7 @@ from lispac.present.tables import (
 )
 
 MANY_OUTLIERS_SHARE = 0.05
-"""Smallest share of outliers among the points of a sighting that is mentioned."""
+"""Share of outliers above which a sighting that agrees has the status "many outliers"."""
 
 SightingStatus = Literal[
     "rejected", "not tested", "not checked", "disagrees", "many outliers", "agrees"
@@ -53,9 +53,11 @@ STATUS_TEXTS: Mapping[SightingStatus, str] = {
 
 @dataclass(frozen=True)
 class PosErrorValues:
-    """Estimated POS error at a sighting, and its sigmas before and after the adjustment.
+    """Estimated POS error at the middle of a sighting, and its sigmas.
 
-    The values in metres are north, west, up; those in degrees are roll, pitch, heading.
+    ``sigma_m`` and ``sigma_deg`` are the prior sigmas, ``sigma_after_m`` and ``sigma_after_deg``
+    those after the adjustment. The values in metres are north, west, up; those in degrees are roll,
+    pitch, heading.
     """
 
     error_m: tuple[float, ...]
@@ -98,12 +100,12 @@ class SightingValues:
 
     @property
     def is_tested(self) -> bool:
-        """Whether the sighting was tested; uncorrelated POS errors allow no test."""
+        """Whether the sighting was tested; there is no test with uncorrelated POS errors."""
         return self.status != "not tested"
 
     @property
     def is_marked(self) -> bool:
-        """Whether the sighting needs attention: rejected, or in disagreement with the others."""
+        """Whether the sighting was rejected or disagrees with the others."""
         return self.status in ("rejected", "disagrees")
 
 
@@ -168,7 +170,7 @@ def _sighting_values(
 
 
 def _pos_length(sighting: SightingValues, name: str) -> float | None:
-    """Length of a vector of the POS error, given by the name of its field."""
+    """Length of a vector of the POS error; ``name`` is a field of `PosErrorValues`."""
     error = sighting.pos_error
     return None if error is None else math.hypot(*getattr(error, name))
 
@@ -250,7 +252,7 @@ SIGHTINGS_TABLE = Table[SightingValues](
         POS_ATTITUDE_COLUMN, FINDING_COLUMN,
     ),
 )  # fmt: skip
-"""All values of a sighting, for the window; the report has a table for each topic."""
+"""Table of the window with all values of a sighting; the report has the following tables."""
 SIGHTING_FIT_TABLE = Table[SightingValues](
     N_("Fit of each sighting to the surface of its target"),
     (

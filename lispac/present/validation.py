@@ -1,4 +1,4 @@
-"""Values of the validation, from the comparisons of the lines."""
+"""Distances between the lines on validation planes, as values and tables."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ from lispac.validation.plane_offset import PlaneOffset
 
 @dataclass(frozen=True)
 class DistanceValues:
-    """Statistics of the unsigned distances between lines; see `DistanceStatistics`."""
+    """Statistics of the unsigned distances between lines, as in `DistanceStatistics`."""
 
     n: int
     mean_m: float
@@ -56,7 +56,7 @@ class DistanceValues:
 
 @dataclass(frozen=True)
 class SignedDistances:
-    """Distances of the first line from the second along the normal; see `SignedStatistics`."""
+    """Distances of the first line from the second along the normal, as in `SignedStatistics`."""
 
     places: int
     mean_m: float
@@ -77,7 +77,7 @@ class SignedDistances:
 
 @dataclass(frozen=True)
 class PlaneOffsetValues:
-    """Offset and rotation of the first line's plane from the second's; see `PlaneOffset`."""
+    """Offset and rotation of the first line's plane from the second's, as in `PlaneOffset`."""
 
     offset_m: float
     offset_interval95_m: float
@@ -172,7 +172,7 @@ class DistancesBySteps:
 
 @dataclass(frozen=True)
 class DistanceMapValues:
-    """Distances of the first line from the second, cell by cell; see `DistanceMap`."""
+    """Distances of the first line from the second in each cell, as in `DistanceMap`."""
 
     line_a: str
     line_b: str
@@ -191,7 +191,10 @@ class DistanceMapValues:
 
 @dataclass(frozen=True)
 class LocalModelValues:
-    """Local surface model for distances; its size is a number of neighbours or a radius."""
+    """Local surface model to which distances are measured.
+
+    Its size is given by a number of neighbours or by a radius.
+    """
 
     kind: str
     neighbours: int | None
@@ -257,7 +260,7 @@ class SwathDifference:
 
 
 def swath_overlap(planes: Sequence[PlaneComparison]) -> tuple[SwathDifference, ...]:
-    """Swath overlap differences of each plane, then of all; empty without signed distances."""
+    """Swath overlap differences of each plane, then of all planes with signed distances."""
     per_plane = [(plane.name, _measured_pairs(plane)) for plane in planes]
     known = [(name, pairs) for name, pairs in per_plane if pairs]
     if not known:
@@ -294,7 +297,7 @@ def _swath_difference(name: str, pairs: Sequence[_BeforeAndAfter]) -> SwathDiffe
 
 @dataclass(frozen=True)
 class PooledDistances:
-    """Statistics of the distances on a plane, before or after the calibration."""
+    """Table row with the statistics of the distances on a plane, before or after calibration."""
 
     plane: str
     state: str
@@ -315,7 +318,7 @@ class PairOnPlane:
 
 
 def pooled_rows(planes: Sequence[ValidationPlane]) -> list[PooledDistances]:
-    """Two rows for each plane: before and after the calibration."""
+    """Rows of each plane before and after the calibration."""
     return [
         PooledDistances(plane.name, state, getattr(plane, state))
         for plane in planes
@@ -324,12 +327,12 @@ def pooled_rows(planes: Sequence[ValidationPlane]) -> list[PooledDistances]:
 
 
 def pair_rows(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
-    """All pairs of lines on all planes."""
+    """Rows of all pairs of lines on all planes."""
     return [PairOnPlane(plane, pair) for plane in planes for pair in plane.pairs]
 
 
 def pairs_that_show_the_boresight(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
-    """Reciprocal pairs of each plane, or all its pairs if it has no reciprocal ones."""
+    """Reciprocal pairs of each plane, where a boresight error is largest; all pairs if none."""
     return [
         each
         for each in pair_rows(planes)
@@ -358,7 +361,13 @@ POOLED_DISTANCES_TABLE = Table[PooledDistances](
 
 
 def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
-    """Columns of points, median, RMS and 95 % of distances, found at these paths of a row."""
+    """Columns of points, median, RMS and 95th percentile of distances before and after.
+
+    Parameters
+    ----------
+    before, after : str
+        Paths of the fields of a row that contain the `DistanceValues`.
+    """
     return (
         Column(f"{before}.n", N_("Points"), COUNT),
         Column(f"{before}.median_m", N_("Median\nbefore"), PLAIN_MILLIMETRES),

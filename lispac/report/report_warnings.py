@@ -29,7 +29,7 @@ LARGE_RESIDUAL_CODES = {
     "adjustment.cause_not_identified",
 }  # fmt: skip
 """Codes of messages on large residuals. If there is one of them, the message on a small chi-square
-is omitted, which would seem to contradict it."""
+is omitted."""
 
 
 def report_warnings(
