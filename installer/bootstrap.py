@@ -24,7 +24,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the checkout stays clean
+sys.dont_write_bytecode = True  # no bytecode in the checkout
 import environment  # noqa: E402
 import system_packages  # noqa: E402
 from environment import SetupError, say, script  # noqa: E402

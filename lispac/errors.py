@@ -1,7 +1,7 @@
 """Exceptions with messages for the user.
 
-A message says in plain words what is wrong, where, and what to do. The command line prints it and
-exits with status 1; the window shows it in a dialogue.
+A message describes the problem, where it is, and what the user can do. The command line prints it
+and exits with status 1; the window shows it in a dialogue.
 """
 
 import errno

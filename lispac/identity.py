@@ -21,7 +21,7 @@ class Identity:
     ----------
     scanner, pos : maker and model of the LiDAR and of the INS/GNSS
     dates : day or days of the survey
-    lever_arm_origin : where the lever arm comes from: a measurement, a drawing
+    lever_arm_origin : source of the lever arm, such as a measurement or a drawing
     """
 
     surveyor: str = ""

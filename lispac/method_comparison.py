@@ -10,12 +10,12 @@ from lispac.messages import Message, note
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration, CalibrationDifference, compare_calibrations
 
-TARGETS, TARGETLESS = "targets", "targetless"
+TARGETS_METHOD, TARGETLESS_METHOD = "targets", "targetless"
 EFFECT_DISTANCE_M = 50.0
 """Distance in metres at which the effect of a difference on a point is given."""
 
 METHOD_NAME_CODES: Mapping[str, str] = {
-    TARGETS: "method.targets",
+    TARGETS_METHOD: "method.targets",
     "natural planes": "method.natural_planes",
     "targetless": "method.targetless",
     "patch test": "method.patch_test",
@@ -63,7 +63,7 @@ def method_results(project: Project) -> tuple[MethodResult, ...]:
     result = project.result
     if result is not None:
         sightings = [each.sighting for each in result.sightings]
-        method = TARGETLESS if project.is_targetless else TARGETS
+        method = TARGETLESS_METHOD if project.is_targetless else TARGETS_METHOD
         add(
             Calibration(method, result.boresight, result.covariance),
             len({each.line for each in sightings}), len({each.target for each in sightings}),
@@ -83,7 +83,7 @@ def missing_methods(project: Project) -> tuple[Method, ...]:
         method
         for method in ALTERNATIVE_METHODS
         if project.alternative_result(method) is None
-        and not (method == TARGETLESS and project.is_targetless)
+        and not (method == TARGETLESS_METHOD and project.is_targetless)
     )
 
 

@@ -57,7 +57,7 @@ def texts_of(distribution: Distribution, notices: Mapping[str, Any]) -> list[str
     name = distribution.metadata["Name"]
     found = []
     for file in distribution.files or ():
-        # A licence file in the metadata or beside the code, but not a module of that name
+        # A licence file in the metadata or in the folder of the code, but not a module of that name
         if LICENCE_FILE_PATTERN.search(file.name) and file.suffix.lower() in (
             "",
             ".txt",

@@ -135,7 +135,7 @@ def csv_text(table: Table) -> str:
         writer.writerow(map(as_csv_cell, heads))
     numbers = _number_pattern()
     for row in table.rows:
-        # Text typed by the user stays as it is: a serial number is not a number.
+        # Texts typed by the user are not converted, since a serial number may look like a number.
         writer.writerow(
             as_csv_cell(cell if table.form else _plain_cell(cell, numbers)) for cell in row
         )

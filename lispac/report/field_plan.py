@@ -64,7 +64,7 @@ def field_plan_figure(
     Parameters
     ----------
     wall : Wall
-        Wall that carries the targets.
+        Wall of the site, to which the positions of the targets refer.
     notes : sequence of str
         Further assumptions of the plan, printed at the end.
     warnings : sequence of str
@@ -235,7 +235,7 @@ def _draw_north_and_scale(axes: Axes) -> None:
 
 
 def _draw_front_view(axes: Axes, plan: Plan, wall: Wall) -> None:
-    """Draw the targets on the wall as seen from the water."""
+    """Draw the targets as seen from the water, in the plane of the wall."""
     for target in plan.targets:
         along = wall.wall_coordinates(target.centre)[0]
         up = target.centre[2]

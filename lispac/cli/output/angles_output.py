@@ -54,7 +54,7 @@ class ConversionInput:
     warning : Message or None
         Warning about the covariance.
     name : str
-        Label of the angles: where they come from.
+        Label of the angles, which describes their source.
     typed : ndarray of shape (3,), radians, or None
         The angles as entered by the user.
     """
