@@ -254,7 +254,7 @@ def test_a_column_that_outgrows_its_dimension_is_refused(tmp_path: Path) -> None
 def test_progress_shows_the_rate_and_the_time_remaining(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("lispac.progress.SHORTEST_RATED", 0.0)
+    monkeypatch.setattr("lispac.progress.MIN_RATE_TIME_S", 0.0)
     points, time = sweep(track(), 40_000)
     parts = np.array_split(np.arange(len(time)), 20)
     chunks = (PointChunk(points[k], time[k], {}, len(time)) for k in parts)

@@ -11,7 +11,7 @@ import lispac
 from lispac.cli.former_options import FORMER_COMMANDS, FORMER_OPTIONS, with_new_names
 from lispac.cli.main import main
 from lispac.cli.parser import build_parser
-from lispac.former_names import SCRIPT_NAMES
+from lispac.former_names import NEW_SCRIPT_NAMES
 from lispac.io.config.plan_file import read_site
 from lispac.io.config.toml_table import PRESENT_KEY_OF_FORMER
 from lispac.io.project.project_file import read_project
@@ -132,12 +132,12 @@ def test_former_attributes_of_results_are_accepted(tmp_path: Path) -> None:
     holders = result, rejected, BatchRow(tmp_path, "p", "refused", ("No targets.",))
     for holder in holders:
         names = {each.name for each in fields(holder)}  # type: ignore[arg-type]
-        former = [old for old, new in SCRIPT_NAMES.items() if new in names]
+        former = [old for old, new in NEW_SCRIPT_NAMES.items() if new in names]
         assert former
         for name in former:
-            with pytest.warns(FutureWarning, match=SCRIPT_NAMES[name]):
+            with pytest.warns(FutureWarning, match=NEW_SCRIPT_NAMES[name]):
                 found = getattr(holder, name)
-            assert found is getattr(holder, SCRIPT_NAMES[name])
+            assert found is getattr(holder, NEW_SCRIPT_NAMES[name])
     with pytest.warns(FutureWarning, match="rejected_sightings"):
         assert result.suspects == result.rejected_sightings  # type: ignore[attr-defined]
 

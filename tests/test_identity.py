@@ -15,7 +15,7 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
-from lispac.identity import BLANK, HINTS, LABELS, NAMES, Identity
+from lispac.identity import EMPTY_IDENTITY, FIELD_HINTS, FIELD_LABELS, FIELD_NAMES, Identity
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.message_texts import TEXTS
 from lispac.messages import error, note
@@ -46,7 +46,7 @@ FULL = Identity(
 
 
 def test_every_field_has_a_name_and_a_hint() -> None:
-    assert tuple(LABELS) == tuple(HINTS) == NAMES == tuple(asdict(FULL))
+    assert tuple(FIELD_LABELS) == tuple(FIELD_HINTS) == FIELD_NAMES == tuple(asdict(FULL))
     assert all(asdict(FULL).values())
 
 
@@ -80,11 +80,11 @@ def test_what_cannot_be_printed_is_refused(
 
 def test_every_field_has_a_name_in_messages() -> None:
     fields = [code for code in TEXTS if code.startswith("identity_field.")]
-    assert fields == [f"identity_field.{name}" for name in NAMES]
+    assert fields == [f"identity_field.{name}" for name in FIELD_NAMES]
 
 
 def test_blanks_around_go(tmp_path: Path) -> None:
-    assert BLANK.changed(vessel="  F. J. Saucier \n").vessel == "F. J. Saucier"
+    assert EMPTY_IDENTITY.changed(vessel="  F. J. Saucier \n").vessel == "F. J. Saucier"
 
 
 def test_a_damaged_text_is_refused_with_the_file(tmp_path: Path) -> None:
@@ -111,7 +111,7 @@ def test_the_command_sets_what_is_given_and_shows_all(
     words = ["--surveyor", FULL.surveyor, "--lever-arm-origin", FULL.lever_arm_origin]
     assert main(["identity", str(folder), *words]) == 0
     shown = capsys.readouterr().out.splitlines()
-    assert [line.split("  ")[0] for line in shown] == list(LABELS.values())
+    assert [line.split("  ")[0] for line in shown] == list(FIELD_LABELS.values())
     assert f"Surveyor                 {FULL.surveyor}" in shown
     assert main(["identity", str(folder), "--vessel", "Saucier", "--json"]) == 0
     said = json.loads(capsys.readouterr().out)
@@ -130,7 +130,7 @@ def test_page_one_says_it_and_blanks_are_lines(tmp_path: Path) -> None:
     write_pdf(sample_content(project.with_identity(FULL)), tmp_path / "full.pdf", {})
     first = _pdf_text(tmp_path / "full.pdf", "-f", "1", "-l", "1")
     for name, text in asdict(FULL).items():
-        assert LABELS[name] in first
+        assert FIELD_LABELS[name] in first
         assert all(line in first for line in text.splitlines())
     assert first.count(FULL.surveyor) == first.count(FULL.company) == 2  # over the signature too
     assert first.index("CALIBRATED") < first.index(FULL.vessel) < first.index("Estimated")

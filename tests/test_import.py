@@ -208,7 +208,7 @@ def test_command_prints_points_and_size(project: Project, capsys) -> None:
 
 
 def test_progress_shows_rate_and_time_remaining(project: Project, trajectory, monkeypatch) -> None:
-    monkeypatch.setattr("lispac.progress.SHORTEST_RATED", 0.0)
+    monkeypatch.setattr("lispac.progress.MIN_RATE_TIME_S", 0.0)
     told: list[tuple[float, str]] = []
     import_line(
         project,

@@ -12,7 +12,7 @@ import catalogues
 import numpy as np
 import pytest
 
-from lispac.cli.messages import OPTIONS, option_hint
+from lispac.cli.messages import OPTION_HINTS, option_hint
 from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
@@ -22,7 +22,7 @@ from lispac.message_texts import ACTIONS, TEXTS, TOPIC_MODULES, message_text
 from lispac.message_texts.former_codes import FORMER_CODES, former_code
 from lispac.message_texts.occasions import OCCASIONS
 from lispac.messages import (
-    MAX_LISTED,
+    MAX_LISTED_ITEMS,
     Action,
     Level,
     Message,
@@ -233,8 +233,8 @@ def test_lines_with_the_same_warning_are_named_together(tmp_path: Path) -> None:
 
 def test_a_long_list_is_shortened_and_the_rest_counted() -> None:
     names = list("ABCDEFGH")
-    assert shortened_list(names[:MAX_LISTED]) == tuple(names[:MAX_LISTED])
-    assert shortened_list(names) == (*names[:MAX_LISTED], note("item.more", count=4))
+    assert shortened_list(names[:MAX_LISTED_ITEMS]) == tuple(names[:MAX_LISTED_ITEMS])
+    assert shortened_list(names) == (*names[:MAX_LISTED_ITEMS], note("item.more", count=4))
     found = note("adjustment.target_excluded", targets=shortened_list(names))
     assert "A, B, C, D and 4 more." in message_text(found)
     with in_language("fr"):
@@ -312,8 +312,8 @@ def test_no_text_of_window_and_command_line_names_an_option(language: str) -> No
 
 
 def test_the_command_line_adds_options_to_messages() -> None:
-    assert OPTIONS.keys() <= TEXTS.keys()
-    assert [code for code in OPTIONS if COMMAND_LINE.search(str(TEXTS[code]))] == []
+    assert OPTION_HINTS.keys() <= TEXTS.keys()
+    assert [code for code in OPTION_HINTS if COMMAND_LINE.search(str(TEXTS[code]))] == []
     refused = error("project.refused", reason=error("adjustment.parallel_planes"))
     assert option_hint(refused) == "--accept-single-orientation"
     assert option_hint(note("history.no_date", project="May")) == "lispac identity May --dates"

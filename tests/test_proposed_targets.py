@@ -14,7 +14,7 @@ import pytest
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.cli.main import main
-from lispac.duplicate_targets import SIGMA_MARGIN, prediction_warnings
+from lispac.duplicate_targets import MAX_SIGMA_DIFFERENCE, prediction_warnings
 from lispac.errors import AdjustmentError, RankDeficient, TargetNotFound
 from lispac.project import Project, Target
 from lispac.simulation.scene import tilted_rectangle, upright_rectangle
@@ -358,7 +358,7 @@ def test_a_drones_planes_are_proposed_in_one_action(
     assert project.prediction is not None
     ratio = result.sigma / project.prediction.sigma
     told = [message.code for message in prediction_warnings(solved)]
-    assert bool(told) == bool((np.abs(ratio - 1) > SIGMA_MARGIN).any())
+    assert bool(told) == bool((np.abs(ratio - 1) > MAX_SIGMA_DIFFERENCE).any())
     reference = json.loads((shared_data / "lanl_truck" / "reference.json").read_text())
     off = np.degrees(result.boresight) - reference["boresight_deg"]
     sigma = np.hypot(np.degrees(result.sigma), reference["repeatability_deg"])

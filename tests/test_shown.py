@@ -17,8 +17,8 @@ from lispac.gui.widgets.result_tables import spread_text, window_columns, window
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.present.cross_checks import cross_check_values, subset_rows
-from lispac.present.parameters import PARAMETERS, parameter_values
-from lispac.present.sightings import LARGEST_W, SIGHTINGS, sighting_values
+from lispac.present.parameters import PARAMETERS_TABLE, parameter_values
+from lispac.present.sightings import LARGEST_W_COLUMN, SIGHTINGS_TABLE, sighting_values
 from lispac.present.text_format import quantity_text
 from lispac.report.document import report_document
 from tests.report_sample import sample_content, sample_project
@@ -92,10 +92,10 @@ def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sa
     beyond = replace(second, w=-critical - 0.01, rejected=False, outliers=0)
     values = sighting_values(replace(result, reliability=(near, beyond, *rest)))
     assert [each.status for each in values[:2]] == ["agrees", "disagrees"]
-    rows = window_rows(SIGHTINGS, values, marked=lambda row: row.is_marked)
+    rows = window_rows(SIGHTINGS_TABLE, values, marked=lambda row: row.is_marked)
     assert [row.marked for row in rows[:2]] == [False, True]
     assert [row.cells[-1].text for row in rows[:2]] == ["agrees", "disagrees"]
-    assert all(len(row.cells) == len(window_columns(SIGHTINGS)) for row in rows)
+    assert all(len(row.cells) == len(window_columns(SIGHTINGS_TABLE)) for row in rows)
 
 
 def test_the_spread_has_one_name_and_the_halves_are_reported_once(
@@ -200,7 +200,7 @@ def test_a_value_is_significant_beyond_one_limit_everywhere(
     print_result(result, None)
     assert f"  {words}\n" in capsys.readouterr().out
     assert result_values(result, None)["parameters"][0]["significant"] is significant
-    (row,) = window_rows(PARAMETERS, parameter_values(result))
+    (row,) = window_rows(PARAMETERS_TABLE, parameter_values(result))
     assert row.cells[-1].text == words
     assert f"prior +0.0000\u00a0m, {words}<" in result_texts.parameters_html(result)
     content = sample_content(replace(project, result=result))
@@ -225,9 +225,10 @@ def test_the_point_farthest_off_is_reported_with_its_time_everywhere(
     told = result_values(result, None)["sightings"]
     assert (told[0]["largest_w"], told[0]["largest_w_time_s"]) == (12.34, 416012.5)
     assert told[1]["largest_w_time_s"] is None
-    place = [column.title for column in SIGHTINGS.columns].index(LARGEST_W.title)
+    place = [column.title for column in SIGHTINGS_TABLE.columns].index(LARGEST_W_COLUMN.title)
     cells = [
-        row.cells[place : place + 2] for row in window_rows(SIGHTINGS, sighting_values(result))
+        row.cells[place : place + 2]
+        for row in window_rows(SIGHTINGS_TABLE, sighting_values(result))
     ]
     assert [(cell.text, cell.value) for cell in cells[0]] == [
         ("12.3", 12.34),

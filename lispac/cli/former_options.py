@@ -4,7 +4,7 @@ import sys
 from collections.abc import Sequence
 
 from lispac.cli.argument_types import split_named_value
-from lispac.former_names import READING_OPTIONS
+from lispac.former_names import NEW_READING_OPTIONS
 from lispac.message_texts import message_text
 from lispac.messages import Message, note
 
@@ -44,10 +44,10 @@ def split_reading_option(text: str) -> tuple[str, str]:
         If the text does not have the form ``NAME=VALUE``.
     """
     name, value = split_named_value(text)
-    if name not in READING_OPTIONS:
+    if name not in NEW_READING_OPTIONS:
         return name, value
-    _print_note(note("former_name.option", former=name, name=READING_OPTIONS[name]))
-    return READING_OPTIONS[name], value
+    _print_note(note("former_name.option", former=name, name=NEW_READING_OPTIONS[name]))
+    return NEW_READING_OPTIONS[name], value
 
 
 def _with_new_command(word: str) -> str:

@@ -22,7 +22,7 @@ from lispac.locks import is_locked, try_lock
 from lispac.messages import Message, error, note
 from lispac.survey.line_source import printable
 from lispac.survey.time_quality import assess_times
-from lispac.untrusted_values import LARGEST_QUANTITY
+from lispac.untrusted_values import MAX_QUANTITY
 
 TRANSLATED_FILE_KINDS: Mapping[str, Message] = {
     "line": note("file.kind_line"),
@@ -183,7 +183,7 @@ def require_numbers(records: NDArray[np.float64], path: Path, what: str) -> None
         raise InputError(
             error("file.record_not_finite", file=str(path), kind=kind, record=first, count=count)
         )
-    huge = (np.abs(records) > LARGEST_QUANTITY).any(axis=1)
+    huge = (np.abs(records) > MAX_QUANTITY).any(axis=1)
     if huge.any():
         first = int(np.argmax(huge)) + 1
         raise InputError(error("file.record_too_large", file=str(path), kind=kind, record=first))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.messages import Message, note, warning
-from lispac.untrusted_values import LEAST_AMOUNT
+from lispac.untrusted_values import MIN_AMOUNT
 
 Array = NDArray[np.float64]
 
@@ -58,11 +58,11 @@ def assess_times(times: Array) -> TimeQuality:
     times = np.asarray(times, dtype=np.float64)
     with np.errstate(over="ignore", invalid="ignore"):
         steps = np.diff(times)
-    disorder = np.flatnonzero(~(steps >= LEAST_AMOUNT))
+    disorder = np.flatnonzero(~(steps >= MIN_AMOUNT))
     return TimeQuality(
         len(times),
-        int((np.abs(steps) < LEAST_AMOUNT).sum()),
-        int((steps <= -LEAST_AMOUNT).sum()),
+        int((np.abs(steps) < MIN_AMOUNT).sum()),
+        int((steps <= -MIN_AMOUNT).sum()),
         int(disorder[0]) + 1 if disorder.size else None,
         _float32_step(times),
     )

@@ -18,7 +18,7 @@ FOREIGN = (
 
 def script_names() -> dict[str, str]:
     """What ``import lispac`` offers: the name in its module, and the one to use it by."""
-    return {f"{module}.{name}": f"lispac.{name}" for name, module in lispac._WHERE.items()}
+    return {f"{module}.{name}": f"lispac.{name}" for name, module in lispac._MODULE_OF_NAME.items()}
 
 
 def documented_as(name: str) -> str:

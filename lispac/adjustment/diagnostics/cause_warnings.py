@@ -12,7 +12,7 @@ from lispac.adjustment.model.parameters import OPTIONAL_NAMES, amount_with_unit,
 from lispac.adjustment.result import ANGLES, AdjustmentResult, ContradictedParameter, PossibleCause
 from lispac.adjustment.solve.omitted_parameters import MIN_ANGLE_CHANGE
 from lispac.messages import Message, note, warning
-from lispac.warning_causes import RESULT, Cause
+from lispac.warning_causes import RESULT_CAUSE, Cause
 
 DATA_ERROR_CODES = {
     "audit.several_scanners": "cause.several_scanners",
@@ -151,7 +151,7 @@ def _unlocated_cause_notes(causes: Sequence[Sequence[PossibleCause]]) -> Iterato
             subject=_cause_subject(clear[0]),
         )
     elif causes:
-        yield note("adjustment.cause_not_identified", subject=RESULT)
+        yield note("adjustment.cause_not_identified", subject=RESULT_CAUSE)
 
 
 def _single_cause_warning(result: AdjustmentResult, cause: PossibleCause) -> Iterator[Message]:
@@ -228,9 +228,11 @@ def _known_error_warning(
     """Warning that the residuals follow from a known error of the data."""
     cause = note(known.code)
     if not explained:
-        return note("adjustment.known_cause", cause=cause, subject=RESULT)
+        return note("adjustment.known_cause", cause=cause, subject=RESULT_CAUSE)
     causes = _cause_phrases([group[0] for group in explained])
-    return note("adjustment.known_cause_or_others", cause=cause, causes=causes, subject=RESULT)
+    return note(
+        "adjustment.known_cause_or_others", cause=cause, causes=causes, subject=RESULT_CAUSE
+    )
 
 
 def _line_jump_warnings(

@@ -22,7 +22,7 @@ from lispac.adjustment.model.parameters import (
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossCheck, CrossChecks
 from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.messages import Level, Message, Value, note, shortened_list, sort_by_level, warning
-from lispac.warning_causes import RESULT, Cause
+from lispac.warning_causes import RESULT_CAUSE, Cause
 
 MAX_ANGLE_SIGMA_DEG = 0.1
 """Largest sigma of an angle without a warning, degrees; at 100 m, 0.1 deg correspond to 17 cm."""
@@ -55,7 +55,7 @@ def _uncorrelated_warning(result: AdjustmentResult, _: CrossChecks | None) -> It
 
 def _steep_pitch_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     if result.mounting.axes is not None:
-        yield note("adjustment.steep_pitch", subject=RESULT)
+        yield note("adjustment.steep_pitch", subject=RESULT_CAUSE)
 
 
 def _surface_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
@@ -86,10 +86,10 @@ def _large_sigma_warnings(result: AdjustmentResult, _: CrossChecks | None) -> It
     if unseen:
         yield warning(
             "adjustment.large_sigma_unseen",
-            angles=large, parameters=mounting_value_names(unseen), subject=RESULT,
+            angles=large, parameters=mounting_value_names(unseen), subject=RESULT_CAUSE,
         )  # fmt: skip
     else:
-        yield warning("adjustment.large_sigma", angles=large, subject=RESULT)
+        yield warning("adjustment.large_sigma", angles=large, subject=RESULT_CAUSE)
 
 
 def _one_orientation_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
@@ -182,7 +182,9 @@ def _unchecked_part_warnings(result: AdjustmentResult, _: CrossChecks | None) ->
         )  # fmt: skip
     for each in found:
         if each.kind == "clustered":
-            yield warning("adjustment.targets_clustered", size=float(each.size), subject=RESULT)
+            yield warning(
+                "adjustment.targets_clustered", size=float(each.size), subject=RESULT_CAUSE
+            )
     carried = [each for each in found if each.kind == "sighting"]
     if carried:
         sightings = [
@@ -311,4 +313,4 @@ WARNING_RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[M
 
 def outdated_result_warning(reason: Message | str) -> Message:
     """Warning that a result is out of date because a later estimate failed, with the reason."""
-    return warning("adjustment.refused_since", reason=reason, subject=RESULT)
+    return warning("adjustment.refused_since", reason=reason, subject=RESULT_CAUSE)

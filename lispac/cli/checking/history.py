@@ -33,7 +33,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print a table for each system and, on request, draw the control chart of the first one."""
+    """Print a table for each system and, on request, draw the control chart of the first system."""
     from lispac.workflow.checking.calibration_history import read_histories
 
     with ConsoleProgress() as progress:

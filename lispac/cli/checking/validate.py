@@ -41,7 +41,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Compare the lines on the validation planes and save the figures.
+    """Compare the lines on the validation planes, save the result and print it.
 
     Raises
     ------
@@ -90,7 +90,10 @@ def run(arguments: Namespace) -> None:
 
 
 def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
-    """RMS distance between the lines on each plane with the simulated boresight, metres."""
+    """RMS distance between the lines with the true boresight, metres, by validation plane.
+
+    Empty for a real survey, whose true boresight is unknown.
+    """
     from lispac.workflow.checking.validation import validate_with_truth
 
     if project.truth_deg is None:
@@ -103,9 +106,9 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
     from lispac.duplicate_targets import project_warnings
     from lispac.language import to_plain_text
     from lispac.present.tables import PLAIN_MILLIMETRES, Column
-    from lispac.present.validation import PLANE_DISTANCES, ValidationPlane
+    from lispac.present.validation import PLANE_DISTANCES_TABLE, ValidationPlane
 
-    table = PLANE_DISTANCES
+    table = PLANE_DISTANCES_TABLE
     if true:
         with_truth = Column[ValidationPlane](
             lambda plane: true.get(plane.name), "RMS with truth", PLAIN_MILLIMETRES

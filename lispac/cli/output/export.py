@@ -10,7 +10,11 @@ from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 
-FORMATS = {"targets": ("laz", "las", "csv"), "trajectory": ("sbet", "text"), "planes": ("text",)}
+EXPORT_FORMATS = {
+    "targets": ("laz", "las", "csv"),
+    "trajectory": ("sbet", "text"),
+    "planes": ("text",),
+}
 """Formats of each kind of export, the default first."""
 
 
@@ -69,9 +73,9 @@ def run(arguments: Namespace) -> None:
     from lispac.workflow.project.survey import load_survey
 
     what: str = arguments.what
-    form: Any = arguments.format or FORMATS[what][0]
-    if form not in FORMATS[what]:
-        raise UsageError(f"export {what}: --format is one of {', '.join(FORMATS[what])}")
+    form: Any = arguments.format or EXPORT_FORMATS[what][0]
+    if form not in EXPORT_FORMATS[what]:
+        raise UsageError(f"export {what}: --format is one of {', '.join(EXPORT_FORMATS[what])}")
     on_map = (arguments.crs, arguments.height, arguments.trajectory_datum, arguments.epoch)
     if what != "targets" and any(value not in ("", None) for value in on_map):
         raise UsageError(

@@ -15,7 +15,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """List the library."""
+    """Print all sensors of the library."""
     from lispac.workflow.planning.sensors import read_library, source_text, user_sensors_folder
 
     folder = user_sensors_folder()

@@ -90,7 +90,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Simulate a survey and write it, or list the supplied scenes.
+    """Simulate a survey and write it, or list the supplied scenes, vessels and scanners.
 
     Raises
     ------

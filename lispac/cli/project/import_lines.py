@@ -34,7 +34,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Import the lines of a project that are not imported yet.
+    """Import the lines of a project: those not imported yet or, with ``--again``, all.
 
     Raises
     ------

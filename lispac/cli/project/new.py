@@ -23,7 +23,7 @@ from lispac.cli.noise_options import (
     add_offset_options,
     noise_and_offset_settings,
 )
-from lispac.identity import BLANK
+from lispac.identity import EMPTY_IDENTITY
 from lispac.message_texts import message_text
 
 if TYPE_CHECKING:
@@ -159,7 +159,7 @@ def run(arguments: Namespace) -> None:
             accuracy_reading=Reading(
                 arguments.accuracy_format or "", tuple(arguments.accuracy_option)
             ),
-            identity=BLANK.changed(**named),
+            identity=EMPTY_IDENTITY.changed(**named),
             split_by=arguments.split_by,
             progress=progress,
         )
@@ -181,7 +181,7 @@ def run(arguments: Namespace) -> None:
 
 
 def _pos_settings(word: str | None) -> dict[str, Any]:
-    """Sigmas of a POS of the library, by name of the setting; empty if no POS is named."""
+    """Sigmas of an INS/GNSS of the library, by name of the setting; empty for None."""
     from lispac.workflow.planning.sensors import read_library, sigma_settings, user_sensors_folder
 
     if word is None:
@@ -190,7 +190,7 @@ def _pos_settings(word: str | None) -> dict[str, Any]:
 
 
 def _sensor_titles(scanner: str | None, pos: str | None) -> dict[str, str]:
-    """Titles of the named sensors, by field of the identity."""
+    """Titles of the sensors with these names in the library, by field of the identity."""
     from lispac.workflow.planning.sensors import read_library, user_sensors_folder
 
     found = {}

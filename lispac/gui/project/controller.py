@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from lispac.caches import DEMO, usable_cache_folder
+from lispac.caches import DEMO_FOLDER, usable_cache_folder
 from lispac.duplicate_targets import project_warnings
 from lispac.errors import LispacError, ProjectChanged
 from lispac.gui.app.settings import AppSettings
@@ -444,7 +444,7 @@ class Controller(QObject):
 
 def demo_folder() -> Path:
     """Folder of the demo survey in the cache."""
-    return usable_cache_folder() / DEMO
+    return usable_cache_folder() / DEMO_FOLDER
 
 
 def _load_lines(project: Project, progress: Progress) -> OpenedProject:

@@ -14,8 +14,8 @@ from lispac.former_names import warn_of_former_key
 from lispac.io.files import require_file
 from lispac.messages import Level, Message, Value, error
 from lispac.untrusted_values import (
-    LARGEST_AMOUNT,
-    LEAST_AMOUNT,
+    MAX_AMOUNT,
+    MIN_AMOUNT,
     InvalidContentError,
     is_possible_amount,
     toml_values,
@@ -202,8 +202,8 @@ class TomlTable:
         if value > high:
             raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=f"{high:g}")
         if not is_possible_amount(value):
-            bound = f"{math.copysign(LARGEST_AMOUNT, value):g}"
-            if abs(value) < LEAST_AMOUNT:
+            bound = f"{math.copysign(MAX_AMOUNT, value):g}"
+            if abs(value) < MIN_AMOUNT:
                 raise self.refuse(key, "toml.too_near_zero", value=f"{value:g}")
             if value > 0:
                 raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=bound)

@@ -43,7 +43,7 @@ from lispac.io.points.point_records import (
     require_xyz_fields,
 )
 from lispac.messages import error, note
-from lispac.untrusted_values import LARGEST_INTEGER, is_whole_number
+from lispac.untrusted_values import INTEGER_LIMIT, is_whole_number
 
 NUMPY_TYPES = {
     ("I", 1): "<i1", ("I", 2): "<i2", ("I", 4): "<i4", ("I", 8): "<i8",
@@ -184,7 +184,7 @@ def _parse_whole_number(text: str) -> int:
     ValueError
         If the text is not an integer; the message is the text.
     """
-    if not is_whole_number(text.removeprefix("-"), LARGEST_INTEGER):
+    if not is_whole_number(text.removeprefix("-"), INTEGER_LIMIT):
         raise ValueError(text[:20])
     return int(text)
 

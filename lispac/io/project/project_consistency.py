@@ -8,7 +8,7 @@ from lispac.message_texts import has_text
 from lispac.messages import Message, error
 from lispac.project import ROLES, SHAPES, Project, require_valid_target
 from lispac.targets.finder_settings import is_possible_search
-from lispac.untrusted_values import LARGEST_INTEGER, InvalidContentError
+from lispac.untrusted_values import INTEGER_LIMIT, InvalidContentError
 
 MAX_COORDINATE_M, MAX_RMS_M, MAX_ANGLE_DEG = 1e8, 1e6, 360.0
 """Limits: coordinates in a local frame, metres; RMS of a sighting about its plane, metres; angles,
@@ -46,7 +46,7 @@ def require_consistent(project: Project) -> None:
                 raise InvalidContentError(
                     error("content.unknown_line", target=target.name, line=sighting.line)
                 )
-            if not (0 <= sighting.rms <= MAX_RMS_M and 1 <= sighting.one_in < LARGEST_INTEGER):
+            if not (0 <= sighting.rms <= MAX_RMS_M and 1 <= sighting.one_in < INTEGER_LIMIT):
                 raise InvalidContentError(
                     error("content.invalid_sighting", target=target.name, line=sighting.line)
                 )

@@ -29,7 +29,7 @@ from lispac.targets.plane_detection import DetectedPlane, PatchesAndReasons, det
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.validation.plane_comparison import comparable_pairs, reciprocal
-from lispac.warning_causes import RESULT
+from lispac.warning_causes import RESULT_CAUSE
 from lispac.workflow.calibration.estimation import estimate, observations_of
 from lispac.workflow.calibration.refusals import refused_by_method
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
@@ -162,7 +162,7 @@ def propose_targets(
         reasons[f"V{number}"] = _validation_plane_reason(plane, is_reciprocal, judged[name])
     warnings = _adjustment_warnings(solved.result)
     if not ordered:
-        warnings += (warning("targets.no_validation_plane", subject=RESULT),)
+        warnings += (warning("targets.no_validation_plane", subject=RESULT_CAUSE),)
     progress(1.0)
     return Proposal(tuple(proposed), reasons, planes.predicted_sigma(chosen), (), warnings)
 
@@ -312,7 +312,7 @@ def _adjustment_warnings(result: AdjustmentResult) -> tuple[Message, ...]:
     """Warnings of the adjustment of the chosen targets."""
     found = [message for message in result_warnings(result, None) if message.is_serious]
     if any(message.code in UNCHECKED_TARGET_CODES for message in found):
-        found.append(warning("targets.proposal_unchecked", subject=RESULT))
+        found.append(warning("targets.proposal_unchecked", subject=RESULT_CAUSE))
     return tuple(found)
 
 

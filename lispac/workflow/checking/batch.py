@@ -20,7 +20,7 @@ from lispac.message_texts import english_text, message_text
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Triple
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.untrusted_values import as_csv_cell
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.checking.calibration_history import find_projects
@@ -79,7 +79,7 @@ def batch(
     save: bool = False,
     reports: str | Path | None = None,
     form: str = "pdf",
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
     progress: Progress = no_progress,
 ) -> tuple[BatchRow, ...]:
     """Estimate and validate every project in the given folders with its picked targets.

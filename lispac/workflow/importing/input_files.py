@@ -11,7 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Literal
 
-from lispac.identity import BLANK, Identity
+from lispac.identity import EMPTY_IDENTITY, Identity
 from lispac.installation_paths import expand_user, home_folder
 from lispac.io.format_types import POSSIBLE, Kind
 from lispac.io.project.project_file import PROJECT_FILE_NAME, is_project_file
@@ -58,7 +58,7 @@ class ImportRequest:
     settings: Settings
     trajectory_reading: Reading = USUAL
     accuracy_reading: Reading = USUAL
-    identity: Identity = BLANK
+    identity: Identity = EMPTY_IDENTITY
 
 
 def find_project(paths: Iterable[Path]) -> Path | None:

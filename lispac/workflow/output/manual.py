@@ -14,7 +14,7 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
-from lispac.caches import MANUAL, MANUAL_MARK, usable_cache_folder
+from lispac.caches import MANUAL_FOLDER, MANUAL_MARKER_FILE, usable_cache_folder
 from lispac.errors import InputError, system_reason
 from lispac.installation_paths import resource_path
 from lispac.language import LANGUAGES, gettext_lazy
@@ -58,7 +58,7 @@ def manual_page(
     sources = sources or resource_path("manual")
     built = sources / SHIPPED_PAGES_FOLDER
     if not built.is_dir():
-        place = place or usable_cache_folder() / MANUAL
+        place = place or usable_cache_folder() / MANUAL_FOLDER
         built = place / _sources_digest(sources)
         if not built.is_dir():
             _build_atomically(sources, place, built, progress)
@@ -130,7 +130,7 @@ def _build_atomically(sources: Path, place: Path, built: Path, progress: Progres
     """
     try:
         place.mkdir(parents=True, exist_ok=True)
-        (place / MANUAL_MARK).touch()
+        (place / MANUAL_MARKER_FILE).touch()
         draft = Path(tempfile.mkdtemp(prefix=".draft-", dir=place))
         try:
             build_manual(sources, draft, progress=progress)

@@ -8,7 +8,7 @@ from lispac.errors import InputError
 from lispac.io.files import require_file
 from lispac.language import LANGUAGES
 from lispac.messages import error
-from lispac.report.options import PAGES, USUAL, Page, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, PAGE_SIZES, Page, ReportOptions
 from lispac.survey.conventions.systems import convention_of_key
 from lispac.untrusted_values import InvalidContentError, toml_values
 
@@ -28,7 +28,7 @@ def report_options(
     InputError
         If the template or a chosen option is not valid.
     """
-    options = USUAL if template is None else _read_template(Path(template))
+    options = DEFAULT_OPTIONS if template is None else _read_template(Path(template))
     if page:
         options = replace(options, page=_parse_page(page))
     if convention:
@@ -56,11 +56,11 @@ def _read_template(path: Path) -> ReportOptions:
             raise InputError(error("report_template.not_text", file=str(path), key=key))
     try:
         return ReportOptions(
-            page=_parse_page(content.get("page", USUAL.page)),
+            page=_parse_page(content.get("page", DEFAULT_OPTIONS.page)),
             convention=convention_of_key(content["convention"]).key
             if content.get("convention")
             else "",
-            language=_parse_language(content.get("language", USUAL.language)),
+            language=_parse_language(content.get("language", DEFAULT_OPTIONS.language)),
             logo=_find_logo(path.parent, content["logo"]) if content.get("logo") else None,
             **{
                 key: _clean_text(key, content.get(key, ""))
@@ -74,10 +74,10 @@ def _read_template(path: Path) -> ReportOptions:
 
 
 def _parse_page(text: Any) -> Page:
-    for page in PAGES:
+    for page in PAGE_SIZES:
         if text.strip().lower() == page:
             return page
-    raise InputError(error("report_template.no_page", page=str(text), pages=tuple(PAGES)))
+    raise InputError(error("report_template.no_page", page=str(text), pages=tuple(PAGE_SIZES)))
 
 
 def _parse_language(text: str) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
-from lispac.identity import BLANK, Identity
+from lispac.identity import EMPTY_IDENTITY, Identity
 from lispac.io.files import require_file
 from lispac.io.project.project_file import (
     PROJECT_FILE_NAME,
@@ -44,7 +44,7 @@ def create_project(
     truth_deg: Triple | None = None,
     trajectory_reading: Reading = USUAL,
     accuracy_reading: Reading = USUAL,
-    identity: Identity = BLANK,
+    identity: Identity = EMPTY_IDENTITY,
     messages: tuple[Message, ...] = (),
 ) -> Project:
     """Create a project folder that refers to the files of the survey.
@@ -106,7 +106,7 @@ def new_project(
     truth_deg: Triple | None = None,
     trajectory_reading: Reading = USUAL,
     accuracy_reading: Reading = USUAL,
-    identity: Identity = BLANK,
+    identity: Identity = EMPTY_IDENTITY,
     resolved: bool = False,
     split_by: str = "",
     progress: Progress = no_progress,

@@ -18,7 +18,7 @@ from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
 from lispac.gui.widgets.sensor_choice import SensorChoice
 from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.language import N_, LazyText, gettext, gettext_lazy
-from lispac.report.stochastic_model_names import NAMES
+from lispac.report.stochastic_model_names import POS_ERROR_MODEL_NAMES
 from lispac.workflow.planning.sensors import read_library
 
 USER_DEFINED_TEXT = N_("user-defined")
@@ -54,7 +54,7 @@ class SystemPanel(QScrollArea):
             gettext("Class of the POS, with typical standard deviations from data sheets"),
         )  # fmt: skip
         self.model = widgets.ChoiceBox(
-            "design_pos_errors", list(map(gettext, NAMES.values())),
+            "design_pos_errors", list(map(gettext, POS_ERROR_MODEL_NAMES.values())),
             gettext("Stochastic model of the POS errors: correlated or uncorrelated in time"),
         )  # fmt: skip
         for choice in (self.grade, self.model):
@@ -156,7 +156,7 @@ class SystemPanel(QScrollArea):
                 field.setValue(float(value))
         grades = [each == pos for each in POS_CLASSES.values()]
         self.grade.setCurrentIndex(grades.index(True) if any(grades) else len(grades))
-        self.model.setCurrentIndex(list(NAMES).index(system.pos_errors))
+        self.model.setCurrentIndex(list(POS_ERROR_MODEL_NAMES).index(system.pos_errors))
         if self.title.text().strip() != titled.title:
             self.title.setText(titled.title)
         self._showing = False
@@ -197,7 +197,7 @@ class SystemPanel(QScrollArea):
             scanner = replace(scanner, range_sigma=self.range_sigma.value() / 1000)
         elif name == "design_max_range":
             scanner = replace(scanner, max_range=self.max_range.value())
-        errors = list(NAMES)[self.model.currentIndex()]
+        errors = list(POS_ERROR_MODEL_NAMES)[self.model.currentIndex()]
         plan = replace(plan, system=replace(system, scanner=scanner, pos=pos, pos_errors=errors))
         if name == "design_flatness":
             plan = replace(plan, flatness=self.flatness.value() / 1000)

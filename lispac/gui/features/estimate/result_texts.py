@@ -11,7 +11,7 @@ from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.parameters import (
-    COMPONENTS,
+    COMPONENT_TITLES,
     component_values,
     interval_text,
     parameter_values,
@@ -157,7 +157,7 @@ def variance_component_texts(result: AdjustmentResult) -> tuple[str, ...]:
     return tuple(
         gettext(
             "{errors}: factor {factor:x.2} (95 %: {interval}), {finding}",
-            errors=gettext(COMPONENTS[each.name]), factor=each.factor,
+            errors=gettext(COMPONENT_TITLES[each.name]), factor=each.factor,
             interval=interval_text(each), finding=message_text(each.text),
         )
         for each in component_values(result)

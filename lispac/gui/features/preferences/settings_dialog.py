@@ -106,7 +106,7 @@ class CacheBox(QWidget):
 
     def _empty_cache(self) -> None:
         place = caches.cache_folder_in(self._folder)
-        lock = QLockFile(str(place / caches.DEMO / LOCK_FILE_NAME))
+        lock = QLockFile(str(place / caches.DEMO_FOLDER / LOCK_FILE_NAME))
         lock.setStaleLockTime(0)
         if not lock.tryLock(0) and lock.error() == QLockFile.LockError.LockFailedError:
             self._show_problem(gettext(DEMO_IS_OPEN_TEXT))

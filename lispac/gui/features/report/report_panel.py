@@ -10,7 +10,7 @@ from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.project.status import StepStatus
 from lispac.language import LANGUAGES, N_, current_language, gettext
-from lispac.report.options import PAGES, USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, PAGE_SIZES, ReportOptions
 from lispac.survey.conventions.systems import OTHER_SYSTEMS, Status
 from lispac.workflow.output.report_options import report_options
 
@@ -90,7 +90,7 @@ class ReportPanel(QWidget):
     def choice(self) -> tuple[str, str, str, str]:
         """Template, page, convention and language, to be stored in the settings."""
         template = "" if self._template is None else str(self._template)
-        options = self._with_choices(USUAL)
+        options = self._with_choices(DEFAULT_OPTIONS)
         return template, options.page, options.convention, self._language_key
 
     def options(self) -> ReportOptions:
@@ -107,8 +107,8 @@ class ReportPanel(QWidget):
         """Show the last choice; entries that no longer exist are ignored."""
         template, page, convention, language_key = choice
         self.show_template(Path(template) if template else None)
-        if page in PAGES:
-            self.page.setCurrentIndex(list(PAGES).index(page))
+        if page in PAGE_SIZES:
+            self.page.setCurrentIndex(list(PAGE_SIZES).index(page))
         if language_key in LANGUAGE_KEYS:
             self.language.setCurrentIndex(LANGUAGE_KEYS.index(language_key))
         keys = ["", *(each.key for each in OTHER_SYSTEMS)]
@@ -127,7 +127,7 @@ class ReportPanel(QWidget):
             except InputError as error:
                 self.template_error.setText(str(error))
             else:
-                self.page.setCurrentIndex(list(PAGES).index(options.page))
+                self.page.setCurrentIndex(list(PAGE_SIZES).index(options.page))
                 self.language.setCurrentIndex(LANGUAGE_KEYS.index(options.language))
                 keys = ["", *(each.key for each in OTHER_SYSTEMS)]
                 if options.convention in keys:
@@ -144,7 +144,7 @@ class ReportPanel(QWidget):
 
     def _create_choice_form(self) -> QFormLayout:
         self.page = widgets.ChoiceBox(
-            "report_page", list(map(gettext, PAGES.values())), gettext("Paper size")
+            "report_page", list(map(gettext, PAGE_SIZES.values())), gettext("Paper size")
         )
         self.language = widgets.ChoiceBox(
             "report_language", [gettext("Same as window"), *LANGUAGES.values()],
@@ -194,7 +194,7 @@ class ReportPanel(QWidget):
         keys = ["", *(each.key for each in OTHER_SYSTEMS)]
         return replace(
             options,
-            page=list(PAGES)[self.page.currentIndex()],
+            page=list(PAGE_SIZES)[self.page.currentIndex()],
             convention=keys[self.convention.currentIndex()],
             language=current_language()
             if self._language_key == WINDOW_LANGUAGE_KEY

@@ -398,10 +398,10 @@ class HistogramsPanel(QWidget):
         if self.plot.currentIndex() == PROFILE_PLOT:
             text = profiles_text(comparison)
         else:
-            from lispac.report.histograms import BARS
+            from lispac.report.histograms import MAX_BARS
 
             low, high = self.canvas.figure.axes[0].get_xlim()
-            text = histogram_text(comparison, (high - low) / 1000.0, BARS)
+            text = histogram_text(comparison, (high - low) / 1000.0, MAX_BARS)
         QGuiApplication.clipboard().setText(text)
         self.reading.setText(gettext("The numbers were copied to the clipboard"))
 

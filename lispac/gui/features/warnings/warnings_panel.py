@@ -21,7 +21,7 @@ from lispac.gui.appearance import theme
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message
-from lispac.warning_causes import RESULT
+from lispac.warning_causes import RESULT_CAUSE
 
 TITLE = N_("Warnings")
 ACTIVATE_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
@@ -150,7 +150,7 @@ class WarningsPanel(QWidget):
 
     def _emit_cause(self, row: int) -> None:
         if 0 <= row < len(self.messages):
-            self.cause_activated.emit(self.messages[row].subject or RESULT)
+            self.cause_activated.emit(self.messages[row].subject or RESULT_CAUSE)
 
 
 class _WarningListWidget(QListWidget):

@@ -36,7 +36,7 @@ from lispac.gui.features.open_project.import_survey.quality_page import QualityP
 from lispac.gui.features.open_project.import_survey.timeline_page import TimelinePage
 from lispac.gui.widgets.error_box import error_text_and_details
 from lispac.gui.widgets.file_drops import FileDrops
-from lispac.identity import BLANK
+from lispac.identity import EMPTY_IDENTITY
 from lispac.installation_paths import expand_user
 from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
 from lispac.language import Plural, gettext
@@ -102,7 +102,7 @@ class ImportDialog(QDialog):
     def request(self) -> ImportRequest:
         """The import as filled in."""
         folder = expand_user(Path(self.folder.text().strip()))
-        identity = BLANK.changed(**self.mounting.sensors.identity_fields)
+        identity = EMPTY_IDENTITY.changed(**self.mounting.sensors.identity_fields)
         return replace(
             self.input_files.request(folder, self.mounting.settings()), identity=identity
         )
