@@ -137,7 +137,7 @@ def parser() -> argparse.ArgumentParser:
     bundle.add_argument(
         "--no-archive", action="store_true", help="build the folder only, no archive"
     )
-    commands.add_parser("lint", help="run linting, typing and import rules")
+    commands.add_parser("lint", help="run linting, typing, import rules and translation checks")
     for name, text in (("test", "run all checks and tests"), ("benchmark", "run the benchmarks")):
         check = commands.add_parser(
             name, help=text, usage=f"bootstrap.py {name} [PYTEST ARGUMENT...]"

@@ -119,7 +119,7 @@ def debian_copyright(library: Path) -> tuple[str, str]:
             if file.is_file():
                 return package, file.read_text(encoding="utf-8", errors="replace").strip()
     raise LicenceMissingError(
-        f"{library}: no package of this system tells its licence; build the bundle on Debian or "
+        f"{library}: no package of this system contains its licence; build the bundle on Debian or "
         f"Ubuntu, or add the library to {NOTICES_FILE}."
     )
 
@@ -186,7 +186,7 @@ def collected(
 def written(found: Mapping[str, list[str]]) -> str:
     """Content of the licence file: a list of names, then each text below its name."""
     names = sorted(found, key=lambda name: (not name.startswith(PROJECT_NAME), name.lower()))
-    lines = ["What this program is made of, and the licences it comes under.", ""]
+    lines = ["Components of this program and their licences.", ""]
     lines += [f"  {name}" for name in names]
     for name in names:
         lines += ["", SEPARATOR_LINE, name, SEPARATOR_LINE, "", "\n\n".join(found[name])]

@@ -14,10 +14,9 @@ from lispac import caches
 from lispac.cli.argument_types import without_exponents
 from lispac.cli.console import UsageError
 from lispac.cli.former_options import with_new_names
-from lispac.cli.messages import option_hint
+from lispac.cli.messages import option_hint, print_messages
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, LispacError
-from lispac.message_texts import message_text
 
 CONTROL_CHARACTERS = re.compile(
     "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]"
@@ -39,7 +38,7 @@ def run(argv: Sequence[str] | None = None) -> None:
     arguments = build_parser(words).parse_args(words)
     # Set before the command imports Numba, which reads these environment variables.
     if (message := caches.set_cache_variables(os.environ)) is not None:
-        print(f"note: {message_text(message)}", file=sys.stderr)
+        print_messages([message])
     arguments.run(arguments)
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
+from lispac.cli.messages import print_messages
 from lispac.errors import ProjectError
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, error
@@ -92,8 +93,7 @@ def run(arguments: Namespace) -> None:
         return
     _print_comparison(found, against, combined, len(counted))
     sys.stdout.flush()
-    for message in compared.messages:
-        print(f"note: {message_text(message)}", file=sys.stderr)
+    print_messages(compared.messages)
 
 
 def _print_comparison(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, picture_file, positive_number
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 from lispac.untrusted_values import as_csv_cell
 
@@ -82,8 +83,7 @@ def run(arguments: Namespace) -> None:
         return
     _print_differences(found)
     sys.stdout.flush()
-    for reason in found.not_compared:
-        print(f"note: {message_text(reason)}", file=sys.stderr)
+    print_messages(found.not_compared)
 
 
 def _statistics_in_metres(figures: DifferenceStatistics) -> dict[str, float | None]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping
 from dataclasses import replace
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, finite_number
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
-from lispac.cli.messages import warnings_as_json
+from lispac.cli.messages import print_messages, warnings_as_json
 from lispac.message_texts import english_text, message_text
 
 if TYPE_CHECKING:
@@ -104,7 +105,6 @@ def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
 def print_validation(project: Project, true: Mapping[str, float]) -> None:
     """Print the distances between the lines, one row for each plane."""
     from lispac.duplicate_targets import project_warnings
-    from lispac.language import to_plain_text
     from lispac.present.tables import PLAIN_MILLIMETRES, Column
     from lispac.present.validation import PLANE_DISTANCES_TABLE, ValidationPlane
 
@@ -117,5 +117,4 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
     print_table(table, [ValidationPlane.of(each) for each in project.validation])
     for reason in project.not_compared.values():
         print(f"not compared: {message_text(reason)}")
-    for message in project_warnings(project):
-        print(f"note: {to_plain_text(message_text(message))}")
+    print_messages(project_warnings(project), sys.stdout)

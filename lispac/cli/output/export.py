@@ -1,6 +1,5 @@
 """``lispac export``: targets and the trajectory for other programs."""
 
-import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import Any
@@ -8,7 +7,6 @@ from typing import Any
 from lispac.cli.argument_types import add_crs_options, add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.messages import print_messages
-from lispac.message_texts import message_text
 
 EXPORT_FORMATS = {
     "targets": ("laz", "las", "csv"),
@@ -89,9 +87,8 @@ def run(arguments: Namespace) -> None:
     with ConsoleProgress() as progress:
         if what == "trajectory":
             paths = [export_trajectory(project, arguments.output, form)]
-            print(f"note: {message_text(trajectory_datum_note(project))}", file=sys.stderr)
-            if form == "sbet":
-                print(f"note: {message_text(SBET_ZEROS_NOTE)}", file=sys.stderr)
+            notes = [trajectory_datum_note(project)]
+            print_messages([*notes, SBET_ZEROS_NOTE] if form == "sbet" else notes)
         else:
             survey = load_survey(project, progress=progress)
             names = arguments.targets or ()

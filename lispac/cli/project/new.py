@@ -24,10 +24,9 @@ from lispac.cli.noise_options import (
     noise_and_offset_settings,
 )
 from lispac.identity import EMPTY_IDENTITY
-from lispac.message_texts import message_text
 
 if TYPE_CHECKING:
-    from lispac.workflow.project.survey import Survey
+    pass
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -163,7 +162,7 @@ def run(arguments: Namespace) -> None:
             split_by=arguments.split_by,
             progress=progress,
         )
-    _print_notes(survey)
+    print_messages([*survey.notes, *survey.messages])
     if arguments.pos is not None and arguments.trajectory_accuracy is not None:
         print(
             f"note: the sigmas of {named['pos']} are not used: {arguments.trajectory_accuracy} "
@@ -199,11 +198,3 @@ def _sensor_titles(scanner: str | None, pos: str | None) -> dict[str, str]:
     if pos is not None:
         found["pos"] = read_library(user_sensors_folder()).find_pos(pos)[0].title
     return found
-
-
-def _print_notes(survey: Survey) -> None:
-    from lispac.language import to_plain_text
-
-    for note in survey.notes:
-        print(f"note: {to_plain_text(message_text(note))}", file=sys.stderr)
-    print_messages(survey.messages)

@@ -28,8 +28,9 @@ ENDINGS = (".ply", ".obj", ".stl")
 HEAD_BYTES = 65_536
 BASE_MEMORY_BYTES = 1 << 29
 MEMORY_PER_FILE_BYTE = 60
-"""Bytes of memory allowed to read a mesh: `BASE_MEMORY_BYTES`, and `MEMORY_PER_FILE_BYTE` for each byte of the
-file. ASCII STL needs about one byte of memory for each byte of the file, binary PLY about ten."""
+"""Bytes of memory allowed to read a mesh: `BASE_MEMORY_BYTES`, and `MEMORY_PER_FILE_BYTE` for each
+byte of the file. ASCII STL needs about one byte of memory for each byte of the file, binary PLY
+about ten."""
 
 
 class MeshReader:
