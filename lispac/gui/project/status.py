@@ -43,6 +43,37 @@ class StepStatus:
     ready: bool = False
 
 
+@dataclass(frozen=True)
+class ProjectState:
+    """State of the open project, as the panels show it.
+
+    Attributes
+    ----------
+    project : Project or None
+        None if no project is open.
+    survey : Survey or None
+        None while the data are being read.
+    steps : tuple of StepStatus
+        Status of the five steps in order.
+    is_busy : bool
+        Whether a task is running that must not be disturbed.
+    is_waiting : bool
+        Whether a result is computed automatically after the last edit.
+    refusal : str
+        Reason why this computation gave no result; empty if there is none.
+    refused_since : Message or str
+        Reason why an estimate after the present result failed; empty if there is none.
+    """
+
+    project: Project | None
+    survey: Survey | None
+    steps: tuple[StepStatus, ...]
+    is_busy: bool = False
+    is_waiting: bool = False
+    refusal: str = ""
+    refused_since: Message | str = ""
+
+
 def count_text(number: int, singular: str, plural: str = "") -> str:
     """Text of a number with its noun: ``1 line``, ``6 lines``."""
     return f"{number:,} {singular if number == 1 else plural or singular + 's'}"

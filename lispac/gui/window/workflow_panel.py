@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.app.docks import raise_panel
 from lispac.gui.appearance import theme
-from lispac.gui.project.status import STEP_NAMES, StepState, StepStatus
+from lispac.gui.project.status import STEP_NAMES, ProjectState, StepState, StepStatus
 from lispac.language import N_, gettext
 
 _HEADER_HEIGHT_PX = 46
@@ -70,9 +70,9 @@ class WorkflowPanel(QWidget):
         area = self._areas[self.opened]
         QTimer.singleShot(0, area, lambda: area.ensureWidgetVisible(widget, 0, 0))
 
-    def show_status(self, statuses: Sequence[StepStatus]) -> None:
-        """Show the state of each step."""
-        for header, status in zip(self.headers, statuses, strict=True):
+    def show_state(self, state: ProjectState) -> None:
+        """Show the status of each step."""
+        for header, status in zip(self.headers, state.steps, strict=True):
             header.show_status(status)
 
 

@@ -28,11 +28,11 @@ from lispac.gui.features.conventions.convention_inputs import (
     MatrixField,
     program_name,
 )
+from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
 from lispac.gui.widgets.scanner_axes_view import ScannerAxesView
 from lispac.language import N_, capitalised, gettext
 from lispac.message_texts import message_text
-from lispac.project import Project
 from lispac.survey.conventions.axes import Axes
 from lispac.survey.conventions.conversion import ConventionSetup, MountingInSystem
 from lispac.survey.conventions.correction import SUM_MATTERS
@@ -155,9 +155,9 @@ class ConventionPanel(QWidget):
         """Convention of the chosen program."""
         return SYSTEMS[self.system.currentIndex()]
 
-    def show_project(self, project: Project | None) -> None:
+    def show_state(self, state: ProjectState) -> None:
         """Use the boresight and lever arm of the project if they have changed."""
-        self.inputs.show_project(project)
+        self.inputs.show_project(state.project)
 
     # -- assembly ----------------------------------------------------------------------------
 

@@ -21,7 +21,7 @@ from lispac.gui import widgets
 from lispac.gui.app.tasks import Task
 from lispac.gui.features.estimate.adjust_model import ModelSettings
 from lispac.gui.features.estimate.adjust_parameters import ParameterSwitches
-from lispac.gui.project.status import StepStatus
+from lispac.gui.project.status import ADJUST, ProjectState
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.language import N_, Plural, gettext
 from lispac.project import Project, Settings
@@ -160,9 +160,10 @@ class AdjustPanel(QWidget):
             self._debounce.stop()
             self.estimate_requested.emit(self.settings(), self.cross_check.isChecked())
 
-    def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
+    def show_state(self, state: ProjectState) -> None:
         """Fill in the settings of the project if they have changed."""
-        self._ready, self._project = status.ready and not busy, project
+        project, status = state.project, state.steps[ADJUST]
+        self._ready, self._project = status.ready and not state.is_busy, project
         self.advice.setText(status.advice)
         settings = None if project is None else project.settings
         if settings is not None and settings != self._settings:

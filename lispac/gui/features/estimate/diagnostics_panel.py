@@ -17,6 +17,7 @@ from lispac.gui.features.estimate.diagnostics_pages import (
     SightingsPage,
     TargetsPage,
 )
+from lispac.gui.project.status import ProjectState
 from lispac.language import N_, gettext
 from lispac.project import Project
 
@@ -76,10 +77,11 @@ class DiagnosticsPanel(QWidget):
         assert isinstance(page, DiagnosticsPage)
         return page
 
-    def show_project(self, project: Project | None, *, waiting: bool = False) -> None:
-        """Show a result; while a new one is awaited (``waiting``), disable the previous one."""
+    def show_state(self, state: ProjectState) -> None:
+        """Show the result of the project; while a new one is computed, disable the last one."""
+        project = state.project
         had_result = self._project is not None and self._project.result is not None
-        greyed = waiting and had_result
+        greyed = state.is_waiting and had_result
         self._waiting.setVisible(greyed)
         self._stack.setEnabled(not greyed)
         if greyed or not self._has_new_result(project):

@@ -28,6 +28,7 @@ from lispac.duplicate_targets import project_warnings
 from lispac.gui import widgets
 from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.features.estimate import result_texts
+from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_texts import boresight_sentence, convention_html
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
@@ -62,25 +63,9 @@ class ResultsPanel(QWidget):
         self._stack.addWidget(empty)
         self._stack.addWidget(self._create_body())
 
-    def show_project(
-        self,
-        project: Project | None,
-        *,
-        waiting: bool = False,
-        refusal: str = "",
-        refused_since: Message | str = "",
-    ) -> None:
-        """Show the result of a project.
-
-        Parameters
-        ----------
-        waiting : bool
-            Whether a new result is being computed; the last one is then disabled.
-        refusal : str
-            Reason why there is no result.
-        refused_since : Message or str
-            Reason why an estimate after this result failed.
-        """
+    def show_state(self, state: ProjectState) -> None:
+        """Show the result of the project; while a new one is computed, disable the last one."""
+        project, waiting, refusal = state.project, state.is_waiting, state.refusal
         result = None if project is None else project.result
         greyed = waiting and self._stack.currentIndex() == 1
         self._waiting.setVisible(greyed)
@@ -98,7 +83,7 @@ class ResultsPanel(QWidget):
             _fill_angles(self.angles, result, project.truth_deg)
             self._truth_note.setVisible(project.truth_deg is not None)
             self._fill_rotation(result)
-            self._fill_texts(project, result, refused_since)
+            self._fill_texts(project, result, state.refused_since)
             _fill_correlation(self.correlation, result)
             self._fill_fit(project, result)
 

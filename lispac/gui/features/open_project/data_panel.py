@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_sketch import MountingView
 from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
 from lispac.language import gettext, number
@@ -108,22 +109,28 @@ class DataPanel(QWidget):
             field.valueChanged.connect(self._show_changes)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
             field.valueChanged.connect(lambda _value, field=field: self._ensure_visible(field))
-        self.show_project(None, None)
+        self._show_empty()
 
-    def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Show a project; ``survey`` is None while the data are being read."""
-        self._empty.setVisible(project is None)
-        self._filled.setVisible(project is not None)
+    def show_state(self, state: ProjectState) -> None:
+        """Show the files, the lines and the settings of the project."""
+        project = state.project
         if project is None:
-            self._settings = None
+            self._show_empty()
             return
+        self._empty.hide()
+        self._filled.show()
         _show_file_name(self._trajectory, project.trajectory, "")
         _show_file_name(
             self._accuracy, project.accuracy, gettext("given standard deviations, constant in time")
         )
-        self._list_lines(project, survey)
+        self._list_lines(project, state.survey)
         if project.settings != self._settings:
             self._fill(project.settings)
+
+    def _show_empty(self) -> None:
+        self._empty.show()
+        self._filled.hide()
+        self._settings = None
 
     def select_line(self, name: str) -> bool:
         """Select a line in the list; return whether it is in the list."""

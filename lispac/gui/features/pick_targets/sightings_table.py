@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import widgets
 from lispac.gui.appearance import quantities, theme, units
+from lispac.gui.project.status import ProjectState
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Target
@@ -295,12 +296,12 @@ class SightingsTable(QTableView):
         self.horizontalHeader().setMinimumSectionSize(110)
         self.selectionModel().currentChanged.connect(self._emit_selected)
 
-    def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Show a project; a cell remains selected if its target is still in the same row."""
+    def show_state(self, state: ProjectState) -> None:
+        """Show the project; a cell remains selected if its target is still in the same row."""
         key = self.sightings.key(self.currentIndex())
         place = self.currentIndex()
         row, column = place.row(), place.column()
-        self.sightings.show_project(project, survey)
+        self.sightings.show_project(state.project, state.survey)
         if key is not None and self.sightings.row_of(key[0]) == row:
             self._set_current(row, column)
 

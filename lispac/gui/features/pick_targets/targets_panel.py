@@ -24,6 +24,7 @@ from lispac.gui.appearance.units import Base
 from lispac.gui.features.pick_targets.detected_target_panel import DetectedTargetPanel
 from lispac.gui.features.pick_targets.search_option_fields import SearchOptionFields
 from lispac.gui.project.seed_options import SeedOptions
+from lispac.gui.project.status import ProjectState
 from lispac.language import N_, gettext
 from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected_target import ExpectedTarget
@@ -173,9 +174,10 @@ class TargetsPanel(QWidget):
         """Choose whether the next seed is for a target or a validation plane."""
         (self._validation if role == "validation" else self._target).setChecked(True)
 
-    def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Show the targets and the lines of a project."""
-        self._project, self._survey = project, survey
+    def show_state(self, state: ProjectState) -> None:
+        """Show the targets and the lines of the project."""
+        project = state.project
+        self._project, self._survey = project, state.survey
         lines = [] if project is None else [line.name for line in project.lines]
         known = [self.line_choice.itemText(k) for k in range(1, self.line_choice.count())]
         if known != lines:

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
 
 from lispac.errors import InputError
 from lispac.gui import widgets
-from lispac.gui.project.status import StepStatus
+from lispac.gui.project.status import REPORT, ProjectState
 from lispac.language import LANGUAGES, N_, current_language, gettext
 from lispac.report.options import DEFAULT_OPTIONS, PAGE_SIZES, ReportOptions
 from lispac.survey.conventions.systems import OTHER_SYSTEMS, Status
@@ -134,8 +134,9 @@ class ReportPanel(QWidget):
                     self.convention.setCurrentIndex(keys.index(options.convention))
         self.template_error.setVisible(bool(self.template_error.text()))
 
-    def show_status(self, status: StepStatus, data_ready: bool, busy: bool) -> None:
+    def show_state(self, state: ProjectState) -> None:
         """Show the next action, and enable the exports that are possible now."""
+        status, data_ready, busy = state.steps[REPORT], state.survey is not None, state.is_busy
         self.advice.setText(status.advice)
         self.details.setEnabled(data_ready)
         self.preview.update_enabled(status.ready and not busy)

@@ -24,10 +24,10 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.validate import pairs_table
+from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
-from lispac.project import Project
 from lispac.untrusted_values import as_csv_cell
 from lispac.validation.comparison_results import DistanceStatistics, PlaneComparison
 from lispac.validation.distance_bins import BEYOND, merge_bins
@@ -257,9 +257,9 @@ class HistogramsPanel(QWidget):
         rows = self.table.selectionModel().selectedRows()
         return self._comparisons[rows[0].row()] if rows else None
 
-    def show_project(self, project: Project | None) -> None:
-        """Show the comparisons of a project."""
-        comparisons = () if project is None else project.validation
+    def show_state(self, state: ProjectState) -> None:
+        """Show the comparisons of the project."""
+        comparisons = () if state.project is None else state.project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
         if comparisons is self._comparisons:
             return

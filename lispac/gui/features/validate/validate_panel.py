@@ -4,7 +4,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
 
 from lispac.gui import widgets
-from lispac.gui.project.status import StepStatus
+from lispac.gui.project.status import VALIDATE, ProjectState
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.validation.comparison_results import PlaneComparison
@@ -126,12 +126,13 @@ class ValidatePanel(QWidget):
             # A radius given on the command line has no field; it is kept until a new choice.
             self.model_changed.emit(model)
 
-    def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
+    def show_state(self, state: ProjectState) -> None:
         """Show the last surface model and the next action; enable the controls usable now."""
+        project, status = state.project, state.steps[VALIDATE]
         if project is not None:
             self._show_last_model(project)
         self.advice.setText(status.advice)
-        self.run.update_enabled(status.ready and not busy)
+        self.run.update_enabled(status.ready and not state.is_busy)
         self.after.setEnabled(project is not None and project.result is not None)
 
     def show_before_after(self, which: str) -> None:
