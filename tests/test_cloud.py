@@ -111,7 +111,7 @@ def test_crowded_region_is_sampled_fairly(
     centre = calibrated[1].clouds[name].sample[100_000]
     whole = stored.clouds[name].within(centre, 3.0)
     monkeypatch.setattr(cloud_module, "MAX_POINTS", len(whole.numbers) // 3)
-    monkeypatch.setattr(reading_module, "AT_ONCE", 1000)
+    monkeypatch.setattr(reading_module, "PLACED_POINTS_PER_STEP", 1000)
     regions = [cloud.clouds[name].within(centre, 3.0) for cloud in (stored, calibrated[1])]
     for some in regions:
         assert some.one_in == 4
