@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-KEPT_SHARE = 0.9
+FITTED_POINT_SHARE = 0.9
 """Share of the points, those with the smallest residuals, used in the fit."""
-ROUNDS = 3
+FIT_ITERATIONS = 3
 """Number of fits; each uses the points with the smallest residuals of the previous one."""
-NORMAL = 1.4826
+SIGMA_PER_MAD = 1.4826
 """Ratio of the standard deviation of a normal distribution to its median absolute deviation."""
 
 
@@ -95,7 +95,7 @@ def _fit_beams(points_lidar: Array, ring: NDArray[np.int64] | None) -> BeamCone:
     axis, cosines, residuals = np.zeros(3), np.zeros(1), ranges
     own = np.zeros(len(points_lidar), dtype=np.int64) if ring is None else ring
     rings = int(own.max()) + 1
-    for _ in range(ROUNDS):
+    for _ in range(FIT_ITERATIONS):
         points, r, laser = points_lidar[kept], ranges[kept], own[kept]
         means = np.zeros((rings, 3))
         if ring is not None:
@@ -108,5 +108,5 @@ def _fit_beams(points_lidar: Array, ring: NDArray[np.int64] | None) -> BeamCone:
         axis = np.linalg.eigh(off.T @ off)[1][:, 0]
         cosines = means @ axis
         residuals = np.abs(points_lidar @ axis - cosines[own] * ranges)
-        kept = residuals <= np.quantile(residuals, KEPT_SHARE)
-    return BeamCone(axis, cosines, float(NORMAL * np.median(residuals)))
+        kept = residuals <= np.quantile(residuals, FITTED_POINT_SHARE)
+    return BeamCone(axis, cosines, float(SIGMA_PER_MAD * np.median(residuals)))

@@ -28,9 +28,9 @@ from lispac.io.points.point_reader_common import (
 from lispac.io.text.units import TIME_UNIT_NAMES
 from lispac.messages import Message, error, note, warning
 from lispac.survey.line_source import printable
-from lispac.survey.point_screening import LARGEST as LARGEST_COORDINATE
+from lispac.survey.point_screening import MAX_COORDINATE as LARGEST_COORDINATE
 
-LARGEST = 1 << 28  # bytes of records read at once
+MAX_COORDINATE = 1 << 28  # bytes of records read at once
 Columns = Mapping[str, NDArray[Any]]
 
 
@@ -122,7 +122,7 @@ def read_record_columns(records: PointRecords, rows: int) -> Iterator[Columns]:
         If the file ends early.
     """
     records.require_whole()
-    rows = max(1, min(rows, LARGEST // records.dtype.itemsize))
+    rows = max(1, min(rows, MAX_COORDINATE // records.dtype.itemsize))
     with records.path.open("rb") as file:
         file.seek(records.start)
         done = 0
