@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
 from lispac.io.value_conversion import decode_value, encode_value
-from lispac.validation.local_models import NEAREST_POINT, SIX_POINT_PLANE
+from lispac.validation.local_models import NEAREST_POINT_MODEL, SIX_POINT_PLANE
 from lispac.validation.plane_comparison import (
     MAX_POINTS_PER_LINE,
     DistanceStatistics,
@@ -327,9 +327,9 @@ def test_another_model_is_used_and_kept() -> None:
     clouds = {"L1": wall(1, noise=0.002), "L2": wall(2, noise=0.002)}
     points, plane = (
         compare_plane("V1", clouds, clouds, OPPOSITE, model=model)
-        for model in (NEAREST_POINT, SIX_POINT_PLANE)
+        for model in (NEAREST_POINT_MODEL, SIX_POINT_PLANE)
     )
-    assert points.model == NEAREST_POINT
+    assert points.model == NEAREST_POINT_MODEL
     assert points.after.median > 3 * plane.after.median  # the spacing of the points is in it
 
 

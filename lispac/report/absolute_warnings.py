@@ -5,7 +5,7 @@ from statistics import NormalDist
 
 from lispac.messages import Message, note, warning
 from lispac.present.absolute import AbsoluteCheckValues
-from lispac.validation.absolute_messages import Off, list_items_with_means
+from lispac.validation.absolute_messages import NamedMean, list_items_with_means
 from lispac.warning_causes import Cause
 
 NORMAL_95 = NormalDist().inv_cdf(0.975)
@@ -45,7 +45,7 @@ def absolute_check_warnings(values: AbsoluteCheckValues | None) -> Iterator[Mess
     )
 
 
-def _line_warnings(each: Sequence[Off]) -> Iterator[Message]:
+def _line_warnings(each: Sequence[NamedMean]) -> Iterator[Message]:
     """Message about lines with a significant offset; its subject is the line farthest off."""
     if off := _significant_offsets(each):
         farthest = max(off, key=lambda one: abs(one[1]))
@@ -59,7 +59,7 @@ def _line_warnings(each: Sequence[Off]) -> Iterator[Message]:
         )
 
 
-def _point_warnings(each: Sequence[Off]) -> Iterator[Message]:
+def _point_warnings(each: Sequence[NamedMean]) -> Iterator[Message]:
     """Message about surveyed points and planes from which the lines differ significantly."""
     if off := _significant_offsets(each):
         beyond = _is_beyond_chance(each)
@@ -69,11 +69,11 @@ def _point_warnings(each: Sequence[Off]) -> Iterator[Message]:
         )  # fmt: skip
 
 
-def _significant_offsets(each: Sequence[Off]) -> list[Off]:
+def _significant_offsets(each: Sequence[NamedMean]) -> list[NamedMean]:
     return [one for one in each if abs(one[1]) > one[2]]
 
 
-def _is_beyond_chance(each: Sequence[Off]) -> bool:
+def _is_beyond_chance(each: Sequence[NamedMean]) -> bool:
     from scipy.special import ndtri
 
     largest = -float(ndtri(0.025 / len(each))) / NORMAL_95

@@ -20,7 +20,7 @@ from lispac.report.figures import (
     style_axes,
 )
 from lispac.validation.control_chart import ChartedCalibration, control_limits
-from lispac.validation.repeatability import NORMAL_95
+from lispac.validation.repeatability import NORMAL_QUANTILE_975
 
 AXES: Mapping[str, str] = {
     "roll": N_("Roll (deg)"), "pitch": N_("Pitch (deg)"), "yaw": N_("Yaw (deg)")
@@ -62,7 +62,7 @@ def control_chart_figure(
                 axes.fill_between(sides, low, high, color=LIMITS, linewidth=0)
                 axes.hlines(np.degrees(each.before.boresight[k]), *sides, color=BEFORE, lw=1.0)
         values = np.degrees([each.calibration.boresight[k] for each in charted])
-        reach = NORMAL_95 * np.degrees([each.calibration.sigma[k] for each in charted])
+        reach = NORMAL_QUANTILE_975 * np.degrees([each.calibration.sigma[k] for each in charted])
         for own, colour in ((~has_moved, INK), (has_moved, AFTER)):
             axes.errorbar(
                 at[own], values[own], yerr=reach[own], fmt="o", markersize=4, color=colour,

@@ -74,7 +74,7 @@ class Line(Protocol):
 
 
 class Cloud(Protocol):
-    """A line placed in the local frame."""
+    """A line georeferenced in the local frame."""
 
     @property
     def place(self) -> Georeferencer:

@@ -47,7 +47,7 @@ class MapPointChunk(Protocol):
         """Other attributes of each point in the file."""
 
 
-ChunkT = TypeVar("C", bound=MapPointChunk)
+ChunkT = TypeVar("ChunkT", bound=MapPointChunk)
 
 
 @dataclass(frozen=True, eq=False)
