@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 
 from lispac.geometry.planes import Plane, plane_axes, plane_through
 from lispac.simulation.closed_form_survey import Board, Course, six_courses
-from lispac.survey.georeferencing import MOUNTING_VALUES, Mounting, place_points
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES, Mounting, place_points
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
@@ -115,8 +115,8 @@ NO_ERROR = Mounting(np.zeros(3), np.zeros(3))
 
 def mounting_with_error(error: str, share: float = 1.0) -> Mounting:
     """True mounting with one of the eight errors, scaled by ``share``."""
-    values = np.zeros(len(MOUNTING_VALUES))
-    values[MOUNTING_VALUES.index(error)] = share * SIZES[error]
+    values = np.zeros(len(MOUNTING_VALUE_NAMES))
+    values[MOUNTING_VALUE_NAMES.index(error)] = share * SIZES[error]
     return Mounting.of_values(values)
 
 

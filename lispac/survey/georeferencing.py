@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 POINTS_PER_KERNEL_CALL = 1 << 16  # points per kernel call
 
 
-MOUNTING_VALUES = (
+MOUNTING_VALUE_NAMES = (
     "roll", "pitch", "yaw", "lever_x", "lever_y", "lever_z", "range_offset", "scan_angle_offset",
     "latency",
 )  # fmt: skip
@@ -130,7 +130,7 @@ class Mounting:
 
     @property
     def values(self) -> Array:
-        """All values in the order of `MOUNTING_VALUES`, shape (9,), radians, metres, seconds."""
+        """Values in the order of `MOUNTING_VALUE_NAMES`, shape (9,), radians, metres, seconds."""
         others = (self.range_offset, self.scan_angle_offset, self.latency)
         return np.array([*self.boresight, *self.lever_arm, *others], dtype=float)
 

@@ -61,7 +61,8 @@ def interpolation_messages(
     Parameters
     ----------
     times : mapping of str to ndarray of shape (n,), seconds
-        Times of some points of each line, by its name; intervals without points do not count.
+        Times of a sample of the points of each line, by its name; intervals without points are
+        ignored.
     """
     if len(trajectory.time) < 3:
         return ()

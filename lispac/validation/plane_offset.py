@@ -54,7 +54,7 @@ class PlaneOffset:
 
     @property
     def angle(self) -> float:
-        """Angle between the two normals, radians, if it is small; never negative."""
+        """Angle between the two normals, radians; an approximation for small angles."""
         return float(np.hypot(self.rotation_horizontal_axis, self.rotation_slope_axis))
 
 

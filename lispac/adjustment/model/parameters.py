@@ -9,16 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.messages import Message, note
-from lispac.survey.georeferencing import MOUNTING_VALUES
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 
 Array = NDArray[np.float64]
 
-BORESIGHT = MOUNTING_VALUES[:3]
-OPTIONAL_NAMES = MOUNTING_VALUES[3:]
+BORESIGHT = MOUNTING_VALUE_NAMES[:3]
+OPTIONAL_NAMES = MOUNTING_VALUE_NAMES[3:]
 """Parameters that are estimated only on request."""
 
 LIMITS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 0.02])
-"""Largest sigma of a determined parameter, in the order of `MOUNTING_VALUES`; rad, m, s.
+"""Largest sigma of a determined parameter, in the order of `MOUNTING_VALUE_NAMES`; rad, m, s.
 
 A parameter with a larger sigma is fixed, because a tape measure or an inspection is more precise.
 """
@@ -47,8 +47,8 @@ class Parameter:
 
     @property
     def index(self) -> int:
-        """Index in `MOUNTING_VALUES`."""
-        return MOUNTING_VALUES.index(self.name)
+        """Index in `MOUNTING_VALUE_NAMES`."""
+        return MOUNTING_VALUE_NAMES.index(self.name)
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from lispac.adjustment.result import (
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.solve.group_sums import AdjustmentState
 from lispac.adjustment.solve.noise_estimation import form_error_noise
-from lispac.survey.georeferencing import MOUNTING_VALUES
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 
 Array = NDArray[np.float64]
 
@@ -77,14 +77,14 @@ class Solution:
             0,
             1,
             2,
-            *(MOUNTING_VALUES.index(e.name) for e in estimates if e.value is not None),
+            *(MOUNTING_VALUE_NAMES.index(e.name) for e in estimates if e.value is not None),
         ]
         places = np.searchsorted(layout.active, sorted(shown))
         surfaces = problem.default_surface_sigmas
         return AdjustmentResult(
             mounting=state.mounting,
             prior_boresight=np.array(problem.prior.boresight, dtype=float),
-            estimated=tuple(MOUNTING_VALUES[k] for k in sorted(shown)),
+            estimated=tuple(MOUNTING_VALUE_NAMES[k] for k in sorted(shown)),
             covariance_all=normal.covariance[np.ix_(places, places)],
             parameters=estimates,
             path=self.path,
@@ -150,7 +150,7 @@ def _parameter_estimates(
                 _significance(value - prior, spread) if problem.model.correlated else None,
             )
         )  # fmt: skip
-    return tuple(sorted(found, key=lambda estimate: MOUNTING_VALUES.index(estimate.name)))
+    return tuple(sorted(found, key=lambda estimate: MOUNTING_VALUE_NAMES.index(estimate.name)))
 
 
 def _significance(change: float, sigma: float) -> float:

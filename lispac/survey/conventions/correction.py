@@ -127,7 +127,7 @@ def add_to_applied_boresight(
 
 
 def angle_between_rotations(one: Array, other: Array) -> float:
-    """Angle, radians, of the rotation from one rotation matrix to another, shape (3, 3) each."""
+    """Angle, radians, of the rotation from ``one`` to ``other``, both of shape (3, 3)."""
     difference = one @ other.T
     # From the skew-symmetric part, because the arc cosine loses half the digits of a small angle.
     skew = np.array(

@@ -33,7 +33,7 @@ SCANNER_WORDS: dict[Scanner, str] = {
         "angles are the remaining rotation."
     ),
 }
-DIRECTION_WORDS: dict[Direction, str] = {  # what the matrix does to coordinates
+DIRECTION_WORDS: dict[Direction, str] = {  # conversion of coordinates by the matrix
     "lidar_to_body": N_("LiDAR to body"),
     "body_to_lidar": N_("body to LiDAR"),
 }

@@ -36,7 +36,7 @@ Values = dict[str, NDArray[Any]]
 
 @dataclass(frozen=True, eq=False)
 class PointPiece:
-    """Some points of a line in the order of its file.
+    """Piece of the points of a line, in the order of its file.
 
     Attributes
     ----------

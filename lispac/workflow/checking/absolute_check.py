@@ -15,7 +15,7 @@ from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
-from lispac.survey.georeferencing import MOUNTING_VALUES
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 from lispac.targets.thinning import thin_points
 from lispac.validation.absolute_check import (
     AbsoluteCheck,
@@ -335,7 +335,7 @@ def _place_sensitivities(
     _, position, attitude = result.sigma_factors
     values, vectors = np.linalg.eigh(result.covariance_all)
     mixtures = vectors * np.sqrt(np.maximum(values, 0.0))
-    estimated = [MOUNTING_VALUES.index(name) for name in result.estimated]
+    estimated = [MOUNTING_VALUE_NAMES.index(name) for name in result.estimated]
     return LinePlaces(
         cloud.line,
         float(np.median(time)),
