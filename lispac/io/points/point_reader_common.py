@@ -21,7 +21,7 @@ from lispac.survey.known_time_base import base_message
 from lispac.survey.line_source import TIME_ROLLOVER_OPTION
 from lispac.survey.point_screening import MAX_COORDINATE, MAX_TIME_S
 from lispac.survey.time_base import TIME_BASE_KEYS, base_of_key, plausible_bases
-from lispac.survey.time_rollover import TIME_BASE_KEYS as ROLLOVER_KEYS
+from lispac.survey.time_rollover import ROLLOVER_KEYS
 
 Array = NDArray[np.float64]
 

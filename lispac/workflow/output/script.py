@@ -27,7 +27,7 @@ from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, PickedSighting, Project, Target
 from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.store.stored_line import StoredLine
-from lispac.targets.finder_settings import DEFAULT_READING as USUAL_CHOICES
+from lispac.targets.finder_settings import USUAL as USUAL_CHOICES
 from lispac.targets.line_search import CLICK_GAP
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.workflow.calibration.estimation import estimate
