@@ -257,22 +257,22 @@ def _several_lines_messages(
     spans = _unrolled_spans(audit.spans)
     if len(spans) < 2:
         return
-    passes = 1
+    line_count = 1
     for (_, before), (after, _) in pairwise(spans):
         if trajectory is None or not len(times):
-            passes += bool(after - before > LONG_PAUSE_S)
+            line_count += bool(after - before > LONG_PAUSE_S)
             continue
         # The audit has the times of the file, of which only the differences are used.
         shift = times[0] - spans[0][0]
         ends = np.clip(np.array([before, after]) + shift, times[0], times[-1])
-        passes += _has_vessel_turned(trajectory, ends) or (
+        line_count += _has_vessel_turned(trajectory, ends) or (
             after - before > LONG_PAUSE_S and not _has_vessel_continued(trajectory, ends)
         )
-    if passes > 1:
+    if line_count > 1:
         yield Message(
             "audit.several_passes",
             Level.WARNING,
-            {"line": name, "count": passes},
+            {"line": name, "count": line_count},
             Cause.of_line(name),
             (Action("split_line", {"line": name, "by": "gap"}),),
         )
@@ -283,8 +283,11 @@ def _has_vessel_turned(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -
     inside = (trajectory.time > ends[0]) & (trajectory.time < ends[1])
     heading = np.interp(ends, trajectory.time, trajectory.attitude[:, 2])
     turned = (heading[1] - heading[0] + np.pi) % (2 * np.pi) - np.pi
-    within = trajectory.attitude[inside, 2]
-    return bool(abs(turned) > MIN_TURN_RAD or (len(within) and np.ptp(within) > MIN_TURN_RAD))
+    headings_between = trajectory.attitude[inside, 2]
+    return bool(
+        abs(turned) > MIN_TURN_RAD
+        or (len(headings_between) and np.ptp(headings_between) > MIN_TURN_RAD)
+    )
 
 
 def _has_vessel_continued(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
@@ -295,8 +298,8 @@ def _has_vessel_continued(trajectory: LocalTrajectory, ends: NDArray[np.float64]
     """
     position = np.stack([np.interp(ends, trajectory.time, axis) for axis in trajectory.position.T])
     speed = np.linalg.norm(trajectory.rate_at(ends)[:, :3], axis=1).mean()
-    way = float(np.linalg.norm(position[:, 1] - position[:, 0]))
-    return way > MIN_CONTINUED_DISTANCE_RATIO * speed * float(ends[1] - ends[0])
+    distance = float(np.linalg.norm(position[:, 1] - position[:, 0]))
+    return distance > MIN_CONTINUED_DISTANCE_RATIO * speed * float(ends[1] - ends[0])
 
 
 def _unrolled_spans(spans: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
@@ -307,17 +310,21 @@ def _unrolled_spans(spans: Sequence[Sequence[float]]) -> list[tuple[float, float
     spans : sequence of (float, float), seconds
         First and last time between pauses, ascending, as in the file.
     """
-    own = [(start, end) for start, end in spans]
-    if len(own) < 2:
-        return own
+    file_spans = [(start, end) for start, end in spans]
+    if len(file_spans) < 2:
+        return file_spans
     for period in (HOUR, DAY, WEEK):
-        if own[0][0] <= ROLLOVER_TOLERANCE_S and abs(own[-1][1] - period) <= ROLLOVER_TOLERANCE_S:
-            pauses = [after - before for (_, before), (after, _) in pairwise(own)]
+        if (
+            file_spans[0][0] <= ROLLOVER_TOLERANCE_S
+            and abs(file_spans[-1][1] - period) <= ROLLOVER_TOLERANCE_S
+        ):
+            pauses = [after - before for (_, before), (after, _) in pairwise(file_spans)]
             k = 1 + int(np.argmax(pauses))
-            after_rollover = [(start + period, end + period) for start, end in own[:k]]
-            through = (own[-1][0], after_rollover[0][1])  # one span on both sides of the rollover
-            return [*own[k:-1], through, *after_rollover[1:]]
-    return own
+            after_rollover = [(start + period, end + period) for start, end in file_spans[:k]]
+            # One span on both sides of the rollover
+            joined = (file_spans[-1][0], after_rollover[0][1])
+            return [*file_spans[k:-1], joined, *after_rollover[1:]]
+    return file_spans
 
 
 def _set_option_action(name: str, value: str) -> Action:

@@ -398,10 +398,10 @@ def _height_factor(crs: CRS, source: CRS, height_unit: str) -> tuple[float, str]
 
 
 def _metres_per_unit(horizontal: CRS, source: CRS, factor: float) -> tuple[float, float, float]:
-    across = horizontal.axis_info[0].unit_conversion_factor
+    horizontal_unit = horizontal.axis_info[0].unit_conversion_factor
     if horizontal.is_geographic:
-        across *= SEMI_MAJOR_AXIS
-    return across, across, factor * source.axis_info[-1].unit_conversion_factor
+        horizontal_unit *= SEMI_MAJOR_AXIS
+    return horizontal_unit, horizontal_unit, factor * source.axis_info[-1].unit_conversion_factor
 
 
 def _ellipsoidal_system(horizontal: CRS, trajectory_datum: str) -> CRS:
@@ -460,10 +460,10 @@ def run_in_blocks(run: Callable[[Array, Array, Array], Columns], *axes: Array) -
 
     def one(start: int) -> None:
         rows = slice(start, start + BLOCK_POINTS)
-        for whole, some in zip(
+        for whole, block in zip(
             result, run(*(np.ascontiguousarray(axis[rows]) for axis in axes)), strict=True
         ):
-            whole[rows] = some
+            whole[rows] = block
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for _ in pool.map(one, range(0, count, BLOCK_POINTS)):

@@ -165,13 +165,13 @@ def no_overlap_error(
     file : str
         Path of the file of the line.
     """
-    others = [] if other.is_given or line_base.base is None else [
+    other_bases = [] if other.is_given or line_base.base is None else [
         base for base in plausible_bases(track)
         if base is not other.base
         and find_time_matches(times, track, point_bases=(line_base.base,), trajectory_bases=(base,))
     ]  # fmt: skip
-    if others:
-        options = [f"--trajectory-option time={base.key}" for base in others]
+    if other_bases:
+        options = [f"--trajectory-option time={base.key}" for base in other_bases]
         return error(
             "time_base.other_trajectory_base", file=file, base=line_base.message,
             trajectory_base=other.message, options=options,

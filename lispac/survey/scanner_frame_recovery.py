@@ -192,15 +192,15 @@ def require_scanner_frame(points_lidar: Array, path: Path) -> None:
     ------
     InputError
     """
-    some = points_lidar[:: max(1, len(points_lidar) // EXAMINED_POINTS)]
-    near = np.einsum("ij,ij->i", some, some) <= MAX_PLAUSIBLE_RANGE_M**2
+    sample = points_lidar[:: max(1, len(points_lidar) // EXAMINED_POINTS)]
+    near = np.einsum("ij,ij->i", sample, sample) <= MAX_PLAUSIBLE_RANGE_M**2
     if 2 * np.count_nonzero(near) < len(near):
         raise InputError(
             error(
                 "survey.not_scanner_frame",
                 file=str(path),
                 limit=MAX_PLAUSIBLE_RANGE_M,
-                farthest=float(np.sqrt((some**2).sum(axis=1).max())),
+                farthest=float(np.sqrt((sample**2).sum(axis=1).max())),
             )
         )
 

@@ -152,16 +152,16 @@ def recovery_messages(
     sample = sample.thinned(MAX_TESTED_POINTS)
     if len(sample.time) < MIN_TESTED_POINTS:
         return ()
-    found = _recover_sample(sample, recovery)
-    if found is None:
+    recovered = _recover_sample(sample, recovery)
+    if recovered is None:
         return ()
-    points = found.points
-    shapes = tuple(_possible_beam_shapes(found))
-    fitted = [shape(found) for shape in shapes]
+    points = recovered.points
+    shapes = tuple(_possible_beam_shapes(recovered))
+    fitted = [shape(recovered) for shape in shapes]
     distance = float(np.median(np.linalg.norm(points, axis=1)))
     allowed = MAX_RESIDUAL_M + MAX_ANGULAR_RESIDUAL_RAD * distance
     first = fitted[0]
-    if found.ring is None and first.residual <= allowed:
+    if recovered.ring is None and first.residual <= allowed:
         turn = float(np.arccos(min(1.0, np.abs(first.axis).max())))
         if (
             turn < MAX_PLANE_TURN_RAD
@@ -176,19 +176,19 @@ def recovery_messages(
         )  # fmt: skip
     if any(each.residual <= allowed for each in fitted):
         return ()
-    tried = [
-        sorted(_evaluate_causes(sample, recovery, found, shape), key=lambda each: each.residual)
+    explanations_by_shape = [
+        sorted(_evaluate_causes(sample, recovery, recovered, shape), key=lambda each: each.residual)
         for shape in shapes
     ]
-    for cone, explanations in zip(fitted, tried, strict=True):
+    for cone, explanations in zip(fitted, explanations_by_shape, strict=True):
         if fitting := _sufficient_explanations(cone, explanations, allowed):
             return (_causes_message(name, cone if np.isfinite(cone.residual) else first, fitting),)
     # A larger residual may be due to two errors or a rough trajectory, up to a limit.
     if len(shapes) == 1 or first.residual <= MAX_PROFILER_RESIDUAL_RATIO * distance:
-        limit = max(allowed, UNAMBIGUOUS_RESIDUAL_RATIO * tried[0][0].residual)
-        if fitting := _sufficient_explanations(first, tried[0], limit):
+        limit = max(allowed, UNAMBIGUOUS_RESIDUAL_RATIO * explanations_by_shape[0][0].residual)
+        if fitting := _sufficient_explanations(first, explanations_by_shape[0], limit):
             return (_causes_message(name, first, fitting),)
-    if found.ring is None and first.residual > MAX_PROFILER_RESIDUAL_RATIO * distance:
+    if recovered.ring is None and first.residual > MAX_PROFILER_RESIDUAL_RATIO * distance:
         return ()  # a scanner of another kind
     return (_residual_warning(name, "recovery.unexplained", first, None),)
 
@@ -349,15 +349,15 @@ def _best_explanation(
     k = int(found.argmin())
     low = float(values[max(0, k - 1)])
     high = float(values[min(len(values) - 1, k + 1)])
-    value, least = float(values[k]), float(found[k])
+    value, smallest = float(values[k]), float(found[k])
     for _ in range(REFINEMENT_STEPS):
         third = (high - low) / 3
         left, right = residual(low + third), residual(high - third)
         low, high = (low, high - third) if left < right else (low + third, high)
         nearest = low + third if left < right else high - third
-        if min(left, right) < least:
-            value, least = nearest, min(left, right)
-    return ResidualCause(cause, value, least)
+        if min(left, right) < smallest:
+            value, smallest = nearest, min(left, right)
+    return ResidualCause(cause, value, smallest)
 
 
 REFINEMENT_STEPS = 16

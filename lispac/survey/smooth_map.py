@@ -120,39 +120,39 @@ def fit_smooth_map(
     middle, half = (low + high) / 2, (high - low) / 2
     side = 2 * float(half[:2].max()) * (1 + 1e-9)
     corner = middle[:2] - side / 2
-    smallest = MIN_CELL_SIDE_M / float(np.max(metres_in[:2]))
+    min_side = MIN_CELL_SIDE_M / float(np.max(metres_in[:2]))
     children, leaf_of = [[-1] * 4], [-1]
     boxes: list[Array] = []
     coefficients: list[Array] = []
-    residual = left = 0.0
-    open_nodes, corners = np.zeros(1, dtype=int), corner[None, :]
-    while len(open_nodes):
+    residual = exact_area = 0.0
+    nodes_to_fit, corners = np.zeros(1, dtype=int), corner[None, :]
+    while len(nodes_to_fit):
         centres = np.column_stack([corners + side / 2, np.full(len(corners), middle[2])])
         halves = np.array([side / 2, side / 2, max(half[2], 1e-9)])
-        found, off = _fit_cells(exact, centres, halves, metres_out)
-        good = off <= MAX_CHECK_RESIDUAL_M
+        cell_coefficients, residuals = _fit_cells(exact, centres, halves, metres_out)
+        good = residuals <= MAX_CHECK_RESIDUAL_M
         for k in np.flatnonzero(good):
-            leaf_of[open_nodes[k]] = len(boxes)
+            leaf_of[nodes_to_fit[k]] = len(boxes)
             boxes.append(np.concatenate([centres[k], 1 / halves]))
-            coefficients.append(found[k])
-        residual = max(residual, float(off[good].max(initial=0.0)))
+            coefficients.append(cell_coefficients[k])
+        residual = max(residual, float(residuals[good].max(initial=0.0)))
         bad = ~good
-        if side / 2 < smallest or len(children) + 4 * int(bad.sum()) > MAX_CELLS:
-            left += float(bad.sum()) * side**2
+        if side / 2 < min_side or len(children) + 4 * int(bad.sum()) > MAX_CELLS:
+            exact_area += float(bad.sum()) * side**2
             break
         side /= 2
         nodes, starts = [], []
         for k in np.flatnonzero(bad):
             for quarter in range(4):
                 start = corners[k] + side * np.array([quarter & 1, quarter >> 1])
-                children[open_nodes[k]][quarter] = len(children)
+                children[nodes_to_fit[k]][quarter] = len(children)
                 inside = ((start <= high[:2]) & (start + side >= low[:2])).all()
                 if inside:
                     nodes.append(len(children))
                     starts.append(start)
                 children.append([-1] * 4)
                 leaf_of.append(-1)
-        open_nodes, corners = np.array(nodes, dtype=int), np.array(starts).reshape(-1, 2)
+        nodes_to_fit, corners = np.array(nodes, dtype=int), np.array(starts).reshape(-1, 2)
     whole = 2 * float(half[:2].max())
     return SmoothMap(
         root=np.array([*corner, low[2], whole * (1 + 1e-9), high[2]]),
@@ -161,7 +161,7 @@ def fit_smooth_map(
         boxes=np.array(boxes).reshape(-1, 6),
         coefficients=np.array(coefficients).reshape(-1, 3, kernels.CUBIC_TERMS),
         residual=residual,
-        exact_share=left / whole**2 if whole else 0.0,
+        exact_share=exact_area / whole**2 if whole else 0.0,
     )
 
 
@@ -176,7 +176,7 @@ def _fit_cells(
     at_nodes, at_checks = values[:, : len(_FIT_NODES)], values[:, len(_FIT_NODES) :]
     # Relative to their mean: northings of thousands of kilometres would lose digits.
     mean = at_nodes.mean(axis=1, keepdims=True)
-    found = np.einsum("tn,cnd->cdt", _FIT_MATRIX, at_nodes - mean)
-    found[:, :, 0] += mean[:, 0]
-    off = np.abs(np.einsum("pt,cdt->cpd", _CHECK_TERMS, found) - at_checks) * metres
-    return found, np.where(known, off.max(axis=(1, 2)), np.inf)
+    coefficients = np.einsum("tn,cnd->cdt", _FIT_MATRIX, at_nodes - mean)
+    coefficients[:, :, 0] += mean[:, 0]
+    residuals = np.abs(np.einsum("pt,cdt->cpd", _CHECK_TERMS, coefficients) - at_checks) * metres
+    return coefficients, np.where(known, residuals.max(axis=(1, 2)), np.inf)

@@ -91,9 +91,9 @@ def insert_states(
     if parts <= 1:
         return DenseStates(time, states, unused=unused)
     # For a polynomial of fourth degree, a sixteenth; the omitted states give the error.
-    off = np.zeros_like(states)
-    off[inner] = error_cubic / 16 * used
-    return _insert_parts(time, states, derivatives, bridged, used, off, parts, unused)
+    cubic_errors = np.zeros_like(states)
+    cubic_errors[inner] = error_cubic / 16 * used
+    return _insert_parts(time, states, derivatives, bridged, used, cubic_errors, parts, unused)
 
 
 def _insert_parts(

@@ -201,19 +201,19 @@ def exclusion_notes(covered: TrajectoryCoverage, lost: int, file: str) -> tuple[
     file : str
         Name of the file of the line.
     """
-    found, total = [], covered.count
+    notes, total = [], covered.count
     if covered.outside:
-        found.append(note("import.excluded_outside", file=file, count=covered.outside, total=total))
+        notes.append(note("import.excluded_outside", file=file, count=covered.outside, total=total))
     if covered.in_gaps:
-        found.append(
+        notes.append(
             note(
                 "import.excluded_in_gaps", file=file, count=covered.in_gaps, total=total,
                 limit=covered.longest_gap,
             )
         )  # fmt: skip
     if steep := lost - covered.outside - covered.in_gaps:
-        found.append(note("import.excluded_steep", file=file, count=steep, total=total))
-    return tuple(found)
+        notes.append(note("import.excluded_steep", file=file, count=steep, total=total))
+    return tuple(notes)
 
 
 def join_coverages(parts: list[TrajectoryCoverage]) -> TrajectoryCoverage:

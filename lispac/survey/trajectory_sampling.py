@@ -72,16 +72,17 @@ def interpolation_messages(
     found = []
     for name, own in times.items():
         own = own[(own >= trajectory.time[0]) & (own < trajectory.time[-1])]
-        of_line = np.searchsorted(trajectory.time, own, side="right") - 1  # interval of each point
-        bridged = steps[of_line] <= trajectory.longest_gap
-        own, of_line = own[bridged], of_line[bridged]
-        if len(of_line) < 2:
+        # Interval of each point
+        intervals = np.searchsorted(trajectory.time, own, side="right") - 1
+        bridged = steps[intervals] <= trajectory.longest_gap
+        own, intervals = own[bridged], intervals[bridged]
+        if len(intervals) < 2:
             continue
         # The error has its maximum in the middle of an interval and is zero at the states.
-        u = (own - trajectory.time[of_line]) / steps[of_line]
-        error = np.quantile(errors[of_line] * (4 * u * (1 - u))[:, None], ERROR_QUANTILE, axis=0)
+        u = (own - trajectory.time[intervals]) / steps[intervals]
+        error = np.quantile(errors[intervals] * (4 * u * (1 - u))[:, None], ERROR_QUANTILE, axis=0)
         position_sigma, attitude_sigma = (
-            values.mean(axis=0) for values in accuracy.at(middle[of_line])
+            values.mean(axis=0) for values in accuracy.at(middle[intervals])
         )
         position, turn = float(error[:3].max()), float(error[3:].max())
         share = max(
@@ -95,7 +96,7 @@ def interpolation_messages(
                     Level.WARNING,
                     {
                         "line": name,
-                        "rate": 1.0 / (trajectory.parts * float(np.median(steps[of_line]))),
+                        "rate": 1.0 / (trajectory.parts * float(np.median(steps[intervals]))),
                         "shift": position,
                         "turn": turn,
                         "share": share,

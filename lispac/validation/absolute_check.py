@@ -341,24 +341,26 @@ def _line_check(
     weights = np.concatenate([_equal_weights(line) / len(lines) for line in lines])
     parts = [np.bincount(line.group, minlength=len(group_sigma)) for line in lines]
     share = np.mean([part / part.sum() for part in parts], axis=0)
-    moves = [np.concatenate(values) for values in _derivatives_by_source(lines)]
+    shifts = [np.concatenate(values) for values in _derivatives_by_source(lines)]
     of_rms = SigmaSources(
         float(np.sqrt(share @ group_sigma**2)),
-        *(float(np.sqrt(weights @ (move**2).sum(axis=1))) for move in moves),
+        *(float(np.sqrt(weights @ (move**2).sum(axis=1))) for move in shifts),
     )
     of_mean = SigmaSources(
         float(np.sqrt(share**2 @ group_sigma**2)),
         _pos_sigma_of_mean([line.by_position for line in lines], lines, correlation_times[0]),
         _pos_sigma_of_mean([line.by_attitude for line in lines], lines, correlation_times[1]),
-        float(np.linalg.norm(weights @ moves[2])),
+        float(np.linalg.norm(weights @ shifts[2])),
     )
     states = []
-    for which, distances in zip(("before", "after"), _distances_before_after(lines), strict=True):
-        found = [getattr(line.measured, which) for line in lines]
+    for state_name, distances in zip(
+        ("before", "after"), _distances_before_after(lines), strict=True
+    ):
+        found = [getattr(line.measured, state_name) for line in lines]
         scatter = float(np.linalg.norm([_scatter_sigma(each) for each in found])) / len(lines)
         rms = float(np.sqrt(weights @ np.concatenate(distances) ** 2))
         boresight = of_mean.boresight, of_rms.boresight
-        if which == "before":
+        if state_name == "before":
             boresight = None, None
         states.append(
             AbsoluteState(

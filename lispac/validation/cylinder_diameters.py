@@ -87,12 +87,12 @@ def cylinder_diameters(line: "cKDTree", places: Array, reach: float) -> Array:
         return found
     distance, nearest = line.query(places, distance_upper_bound=reach)
     is_near = np.isfinite(distance)
-    at, back = np.unique(nearest[is_near], return_inverse=True)
+    nearest_points, inverse = np.unique(nearest[is_near], return_inverse=True)
     found[is_near] = np.clip(
-        DIAMETER_FACTOR * twelfth_neighbour_distance(line, line.data[at]),
+        DIAMETER_FACTOR * twelfth_neighbour_distance(line, line.data[nearest_points]),
         MIN_DIAMETER_M,
         MAX_DIAMETER_M,
-    )[back]
+    )[inverse]
     return found
 
 

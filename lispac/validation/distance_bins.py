@@ -73,13 +73,13 @@ def merge_bins(
     edges, counts : ndarrays of shape (k + 1,), metres, and (k,)
         The last bin may extend beyond the last edge of the given bins.
     """
-    fine, numbers = np.asarray(edges, dtype=np.float64), np.asarray(counts, dtype=np.int64)
-    width = float(fine[-1]) / len(numbers)
-    together = max(int(_round_up_1_2_5(shown / width / max_bins * (1.0 - 1e-9))), 1)
-    padded = np.zeros(-(-len(numbers) // together) * together, dtype=np.int64)
+    fine_edges, numbers = np.asarray(edges, dtype=np.float64), np.asarray(counts, dtype=np.int64)
+    width = float(fine_edges[-1]) / len(numbers)
+    bins_per_group = max(int(_round_up_1_2_5(shown / width / max_bins * (1.0 - 1e-9))), 1)
+    padded = np.zeros(-(-len(numbers) // bins_per_group) * bins_per_group, dtype=np.int64)
     padded[: len(numbers)] = numbers
-    grouped = padded.reshape(-1, together).sum(axis=1)
-    return np.asarray(together * width * np.arange(len(grouped) + 1)), grouped
+    grouped = padded.reshape(-1, bins_per_group).sum(axis=1)
+    return np.asarray(bins_per_group * width * np.arange(len(grouped) + 1)), grouped
 
 
 def _round_up_1_2_5(value: float) -> float:

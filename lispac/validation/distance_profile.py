@@ -46,11 +46,11 @@ class DistanceProfile:
         """Bin distances ``before`` and ``after`` by a quantity ``against``; each (n,), metres."""
         low, high = float(against.min()), float(against.max())
         edges = np.linspace(low, high if high > low else low + 1.0, bins + 1)
-        at = np.clip(np.searchsorted(edges, against, side="right") - 1, 0, bins - 1)
-        figures = np.full((4, bins), np.nan)
-        counts = np.bincount(at, minlength=bins).astype(np.int64)
+        bin_of = np.clip(np.searchsorted(edges, against, side="right") - 1, 0, bins - 1)
+        statistics = np.full((4, bins), np.nan)
+        counts = np.bincount(bin_of, minlength=bins).astype(np.int64)
         for k in np.flatnonzero(counts >= MIN_DISTANCES_PER_BIN):
-            here = at == k
-            figures[:2, k] = np.median(before[here]), np.median(after[here])
-            figures[2:, k] = [np.percentile(d[here], 95.0) for d in (before, after)]
-        return cls(edges, counts, *figures)
+            in_bin = bin_of == k
+            statistics[:2, k] = np.median(before[in_bin]), np.median(after[in_bin])
+            statistics[2:, k] = [np.percentile(d[in_bin], 95.0) for d in (before, after)]
+        return cls(edges, counts, *statistics)

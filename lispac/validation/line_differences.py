@@ -114,20 +114,22 @@ def compare_lines(
         raise NotComparable(
             error("validation.no_place_in_common", line=one, other=other, reach=reach)
         )
-    own = np.minimum(
+    own_diameters = np.minimum(
         DIAMETER_FACTOR * twelfth_neighbour_distance(build_tree(surface), places[near]),
         MAX_DIAMETER_M,
     )
-    chosen, wide = select_separate_places(places[near], np.maximum(diameters[near], own))
-    cores = places[near][chosen]
+    selected, widths = select_separate_places(
+        places[near], np.maximum(diameters[near], own_diameters)
+    )
+    cores = places[near][selected]
     roughest = 3 * noise
-    flat = is_reference_flat(surface, cores, NORMAL_SPHERE_FACTOR * wide, roughest)
+    flat = is_reference_flat(surface, cores, NORMAL_SPHERE_FACTOR * widths, roughest)
     if not flat.any():
         raise NotComparable(error("validation.no_flat_place", line=one, other=other))
-    cores, wide = cores[flat], wide[flat]
+    cores, widths = cores[flat], widths[flat]
     try:
         found = measure_to_surface(
-            points, points, surface, cores, facing=vessel - cores, diameters=wide, reach=reach,
+            points, points, surface, cores, facing=vessel - cores, diameters=widths, reach=reach,
             roughest=roughest,
         ).before  # fmt: skip
     except NotComparable as reason:  # about one line and a reference

@@ -127,13 +127,13 @@ def _fit_plane_robustly(placed: Array) -> _PlaneFit:
     kept = np.ones(len(z), dtype=bool)
     for _ in range(MAX_FIT_ITERATIONS):
         values = np.linalg.lstsq(terms[kept], z[kept], rcond=None)[0]
-        off = z - terms @ values
-        sigma = SIGMA_PER_MAD * float(np.median(np.abs(off[kept])))
+        residuals = z - terms @ values
+        sigma = SIGMA_PER_MAD * float(np.median(np.abs(residuals[kept])))
         # Residuals of points exactly on a plane are rounding errors; all points are kept.
-        near = np.abs(off) <= OUTLIER_LIMIT_SIGMAS * max(sigma, MIN_NOISE_M)
-        if np.array_equal(near, kept) or np.count_nonzero(near) <= UNKNOWNS:
+        is_inlier = np.abs(residuals) <= OUTLIER_LIMIT_SIGMAS * max(sigma, MIN_NOISE_M)
+        if np.array_equal(is_inlier, kept) or np.count_nonzero(is_inlier) <= UNKNOWNS:
             break
-        kept = near
+        kept = is_inlier
     used = terms[kept]
     values, _, rank, _ = np.linalg.lstsq(used, z[kept], rcond=None)
     if rank < UNKNOWNS:

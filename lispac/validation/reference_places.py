@@ -200,20 +200,20 @@ def _search_windows(
     """
     middle, half = np.full(len(cores), np.nan), np.full(len(cores), np.nan)
     number, valid = region_numbers(cores, MEDIAN_REGION_SIDE_M), np.isfinite(layers.middle)
-    off: list[Array] = []
-    thick: list[Array] = []
+    deviations: list[Array] = []
+    half_thicknesses: list[Array] = []
     for region in np.unique(number[valid]):
         own = number == region
         values = layers.middle[own & valid]
         low, high = nearest_layer_bounds(values, 2 * float(np.median(noise[own])))
         chosen = (values >= low) & (values <= high)
         middle[own] = np.median(values[chosen])
-        off.append(np.abs(values[chosen] - np.median(values[chosen])))
-        thick.append(layers.half[own & valid][chosen])
-    if off:
-        scatter = SEARCH_DEPTH_SIGMAS * SIGMA_PER_MAD * float(np.median(np.concatenate(off)))
-        deep = scatter + float(np.median(np.concatenate(thick)))
-        half[:] = np.minimum(reach, deep + noise)
+        deviations.append(np.abs(values[chosen] - np.median(values[chosen])))
+        half_thicknesses.append(layers.half[own & valid][chosen])
+    if deviations:
+        scatter = SEARCH_DEPTH_SIGMAS * SIGMA_PER_MAD * float(np.median(np.concatenate(deviations)))
+        depth = scatter + float(np.median(np.concatenate(half_thicknesses)))
+        half[:] = np.minimum(reach, depth + noise)
     return middle, half
 
 
@@ -272,13 +272,15 @@ def _plane_distance_at_point(
     nearest = int(np.argmin(distance))
     if distance[nearest] > reach:
         return None
-    about = np.linalg.norm(points - points[nearest], axis=1)
-    wide = diameter
+    to_nearest = np.linalg.norm(points - points[nearest], axis=1)
+    tested_diameter = diameter
     while (
-        found := _fit_plane_near(points[about <= wide / 2], place, facing, wide, roughest)
+        found := _fit_plane_near(
+            points[to_nearest <= tested_diameter / 2], place, facing, tested_diameter, roughest
+        )
     ) is None:
-        wide *= DIAMETER_GROWTH_FACTOR
-        if wide > max(MAX_DIAMETER_M, diameter):
+        tested_diameter *= DIAMETER_GROWTH_FACTOR
+        if tested_diameter > max(MAX_DIAMETER_M, diameter):
             return None
     return found
 
@@ -303,11 +305,11 @@ def _fit_plane_near(
     if np.hypot(*foot) > diameter / 2:
         return None
     design = np.column_stack([np.ones(len(near)), (near - middle) @ axes.T])
-    at = np.array([1.0, *foot])
+    terms = np.array([1.0, *foot])
     freedom = len(near) - 3
     variance = rms**2 * len(near) / freedom
     half = stdtrit(freedom, 0.975) * np.sqrt(
-        variance * (at @ np.linalg.solve(design.T @ design, at))
+        variance * (terms @ np.linalg.solve(design.T @ design, terms))
     )
     return float(normal @ (middle - place)), float(half), normal
 

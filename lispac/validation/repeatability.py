@@ -163,13 +163,13 @@ def combine_calibrations(calibrations: Sequence[Calibration]) -> RepeatedCalibra
 
     if len(calibrations) < 2:
         raise InputError(error("validation.repeatability_few"))
-    together, angles = mean_calibration(calibrations), _unwrapped_angles(calibrations)
-    off = angles - together.boresight
+    mean, angles = mean_calibration(calibrations), _unwrapped_angles(calibrations)
+    deviations = angles - mean.boresight
     weights = np.array([np.linalg.inv(each.covariance) for each in calibrations])
-    statistic = float(np.einsum("ni,nij,nj->", off, weights, off))
+    statistic = float(np.einsum("ni,nij,nj->", deviations, weights, deviations))
     return RepeatedCalibrations(
-        together.boresight,
-        together.sigma,
+        mean.boresight,
+        mean.sigma,
         angles.std(axis=0, ddof=1),
         statistic,
         float(chdtrc(3 * (len(calibrations) - 1), statistic)),

@@ -131,9 +131,9 @@ def _nearest_layer_indices(
             if counts[k] >= min_count:
                 high = max(high, k + counts[k] - 1)
             k += 1
-        off = abs(values[low : high + 1].mean())
-        if off < best:
-            best, first, last = off, low, high
+        distance = abs(values[low : high + 1].mean())
+        if distance < best:
+            best, first, last = distance, low, high
             to_next = values[low] - previous
         elif np.isnan(to_next) or values[low] - values[last] < to_next:
             to_next = values[low] - values[last]
