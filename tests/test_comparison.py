@@ -13,9 +13,9 @@ from lispac.validation.plane_comparison import (
     MAX_POINTS_PER_LINE,
     DistanceStatistics,
     PlaneComparison,
+    are_reciprocal,
     comparable_pairs,
     compare_plane,
-    reciprocal,
 )
 from tests.error_codes import has_code
 
@@ -163,8 +163,8 @@ def test_without_reciprocal_pairs_all_pairs_make_the_pool() -> None:
 )
 def test_reciprocal_through_north(a_deg: float, b_deg: float, expected: bool) -> None:
     nudge = 1e-9 if expected else 0.0  # keeps a pair of exactly 20 degrees on its side
-    assert reciprocal(np.radians(a_deg) + nudge, np.radians(b_deg)) is expected
-    assert reciprocal(np.radians(b_deg), np.radians(a_deg) + nudge) is expected
+    assert are_reciprocal(np.radians(a_deg) + nudge, np.radians(b_deg)) is expected
+    assert are_reciprocal(np.radians(b_deg), np.radians(a_deg) + nudge) is expected
 
 
 def test_histograms_share_edges_and_count_every_distance() -> None:

@@ -154,7 +154,7 @@ class Mounting:
         if self.range_offset == 0 and self.scan_angle_offset == 0:
             return points_lidar
         ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
-        return (points_lidar * (1 + self.range_offset / ranges)) @ self._turn.T
+        return (points_lidar * (1 + self.range_offset / ranges)) @ self._scan_angle_rotation.T
 
     def raw_points(self, points_lidar: Array) -> Array:
         """Points without range and scan-angle offset, as the scanner measured them.
@@ -164,10 +164,10 @@ class Mounting:
         if self.range_offset == 0 and self.scan_angle_offset == 0:
             return points_lidar
         ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
-        return (points_lidar * (1 - self.range_offset / ranges)) @ self._turn
+        return (points_lidar * (1 - self.range_offset / ranges)) @ self._scan_angle_rotation
 
     @property
-    def _turn(self) -> Array:
+    def _scan_angle_rotation(self) -> Array:
         return rotation_matrix(self.scan_angle_offset, 0.0, 0.0)
 
 

@@ -209,7 +209,7 @@ class PointScreen:
         """
         time = np.ascontiguousarray(time, dtype=np.float64)
         xyz = np.ascontiguousarray(xyz, dtype=np.float64)
-        status = self._selected(time, extra)
+        status = self._status_by_selection(time, extra)
         farthest = self.selection.max_range if self.ranged else -1.0
         self._counts += kernels.screen_values(
             time, xyz, MIN_RANGE_M, farthest, MAX_COORDINATE, MAX_TIME_S, status
@@ -281,7 +281,9 @@ class PointScreen:
 
     # -- parts -------------------------------------------------------------------------------
 
-    def _selected(self, time: Array, extra: Mapping[str, NDArray[Any]]) -> NDArray[np.uint8]:
+    def _status_by_selection(
+        self, time: Array, extra: Mapping[str, NDArray[Any]]
+    ) -> NDArray[np.uint8]:
         """Status of each point by flags, classes and conditions, shape (n,)."""
         status = np.zeros(len(time), np.uint8)
         if "withheld" in extra and not self.selection.keep_withheld:

@@ -81,7 +81,7 @@ class RecoverySetup:
         """Conversion between scanner frame and map in both directions."""
         return ScannerPointConverter(self.system, self.trajectory, self.mounting)
 
-    def usable(self, time: Array) -> NDArray[np.bool_]:
+    def has_pose(self, time: Array) -> NDArray[np.bool_]:
         """Whether each time has a pose, shape (n,): inside the trajectory and not in a gap.
 
         Parameters
@@ -134,7 +134,7 @@ def recover_scanner_points(
         reference or the time base is wrong.
     """
     for chunk in chunks:
-        usable = recovery.usable(chunk.time)
+        usable = recovery.has_pose(chunk.time)
         lost = int(np.count_nonzero(~usable))
         if lost:
             chunk = _select_rows(chunk, usable)

@@ -366,7 +366,7 @@ REFINEMENT_STEPS = 16
 
 def _recover_sample(sample: LineSample, recovery: RecoverySetup) -> _RecoveredPoints | None:
     """Points with a pose in the LiDAR frame; None if there are too few."""
-    usable = recovery.usable(sample.time)
+    usable = recovery.has_pose(sample.time)
     if np.count_nonzero(usable) < MIN_TESTED_POINTS:
         return None
     sample = sample.where(usable)

@@ -72,8 +72,8 @@ def cloud_to_cloud(
     is a height over the plane through its points, where CloudCompare takes the height along the
     coordinate axis nearest to that plane's normal, which is larger on oblique surfaces.
     """
-    compared = _checked_cloud(compared, COMPARED_CODES)
-    reference = _checked_cloud(reference, REFERENCE_CODES)
+    compared = _finite_cloud(compared, COMPARED_CODES)
+    reference = _finite_cloud(reference, REFERENCE_CODES)
     if max_distance is not None and not max_distance > 0.0:
         raise InputError(error("validation.max_distance", distance=max_distance))
     if len(compared) == 0:
@@ -125,7 +125,7 @@ def _chunk_distances(
     return np.asarray(distances)
 
 
-def _checked_cloud(points: ArrayLike, codes: tuple[str, str]) -> NDArray[np.float64]:
+def _finite_cloud(points: ArrayLike, codes: tuple[str, str]) -> NDArray[np.float64]:
     """Points as a contiguous (n, 3) array of finite numbers.
 
     Raises

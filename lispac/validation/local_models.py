@@ -101,7 +101,7 @@ class LocalModel:
             return np.full(len(compared), np.nan)
         # Several compared points may have the same nearest point, and therefore the same surface.
         centres, surface_of = np.unique(nearest, return_inverse=True)
-        groups, counts = self._groups(reference, centres, tree)
+        groups, counts = self._neighbour_groups(reference, centres, tree)
         centroids, normals = local_planes(reference, groups, counts)
         offsets = compared - centroids[surface_of]
         if self.kind == "plane":
@@ -109,7 +109,7 @@ class LocalModel:
         quadrics = local_quadrics(reference, groups, counts, centroids, normals)
         return np.abs(heights_above(quadrics, offsets, surface_of))
 
-    def _groups(
+    def _neighbour_groups(
         self, reference: Array, centres: Indices, tree: "cKDTree"
     ) -> tuple[Indices, Indices]:
         """Neighbours (c, k) of the given points, and the number of valid entries in each row."""

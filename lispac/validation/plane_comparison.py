@@ -42,9 +42,9 @@ __all__ = [
     "DistanceStatistics",
     "PairComparison",
     "PlaneComparison",
+    "are_reciprocal",
     "comparable_pairs",
     "compare_plane",
-    "reciprocal",
 ]
 Array = NDArray[np.float64]
 RECIPROCAL_TOLERANCE_RAD = np.radians(20.0)
@@ -65,7 +65,7 @@ NORMAL_DIAMETERS = 2.0
 """Diameter of the sphere of points used for a normal, as a multiple of the cylinder diameter."""
 
 
-def reciprocal(heading_a: float, heading_b: float) -> bool:
+def are_reciprocal(heading_a: float, heading_b: float) -> bool:
     """Whether two headings are opposite within 20 degrees.
 
     Parameters
@@ -161,7 +161,7 @@ def compare_plane(
 
     couples = sorted(
         combinations(observed, 2),
-        key=lambda pair: not reciprocal(headings[pair[0]], headings[pair[1]]),
+        key=lambda pair: not are_reciprocal(headings[pair[0]], headings[pair[1]]),
     )
     pairs: list[PairComparison] = []
     not_compared: list[tuple[str, str]] = []
@@ -199,7 +199,7 @@ def compare_plane(
                     _plane_offset_between_lines(ours, theirs, facing),
                 )
             )
-        both_ways = reciprocal(headings[a], headings[b])
+        both_ways = are_reciprocal(headings[a], headings[b])
         # Reciprocal pairs come first; if there are any, the other pairs are not pooled.
         if len(maps) < MAX_MAPS and (both_ways or not any(pair.reciprocal for pair in pairs)):
             mapped = distance_map(

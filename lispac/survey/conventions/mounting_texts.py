@@ -43,7 +43,7 @@ def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> Lazy
     boresight : ndarray of shape (3,), radians; roll, pitch, yaw of this program
     """
     if is_steep(boresight):
-        return _axes_pointing(rotation_matrix(*boresight), amounts)
+        return _axis_directions_text(rotation_matrix(*boresight), amounts)
     roll, pitch, yaw = (float(value) for value in boresight)
     rolled, pitched, yawed = amounts((roll, pitch, yaw))
     parts = []
@@ -74,7 +74,7 @@ def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> Lazy
     return gettext_lazy("The scanner {parts:names}.", parts=parts)
 
 
-def _axes_pointing(rotation: Array, amounts: Amounts) -> LazyText:
+def _axis_directions_text(rotation: Array, amounts: Amounts) -> LazyText:
     """Directions of the scanner axes, as the nearest directions on the vessel.
 
     Parameters

@@ -115,17 +115,17 @@ class StoredLine:
     @cached_property
     def points_lidar(self) -> NDArray[np.float32]:
         """All points, shape (n, 3), metres, LiDAR frame."""
-        return self._own("xyz")
+        return self._stored_column("xyz")
 
     @cached_property
     def time(self) -> Array:
         """Times, shape (n,), seconds, in the trajectory's time base."""
-        return self._own("time")
+        return self._stored_column("time")
 
     @cached_property
     def extra(self) -> Mapping[str, NDArray[Any]]:
         """Attributes of the file under its own names, shape (n, ...) each."""
-        return {c.name: self._opened(c, len(self)) for c in self.manifest.attributes}
+        return {c.name: self._mapped_column(c, len(self)) for c in self.manifest.attributes}
 
     @property
     def intensity(self) -> NDArray[Any] | None:
@@ -137,13 +137,13 @@ class StoredLine:
         """Uniform random sample of at most a million points of the line."""
         intensity = None
         if "coarse_intensity" in self._columns:
-            intensity = self._own("coarse_intensity")
+            intensity = self._stored_column("coarse_intensity")
         elif self.intensity is not None:  # the same for all points
-            intensity = self.intensity[: len(self._own("coarse_row"))]
-        rows, xyz, time = (self._own(f"coarse_{name}") for name in ("row", "xyz", "time"))
+            intensity = self.intensity[: len(self._stored_column("coarse_row"))]
+        rows, xyz, time = (self._stored_column(f"coarse_{name}") for name in ("row", "xyz", "time"))
         self._require_points(xyz, time)
         self._require_numbers_below(rows, len(self))
-        local = self._own("coarse_local")
+        local = self._stored_column("coarse_local")
         # The extent of the trajectory is not known here: only impossible coordinates are refused.
         if not np.isfinite(local).all() or (np.abs(local) > MAX_LOCAL_COORDINATE_M).any():
             raise self._damage_error()
@@ -165,7 +165,7 @@ class StoredLine:
         ProjectError
             If an index or a value is not that of a point of this line.
         """
-        column = self._own(name)
+        column = self._stored_column(name)
         self._require_numbers_below(at, len(column))
         found = column[at].astype(np.int64)
         self._require_numbers_below(found, len(self))
@@ -196,7 +196,7 @@ class StoredLine:
         """Indices in the imported file of ``rows``, both (n,); excluded points are counted."""
         numbers = self.numbers(rows)
         if "before" in self._columns:
-            numbers += self._own("before")[rows]
+            numbers += self._stored_column("before")[rows]
         return numbers
 
     @property
@@ -362,11 +362,11 @@ class StoredLine:
     def _columns(self) -> Mapping[str, Any]:
         return {column.name: column for column in self.manifest.columns}
 
-    def _own(self, name: str) -> NDArray[Any]:
+    def _stored_column(self, name: str) -> NDArray[Any]:
         column = self._columns[name]
-        return self._opened(column, column.count)
+        return self._mapped_column(column, column.count)
 
-    def _opened(self, column: StoredColumn, count: int) -> NDArray[Any]:
+    def _mapped_column(self, column: StoredColumn, count: int) -> NDArray[Any]:
         try:
             return map_column(self.folder / self.manifest.folder, column, count)
         except ProjectError as failure:
@@ -380,14 +380,14 @@ class StoredLine:
 
     @cached_property
     def _octaves(self) -> Keys:
-        octaves = np.array(self._own("octaves"))
+        octaves = np.array(self._stored_column("octaves"))
         if (octaves[1:] <= octaves[:-1]).any():
             raise self._damage_error()
         return octaves
 
     @cached_property
     def _starts(self) -> Keys:
-        starts = np.array(self._own("starts"))
+        starts = np.array(self._stored_column("starts"))
         sound = len(starts) == len(self._octaves) + 1 and starts[0] == 0
         if not sound or starts[-1] != len(self) or (starts[1:] <= starts[:-1]).any():
             raise self._damage_error()

@@ -207,7 +207,7 @@ class _ChunkGeoreferencer:
         trajectory, latency = self.mapping.trajectory, self.mapping.mounting.latency
         usable = trajectory.covers(moved + latency)
         if self.recovery is not None:
-            usable &= self.recovery.usable(moved)
+            usable &= self.recovery.has_pose(moved)
         lost = len(usable) - int(np.count_nonzero(usable))
         outside = excluded = 0
         if lost:
