@@ -32,10 +32,10 @@ from lispac.picked_targets import Triple as Triple
 from lispac.picked_targets import require_target_name as require_target_name
 from lispac.picked_targets import require_valid_target as require_valid_target
 from lispac.survey.georeferencing import Mounting
-from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.line_source import LineSource as LineSource
 from lispac.survey.line_source import Reading as Reading
-from lispac.survey.trajectory import LONGEST_GAP
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S
 from lispac.untrusted_values import ArrayShape
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.validation.plane_comparison import PlaneComparison
@@ -117,7 +117,7 @@ class Settings:
     parameters: tuple[Parameter, ...] = ()
     variance_components: bool = False
     accept_single_orientation: bool = False
-    longest_gap: float = LONGEST_GAP
+    longest_gap: float = DEFAULT_LONGEST_GAP_S
 
     @property
     def stochastic_model(self) -> StochasticModel:
@@ -268,8 +268,8 @@ class Project:
     """Reason for each validation plane that could not be compared."""
     truth_deg: Triple | None = None
     """True boresight of a simulated survey; None for a real one."""
-    trajectory_reading: Reading = USUAL
-    accuracy_reading: Reading = USUAL
+    trajectory_reading: Reading = DEFAULT_READING
+    accuracy_reading: Reading = DEFAULT_READING
     identity: Identity = EMPTY_IDENTITY
     absolute: AbsoluteCheck | None = None
     """Comparison of the lines with a static scan or surveyed points, if it has been made."""

@@ -14,8 +14,8 @@ class Cause:
     ----------
     kind : {"line", "target", "sighting", "parameter", "field", "page", "step", "result"}
     name : str
-        Name of the line, target, value of the mounting (as in `survey.georeferencing.CALIBRATION`),
-        setting, page of the diagnostics or step. Empty for the result as a whole.
+        Name of the line, target, value of the mounting (as in `MOUNTING_VALUE_NAMES`), setting,
+        page of the diagnostics or step. Empty for the result as a whole.
     line : str
         Line of a sighting; empty for other kinds.
     """

@@ -110,8 +110,8 @@ def test_crowded_region_is_sampled_fairly(
     name = stored.lines[0]
     centre = calibrated[1].clouds[name].sample[100_000]
     whole = stored.clouds[name].within(centre, 3.0)
-    monkeypatch.setattr(cloud_module, "MAX_POINTS", len(whole.numbers) // 3)
-    monkeypatch.setattr(reading_module, "AT_ONCE", 1000)
+    monkeypatch.setattr(cloud_module, "MAX_REGION_POINTS", len(whole.numbers) // 3)
+    monkeypatch.setattr(reading_module, "PLACED_POINTS_PER_STEP", 1000)
     regions = [cloud.clouds[name].within(centre, 3.0) for cloud in (stored, calibrated[1])]
     for some in regions:
         assert some.one_in == 4
@@ -130,7 +130,7 @@ def test_a_thinned_sighting_says_so_and_keeps_saying_it(
     project, survey = calibrated
     role, seed = demo_seeds()["T1"]
     assert thinned_notes(find_target(project, survey, seed, name="T1", role=role)) == ()
-    monkeypatch.setattr(cloud_module, "MAX_POINTS", 500)
+    monkeypatch.setattr(cloud_module, "MAX_REGION_POINTS", 500)
     monkeypatch.setattr(seeking_module, "MAX_SAMPLE_POINTS", 2000)
     target = find_target(project, survey, seed, name="T1", role=role)
     notes = thinned_notes(target)

@@ -219,7 +219,7 @@ def test_a_project_of_version_10_keeps_the_time_rollover_of_a_line() -> None:
 @pytest.mark.usefixtures("small")
 def test_a_line_stored_with_version_2_is_read(tmp_path: Path) -> None:
     now = stored(tmp_path / "L1").manifest
-    path = tmp_path / "L1" / layout.MANIFEST
+    path = tmp_path / "L1" / layout.MANIFEST_FILE
     content = json.loads(path.read_text(encoding="utf-8"))
     store = content["store"]
     store["left_out"] = store.pop("excluded_points")

@@ -319,7 +319,7 @@ def used(folder: Path) -> None:
 def manifest(folder: Path) -> tuple[Sources, Attempt]:
     """Damaged, or changed by somebody who also puts the checksum right."""
     stored(folder / "L1")
-    path = folder / "L1" / layout.MANIFEST
+    path = folder / "L1" / layout.MANIFEST_FILE
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
@@ -428,13 +428,13 @@ def spool(folder: Path) -> tuple[Sources, Attempt]:
     expected = files_of(open_store(folder / "whole", "L1").manifest)
     with pytest.raises(Cancelled):
         write_store(folder / "half", RECIPE, LINE.pieces(200), place, progress=stop_at(15))
-    files = sorted((folder / "half" / layout.SPOOL).iterdir())
+    files = sorted((folder / "half" / layout.SPOOL_FOLDER).iterdir())
     assert {"block-00002.json", "complete.json", "recipe.json"} <= {file.name for file in files}
 
     def attempt(content: bytes) -> bool:
         shutil.rmtree(folder / "L1", ignore_errors=True)
         shutil.copytree(folder / "half", folder / "L1")
-        (folder / "L1" / layout.SPOOL / files[content[0] % len(files)].name).write_bytes(
+        (folder / "L1" / layout.SPOOL_FOLDER / files[content[0] % len(files)].name).write_bytes(
             content[1:]
         )
         told = refusal_of(lambda: stored(folder / "L1"))

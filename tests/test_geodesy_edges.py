@@ -17,7 +17,7 @@ from lispac.survey.known_time_base import KnownTimeBase, known_base_notes
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup, require_within_reach
 from lispac.survey.time_base import (
-    LEAP_SECONDS_NOW,
+    CURRENT_LEAP_SECONDS,
     TimeMatch,
     base_of_key,
     from_gps,
@@ -253,7 +253,7 @@ def test_assumed_leap_seconds_are_reported() -> None:
     )  # fmt: skip
     assert known_base_notes((match,), own, other, "a") == (follows,)
     assumed = TimeMatch(((utc, week),), 18.0, 1.0, leap_assumed=True)
-    leap = note("import.leap_seconds_assumed", file="a", leap=LEAP_SECONDS_NOW)
+    leap = note("import.leap_seconds_assumed", file="a", leap=CURRENT_LEAP_SECONDS)
     assert known_base_notes((assumed,), own, other, "a") == (follows, leap)
 
 

@@ -7,7 +7,13 @@ from lispac.errors import Cancelled, InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.trajectory.sbet import read_sbet, write_sbet
 from lispac.progress import Step
-from lispac.survey.georeferencing import CHUNK, Mounting, georeference, place_points, to_lidar
+from lispac.survey.georeferencing import (
+    POINTS_PER_KERNEL_CALL,
+    Mounting,
+    georeference,
+    place_points,
+    to_lidar,
+)
 from lispac.survey.trajectory import LocalTrajectory, Poses, Trajectory
 from tests.error_codes import has_code
 
@@ -44,9 +50,9 @@ def test_kernel_equals_the_reference_formula(order: str) -> None:
 
 
 def test_kernel_equals_the_reference_over_several_chunks() -> None:
-    path, points, time, mounting = survey(CHUNK + 1000)
+    path, points, time, mounting = survey(POINTS_PER_KERNEL_CALL + 1000)
     local = georeference(points, time, path, mounting)
-    ends = np.r_[0:500, CHUNK - 500 : CHUNK + 1000]
+    ends = np.r_[0:500, POINTS_PER_KERNEL_CALL - 500 : POINTS_PER_KERNEL_CALL + 1000]
     np.testing.assert_allclose(
         local[ends], place_points(points[ends], path.at(time[ends]), mounting), atol=1e-11
     )

@@ -17,8 +17,8 @@ from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference, place_points, to_lidar
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup
-from lispac.survey.smooth_map import ACCURACY, fit_smooth_map
-from lispac.survey.trajectory import STEEPEST, LocalTrajectory, Trajectory
+from lispac.survey.smooth_map import MAP_ACCURACY_M, fit_smooth_map
+from lispac.survey.trajectory import MAX_PITCH_RAD, LocalTrajectory, Trajectory
 from tests.cloud_files import (
     GREENWICH,
     MOUNTING,
@@ -75,10 +75,12 @@ def test_map_agrees_with_proj_point_by_point(
             f"{len(fit.boxes)} cells, residual {1e3 * fit.residual:.1e} mm, "
             f"{fit.exact_share:.1%} point by point"
         )
-    assert off < ACCURACY
-    assert back < 2 * ACCURACY
-    assert fit.residual < ACCURACY
-    np.testing.assert_array_less(np.abs(mapper.to_scanner(found, time) - points), 2 * ACCURACY)
+    assert off < MAP_ACCURACY_M
+    assert back < 2 * MAP_ACCURACY_M
+    assert fit.residual < MAP_ACCURACY_M
+    np.testing.assert_array_less(
+        np.abs(mapper.to_scanner(found, time) - points), 2 * MAP_ACCURACY_M
+    )
 
 
 def test_utm_against_pipeline_of_proj_alone() -> None:
@@ -98,7 +100,7 @@ def test_utm_against_pipeline_of_proj_alone() -> None:
     found = ScannerPointConverter(coordinate_system("EPSG:32619"), trajectory, MOUNTING).to_map(
         points, time
     )
-    np.testing.assert_allclose(found, expected, rtol=0, atol=ACCURACY)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=MAP_ACCURACY_M)
 
 
 def test_far_points_go_the_exact_way() -> None:
@@ -109,8 +111,10 @@ def test_far_points_go_the_exact_way() -> None:
     mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
     found = mapper.to_map(points, time)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=ACCURACY)
-    np.testing.assert_allclose(mapper.to_scanner(found, time), points, rtol=0, atol=2 * ACCURACY)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=MAP_ACCURACY_M)
+    np.testing.assert_allclose(
+        mapper.to_scanner(found, time), points, rtol=0, atol=2 * MAP_ACCURACY_M
+    )
 
 
 @pytest.mark.parametrize("threads", [None, 1, 3])
@@ -123,7 +127,7 @@ def test_the_pieces_that_threads_take_are_put_together(
     mapper = ScannerPointConverter(coordinate_system("EPSG:32619"), trajectory, MOUNTING)
     whole = mapper.to_map(points, time)
     back = mapper.to_scanner(whole, time)
-    monkeypatch.setattr(point_mapping, "PIECE", 128)
+    monkeypatch.setattr(point_mapping, "PIECE_POINTS", 128)
     np.testing.assert_array_equal(mapper.to_map(points, time, threads=threads), whole)
     np.testing.assert_array_equal(mapper.to_scanner(whole, time, threads=threads), back)
 
@@ -134,7 +138,7 @@ def test_a_long_survey_is_divided() -> None:
     points, time = sweep(trajectory)
     mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
-    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=ACCURACY)
+    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=MAP_ACCURACY_M)
     fit = mapper.fit_to(points)
     assert fit is not None
     assert len(fit.boxes) > 1
@@ -154,8 +158,10 @@ def test_anywhere_on_earth(latitude: float, longitude: float, size: float) -> No
     points, time = sweep(trajectory, 300)
     mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
-    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=ACCURACY)
-    np.testing.assert_allclose(mapper.to_scanner(expected, time), points, rtol=0, atol=2 * ACCURACY)
+    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=MAP_ACCURACY_M)
+    np.testing.assert_allclose(
+        mapper.to_scanner(expected, time), points, rtol=0, atol=2 * MAP_ACCURACY_M
+    )
 
 
 def test_what_polynomials_cannot_follow_is_excluded_from_them() -> None:
@@ -173,7 +179,7 @@ def test_what_polynomials_cannot_follow_is_excluded_from_them() -> None:
     missed = fit.apply(found)
     assert 0.01 < missed.mean() < 0.3
     np.testing.assert_array_equal(found[missed], points[missed])
-    np.testing.assert_allclose(found[~missed], exact(points[~missed]), rtol=0, atol=ACCURACY)
+    np.testing.assert_allclose(found[~missed], exact(points[~missed]), rtol=0, atol=MAP_ACCURACY_M)
     outside = np.array([[600.0, 0, 0], [0, 0, 11], [np.nan, 0, 0]])
     assert fit.apply(outside).all()
 
@@ -205,8 +211,10 @@ def test_a_site_at_the_edge_of_a_geoid_grid_is_mapped(tmp_path: Path) -> None:
     points, time = sweep(trajectory, 300)
     mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
-    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=ACCURACY)
-    np.testing.assert_allclose(mapper.to_scanner(expected, time), points, rtol=0, atol=2 * ACCURACY)
+    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=MAP_ACCURACY_M)
+    np.testing.assert_allclose(
+        mapper.to_scanner(expected, time), points, rtol=0, atol=2 * MAP_ACCURACY_M
+    )
 
 
 def test_local_frame_is_a_map_too() -> None:
@@ -256,7 +264,7 @@ def test_heading_through_north_turns_the_short_way(tmp_path: Path, clockwise: bo
     system = coordinate_system("EPSG:32618")
     cloud = ScannerPointConverter(system, trajectory, mounting).to_map(ahead, time)
     back = RecoverySetup(system, trajectory, mounting).points_lidar(cloud, time)
-    np.testing.assert_allclose(back, ahead, rtol=0, atol=2 * ACCURACY)
+    np.testing.assert_allclose(back, ahead, rtol=0, atol=2 * MAP_ACCURACY_M)
 
 
 def tilted(pitch_deg: np.ndarray) -> Trajectory:
@@ -280,7 +288,7 @@ def test_states_on_end_have_no_pose() -> None:
     trajectory = LocalTrajectory.of(raw, raw.mean_frame())
     time = np.array([1.0, 1.95, 2.5, 2.95, 3.05, 5.0])
     np.testing.assert_array_equal(trajectory.covers(time), [True, False, False, False, True, True])
-    assert np.degrees(STEEPEST) == pytest.approx(80)
+    assert np.degrees(MAX_PITCH_RAD) == pytest.approx(80)
 
 
 def test_steep_but_not_on_end_is_interpolated_right() -> None:

@@ -14,7 +14,7 @@ from lispac.io.points.point_reader_common import CHOOSE_FRAME_ACTION
 from lispac.messages import warning
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
-from lispac.survey.scanner_frame_recovery import MAX_DISTANCE
+from lispac.survey.scanner_frame_recovery import MAX_PLAUSIBLE_RANGE_M
 from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.georeferencing import georeference_project
@@ -91,7 +91,7 @@ def test_a_long_line_is_judged_by_points_all_over_it(tmp_path, monkeypatch) -> N
     with pytest.raises(InputError, check=has_code("survey.not_scanner_frame")):
         read_line_times(on_map(tmp_path), format_of("las"), {"frame": "scanner"})
     points = fan(3000)
-    points[0] += [0, 2 * MAX_DISTANCE, 0]  # a stray at the very beginning is none
+    points[0] += [0, 2 * MAX_PLAUSIBLE_RANGE_M, 0]  # a stray at the very beginning is none
     line = write_line(tmp_path / "stray.las", START + np.linspace(5, 20, 3000), points)
     times = read_line_times(line, format_of("las"), {"frame": "scanner"})
     assert times.count == 3000
@@ -99,7 +99,7 @@ def test_a_long_line_is_judged_by_points_all_over_it(tmp_path, monkeypatch) -> N
 
 def test_single_points_far_off_are_no_reason(track, tmp_path) -> None:
     points = fan(3000)
-    points[::3] += [0, 2 * MAX_DISTANCE, 0]
+    points[::3] += [0, 2 * MAX_PLAUSIBLE_RANGE_M, 0]
     line = write_line(tmp_path / "noise.las", START + np.linspace(5, 20, 3000), points)
     _, survey = made(tmp_path / "p", track, line, options(frame="scanner"))
     assert len(survey.scans["L"]) == 2000  # those beyond any range are excluded

@@ -149,7 +149,7 @@ def test_second_import_does_nothing(project: Project) -> None:
 @pytest.mark.parametrize("when", [1, 3, 4])
 def test_cancelled_import_goes_on(project: Project, trajectory, monkeypatch, when: int) -> None:
     for module in (point_blocks, spool):
-        monkeypatch.setattr(module, "BLOCK", 100_000)
+        monkeypatch.setattr(module, "BLOCK_POINTS", 100_000)
     line = project.lines[0]
     whole = import_line(project, line, trajectory).stored.manifest
     shutil.rmtree(project.folder / "lines")

@@ -14,7 +14,7 @@ from lispac.io.project.project_file import read_project
 from lispac.message_texts import message_text
 from lispac.messages import Action, Level, Message, error, note
 from lispac.project import LineSource, Settings
-from lispac.survey.trajectory import LONGEST_GAP
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S
 from lispac.workflow.importing.input_file import examine_file
 from lispac.workflow.importing.input_files import InputFiles, find_project, proposed_folder
 from lispac.workflow.project.projects import new_project, open_project
@@ -262,9 +262,9 @@ def test_a_project_without_the_longest_gap_has_the_usual_one(files: Path, tmp_pa
     )  # fmt: skip
     path = project.folder / "project.json"
     content = json.loads(path.read_text())
-    assert content["settings"].pop("longest_gap") == LONGEST_GAP
+    assert content["settings"].pop("longest_gap") == DEFAULT_LONGEST_GAP_S
     path.write_text(json.dumps(content))
-    assert open_project(project.folder).settings.longest_gap == LONGEST_GAP
+    assert open_project(project.folder).settings.longest_gap == DEFAULT_LONGEST_GAP_S
 
 
 def test_a_long_line_is_examined_here_and_there(

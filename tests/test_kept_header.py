@@ -11,7 +11,7 @@ import pytest
 from lispac.cli.main import main
 from lispac.messages import Message
 from lispac.project import LineSource, Project
-from lispac.survey.store.layout import HEADER
+from lispac.survey.store.layout import HEADER_FILE
 from lispac.survey.store.stored_line import StoredLine
 from lispac.workflow.importing.line_import import import_lines, line_folder, stored_header
 from lispac.workflow.output.georeferencing import georeference_project
@@ -100,7 +100,7 @@ def test_without_what_was_kept_the_loss_is_reported(
 ) -> None:
     project.lines[0].path.unlink()
     folder = line_folder(project, project.lines[0])
-    (header,) = folder.glob(f"columns-*/{HEADER}")
+    (header,) = folder.glob(f"columns-*/{HEADER_FILE}")
     whole = header.read_bytes()
     for n, damaged in enumerate((whole[:100], whole[:400] + bytes(len(whole) - 400), b"")):
         header.write_bytes(damaged)

@@ -32,7 +32,7 @@ IMPORT = f"""
 import sys
 from pathlib import Path
 from lispac.survey.store import point_blocks, spool
-point_blocks.BLOCK = spool.BLOCK = {BLOCK}
+point_blocks.BLOCK_POINTS = spool.BLOCK_POINTS = {BLOCK}
 from lispac.survey.store.spatial_cells import octave_runs_in_sphere
 from lispac.survey.store.line_import import write_store
 from tests.store_lines import RECIPE, Line, place
@@ -99,7 +99,7 @@ def killed(code: str, argument: Path, seconds: float | None) -> float:
 @pytest.mark.parametrize("times", [2, pytest.param(20, marks=pytest.mark.long)])
 def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
     for module in (point_blocks, spool):
-        monkeypatch.setattr(module, "BLOCK", BLOCK)
+        monkeypatch.setattr(module, "BLOCK_POINTS", BLOCK)
     line = Line(POINTS)
     took = killed(IMPORT, tmp_path / "whole", None)
     whole = open_store(tmp_path / "whole", "L1").manifest
@@ -177,7 +177,7 @@ def test_kill_during_the_import_command(tmp_path: Path, points: int, times: int)
 def test_kill_while_a_line_is_imported_anew(tmp_path: Path, monkeypatch) -> None:
     """The store that was there stays until the new one is complete."""
     for module in (point_blocks, spool):
-        monkeypatch.setattr(module, "BLOCK", BLOCK)
+        monkeypatch.setattr(module, "BLOCK_POINTS", BLOCK)
     folder = tmp_path / "L1"
     write_store(folder, RECIPE, Line(30_000, seed=8).pieces(30_000), place)
     killed(IMPORT, folder, 0.3)

@@ -11,7 +11,6 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from lispac.survey.conventions.conversion import (
-    LISPAC,
     ConventionSetup,
     angles_of_rotation,
     convert_to_system,
@@ -22,7 +21,7 @@ from lispac.survey.conventions.mounting_replacement import (
     current_mounting_of_matrix,
     replace_mounting,
 )
-from lispac.survey.conventions.systems import SYSTEMS
+from lispac.survey.conventions.systems import LISPAC_CONVENTION, SYSTEMS
 from lispac.survey.georeferencing import Mounting
 from tests.test_conventions import FORMULAS, LEVER_ARM, setup_of
 
@@ -99,7 +98,7 @@ def test_lines_already_turned_and_moved(key: str, exported: np.ndarray, points: 
     lines = in_body(points, OLD) @ exported.T
     small = Rotation.from_rotvec([0.004, -0.007, 0.002]).as_matrix()
     found = Mounting(
-        np.array([0.02, -0.01, 0.03]), angles_of_rotation(LISPAC, small @ exported.T)[0]
+        np.array([0.02, -0.01, 0.03]), angles_of_rotation(LISPAC_CONVENTION, small @ exported.T)[0]
     )
     new = answered(setup_of(key), found, applied=True, known=True)
     np.testing.assert_allclose(

@@ -9,7 +9,11 @@ from numpy.typing import NDArray
 from lispac.errors import InputError, NotComparable
 from lispac.geometry.rotations import rotation_matrix
 from lispac.io.value_conversion import decode_value, encode_value
-from lispac.validation.normal_distance import FEWEST, NormalDistances, distances_along_normal
+from lispac.validation.normal_distance import (
+    MIN_CYLINDER_POINTS,
+    NormalDistances,
+    distances_along_normal,
+)
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
 from tests.error_codes import has_code
 
@@ -90,7 +94,7 @@ def test_places_without_points_have_no_distance_and_are_counted() -> None:
     assert found.no_distance >= beyond
     assert len(found.distance) == len(ref[::20]) - found.no_distance
     with pytest.raises(
-        NotComparable, check=has_code("validation.cylinder_too_narrow", needed=FEWEST)
+        NotComparable, check=has_code("validation.cylinder_too_narrow", needed=MIN_CYLINDER_POINTS)
     ):
         measured(half + [0.0, 5.0, 0.0], ref, ref[::20])
 

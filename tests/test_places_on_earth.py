@@ -9,7 +9,7 @@ from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.io.formats import recognise_formats
 from lispac.io.trajectory.sbet import read_sbet, write_sbet
-from lispac.survey.trajectory import LONGEST_GAP, LocalTrajectory, Trajectory
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S, LocalTrajectory, Trajectory
 
 PLACES = [
     (0.0, 0.0), (48.0, -69.0), (-17.0, 180.0), (-17.0, -180.0), (-60.0, -179.9999),
@@ -43,7 +43,7 @@ def at_place(latitude: float, longitude: float, turn: float = 0.0) -> Trajectory
 def test_the_same_survey_at_ten_places(latitude: float, longitude: float, turn: float) -> None:
     trajectory = at_place(latitude, longitude, turn)
     frame = trajectory.mean_frame()
-    local = LocalTrajectory.of(trajectory, frame, LONGEST_GAP)
+    local = LocalTrajectory.of(trajectory, frame, DEFAULT_LONGEST_GAP_S)
     position, attitude = motion()
     # The mean of latitude and longitude is not quite the mean of the positions.
     assert np.linalg.norm(local.position.mean(axis=0)) < 0.02

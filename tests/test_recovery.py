@@ -225,7 +225,7 @@ def test_a_point_has_the_pose_of_when_it_was_measured(port: SimulatedSurvey) -> 
         trajectory=trajectory, mounting=Mounting(np.zeros(3), np.zeros(3), latency=0.5)
     )
     times = np.array([first - 0.6, first - 0.4, first + 0.1, last - 0.6, last - 0.4])
-    assert RecoverySetup.usable(late, times).tolist() == [False, True, True, True, False]
+    assert RecoverySetup.has_pose(late, times).tolist() == [False, True, True, True, False]
 
 
 @pytest.mark.parametrize(("near", "taken"), [(40, False), (60, True)])

@@ -5,7 +5,7 @@ from statistics import NormalDist
 
 from lispac.messages import Message, note, warning
 from lispac.present.absolute import AbsoluteCheckValues
-from lispac.validation.absolute_messages import Off, list_items_with_means
+from lispac.validation.absolute_messages import NamedMean, list_items_with_means
 from lispac.warning_causes import Cause
 
 NORMAL_FACTOR_95 = NormalDist().inv_cdf(0.975)
@@ -49,7 +49,7 @@ def absolute_check_warnings(values: AbsoluteCheckValues | None) -> Iterator[Mess
     )
 
 
-def _line_warnings(means: Sequence[Off]) -> Iterator[Message]:
+def _line_warnings(means: Sequence[NamedMean]) -> Iterator[Message]:
     """Message about lines with a significant mean; its subject is the line with the largest one."""
     if significant := _significant_means(means):
         farthest = max(significant, key=lambda each: abs(each[1]))
@@ -63,7 +63,7 @@ def _line_warnings(means: Sequence[Off]) -> Iterator[Message]:
         )
 
 
-def _point_warnings(means: Sequence[Off]) -> Iterator[Message]:
+def _point_warnings(means: Sequence[NamedMean]) -> Iterator[Message]:
     """Message about surveyed points and planes from which the lines differ significantly."""
     if significant := _significant_means(means):
         is_warning = _exceeds_joint_limit(means)
@@ -76,12 +76,12 @@ def _point_warnings(means: Sequence[Off]) -> Iterator[Message]:
         )
 
 
-def _significant_means(means: Sequence[Off]) -> list[Off]:
+def _significant_means(means: Sequence[NamedMean]) -> list[NamedMean]:
     """Means whose absolute value exceeds half their own 95 % interval."""
     return [each for each in means if abs(each[1]) > each[2]]
 
 
-def _exceeds_joint_limit(means: Sequence[Off]) -> bool:
+def _exceeds_joint_limit(means: Sequence[NamedMean]) -> bool:
     """True if a mean exceeds the 95 % limit for the largest of all means (Bonferroni)."""
     from scipy.special import ndtri
 

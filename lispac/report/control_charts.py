@@ -20,7 +20,7 @@ from lispac.report.figures import (
     style_axes,
 )
 from lispac.validation.control_chart import ChartedCalibration, control_limits
-from lispac.validation.repeatability import NORMAL_95
+from lispac.validation.repeatability import NORMAL_QUANTILE_975
 
 AXIS_LABELS: Mapping[str, str] = {
     "roll": N_("Roll (deg)"), "pitch": N_("Pitch (deg)"), "yaw": N_("Yaw (deg)")
@@ -69,7 +69,9 @@ def control_chart_figure(
                     np.degrees(each.before.boresight[k]), *sides, color=BEFORE_COLOUR, lw=1.0
                 )
         values = np.degrees([each.calibration.boresight[k] for each in charted])
-        half_widths = NORMAL_95 * np.degrees([each.calibration.sigma[k] for each in charted])
+        half_widths = NORMAL_QUANTILE_975 * np.degrees(
+            [each.calibration.sigma[k] for each in charted]
+        )
         for own, colour in ((~has_moved, INK_COLOUR), (has_moved, AFTER_COLOUR)):
             axes.errorbar(
                 at[own], values[own], yerr=half_widths[own], fmt="o", markersize=4, color=colour,

@@ -16,7 +16,7 @@ from lispac.scripting.loaded_project import LoadedProject
 from lispac.targets.expected_target import ExpectedTarget
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from lispac.validation.absolute_check import AbsoluteCheck
-from lispac.validation.local_models import USUAL_NEIGHBOURS, Kind, LocalModel
+from lispac.validation.local_models import DEFAULT_NEIGHBOURS, Kind, LocalModel
 from lispac.validation.plane_comparison import PlaneComparison
 from lispac.workflow.calibration import edits, picking
 from lispac.workflow.calibration import estimation as calibration
@@ -262,7 +262,7 @@ class OpenProject(LoadedProject):
         radius : metres, optional
             Radius within which all points are used instead of ``neighbours``.
         """
-        usual = USUAL_NEIGHBOURS.get(distance_to, 1)
+        usual = DEFAULT_NEIGHBOURS.get(distance_to, 1)
         model = LocalModel(distance_to, usual if neighbours is None else neighbours, radius)
         self.project = validation.validate(
             self.project, self.survey, model=model, progress=self._progress

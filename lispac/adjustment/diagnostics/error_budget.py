@@ -15,7 +15,7 @@ from lispac.adjustment.model.point_sensitivity import Sensitivity, sensitivity
 from lispac.errors import InputError
 from lispac.language import N_
 from lispac.messages import Message, error, note
-from lispac.survey.georeferencing import CALIBRATION, Mounting, place_points, to_lidar
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES, Mounting, place_points, to_lidar
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
@@ -57,7 +57,7 @@ class SystemErrors:
         Estimated mounting.
     prior_boresight : ndarray of shape (3,), radians
     estimated : tuple of str
-        Names of the estimated values, from `CALIBRATION`.
+        Names of the estimated values, from `MOUNTING_VALUE_NAMES`.
     covariance : ndarray of shape (e, e), radians, metres, seconds
         Covariance of ``estimated``.
     speed : float, metres per second
@@ -256,7 +256,7 @@ def _estimated_covariance(
 ) -> Array:
     """Covariance of the point from some of the estimated values."""
     chosen = [system.estimated.index(name) for name in names]
-    jacobian = sensitivity.by_mounting[:, [CALIBRATION.index(name) for name in names]]
+    jacobian = sensitivity.by_mounting[:, [MOUNTING_VALUE_NAMES.index(name) for name in names]]
     return jacobian @ system.covariance[np.ix_(chosen, chosen)] @ jacobian.T
 
 

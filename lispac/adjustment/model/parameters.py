@@ -9,17 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.messages import Message, note
-from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 
 Array = NDArray[np.float64]
 
-BORESIGHT_NAMES = CALIBRATION[:3]
+BORESIGHT_NAMES = MOUNTING_VALUE_NAMES[:3]
 """Parameters that are always estimated."""
-OPTIONAL_NAMES = CALIBRATION[3:]
+OPTIONAL_NAMES = MOUNTING_VALUE_NAMES[3:]
 """Parameters that are estimated only on request."""
 
 MAX_PARAMETER_SIGMAS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 0.02])
-"""Largest sigma of a determined parameter, in the order of `CALIBRATION`; radians, metres, seconds.
+"""Largest sigma of a determined parameter, in the order of `MOUNTING_VALUE_NAMES`; rad, m, s.
 
 A parameter with a larger sigma counts as not determined, because a tape measure or an inspection is
 more precise.
@@ -49,8 +49,8 @@ class Parameter:
 
     @property
     def index(self) -> int:
-        """Index in `CALIBRATION`."""
-        return CALIBRATION.index(self.name)
+        """Index in `MOUNTING_VALUE_NAMES`."""
+        return MOUNTING_VALUE_NAMES.index(self.name)
 
 
 @dataclass(frozen=True)

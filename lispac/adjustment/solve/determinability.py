@@ -14,7 +14,7 @@ from lispac.adjustment.result import ANGLES
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.errors import RankDeficient
 from lispac.messages import Message, error, note
-from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 
 Array = NDArray[np.float64]
 
@@ -51,7 +51,7 @@ def find_undetermined_parameters(linearised: LinearisedProblem) -> tuple[Paramet
             k = int(np.searchsorted(active, index))
             free[k, k] -= own[index]
         fixed = {each.name for each in undetermined if each.prior_sigma is None}
-        kept = np.array([CALIBRATION[i] not in fixed for i in active])
+        kept = np.array([MOUNTING_VALUE_NAMES[i] not in fixed for i in active])
         # Scaled by the limits; a weak prior keeps the matrix of unobserved values regular.
         scaled = (free * np.outer(limits, limits))[np.ix_(kept, kept)] + 1e-4 * np.eye(kept.sum())
         covariance = np.linalg.inv(scaled)
@@ -76,10 +76,10 @@ def _undetermined_estimate(
     active: NDArray[np.int64],
     sigma: float | None,
 ) -> ParameterEstimate:
-    name = CALIBRATION[index]
+    name = MOUNTING_VALUE_NAMES[index]
     prior = float(linearised.problem.prior.values[index])
     shares = np.where(active == index, 0.0, np.abs(row))
-    other = mounting_value_name(CALIBRATION[int(active[np.argmax(shares)])])
+    other = mounting_value_name(MOUNTING_VALUE_NAMES[int(active[np.argmax(shares)])])
     parameter = mounting_value_name(name)
     kept = note("parameter.kept_uncertain" if sigma else "parameter.kept")
     if name == "scan_angle_offset":

@@ -52,7 +52,7 @@ def run(arguments: Namespace) -> None:
     from lispac.duplicate_targets import project_warnings
     from lispac.present.json_values import json_values
     from lispac.present.validation import ValidationPlane
-    from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
+    from lispac.validation.local_models import DEFAULT_NEIGHBOURS, LocalModel
     from lispac.workflow.checking.validation import validate as validated
     from lispac.workflow.project import projects
     from lispac.workflow.project.survey import load_survey
@@ -63,7 +63,7 @@ def run(arguments: Namespace) -> None:
             "validate: --radius and --neighbours do not apply to --distance-to point; omit them "
             "or use --distance-to plane."
         )
-    usual = USUAL_NEIGHBOURS[kind]
+    usual = DEFAULT_NEIGHBOURS[kind]
     model = LocalModel(
         kind, usual if arguments.neighbours is None else arguments.neighbours, arguments.radius
     )

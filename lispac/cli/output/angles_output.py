@@ -16,7 +16,7 @@ from lispac.survey.conventions.conversion import (
     MountingInSystem,
     convert_to_system,
 )
-from lispac.survey.conventions.correction import SUM_MATTERS, BoresightCorrection
+from lispac.survey.conventions.correction import SUM_TOLERANCE_RAD, BoresightCorrection
 from lispac.survey.conventions.mounting_replacement import MountingReplacement
 from lispac.survey.conventions.mounting_texts import (
     CHECK_FIRST,
@@ -237,7 +237,7 @@ def _print_correction(correction: BoresightCorrection, label: str, decimals: int
         "", "new matrix = correction matrix · current matrix (correction multiplied from the left)"
     )
     error = correction.sum_error
-    if error > SUM_MATTERS:
+    if error > SUM_TOLERANCE_RAD:
         _print_labelled(
             "",
             f"Do not add the angles: the sum would be wrong by {np.degrees(error):.4f} deg, "

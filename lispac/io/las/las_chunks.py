@@ -46,7 +46,7 @@ from lispac.messages import Message, error, note, warning
 from lispac.survey.crs import local_frame_text
 from lispac.survey.kernels import coordinates_from_integers
 from lispac.survey.line_source import printable
-from lispac.survey.point_screening import LARGEST
+from lispac.survey.point_screening import MAX_COORDINATE
 
 MAX_CHUNK_BYTES = 1 << 28
 """Largest number of bytes of point records read at once, whatever record size a header states."""
@@ -128,7 +128,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     good = usable_mask(xyz, time)
     xyz, time = xyz[good], time[good]
     low, high = np.asarray(header.mins), np.asarray(header.maxs)
-    bounded = bool((np.abs([low, high]) <= LARGEST).all()) and bool(
+    bounded = bool((np.abs([low, high]) <= MAX_COORDINATE).all()) and bool(
         ((xyz >= low - 0.01) & (xyz <= high + 0.01)).all()
     )
     if not bounded:

@@ -19,8 +19,8 @@ from lispac.io.points.point_reader_common import (
     usable_mask,
 )
 from lispac.messages import Message, note, warning
-from lispac.survey.crs import ELLIPSOID, coordinate_system
-from lispac.survey.point_screening import LARGEST
+from lispac.survey.crs import ELLIPSOID_HEIGHTS, coordinate_system
+from lispac.survey.point_screening import MAX_COORDINATE
 from lispac.survey.time_quality import assess_times
 from lispac.survey.time_rollover import find_rollover, resolve_rollover
 
@@ -77,7 +77,7 @@ def check_first_points(
         if usable.any():
             xyz, time = xyz[usable], time[usable]
         else:
-            xyz = np.nan_to_num(xyz).clip(-LARGEST, LARGEST)
+            xyz = np.nan_to_num(xyz).clip(-MAX_COORDINATE, MAX_COORDINATE)
     is_filled = (xyz[:, 0] == xyz[:, 1]) & (xyz[:, 1] == xyz[:, 2])  # no echo: 0 or -9999
     if is_filled.any() and not is_filled.all():
         xyz, time, low, high = xyz[~is_filled], time[~is_filled], None, None
@@ -160,6 +160,6 @@ def _is_likely_geographic(low: Array, high: Array) -> bool:
 
 def _is_geographic(crs: str) -> bool:
     try:
-        return coordinate_system(crs, height=ELLIPSOID).is_geographic
+        return coordinate_system(crs, height=ELLIPSOID_HEIGHTS).is_geographic
     except InputError:
         return False

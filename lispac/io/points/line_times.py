@@ -22,9 +22,9 @@ from lispac.io.points.point_reader_common import (
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
-from lispac.survey.line_source import TIME_ROLLOVER
+from lispac.survey.line_source import TIME_ROLLOVER_OPTION
 from lispac.survey.scanner_frame_recovery import require_scanner_frame
-from lispac.survey.time_rollover import PERIODS, find_rollover, resolve_rollover
+from lispac.survey.time_rollover import ROLLOVER_PERIODS_S, find_rollover, resolve_rollover
 
 Array = NDArray[np.float64]
 
@@ -84,7 +84,7 @@ def read_line_times(
         If the file cannot be read with these options, or is read in the scanner frame but its
         points are not in that frame.
     """
-    given = str(choice.get(TIME_ROLLOVER, ""))
+    given = str(choice.get(TIME_ROLLOVER_OPTION, ""))
     resolved = format.resolved(choice)
     scanner = resolved[FRAME_OPTION.name] == SCANNER_FRAME
     if format.key == "las" and (count := point_count(path)) > MAX_POINTS_READ_WHOLE:
@@ -101,7 +101,7 @@ def _resolve_rollover(line_times: LineTimes, given: str) -> LineTimes:
     rollover = given or find_rollover(
         np.append(line_times.sample, [line_times.start, line_times.end])
     )
-    if rollover not in PERIODS:
+    if rollover not in ROLLOVER_PERIODS_S:
         return line_times
     # The earliest and the latest stored time are on both sides of the rollover; the sample may lack
     # one of them.

@@ -20,7 +20,7 @@ from lispac.errors import InputError
 from lispac.io.files import library_path, require_file
 from lispac.messages import error
 from lispac.simulation.meshes import Mesh
-from lispac.survey.point_screening import LARGEST as LARGEST_COORDINATE
+from lispac.survey.point_screening import MAX_COORDINATE as LARGEST_COORDINATE
 
 Array = NDArray[np.float64]
 

@@ -23,12 +23,12 @@ from lispac.io.format_types import (
 from lispac.io.text.units import LENGTH_UNIT_NAMES
 from lispac.language import N_
 from lispac.messages import Action, Message, error, note, warning
-from lispac.survey.crs import UNITS, CoordinateSystem, coordinate_system
+from lispac.survey.crs import METRES_PER_UNIT, CoordinateSystem, coordinate_system
 from lispac.survey.known_time_base import base_message
-from lispac.survey.line_source import TIME_ROLLOVER
-from lispac.survey.point_screening import LARGEST, LARGEST_TIME
-from lispac.survey.time_base import KEYS, base_of_key, plausible_bases
-from lispac.survey.time_rollover import KEYS as ROLLOVER_KEYS
+from lispac.survey.line_source import TIME_ROLLOVER_OPTION
+from lispac.survey.point_screening import MAX_COORDINATE, MAX_TIME_S
+from lispac.survey.time_base import TIME_BASE_KEYS, base_of_key, plausible_bases
+from lispac.survey.time_rollover import ROLLOVER_KEYS
 
 Array = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ FRAME_OPTION = FormatOption(
     "frame", N_("Frame of the coordinates: that of the scanner, or the map."),
     (SCANNER_FRAME, GEOREFERENCED_FRAME), SCANNER_FRAME,
 )  # fmt: skip
-SCANNER_UNITS = UNITS | {
+SCANNER_UNITS = METRES_PER_UNIT | {
     "millimetre": 1e-3, "centimetre": 1e-2, "kilometre": 1e3, "inch": 0.3048 / 12,
     "yard": 3 * 0.3048, "fathom": 6 * 0.3048,
 }  # fmt: skip
@@ -63,7 +63,9 @@ HEIGHT_OPTION = FormatOption(
     ),
 )
 HEIGHT_UNIT_OPTION = FormatOption(
-    "height_unit", N_("Unit of heights. Empty: as in the coordinate system."), ("", *UNITS)
+    "height_unit",
+    N_("Unit of heights. Empty: as in the coordinate system."),
+    ("", *METRES_PER_UNIT),
 )
 DATUM_OPTION = FormatOption(
     "trajectory_datum",
@@ -72,9 +74,11 @@ DATUM_OPTION = FormatOption(
 EPOCH_OPTION = FormatOption(
     "epoch", N_("Date of the survey as a decimal year, where the datums move against each other.")
 )
-TIME_BASE_OPTION = FormatOption("time_base", N_("Time base. Empty: as in the file."), ("", *KEYS))
+TIME_BASE_OPTION = FormatOption(
+    "time_base", N_("Time base. Empty: as in the file."), ("", *TIME_BASE_KEYS)
+)
 ROLLOVER_OPTION = FormatOption(
-    TIME_ROLLOVER, N_("Moment of the time rollover. Empty: detected from the times."),
+    TIME_ROLLOVER_OPTION, N_("Moment of the time rollover. Empty: detected from the times."),
     ("", *ROLLOVER_KEYS),
 )  # fmt: skip
 WITHHELD_OPTION = FormatOption(
@@ -298,7 +302,7 @@ def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int
     ------
     InputError
     """
-    if not (_are_within_limit(xyz, LARGEST) and _are_within_limit(time, LARGEST_TIME)):
+    if not (_are_within_limit(xyz, MAX_COORDINATE) and _are_within_limit(time, MAX_TIME_S)):
         good = usable_mask(xyz, time)
         bad = int((~good).sum())
         if bad > MAX_UNUSABLE_SHARE * len(good):
@@ -344,7 +348,7 @@ def usable_mask(xyz: Array, time: NDArray[Any]) -> NDArray[np.bool_]:
     time : ndarray of shape (n,), seconds
     """
     return np.asarray(
-        (np.abs(xyz) <= LARGEST).all(axis=1) & (np.abs(time) <= LARGEST_TIME), dtype=bool
+        (np.abs(xyz) <= MAX_COORDINATE).all(axis=1) & (np.abs(time) <= MAX_TIME_S), dtype=bool
     )
 
 

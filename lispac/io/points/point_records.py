@@ -35,7 +35,7 @@ from lispac.io.points.point_reader_common import (
 from lispac.io.text.units import TIME_UNIT_NAMES
 from lispac.messages import Message, error, note, warning
 from lispac.survey.line_source import printable
-from lispac.survey.point_screening import LARGEST as LARGEST_COORDINATE
+from lispac.survey.point_screening import MAX_COORDINATE
 
 BYTES_PER_READ = 1 << 28  # bytes of records read at once
 Columns = Mapping[str, NDArray[Any]]
@@ -99,7 +99,7 @@ class PointRecords:
         values = rows.view(self.dtype)[:, 0]
         xyz = np.stack([values[axis].astype(np.float64) for axis in "xyz"], axis=1)
         with np.errstate(invalid="ignore"):
-            usable = (np.abs(xyz) <= LARGEST_COORDINATE).all(axis=1)
+            usable = (np.abs(xyz) <= MAX_COORDINATE).all(axis=1)
         return np.asarray(usable | np.isnan(xyz).all(axis=1))
 
     def require_whole(self) -> None:

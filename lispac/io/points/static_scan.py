@@ -22,7 +22,7 @@ from lispac.io.text.seed_file import header_meanings, separator_of
 from lispac.io.text.text_layout import COMMENT_MARKS, SEPARATOR_CHARACTERS
 from lispac.io.text.text_table import UTF16_ENCODINGS, is_number, numbered_lines, split_fields
 from lispac.messages import Message, error
-from lispac.survey.point_screening import LARGEST
+from lispac.survey.point_screening import MAX_COORDINATE
 
 Array = NDArray[np.float64]
 
@@ -80,7 +80,7 @@ class StaticScan:
             chunks = iter([_read_text(self.path, local)])
         count = 0
         for chunk in chunks:
-            good = (np.abs(chunk) <= LARGEST).all(axis=1)
+            good = (np.abs(chunk) <= MAX_COORDINATE).all(axis=1)
             if not good.all():
                 point = count + int(np.argmin(good)) + 1
                 raise InputError(

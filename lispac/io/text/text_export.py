@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.messages import error
 from lispac.survey.crs import CoordinateSystem
-from lispac.survey.time_base import KEYS
+from lispac.survey.time_base import TIME_BASE_KEYS
 from lispac.survey.trajectory import Trajectory
 from lispac.untrusted_values import as_csv_cell
 
@@ -47,7 +47,7 @@ def options_in_header(lines: Sequence[str]) -> dict[str, str]:
     if not lines or not lines[0].startswith(TRAJECTORY_HEADER[0]):
         return {}
     base = lines[0].strip().rpartition(TIME_BASE_LABEL)[2]
-    return TRAJECTORY_OPTIONS | ({"time": base} if base in KEYS else {})
+    return TRAJECTORY_OPTIONS | ({"time": base} if base in TIME_BASE_KEYS else {})
 
 
 def write_table(

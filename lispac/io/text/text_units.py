@@ -16,7 +16,7 @@ from lispac.io.text.text_layout import (
 from lispac.io.text.units import ANGLE_UNIT_CODES, LENGTH_UNIT_NAMES, UNKNOWN, direction_of
 from lispac.io.trajectory.trajectory_projection import METRES_PER_UNIT
 from lispac.messages import Action, Level, Message, error, warning
-from lispac.survey.crs import UNITS as SYSTEM_UNITS
+from lispac.survey.crs import METRES_PER_UNIT as SYSTEM_UNITS
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.line_source import printable
 

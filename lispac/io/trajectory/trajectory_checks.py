@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.messages import error
 from lispac.survey.time_base import TimeBase, plausible_bases
-from lispac.survey.trajectory import LONGEST_GAP
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S
 
 Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
@@ -125,5 +125,5 @@ def _is_continuous_heading(time: Array, heading: Array) -> bool:
     turns = np.abs(np.diff(np.interp(seconds, time, heading)))
     # Across a gap, the heading may change by any amount.
     after = np.minimum(np.searchsorted(time, seconds[1:]), len(time) - 1)
-    known = time[after] - time[np.maximum(after - 1, 0)] <= LONGEST_GAP
+    known = time[after] - time[np.maximum(after - 1, 0)] <= DEFAULT_LONGEST_GAP_S
     return bool((turns[known] < MAX_TURN_RATE).all())

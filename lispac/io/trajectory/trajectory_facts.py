@@ -14,7 +14,7 @@ from lispac.survey.known_time_base import base_message
 from lispac.survey.line_source import printable
 from lispac.survey.time_base import base_of_key, plausible_bases
 from lispac.survey.time_quality import assess_times
-from lispac.survey.trajectory import LONGEST_GAP
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S
 
 Array = NDArray[np.float64]
 
@@ -101,7 +101,7 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
         # The state has to be in the middle: in a turn, the velocity would differ otherwise.
         offset = np.abs((time[after] + time[before]) / 2 - time[index])
         sound = np.isfinite(north) & np.isfinite(east) & np.isfinite(up)
-        sound &= (span > 0) & (span < 2 * LONGEST_GAP) & (offset < 0.1 * span)
+        sound &= (span > 0) & (span < 2 * DEFAULT_LONGEST_GAP_S) & (offset < 0.1 * span)
     return TrajectoryMotion(index[sound], north[sound], east[sound], up[sound])
 
 
@@ -125,7 +125,7 @@ def trajectory_facts(
     """
     facts = span_facts(time)
     steps = np.diff(time)
-    steps = steps[(steps >= MIN_TIME_STEP_S) & (steps <= LONGEST_GAP)]
+    steps = steps[(steps >= MIN_TIME_STEP_S) & (steps <= DEFAULT_LONGEST_GAP_S)]
     if len(steps):
         facts["Rate"] = note("fact.rate", rate=len(steps) / steps.sum())
     facts["Latitude"] = note("fact.geographic", low=latitude.min(), high=latitude.max())
@@ -186,7 +186,7 @@ def time_warnings(time: Array, base_key: str, file: str) -> tuple[Message, ...]:
                     actions=(CHOOSE_TIME_BASE_ACTION,),
                 )
             )  # fmt: skip
-    return (*file_warnings, *gap_warnings(time, LONGEST_GAP, file))
+    return (*file_warnings, *gap_warnings(time, DEFAULT_LONGEST_GAP_S, file))
 
 
 GAPS_CODE = "trajectory.gaps"

@@ -73,7 +73,7 @@ from lispac.io.trajectory.trajectory_preview import accuracy_facts, refusal_warn
 from lispac.language import N_
 from lispac.messages import Message, note, warning
 from lispac.survey.line_source import printable
-from lispac.survey.time_base import KEYS
+from lispac.survey.time_base import TIME_BASE_KEYS
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 SBET_COLUMNS = (
@@ -117,7 +117,7 @@ ROLL_OPTION = FormatOption(
     ("starboard-down", "port-down"),
     "starboard-down",
 )
-TIME_OPTION = FormatOption("time", N_("Time base."), KEYS, "gps-week")
+TIME_OPTION = FormatOption("time", N_("Time base."), TIME_BASE_KEYS, "gps-week")
 
 
 def _sniff_sbet(path: Path) -> float:

@@ -28,7 +28,7 @@ from lispac.targets.occlusion import does_plane_end_within
 from lispac.targets.plane_detection import DetectedPlane, PatchesAndReasons, detect_planes
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sighting_quality import SightingQuality
-from lispac.validation.plane_comparison import comparable_pairs, reciprocal
+from lispac.validation.plane_comparison import are_reciprocal, comparable_pairs
 from lispac.warning_causes import RESULT_CAUSE
 from lispac.workflow.calibration.estimation import estimate, observations_of
 from lispac.workflow.calibration.refusals import refused_by_method
@@ -472,7 +472,7 @@ def _complete_planes(planes: Mapping[str, DetectedPlane]) -> set[str]:
 
 
 def _has_reciprocal_lines(pairs: Sequence[tuple[str, str]], survey: Survey) -> bool:
-    return any(reciprocal(survey.heading[a], survey.heading[b]) for a, b in pairs)
+    return any(are_reciprocal(survey.heading[a], survey.heading[b]) for a, b in pairs)
 
 
 def _choose_validation_planes(

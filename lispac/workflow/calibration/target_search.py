@@ -13,7 +13,7 @@ from lispac.errors import ProjectError
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
-from lispac.survey.cloud import MAX_POINTS, Cloud, SphereRegion
+from lispac.survey.cloud import MAX_REGION_POINTS, Cloud, SphereRegion
 from lispac.targets.line_search import MAX_CLICK_DISTANCE
 from lispac.targets.plane_finder import (
     FinderSettings,
@@ -331,7 +331,7 @@ def thinned_notes(target: Target) -> tuple[Message, ...]:
     """Notes on the sightings for which not all points around the seed were used."""
     return tuple(
         note(
-            "finder.points_thinned", target=target.name, line=sighting.line, most=MAX_POINTS,
+            "finder.points_thinned", target=target.name, line=sighting.line, most=MAX_REGION_POINTS,
             one_in=sighting.one_in,
         )
         for sighting in target.sightings

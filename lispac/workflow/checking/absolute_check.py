@@ -15,7 +15,7 @@ from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
-from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 from lispac.targets.thinning import thin_points
 from lispac.validation.absolute_check import (
     AbsoluteCheck,
@@ -27,9 +27,9 @@ from lispac.validation.absolute_check import (
     shared_histogram,
 )
 from lispac.validation.cylinder_diameters import (
-    NARROWEST,
-    WIDE,
-    WIDEST,
+    DIAMETER_FACTOR,
+    MAX_DIAMETER_M,
+    MIN_DIAMETER_M,
     candidate_places,
     cylinder_diameters,
     select_separate_places,
@@ -37,7 +37,7 @@ from lispac.validation.cylinder_diameters import (
 )
 from lispac.validation.normal_distance import NormalDistances
 from lispac.validation.reference_places import (
-    SMOOTH,
+    NORMAL_SPHERE_FACTOR,
     CorePointDistances,
     is_reference_flat,
     measure_to_points,
@@ -229,7 +229,7 @@ class _ComparisonPlaces:
             twelfth_neighbour_distance(build_tree(surface), places) if len(surface) else np.zeros(0)
         )
         return cls(
-            reference, places, np.minimum(WIDE * own, WIDEST),
+            reference, places, np.minimum(DIAMETER_FACTOR * own, MAX_DIAMETER_M),
             (*reference.names, *(plane.name for plane in planes)),
             np.array([reference.sigma]) if reference.kind == "scan"
             else np.array([*reference.sigmas, *(plane.sigma for plane in planes)]),
@@ -249,11 +249,11 @@ class _ComparisonPlaces:
             both = np.maximum(diameters, self.diameters)[near]
             chosen, wide = select_separate_places(self.candidates[near], both)
             surface, cores = self.reference.surface, self.candidates[near][chosen]
-            flat = is_reference_flat(surface, cores, SMOOTH * wide, self.roughest)
+            flat = is_reference_flat(surface, cores, NORMAL_SPHERE_FACTOR * wide, self.roughest)
             yield surface, cores[flat], wide[flat], 0
         for k, plane in enumerate(self.reference.planes):
             # A plane is flat at any width, so the diameter may be increased for a sparse line.
-            side = float(np.clip(plane.width / CYLINDERS_PER_WIDTH, NARROWEST, WIDEST))
+            side = float(np.clip(plane.width / CYLINDERS_PER_WIDTH, MIN_DIAMETER_M, MAX_DIAMETER_M))
             diameters = cylinder_diameters(tree, plane.grid(side), self.reach)
             if np.isfinite(diameters).any():
                 side = max(side, float(np.nanmedian(diameters)))
@@ -353,7 +353,7 @@ def _place_sensitivities(
     _, position, attitude = result.sigma_factors
     values, vectors = np.linalg.eigh(result.covariance_all)
     mixtures = vectors * np.sqrt(np.maximum(values, 0.0))
-    estimated = [CALIBRATION.index(name) for name in result.estimated]
+    estimated = [MOUNTING_VALUE_NAMES.index(name) for name in result.estimated]
     return LinePlaces(
         cloud.line,
         float(np.median(time)),

@@ -19,7 +19,7 @@ from lispac.validation.line_differences import (
     LineDifference,
     compare_lines,
 )
-from lispac.validation.normal_distance import NMAD
+from lispac.validation.normal_distance import SIGMA_PER_MAD
 from lispac.workflow.output.georeferencing import BoresightChoice
 from lispac.workflow.project.survey import Survey
 
@@ -74,7 +74,7 @@ class DifferenceStatistics:
             len(distance),
             median,
             float(np.sqrt(np.mean(distance**2))),
-            NMAD * float(np.median(np.abs(distance - median))),
+            SIGMA_PER_MAD * float(np.median(np.abs(distance - median))),
             float(np.percentile(size, 95.0)),
             float(size.max()),
             float(np.mean(size > half_width)),

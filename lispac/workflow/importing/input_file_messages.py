@@ -20,10 +20,10 @@ from lispac.survey.known_time_base import (
     matches_of_known_bases,
     time_base_error,
 )
-from lispac.survey.line_source import TIME_ROLLOVER, printable
+from lispac.survey.line_source import TIME_ROLLOVER_OPTION, printable
 from lispac.survey.time_base import TimeBase, TimeMatch, equally_good_matches
 from lispac.survey.time_quality import TrajectoryCoverage, accuracy_coverage_warning
-from lispac.survey.time_rollover import NONE, rollover_note
+from lispac.survey.time_rollover import NO_ROLLOVER, rollover_note
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.importing.input_file import COLUMNS_NOT_CHOSEN_CODE, InputFile
 from lispac.workflow.importing.input_times import (
@@ -58,7 +58,9 @@ FILE_ACTION_CODES = {
 
 LEAVE_OUT_ACTION = Action("leave_out")
 CLEAR_TIME_BASE_ACTION = Action("clear_time_base", {"name": "time_base", "value": ""})
-IGNORE_ROLLOVER_ACTION = Action("ignore_rollover", {"name": TIME_ROLLOVER, "value": NONE})
+IGNORE_ROLLOVER_ACTION = Action(
+    "ignore_rollover", {"name": TIME_ROLLOVER_OPTION, "value": NO_ROLLOVER}
+)
 
 COORDINATE_SYSTEM_ERROR_CODES = {
     "trajectory.no_system", "trajectory.grid_heading", "trajectory.outside_system",

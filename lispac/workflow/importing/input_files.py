@@ -20,10 +20,10 @@ from lispac.message_texts import message_text
 from lispac.messages import Action, Level, Message
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.known_time_base import KnownTimeBase
-from lispac.survey.line_source import USUAL, Reading, printable
+from lispac.survey.line_source import DEFAULT_READING, Reading, printable
 from lispac.survey.time_base import TimeBase, plausible_bases
 from lispac.survey.time_quality import TrajectoryCoverage
-from lispac.survey.trajectory import LONGEST_GAP, Trajectory, TrajectoryAccuracy
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S, Trajectory, TrajectoryAccuracy
 from lispac.workflow.importing.input_columns import with_meaning
 from lispac.workflow.importing.input_file import InputFile
 from lispac.workflow.importing.input_file_messages import (
@@ -56,8 +56,8 @@ class ImportRequest:
     accuracy: Path | None
     lines: tuple[LineSource, ...]
     settings: Settings
-    trajectory_reading: Reading = USUAL
-    accuracy_reading: Reading = USUAL
+    trajectory_reading: Reading = DEFAULT_READING
+    accuracy_reading: Reading = DEFAULT_READING
     identity: Identity = EMPTY_IDENTITY
 
 
@@ -100,7 +100,7 @@ class InputFiles:
     """
 
     files: tuple[InputFile, ...] = ()
-    longest_gap: float = LONGEST_GAP
+    longest_gap: float = DEFAULT_LONGEST_GAP_S
     project: Project | None = None
 
     @classmethod
@@ -400,7 +400,7 @@ class InputFiles:
             lines=self.sources(),
             settings=replace(settings, longest_gap=self.longest_gap),
             trajectory_reading=trajectory.reading,
-            accuracy_reading=USUAL if accuracy is None else accuracy.reading,
+            accuracy_reading=DEFAULT_READING if accuracy is None else accuracy.reading,
         )
 
     def sources(self) -> tuple[LineSource, ...]:

@@ -21,9 +21,9 @@ from lispac.io.las.las_export import CloudWriter, RecordLayout, open_cloud_write
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import PointRate, Progress, no_progress
-from lispac.survey.line_source import USUAL, Reading, printable
+from lispac.survey.line_source import DEFAULT_READING, Reading, printable
 from lispac.survey.point_mapping import ScannerPointConverter
-from lispac.survey.point_screening import MAX_RANGE, is_within_range
+from lispac.survey.point_screening import MAX_RANGE_M, is_within_range
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 
 Array = NDArray[np.float64]
@@ -90,9 +90,9 @@ def write_cloud(
     mapping: ScannerPointConverter,
     pattern: Callable[[PointChunk], RecordLayout],
     *,
-    reading: Reading = USUAL,
+    reading: Reading = DEFAULT_READING,
     recovery: RecoverySetup | None = None,
-    max_range: float = MAX_RANGE,
+    max_range: float = MAX_RANGE_M,
     compressed: bool = True,
     progress: Progress = no_progress,
 ) -> WrittenLine:
@@ -209,7 +209,7 @@ class _ChunkGeoreferencer:
         trajectory, latency = self.mapping.trajectory, self.mapping.mounting.latency
         usable = trajectory.covers(moved + latency)
         if self.recovery is not None:
-            usable &= self.recovery.usable(moved)
+            usable &= self.recovery.has_pose(moved)
         lost = len(usable) - int(np.count_nonzero(usable))
         outside = excluded = 0
         if lost:

@@ -18,7 +18,7 @@ from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.crs import CoordinateSystem
-from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 from lispac.survey.store.stored_line import StoredLine
@@ -159,7 +159,7 @@ def _chosen_lines(project: Project, names: Sequence[str]) -> list[LineSource]:
     return found
 
 
-def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[PointChunk]:
+def stored_chunks(stored: StoredLine, reading: Reading = DEFAULT_READING) -> Iterator[PointChunk]:
     """Chunks of an imported line, in spatial order.
 
     Parameters

@@ -26,7 +26,7 @@ from lispac.message_texts import english_text
 from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, PickedSighting, Project, Target
-from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.store.stored_line import StoredLine
 from lispac.targets.finder_settings import DEFAULT_CHOICES
 from lispac.targets.line_search import MAX_CLICK_DISTANCE
@@ -160,7 +160,7 @@ def _new_project_step(project: Project, files: FilePaths, *, resolved: bool) -> 
     if project.accuracy is not None:
         named["accuracy"] = files(project.accuracy)
     for name in ("trajectory_reading", "accuracy_reading"):
-        if (reading := getattr(project, name)) != USUAL:
+        if (reading := getattr(project, name)) != DEFAULT_READING:
             named[name] = reading
     named |= {"lever_arm": settings.lever_arm, **non_default_fields(settings, but=("lever_arm",))}
     if project.truth_deg is not None:
@@ -195,10 +195,10 @@ def _missing_file_notes(project: Project) -> list[Message]:
 
 def _line_code(line: LineSource, files: FilePaths) -> PythonCode:
     path = files(line.path)
-    if line.name == line.path.stem and not line.columns and line.reading == USUAL:
+    if line.name == line.path.stem and not line.columns and line.reading == DEFAULT_READING:
         return path
     options = {"columns": line.columns} if line.columns else {}
-    if line.reading != USUAL:
+    if line.reading != DEFAULT_READING:
         options["reading"] = line.reading  # type: ignore[assignment]
     return PythonCode(call_text("lispac.LineSource", line.name, path, **options))
 

@@ -25,7 +25,7 @@ from lispac.simulation.pos_error_models import CombinedModel
 from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.scene import Sphere
 from lispac.simulation.simulated_survey import SimulatedSurvey, simulate_survey
-from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 from lispac.survey.store.layout import require_no_link
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.untrusted_values import json_values
@@ -277,7 +277,7 @@ def _write_truth(
 ) -> None:
     """Write the true mounting, the surface of every point, and the seeds of the targets."""
     latitude, longitude, height = survey.origin
-    values = dict(zip(CALIBRATION, survey.mounting.values, strict=True))
+    values = dict(zip(MOUNTING_VALUE_NAMES, survey.mounting.values, strict=True))
     truth = {
         "seed": seed,
         **{kind: {"title": title, "file": simulation.files[kind].name}
@@ -285,8 +285,8 @@ def _write_truth(
         "scanner_settings": asdict(simulation.setup.scanner),
         "origin_deg_m": [np.degrees(latitude), np.degrees(longitude), height],
         "mounting": {
-            "boresight_deg": [np.degrees(values[name]) for name in CALIBRATION[:3]],
-            "lever_arm_m": [values[name] for name in CALIBRATION[3:6]],
+            "boresight_deg": [np.degrees(values[name]) for name in MOUNTING_VALUE_NAMES[:3]],
+            "lever_arm_m": [values[name] for name in MOUNTING_VALUE_NAMES[3:6]],
             "range_offset_m": values["range_offset"],
             "scan_angle_offset_deg": np.degrees(values["scan_angle_offset"]),
             "latency_s": values["latency"],

@@ -15,11 +15,11 @@ from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud, CloudOnDisk, Line
-from lispac.survey.store.import_lock import LOCK, lock_folder
+from lispac.survey.store.import_lock import LOCK_FILE, lock_folder
 from lispac.survey.store.layout import (
-    HEADER,
-    HEADER_SUM,
-    MANIFEST,
+    HEADER_CHECKSUM_FILE,
+    HEADER_FILE,
+    MANIFEST_FILE,
     columns_folders,
     is_link,
     remove_columns,
@@ -143,7 +143,7 @@ def _marked_unfinished(folder: Path) -> Iterator[None]:
         for mark in lines.glob(f"*/{UNFINISHED_MARK}"):
             mark.unlink(missing_ok=True)
     with suppress(OSError):  # left behind on systems that cannot remove open files
-        (lines / LOCK).unlink(missing_ok=True)
+        (lines / LOCK_FILE).unlink(missing_ok=True)
 
 
 def _remove_unfinished(lines: Path) -> None:
@@ -155,7 +155,7 @@ def _remove_unfinished(lines: Path) -> None:
             if not is_link(columns):
                 remove_columns(columns)
         remove_manifest_parts(store)
-        for name in (MANIFEST, UNFINISHED_MARK):
+        for name in (MANIFEST_FILE, UNFINISHED_MARK):
             (store / name).unlink(missing_ok=True)
         if not any(store.iterdir()):
             store.rmdir()
@@ -189,13 +189,13 @@ def _copy_line(
     (destination / manifest.folder).mkdir()
     checksums: dict[str, int | None] = {column.file: column.checksum for column in manifest.files}
     if stored_header(stored) is not None:
-        checksums |= {HEADER: None, HEADER_SUM: None}
+        checksums |= {HEADER_FILE: None, HEADER_CHECKSUM_FILE: None}
     for name, checksum in checksums.items():
         path, found = stored.folder / manifest.folder / name, 0
         try:
             source = path.open("rb")
         except FileNotFoundError as failure:
-            raise stored.imported_again_or(
+            raise stored.reimport_error_or(
                 ProjectError(error("import.part_missing", file=str(path), line=stored.name))
             ) from failure
         place = destination / manifest.folder / name
@@ -207,7 +207,7 @@ def _copy_line(
                 found = crc32(piece, found)
                 done += len(piece)
         if checksum is not None and found != checksum:
-            raise stored.imported_again_or(
+            raise stored.reimport_error_or(
                 ProjectError(error("import.part_changed", file=str(path), line=stored.name))
             )
         os.utime(place, ns=(then.st_atime_ns, then.st_mtime_ns))

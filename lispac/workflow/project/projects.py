@@ -21,7 +21,7 @@ from lispac.io.project.project_lock import NO_TIME_LIMIT, project_lock
 from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
-from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import DEFAULT_READING
 from lispac.workflow.importing.file_reading import default_or_detected_reading
 from lispac.workflow.importing.given_time_bases import (
     has_given_time_base,
@@ -42,8 +42,8 @@ def create_project(
     settings: Settings,
     accuracy: Path | None = None,
     truth_deg: Triple | None = None,
-    trajectory_reading: Reading = USUAL,
-    accuracy_reading: Reading = USUAL,
+    trajectory_reading: Reading = DEFAULT_READING,
+    accuracy_reading: Reading = DEFAULT_READING,
     identity: Identity = EMPTY_IDENTITY,
     messages: tuple[Message, ...] = (),
 ) -> Project:
@@ -104,8 +104,8 @@ def new_project(
     settings: Settings,
     accuracy: Path | None = None,
     truth_deg: Triple | None = None,
-    trajectory_reading: Reading = USUAL,
-    accuracy_reading: Reading = USUAL,
+    trajectory_reading: Reading = DEFAULT_READING,
+    accuracy_reading: Reading = DEFAULT_READING,
     identity: Identity = EMPTY_IDENTITY,
     resolved: bool = False,
     split_by: str = "",

@@ -25,7 +25,7 @@ from lispac.survey.line_audit import LineAudit
 from lispac.survey.line_source import printable
 from lispac.survey.point_screening import parse_largest_range
 from lispac.survey.store.layout import has_import
-from lispac.survey.store.stored_line import ROUNDING, StoredLine
+from lispac.survey.store.stored_line import MAX_ROUNDING_SHARE, StoredLine
 from lispac.survey.time_quality import accuracy_coverage_warning
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.survey.trajectory_sampling import interpolation_messages
@@ -196,7 +196,7 @@ def _range_messages(line: LineSource, scan: Line) -> tuple[Message, ...]:
     if not isinstance(scan, StoredLine):
         return ()
     limit = parse_largest_range(dict(line.reading.options).get("max_range", ""))
-    if scan.reach <= limit * (1.0 + ROUNDING):
+    if scan.reach <= limit * (1.0 + MAX_ROUNDING_SHARE):
         return ()
     params: dict[str, Value] = {"line": line.name, "distance": scan.reach, "limit": limit}
     return (Message("audit.beyond_range", Level.WARNING, params, Cause.of_line(line.name)),)

@@ -35,11 +35,11 @@ from lispac.language import N_, capitalised, gettext
 from lispac.message_texts import message_text
 from lispac.survey.conventions.axes import Axes
 from lispac.survey.conventions.conversion import ConventionSetup, MountingInSystem
-from lispac.survey.conventions.correction import SUM_MATTERS
+from lispac.survey.conventions.correction import SUM_TOLERANCE_RAD
 from lispac.survey.conventions.mounting_replacement import MountingReplacement, replace_mounting
 from lispac.survey.conventions.mounting_texts import offsets_note
 from lispac.survey.conventions.systems import (
-    LISPAC,
+    LISPAC_CONVENTION,
     SCANNER_WORDS,
     SYSTEMS,
     Convention,
@@ -263,7 +263,7 @@ class ConventionPanel(QWidget):
             self.scanner.addItem(gettext(usual if is_usual else title), kind)
         self.scanner.setCurrentIndex(self.scanner.findData(convention.scanner))
         self.scanner.blockSignals(False)
-        self.scanner.setEnabled(convention.key != LISPAC.key)
+        self.scanner.setEnabled(convention.key != LISPAC_CONVENTION.key)
         self.imu.setVisible(convention.open_axes)
         self.current.show_convention(convention)
         self._refresh()
@@ -315,7 +315,7 @@ class ConventionPanel(QWidget):
         if convention.has_angles:
             formula = str(convention.formula).replace("-", "−")
             rules.insert(0, gettext(_FORMULA_TEXTS[convention.direction], formula=formula))
-        if convention.key != LISPAC.key:
+        if convention.key != LISPAC_CONVENTION.key:
             rules.append(str(setup.scanner_axes(mounting.rotation_body_lidar)))
         self.rules.setText(" ".join(rules))
         self.imu.show_z(z)
@@ -385,7 +385,7 @@ class ConventionPanel(QWidget):
                 )
             )
             error = correction.sum_error
-            if error > SUM_MATTERS:
+            if error > SUM_TOLERANCE_RAD:
                 lines.append(_sum_error_text(error))
         if new.transform is not None:
             title = gettext("Correction of the 4x4 matrix:")

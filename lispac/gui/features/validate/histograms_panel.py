@@ -30,7 +30,7 @@ from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.untrusted_values import as_csv_cell
 from lispac.validation.comparison_results import DistanceStatistics, PlaneComparison
-from lispac.validation.distance_bins import BEYOND, merge_bins
+from lispac.validation.distance_bins import LAST_BIN_END, merge_bins
 from lispac.validation.distance_profile import DistanceProfile
 
 TAB = "\t"
@@ -104,7 +104,7 @@ def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
     """
     edges, before = merge_bins(comparison.bin_edges, comparison.counts_before, shown, bars)
     _, after = merge_bins(comparison.bin_edges, comparison.counts_after, shown, bars)
-    ends = [*(f"{1000 * edge:.6g}" for edge in edges[1:-1]), BEYOND]
+    ends = [*(f"{1000 * edge:.6g}" for edge in edges[1:-1]), LAST_BIN_END]
     rows = zip(1000 * edges[:-1], ends, before, after, strict=True)
     return _tabbed_text(
         ("From (mm)", "To (mm)", "Points before calibration", "Points after calibration"),

@@ -9,9 +9,9 @@ from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.local_models import (
-    FEWEST,
+    DEFAULT_NEIGHBOURS,
+    MIN_POINTS_BY_KIND,
     SIX_POINT_PLANE,
-    USUAL_NEIGHBOURS,
     Kind,
     LocalModel,
 )
@@ -102,12 +102,12 @@ class ValidatePanel(QWidget):
 
     def _on_kind_chosen(self) -> None:
         kind = SURFACE_MODELS[self.kind.currentIndex()][0]
-        self._fill_neighbours(kind, USUAL_NEIGHBOURS[kind])
+        self._fill_neighbours(kind, DEFAULT_NEIGHBOURS[kind])
         self.model_changed.emit(self.model)
 
     def _fill_neighbours(self, kind: Kind, number: int) -> None:
         self.neighbours.blockSignals(True)
-        self.neighbours.setRange(FEWEST[kind], 200)
+        self.neighbours.setRange(MIN_POINTS_BY_KIND[kind], 200)
         self.neighbours.setValue(number)
         self.neighbours.setEnabled(kind != "point")
         self.neighbours.blockSignals(False)

@@ -9,7 +9,7 @@ from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import fact_text, message_text
 from lispac.messages import Level
 from lispac.survey.known_time_base import base_message
-from lispac.survey.time_base import KEYS, TimeBase, base_of_key
+from lispac.survey.time_base import TIME_BASE_KEYS, TimeBase, base_of_key
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.importing.input_file import InputFile
 from lispac.workflow.importing.input_files import InputFiles
@@ -264,7 +264,7 @@ def option_value(name: str, value: str) -> str:
         )
     if (name, value) in _OPTION_VALUE_TEXTS:
         return gettext(_OPTION_VALUE_TEXTS[name, value])
-    if value in KEYS:
+    if value in TIME_BASE_KEYS:
         return message_text(base_message(base_of_key(value)))
     return gettext(_VALUE_TEXTS[value]) if value in _VALUE_TEXTS else value
 
