@@ -1,4 +1,4 @@
-"""Tests of lines with times in seconds of the hour (Velodyne) and in TAI_TIMES (PTP)."""
+"""Tests of lines with times in seconds of the hour (Velodyne) and in TAI (PTP)."""
 
 from pathlib import Path
 

@@ -234,7 +234,8 @@ def command_killed(words: list[str], seconds: float | None) -> float:
     """Run a command in a process of its own and kill it after a time; see `killed`."""
     with subprocess.Popen(
         [sys.executable, "-c", COMMAND_SCRIPT, *words],
-        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=CHECKOUT, env=os.environ | {"PYTHONPATH": str(CHECKOUT)},
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=CHECKOUT,
+        env=os.environ | {"PYTHONPATH": str(CHECKOUT)},
     ) as process:  # fmt: skip
         assert process.stdout is not None
         assert process.stdout.readline() == "ready\n"

@@ -32,8 +32,8 @@ SCENE_OPPOSITE_LINES = 11
 
 
 def test_proposed_targets_are_controlled_and_have_the_predicted_sigmas() -> None:
-    seen = natural_site(SCENE_GOOD)
-    project, survey = opened(seen, np.array([1.0, -1.0, 1.0]))
+    site = natural_site(SCENE_GOOD)
+    project, survey = opened(site, np.array([1.0, -1.0, 1.0]))
     proposal = propose_targets(project, survey)
     targets = [target for target in proposal.targets if target.role == "target"]
     planes = [target for target in proposal.targets if target.role == "validation"]
@@ -54,7 +54,7 @@ def test_proposed_targets_are_controlled_and_have_the_predicted_sigmas() -> None
     assert result.sigma == pytest.approx(proposal.sigma, rel=SIGMA_MARGIN)
     assert prediction_warnings(solved) == ()
     assert validate(solved, survey).not_compared == {}
-    assert (np.abs(result.boresight - seen.boresight) < 3.3 * result.sigma).all()
+    assert (np.abs(result.boresight - site.boresight) < 3.3 * result.sigma).all()
     # Each angle is determined without any single target.
     one_way = project.with_settings(replace(project.settings, accept_single_orientation=True))
     for kept in combinations(targets, len(targets) - 1):
@@ -73,10 +73,10 @@ def test_missing_validation_planes_are_reported() -> None:
 def test_form_factors_of_simulated_surfaces() -> None:
     """In scene 37 all proposed surfaces are flat, in scene 36 T3 is rough."""
     for scene, rough in ((37, set()), (36, {"T3"})):
-        seen = natural_site(scene)
-        project, survey = opened(seen, np.random.default_rng([35, scene]).normal(0, 1.0, 3))
+        site = natural_site(scene)
+        project, survey = opened(site, np.random.default_rng([35, scene]).normal(0, 1.0, 3))
         targets = propose_targets(project, survey).targets
-        factors = form_factors(seen, replace(project, targets=targets))
+        factors = form_factors(site, replace(project, targets=targets))
         assert {name for name, factor in factors.items() if factor >= 1} == rough
 
 
@@ -88,8 +88,8 @@ def test_a_scene_without_flat_surfaces_is_refused() -> None:
 
 def test_parallel_lines_are_refused_and_the_targetless_method_works() -> None:
     """The targetless method, which the message suggests, gives a result."""
-    seen = natural_site(SCENE_OPPOSITE_LINES)
-    project, survey = opened(seen, np.array([1.0, -1.0, 1.0]))
+    site = natural_site(SCENE_OPPOSITE_LINES)
+    project, survey = opened(site, np.array([1.0, -1.0, 1.0]))
     with pytest.raises(RankDeficient) as raised:
         propose_targets(project, survey)
     assert raised.value.message == error(
@@ -100,7 +100,7 @@ def test_parallel_lines_are_refused_and_the_targetless_method_works() -> None:
     )
     assert "targetless method" in str(raised.value)
     found = targetless(project, survey).result
-    assert (np.abs(found.boresight - seen.boresight) < 3 * found.sigma).all()
+    assert (np.abs(found.boresight - site.boresight) < 3 * found.sigma).all()
 
 
 def test_targets_without_mutual_control_are_reported() -> None:
