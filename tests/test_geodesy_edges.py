@@ -38,7 +38,7 @@ ZERO_MOUNTING = Mounting(np.zeros(3), np.zeros(3))
 
 
 def _track(longest_gap: float = 1.0, latitude: float = 0.8, longitude: float = -1.2):
-    """States every half second from 0 to 10 s, but none from 4 to 7 s; 2 m/s to the north."""
+    """Return states every 0.5 s from 0 to 10 s, without 4 to 7 s, at 2 m/s to the north."""
     time = np.concatenate([np.arange(0.0, 4.1, 0.5), np.arange(7.0, 10.1, 0.5)])
     position = np.column_stack([2.0 * time, 0 * time, 0 * time])
     frame = LocalFrame(latitude, longitude, 0.0)

@@ -51,8 +51,8 @@ def on_map(folder: Path, crs: str = "") -> Path:
     return write_line(folder / "utm.las", START + np.linspace(5, 20, 3000), place + fan(3000), crs)
 
 
-def options(**stated: str) -> Reading:
-    return Reading("", tuple(stated.items()))
+def options(**values: str) -> Reading:
+    return Reading("", tuple(values.items()))
 
 
 def made(folder: Path, track: Path, line: Path, reading: Reading):

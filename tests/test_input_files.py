@@ -1,4 +1,4 @@
-"""Examination of input files: detected kind and format, and agreement of their times."""
+"""Tests of the examination of input files: kinds, formats and agreement of their times."""
 
 import json
 from dataclasses import replace
@@ -45,7 +45,7 @@ def whole(files: Path) -> InputFiles:
     return taken_in(InputFiles(), files)
 
 
-# -- what files are ------------------------------------------------------------------------------
+# -- kinds of files ------------------------------------------------------------------------------
 
 
 def test_kinds_of_the_files_of_a_folder_are_detected(whole: InputFiles) -> None:
@@ -202,7 +202,7 @@ def test_a_line_of_another_day_is_refused_with_the_distance(
 
 
 def gaps_of(input_files: InputFiles, name: str) -> list[Message]:
-    """Messages about the gaps of a trajectory."""
+    """Return the messages about the gaps of a trajectory."""
     return [
         each
         for each in input_files.messages(named(input_files, name))

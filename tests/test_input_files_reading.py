@@ -1,4 +1,4 @@
-"""Columns, coordinate systems and reader options of input files, and accuracy files."""
+"""Tests of columns, coordinate systems, options and accuracies of input files."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -115,7 +115,7 @@ def test_columns_of_a_text_trajectory_can_be_chosen(tmp_path: Path) -> None:
     np.testing.assert_allclose(input_files.trajectory_content.time, records[:, 0])
 
 
-# -- places --------------------------------------------------------------------------------------
+# -- coordinate systems and options --------------------------------------------------------------
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -80,7 +80,7 @@ def by_code(survey: Survey) -> dict[str, Message]:
     return {message.code: message for message in survey.messages}
 
 
-# -- a sound line ---------------------------------------------------------------------------------
+# -- valid lines ----------------------------------------------------------------------------------
 
 
 @every_format
@@ -90,7 +90,7 @@ def test_a_valid_line_has_no_message(folder: Path, name: str) -> None:
     assert len(survey.scans["L1"]) == POINT_COUNT
 
 
-# -- steps of the times ---------------------------------------------------------------------------
+# -- resolution of the times ----------------------------------------------------------------------
 
 
 @every_format
@@ -132,7 +132,7 @@ def test_simultaneous_returns_and_lasers_are_not_reported_as_coarse_times(folder
     assert opened(folder, path, fast).messages == ()
 
 
-# -- copies ---------------------------------------------------------------------------------------
+# -- duplicate points and lines -------------------------------------------------------------------
 
 
 @every_format

@@ -43,7 +43,7 @@ SAMPLE_VALUES = {
     "title": "Line",
 }  # fmt: skip
 """A value for each format specification; quantities get 0.25."""
-UNTRANSLATED = [
+UNTRANSLATED_TEXTS = [
     TEXTS[code]
     for code in (
         "project.former_text", "axis.latitude", "axis.longitude", "unit.date", "unit.milliradians",
@@ -109,7 +109,7 @@ def test_every_message_can_be_shown_in_every_language(language: str) -> None:
             assert text
             assert not set("{}") & set(text)
             same = text == text_of_english(template)
-            assert same == (language == "en" or template in UNTRANSLATED), text
+            assert same == (language == "en" or template in UNTRANSLATED_TEXTS), text
 
 
 def text_of_english(template: Template) -> str:

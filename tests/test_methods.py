@@ -24,13 +24,13 @@ from tests.test_cli import answer, refused, run
 
 
 def alternative(
-    project: Project, method: Method, off_deg: tuple[float, float, float]
+    project: Project, method: Method, difference_deg: tuple[float, float, float]
 ) -> AlternativeResult:
     """Return a result that differs from the targets' result and has the same covariance."""
     assert project.result is not None
     return AlternativeResult(
         method,
-        project.result.boresight + np.radians(off_deg),
+        project.result.boresight + np.radians(difference_deg),
         np.array(project.result.covariance),
         ("L1", "L2"),
         30,
@@ -104,7 +104,7 @@ def test_results_are_saved_and_invalid_ones_are_refused(tmp_path: Path) -> None:
     path = tmp_path / FILE_NAME
     sound = json.loads(path.read_text())
 
-    def spoilt(change: Callable[[dict[str, object]], None]) -> Message:
+    def refusal_reason(change: Callable[[dict[str, object]], None]) -> Message:
         content = json.loads(json.dumps(sound))
         change(content["alternative_results"][0])
         path.write_text(json.dumps(content))
@@ -114,9 +114,9 @@ def test_results_are_saved_and_invalid_ones_are_refused(tmp_path: Path) -> None:
         return caught.value.message.params["reason"]
 
     invalid = error("content.invalid_angles", method="patch test")
-    assert spoilt(lambda one: one.update(covariance=[[0.0] * 3] * 3)) == invalid
-    assert spoilt(lambda one: one.update(boresight=[0.0, 1.0])) == invalid
-    assert spoilt(lambda one: one.update(method="guess")).code == "content.wrong_form"
+    assert refusal_reason(lambda one: one.update(covariance=[[0.0] * 3] * 3)) == invalid
+    assert refusal_reason(lambda one: one.update(boresight=[0.0, 1.0])) == invalid
+    assert refusal_reason(lambda one: one.update(method="guess")).code == "content.wrong_form"
 
 
 def test_natural_planes_use_the_validation_planes(calibrated: tuple[Project, Survey]) -> None:

@@ -44,7 +44,7 @@ def moved(points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     return np.array([[row[:3] @ x + row[3] for row in matrix[:3]] for x in points])
 
 
-def answered(
+def replacement_of_old(
     setup: ConventionSetup, found: Mounting, *, applied: bool, known: bool
 ) -> MountingReplacement:
     """Replace settings of a system that currently has ``OLD_MOUNTING`` as a 4x4 matrix."""
@@ -64,7 +64,7 @@ def test_the_correction_matrix_moves_points_to_the_new_mounting(
     key: str, known: bool, points: np.ndarray
 ) -> None:
     setup = setup_of(key)
-    new = answered(setup, NEW_MOUNTING, applied=False, known=known)
+    new = replacement_of_old(setup, NEW_MOUNTING, applied=False, known=known)
     wanted = Mounting(
         NEW_MOUNTING.lever_arm if known else OLD_MOUNTING.lever_arm, NEW_MOUNTING.boresight
     )
@@ -107,14 +107,14 @@ def test_corrections_are_added_to_applied_settings(
     found = Mounting(
         np.array([0.02, -0.01, 0.03]), angles_of_rotation(LISPAC, small @ exported.T)[0]
     )
-    new = answered(setup_of(key), found, applied=True, known=True)
+    new = replacement_of_old(setup_of(key), found, applied=True, known=True)
     np.testing.assert_allclose(
         in_body(points, new.mounting), in_body(lines, found), rtol=0, atol=1e-9
     )
     assert new.lever_arm == "on top"
     # Without a new lever arm the current one is rotated by the correction
     unknown = Mounting(np.zeros(3), found.boresight)
-    new = answered(setup_of(key), unknown, applied=True, known=False)
+    new = replacement_of_old(setup_of(key), unknown, applied=True, known=False)
     np.testing.assert_allclose(
         new.mounting.lever_arm, small @ OLD_MOUNTING.lever_arm, rtol=0, atol=1e-12
     )

@@ -64,7 +64,7 @@ def test_extents_of_several_lines_are_joined():
         apart=0.01,
     )
     assert middle.share == pytest.approx(0.2 / 1.18, abs=0.01)
-    # The part that only one other line shows does not count fully.
+    # The other two lines show -0.1 to 0.6 m together, less twice the separation.
     assert left.share == pytest.approx(0.6 / 0.68, abs=0.01)
     assert right.share == left.share or right.share == pytest.approx(left.share, abs=0.02)
 

@@ -17,7 +17,7 @@ from lispac.workflow.calibration.proposal_acceptance import with_accepted
 from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.project.survey import Survey
 
-ABOVE, BELOW = "targets.sigma_above_prediction", "targets.sigma_below_prediction"
+ABOVE_CODE, BELOW_CODE = "targets.sigma_above_prediction", "targets.sigma_below_prediction"
 
 
 def predicted(project: Project, factors: tuple[float, float, float]) -> Project:
@@ -45,7 +45,7 @@ def test_sigmas_that_differ_by_a_fifth_are_named(
     project = predicted(calibrated[0], factors)
     assert project.result is not None
     messages = all_warnings(project)
-    for code, level, named in ((ABOVE, Level.NOTE, above), (BELOW, Level.WARNING, below)):
+    for code, level, named in ((ABOVE_CODE, Level.NOTE, above), (BELOW_CODE, Level.WARNING, below)):
         found = [message for message in messages if message.code == code]
         assert [message.level for message in found] == [level] * bool(named)
         for message in found:
@@ -107,7 +107,7 @@ def test_the_prediction_is_saved_and_absent_in_older_files(
     assert project.prediction is not None
     assert read.prediction.targets == project.prediction.targets
     assert (read.prediction.sigma == project.prediction.sigma).all()
-    assert [message.code for message in prediction_warnings(read)] == [ABOVE]
+    assert [message.code for message in prediction_warnings(read)] == [ABOVE_CODE]
     (file,) = (
         path for path in project.folder.iterdir() if path.suffix == ".json" and path.is_file()
     )

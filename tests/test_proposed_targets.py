@@ -176,7 +176,9 @@ def test_a_site_with_a_rippled_sheet_only_is_refused_with_its_reason() -> None:
     assert raised.value.message.params["count"] == raised.value.message.params["uneven"] == 1
 
 
-def answer(project: Project, survey: Survey, targets: tuple[Target, ...]) -> AdjustmentResult:
+def adjusted_with(
+    project: Project, survey: Survey, targets: tuple[Target, ...]
+) -> AdjustmentResult:
     """Return the result of an adjustment with only these planes as targets."""
     bare = replace(project, targets=tuple(replace(each, role="target") for each in targets))
     result = estimate(replace(bare, result=None), survey, cross_check=False).result
@@ -213,8 +215,8 @@ def test_planes_are_added_if_boards_do_not_determine_an_angle() -> None:
     assert len(boards) == 2
     assert {shown[target] for target in chosen} - {"T1", "T2"}
     with pytest.raises(RankDeficient):
-        answer(project, survey, boards)
-    result = answer(project, survey, chosen)
+        adjusted_with(project, survey, boards)
+    result = adjusted_with(project, survey, chosen)
     assert (np.abs(result.boresight - scene_site.boresight) < 3 * result.sigma).all()
 
 
@@ -319,7 +321,7 @@ def test_natural_planes_give_the_same_result_as_boards(
     chosen = tuple(target for target in proposal.targets if target.role == "target")
     assert project.result is not None
     for targets in (chosen, proposal.targets):
-        result = answer(project, bare, targets)
+        result = adjusted_with(project, bare, targets)
         print(len(targets), np.degrees(result.boresight - truth), np.degrees(result.sigma))
         assert (apart(result, project.result) < 2.5).all()
         assert (np.abs(result.boresight - truth) < 3 * result.sigma).all()
