@@ -1,4 +1,4 @@
-"""Lines whose position is shifted as a whole."""
+"""Tests of the detection of lines whose position is shifted as a whole."""
 
 import numpy as np
 import pytest
@@ -14,12 +14,12 @@ from lispac.workflow.project.survey import load_survey
 from tests.test_robustness import PRIOR, survey
 from tests.test_targetless import few_surfaces
 
-SIGMAS = 6.0
-"""A shift, over the prior's sigma of it."""
+SHIFT = 6.0
+"""Shift of a line in units of its prior sigma."""
 
 
 def seen(*shifts: float) -> LineShiftScores:
-    """Lines seen against each other without noise, shifted northwards by so many sigmas."""
+    """Return noise-free scores of lines shifted northwards by these multiples of the sigma."""
     count = len(shifts)
     differences = np.kron(np.eye(count) - 1.0 / count, np.eye(AXIS_COUNT))
     off = np.zeros(count * AXIS_COUNT)
@@ -31,28 +31,26 @@ def seen(*shifts: float) -> LineShiftScores:
     ("shifts", "named"),
     [
         ((1.0, -1.0, 0.5, -0.5, 1.2, -1.2), ""),
-        ((SIGMAS, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
-        ((SIGMAS, 0.0, 0.0, -SIGMAS, 0.0, 0.0), "AD"),
-        # It has pushed the others by four sigmas each, which is none of their doing
-        ((4 * SIGMAS, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
-        # As many against as for it: the rest is not called wrong, too
+        ((SHIFT, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
+        ((SHIFT, 0.0, 0.0, -SHIFT, 0.0, 0.0), "AD"),
+        # The shift moves the other lines by four sigmas each; they must not be named.
+        ((4 * SHIFT, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
+        # As many lines disagree as agree: only the largest shifts are named.
         ((9.0, -9.0, 9.0, -9.0, 20.0, -20.0), "EF"),
-        ((SIGMAS, 0.0, 0.0), "A"),
-        ((SIGMAS, 0.0), "AB"),
+        ((SHIFT, 0.0, 0.0), "A"),
+        ((SHIFT, 0.0), "AB"),
         ((0.0, 0.0), ""),
     ],
 )
-def test_who_is_shifted_is_named_and_nobody_that_it_pushed(
-    shifts: tuple[float, ...], named: str
-) -> None:
+def test_only_shifted_lines_are_named(shifts: tuple[float, ...], named: str) -> None:
     assert "".join(seen(*shifts).shifted_lines()) == named
 
 
-def test_what_is_given_adds_no_message() -> None:
-    after = seen(SIGMAS, 1.0, 0.0, 0.0).without_line_shift(0)
+def test_the_scores_without_a_line_are_those_of_the_other_lines() -> None:
+    after = seen(SHIFT, 1.0, 0.0, 0.0).without_line_shift(0)
     np.testing.assert_allclose(after.score[:AXIS_COUNT], 0.0, atol=1e-12)
     np.testing.assert_allclose(after.variance[:AXIS_COUNT], 0.0, atol=1e-12)
-    # As if there were three lines: with the mean of the three taken off
+    # The scores of the three other lines, relative to their mean.
     np.testing.assert_allclose(after.score[AXIS_COUNT::AXIS_COUNT], np.array([2.0, -1.0, -1.0]) / 3)
 
 
@@ -114,5 +112,5 @@ def _compare_with_dense_matrices(here: LinearisedProblem) -> None:
     for k in range(len(scores.lines)):
         own = slice(AXIS_COUNT * k, AXIS_COUNT * (k + 1))
         shares = np.linalg.eigvalsh(variance[own, own])
-        assert (shares > -1e-9).all()  # a direction that no surface faces is not told
+        assert (shares > -1e-9).all()  # zero for a direction that no surface faces
         assert (shares < 1).all()

@@ -1,4 +1,4 @@
-"""Passes over many points in parts."""
+"""Tests of processing many points in chunks."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ from lispac.adjustment.model.threads import CHUNK_COUNT, MIN_PARALLEL_POINTS, ru
     ],
     ids=lambda counts: f"{len(counts)} of {sum(counts)}",
 )
-def test_each_element_is_dealt_with_once_and_in_one_part(counts: list[int]) -> None:
+def test_each_element_is_processed_once_in_one_chunk(counts: list[int]) -> None:
     taken: list[tuple[int, int]] = []
     run_in_chunks(
         lambda first, last: taken.append((first, last)), np.cumsum(counts, dtype=np.int64)
