@@ -13,8 +13,8 @@ from lispac.adjustment.model.condition_equations import linearise
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult
 from lispac.geometry.rotations import rotation_angles, rotation_matrix
-from lispac.io.value_conversion import decode_value, encode_value
 from lispac.survey.georeferencing import RIGHT_ANGLE_ROTATIONS, Mounting
+from lispac.value_conversion import decode_value, encode_value
 from tests.surveys import TARGETS, planar_survey
 
 LEVER = np.array([-0.2, 0.05, 2.0])

@@ -10,11 +10,11 @@ import pytest
 from numpy.typing import NDArray
 
 from lispac.errors import Cancelled, InputError
-from lispac.io.value_conversion import decode_value, encode_value
 from lispac.message_texts import english_text
 from lispac.progress import Step
 from lispac.validation.cloud_distance import cloud_to_cloud
 from lispac.validation.local_models import NEAREST_POINT_MODEL, SIX_POINT_PLANE, LocalModel
+from lispac.value_conversion import decode_value, encode_value
 from tests.error_codes import has_code
 
 Array = NDArray[np.float64]

@@ -7,7 +7,6 @@ import pytest
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
-from lispac.io.value_conversion import decode_value, encode_value
 from lispac.validation.local_models import NEAREST_POINT_MODEL, SIX_POINT_PLANE
 from lispac.validation.plane_comparison import (
     MAX_POINTS_PER_LINE,
@@ -17,6 +16,7 @@ from lispac.validation.plane_comparison import (
     comparable_pairs,
     compare_plane,
 )
+from lispac.value_conversion import decode_value, encode_value
 from tests.error_codes import has_code
 
 Array = NDArray[np.float64]

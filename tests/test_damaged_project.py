@@ -18,8 +18,8 @@ from lispac.io.project.project_file import (
     write_project,
     write_unsaved,
 )
-from lispac.io.value_conversion import encode_value
 from lispac.messages import Message, error
+from lispac.value_conversion import encode_value
 from tests.report_sample import sample_project
 
 Damage = Callable[[dict[str, Any]], object]

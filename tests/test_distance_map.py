@@ -12,7 +12,6 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
-from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import in_language
 from lispac.present.validation import ValidationPlane
 from lispac.report.csv_tables import write_tables
@@ -21,6 +20,7 @@ from lispac.report.text_width import text_width
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.plane_comparison import compare_plane
+from lispac.value_conversion import decode_value, encode_value
 from tests.report_sample import sample_content, sample_project
 
 OPPOSITE = {"L1": 0.0, "L2": np.pi}

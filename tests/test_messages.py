@@ -16,7 +16,6 @@ from lispac.cli.messages import OPTION_HINTS, option_hint
 from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
-from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import LANGUAGES, Plural, Template, format_text, in_language
 from lispac.message_texts import ACTIONS, TEXTS, TOPIC_MODULES, message_text
 from lispac.message_texts.former_codes import FORMER_CODES, former_code
@@ -33,6 +32,7 @@ from lispac.messages import (
     sort_by_level,
     warning,
 )
+from lispac.value_conversion import decode_value, encode_value
 from lispac.warning_causes import Cause
 from tests.message_calls import calls, is_part, message_levels
 from tests.report_sample import sample_project

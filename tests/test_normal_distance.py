@@ -8,13 +8,13 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
 from lispac.geometry.rotations import rotation_matrix
-from lispac.io.value_conversion import decode_value, encode_value
 from lispac.validation.normal_distance import (
     MIN_CYLINDER_POINTS,
     NormalDistances,
     distances_along_normal,
 )
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
+from lispac.value_conversion import decode_value, encode_value
 from tests.error_codes import has_code
 
 Array = NDArray[np.float64]

@@ -13,7 +13,6 @@ from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, PossibleCause, UncontrolledObservations
-from lispac.io.value_conversion import decode_value, encode_value
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import note, warning
 from lispac.simulation.closed_form_survey import (
@@ -24,6 +23,7 @@ from lispac.simulation.closed_form_survey import (
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
+from lispac.value_conversion import decode_value, encode_value
 
 TRUE_MOUNTING = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUE_MOUNTING.with_boresight(np.zeros(3))

@@ -13,8 +13,8 @@ import pytest
 
 import lispac
 from lispac.cli.main import main
-from lispac.io.value_conversion import encode_value
 from lispac.project import Project
+from lispac.value_conversion import encode_value
 from lispac.workflow.planning.demo import demo_seeds
 from tests.command_errors import is_refusal
 

@@ -11,8 +11,8 @@ import pytest
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.io.project.project_upgrades import SCHEMA_VERSION
-from lispac.io.value_conversion import decode_value, encode_value
 from lispac.validation.absolute_messages import absolute_check_messages
+from lispac.value_conversion import decode_value, encode_value
 from lispac.workflow.project.projects import open_project
 from tests.message_codes import codes
 from tests.report_sample import sample_project

@@ -13,12 +13,12 @@ from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, PosErrors, StochasticModel
 from lispac.errors import LispacError
 from lispac.geometry.frames import LocalFrame
-from lispac.io.value_conversion import encode_value
 from lispac.messages import note
 from lispac.project import Project
 from lispac.simulation.simulated_survey import port_survey
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
+from lispac.value_conversion import encode_value
 from lispac.workflow.calibration import estimation as calibration
 from lispac.workflow.calibration import picking
 from lispac.workflow.checking.validation import validate

@@ -41,7 +41,6 @@ from lispac.io.project.project_consistency import require_consistent, require_un
 from lispac.io.project.project_lock import PROJECT_FILE_NAME as PROJECT_FILE_NAME
 from lispac.io.project.project_lock import content_digest, project_lock
 from lispac.io.project.project_upgrades import SCHEMA_VERSION, upgrade_content
-from lispac.io.value_conversion import decode_value, encode_value, failure_summary
 from lispac.message_texts import has_text
 from lispac.messages import Message, error
 from lispac.project import (
@@ -60,6 +59,7 @@ from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from lispac.untrusted_values import InvalidContentError, json_values
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.validation.plane_comparison import PlaneComparison
+from lispac.value_conversion import decode_value, encode_value, failure_summary
 
 UNSAVED_NAME = "unsaved.json"
 SIGHTINGS_FOLDER = "sightings"

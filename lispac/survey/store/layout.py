@@ -26,6 +26,7 @@ from lispac.errors import ProjectError, system_reason
 from lispac.former_names import renamed_keys, renamed_reading
 from lispac.messages import Message, error
 from lispac.untrusted_values import json_values
+from lispac.value_conversion import decode_value
 
 MANIFEST_VERSION = 3
 NEW_NAMES_OF_VERSION_2 = {"": {"left_out": "excluded_points"}}
@@ -205,7 +206,7 @@ class Manifest:
     original: SourceFile
     made_with: Mapping[str, Any] = field(default_factory=dict)
     placed_with: Mapping[str, Any] = field(default_factory=dict)
-    assumptions: tuple[Mapping[str, Any] | str, ...] = ()
+    assumptions: tuple[Any, ...] = ()
     audit: Mapping[str, Any] = field(default_factory=dict)
 
     @property
@@ -253,17 +254,7 @@ def read_manifest(folder: Path) -> Manifest | None:
         if "reading" in made_with:
             reading = renamed_reading(made_with["reading"])
             store = store | {"made_with": made_with | {"reading": reading}}
-        manifest = Manifest(
-            **{
-                **store,
-                "columns": tuple(_column_from_json(column) for column in store["columns"]),
-                "attributes": tuple(_column_from_json(column) for column in store["attributes"]),
-                "original": SourceFile(**store["original"]),
-                "low": tuple(store["low"]),
-                "high": tuple(store["high"]),
-                "assumptions": tuple(store["assumptions"]),
-            }
-        )
+        manifest = decode_value(store, Manifest)
         _require_valid_manifest(manifest, path)
         return manifest
     except FileNotFoundError:
@@ -274,7 +265,7 @@ def read_manifest(folder: Path) -> Manifest | None:
 
 
 def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
-    """Refuse manifests with wrong types, paths outside the folder, or inconsistent columns.
+    """Refuse manifests with impossible values, paths outside the folder or inconsistent columns.
 
     Raises
     ------
@@ -287,11 +278,9 @@ def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
         manifest.side, manifest.reach, *manifest.low, *manifest.high, manifest.first_time,
         manifest.last_time,
     ]  # fmt: skip
-    words = [manifest.line, manifest.fingerprint]
     for column in (*manifest.columns, *manifest.attributes):
-        words += [column.name, column.file]
         counts += [column.count, column.size, column.checksum, column.modified, *column.shape]
-        if not isinstance(column.dtype, str) or len(column.dtype) > MAX_TYPE_NAME_LENGTH:
+        if len(column.dtype) > MAX_TYPE_NAME_LENGTH:
             raise DamagedStore(import_again_message(values))
         if np.dtype(column.dtype).kind not in "biuf":
             damage = error("store.column_type", file=str(path), type=column.dtype)
@@ -299,38 +288,28 @@ def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
         if not column.file:
             np.broadcast_to(np.array(column.value, column.dtype), column.shape)
     sound = (
-        all(isinstance(word, str) for word in words)
-        and all(type(count) is int and count >= 0 for count in counts)
-        and all(isinstance(n, int | float) and np.isfinite(n) for n in numbers)
-        and all(isinstance(name, str) and name == Path(name).name for name in names)
+        min(counts) >= 0
+        and np.isfinite(numbers).all()
+        and all(name == Path(name).name for name in names)
         and COLUMNS_FOLDER_PATTERN.fullmatch(manifest.folder) is not None
         and 0 <= manifest.reach <= MAX_RANGE_M
         and max(abs(manifest.first_time), abs(manifest.last_time)) <= MAX_TIME_S
         and _has_mounting_values(manifest.placed_with)
         and {column.name for column in manifest.columns} >= REQUIRED_COLUMNS
         and all(isinstance(each, dict | str) for each in manifest.assumptions)
-        and isinstance(manifest.made_with, dict)
-        and isinstance(manifest.placed_with, dict)
-        and isinstance(manifest.audit, dict)
     )
     if not sound:
         raise DamagedStore(import_again_message(values))
 
 
-def _has_mounting_values(placed_with: Any) -> bool:
+def _has_mounting_values(placed_with: Mapping[str, Any]) -> bool:
     """Whether the mounting in ``placed_with`` is nine finite numbers, or absent."""
-    if not isinstance(placed_with, dict):
-        return False
     values = placed_with.get("mounting", [0.0] * 9)
     return (
         isinstance(values, list)
         and len(values) == 9
         and all(type(value) in (int, float) and np.isfinite(value) for value in values)
     )
-
-
-def _column_from_json(content: Mapping[str, Any]) -> StoredColumn:
-    return StoredColumn(**{**content, "shape": tuple(content["shape"])})
 
 
 def _checksum(content: Mapping[str, Any]) -> int:

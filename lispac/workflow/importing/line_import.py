@@ -16,7 +16,6 @@ from lispac.errors import InputError, ProjectError, system_reason
 from lispac.io.files import require_file
 from lispac.io.formats import is_las
 from lispac.io.las.las_export import write_header_copy
-from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import gettext_lazy
 from lispac.message_texts import has_text
 from lispac.messages import Message, as_message, error, note
@@ -37,6 +36,7 @@ from lispac.survey.store.point_blocks import PointPiece
 from lispac.survey.store.stored_line import StoredLine, open_store
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.untrusted_values import InvalidContentError
+from lispac.value_conversion import decode_value, encode_value
 from lispac.workflow.importing.file_reading import local_trajectory
 from lispac.workflow.importing.line_points import DistantDuplicates, LinePoints
 

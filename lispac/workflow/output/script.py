@@ -20,7 +20,6 @@ from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError
 from lispac.io.files import atomic_write
-from lispac.io.value_conversion import encode_value
 from lispac.language import gettext_lazy
 from lispac.message_texts import english_text
 from lispac.messages import Message, note
@@ -31,6 +30,7 @@ from lispac.survey.store.stored_line import StoredLine
 from lispac.targets.finder_settings import DEFAULT_CHOICES
 from lispac.targets.line_search import MAX_CLICK_DISTANCE
 from lispac.validation.absolute_check import AbsoluteCheck
+from lispac.value_conversion import encode_value
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import find_target
 from lispac.workflow.calibration.point_numbers import numbers_text

@@ -11,8 +11,8 @@ from typing import Any
 
 from lispac.errors import LispacError
 from lispac.io.files import require_file
-from lispac.io.value_conversion import failure_summary
 from lispac.messages import error
+from lispac.value_conversion import failure_summary
 
 ADDRESS_PATTERN = re.compile(
     r"((?P<protocol>tcp|tls)://)?(?P<host>\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}"

@@ -13,7 +13,6 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.format_types import SAME_TIME_BASE_NOTE, Kind
 from lispac.io.formats import format_of, is_las
 from lispac.io.las.las_chunks import point_count
-from lispac.io.value_conversion import decode_value
 from lispac.language import gettext_lazy
 from lispac.messages import Level, Message, Value, error, note
 from lispac.progress import Progress, no_progress, sub_progress
@@ -31,6 +30,7 @@ from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.survey.trajectory_sampling import interpolation_messages
 from lispac.targets.rough_alignment import Alignment, align_lines
 from lispac.untrusted_values import InvalidContentError
+from lispac.value_conversion import decode_value
 from lispac.warning_causes import Cause
 from lispac.workflow.importing.file_reading import (
     DEFAULT_FORMATS,
