@@ -1,4 +1,4 @@
-"""What a window shows, widget by widget, and what of it is English."""
+"""Collect the texts of a window, and find those that are still English."""
 
 import re
 from collections.abc import Iterator
@@ -33,7 +33,7 @@ _ROLES = (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole)
 
 
 def english(top: QWidget) -> set[str]:
-    """Texts of a window that are English: those of the catalogue, and those with English words."""
+    """English texts of a window: untranslated catalogue texts and texts with English words."""
     found = set()
     for text in texts(top):
         for piece in pieces(text):
@@ -44,12 +44,12 @@ def english(top: QWidget) -> set[str]:
 
 
 def pieces(text: str) -> list[str]:
-    """Lines, paragraphs and cells of a text."""
+    """Split a text into its lines, paragraphs and cells."""
     return [bare for piece in _PIECE.split(text)[::2] if (bare := piece.strip(" "))]
 
 
 def texts(top: QWidget) -> Iterator[str]:
-    """Every text of a window and of what is in it, shown at the moment or not."""
+    """Every text of a window, its actions and its widgets, visible or not."""
     for action in top.findChildren(QAction):
         yield from (action.text(), action.iconText(), action.toolTip(), action.statusTip())
     for widget in (top, *top.findChildren(QWidget)):

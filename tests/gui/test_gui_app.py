@@ -1,4 +1,4 @@
-"""What the system asks of the running program."""
+"""Tests of the application: documents opened by the system, file formats, home directory."""
 
 import os
 import subprocess
@@ -29,7 +29,7 @@ assert asked == [Path(sys.argv[1])], asked
 
 
 def test_a_document_that_the_system_asks_for_is_reported(tmp_path: Path) -> None:
-    """A double click starts no second program on macOS: the one that runs is told."""
+    """On macOS, a double click sends an event to the running program and starts no second one."""
     done = subprocess.run(
         [sys.executable, "-c", ASKED, str(tmp_path / "project.lispac")],
         capture_output=True, text=True, check=False, timeout=120,

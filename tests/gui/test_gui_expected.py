@@ -1,4 +1,4 @@
-"""What is known of a target beforehand, typed in step 2."""
+"""Tests of the expected values of a target, typed in step 2."""
 
 from PySide6.QtWidgets import QDoubleSpinBox
 
