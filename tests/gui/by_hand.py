@@ -32,7 +32,7 @@ from lispac.gui.window.main_window import MainWindow
 from lispac.gui.window.session import Session
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, in_front, press
 
-LOOK_MS = 50
+POLL_MS = 50
 CLOSES_S = 10.0
 """Time that an answered dialogue may take to close."""
 
@@ -75,7 +75,7 @@ class Answers(QObject):
     def _schedule_poll(self) -> None:
         # A new timer each time: a timer does not fire while its slot runs a dialogue's event loop
         if self._on:
-            QTimer.singleShot(LOOK_MS, self._poll)
+            QTimer.singleShot(POLL_MS, self._poll)
 
     def _poll(self) -> None:
         self._schedule_poll()

@@ -32,8 +32,8 @@ from tests.gui.import_support import drop, raw, rest
 from tests.gui.support import WAIT_MS, Demo, Driver, ScriptedDialogs
 from tests.sharing import once
 
-PICKED = ("T1", "T2", "V1")
-OF_A_WINDOW = shutil.ignore_patterns(UNSAVED_NAME, LOCK_NAME)
+PICKED_NAMES = ("T1", "T2", "V1")
+WINDOW_FILES = shutil.ignore_patterns(UNSAVED_NAME, LOCK_NAME)
 """Files that a window of another test process may keep in the shared demo folder."""
 
 
@@ -44,7 +44,7 @@ def demo(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Dem
 
     def pick_some(_folder: Path) -> Project:
         picked = demo_project
-        for name in PICKED:
+        for name in PICKED_NAMES:
             role, seed = demo_seeds()[name]
             picked = pick_target(picked, survey, seed, name=name, role=role)
         return picked
@@ -67,7 +67,7 @@ def validated(demo: Demo, estimated: Project, tmp_path_factory: pytest.TempPathF
 @pytest.fixture
 def demo_copy(demo: Demo, tmp_path: Path) -> Path:
     """A folder of the demo project that the test may change."""
-    return Path(shutil.copytree(demo.project.folder, tmp_path / "harbour", ignore=OF_A_WINDOW))
+    return Path(shutil.copytree(demo.project.folder, tmp_path / "harbour", ignore=WINDOW_FILES))
 
 
 @pytest.fixture

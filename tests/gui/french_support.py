@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 
 from tests.french_catalogue import FRENCH
 
-SAID = {*FRENCH.values()}
+FRENCH_TEXTS = {*FRENCH.values()}
 _PIECE = re.compile(r"(\n|<br>|</?(?:p|h\d|ul|ol|li|table|tr|td|th)\b[^>]*>)")
 _TAG = re.compile(r"<[^>]*>|&nbsp;|\S*/\S+")
 """Tags and paths."""
@@ -37,7 +37,7 @@ def english(top: QWidget) -> set[str]:
     found = set()
     for text in texts(top):
         for piece in pieces(text):
-            known = piece in FRENCH and piece not in SAID
+            known = piece in FRENCH and piece not in FRENCH_TEXTS
             if known or _ENGLISH.search(_TAG.sub(" ", piece)):
                 found.add(text)
     return found

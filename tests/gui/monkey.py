@@ -39,9 +39,9 @@ from tests.report_sample import sample_content, sample_project
 STEP_MS = 12
 STALL_MS = 200.0
 PATIENCE_S = 0.25
-HANGS_S = 150.0
+HANG_LIMIT_S = 150.0
 """Time without an event after which the process dumps the stacks of its threads and exits."""
-NEVER_PX = 100_000
+NO_DRAG_PX = 100_000
 MAX_REPETITIONS = 100
 """Successive repetitions of one action that are reported as an error."""
 DEMO = "harbour"
@@ -169,7 +169,7 @@ class Monkey(QObject):
             time.sleep(0.001)
 
     def _tick(self) -> None:
-        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        faulthandler.dump_traceback_later(HANG_LIMIT_S, exit=True)
         self.note_pauses()
         # Temporary memory of a search (gigabytes for a target of 45 m) is not growth
         if time.monotonic() > self._weighed + 10 and not self._works():
@@ -267,7 +267,7 @@ class Monkey(QObject):
 
     def stand(self, project: Path) -> None:
         """Open, estimate and validate a project, then record memory and number of widgets."""
-        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        faulthandler.dump_traceback_later(HANG_LIMIT_S, exit=True)
         window = self.session.window
         if (design := window.site_design.window) is not None:
             design.hide()
@@ -314,7 +314,7 @@ def main() -> int:
     application = QApplication(sys.argv[:1])
     application.setQuitOnLastWindowClosed(False)
     # A drag of text, or of a file in a dialogue, ends only with the real mouse: allow no such drags
-    application.setStartDragDistance(NEVER_PX)
+    application.setStartDragDistance(NO_DRAG_PX)
     links = Links()
     for scheme in ("file", "http", "https"):
         QDesktopServices.setUrlHandler(scheme, links, "follow")
@@ -367,7 +367,7 @@ def wait(ms: int) -> None:
 
 def end(monkey: Monkey) -> None:
     """Close the window as a user does, and record the threads and windows that remain."""
-    faulthandler.dump_traceback_later(HANGS_S, exit=True)
+    faulthandler.dump_traceback_later(HANG_LIMIT_S, exit=True)
     window = monkey.session.window
     letting_go = QTimer(interval=200)
     letting_go.timeout.connect(_discard)

@@ -17,7 +17,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, QTimer
 
 BEAT_MS = 10
-LOOK_S = 0.025
+SAMPLE_S = 0.025
 DEPTH = 7
 """Number of innermost stack frames kept of each sample."""
 
@@ -117,7 +117,7 @@ class Pulse(QObject):
         self._looks = []
 
     def _watch(self) -> None:
-        while not self._ended.wait(LOOK_S):
+        while not self._ended.wait(SAMPLE_S):
             at = time.perf_counter()
             if 1000 * (at - self._last[0]) > self.limit / 2:
                 self._looks.append((at, _place(sys._current_frames().get(self._thread))))

@@ -1,4 +1,4 @@
-"""Every letter of a menu leads to one entry, in both languages."""
+"""Tests that the mnemonics of each menu are unique, in both languages."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ from tests.gui.support import Demo, Driver
 
 @pytest.fixture(params=LANGUAGES)
 def code(request: pytest.FixtureRequest) -> Iterator[str]:
-    """A language, spoken while the window is made."""
+    """Code of a language, which is set while the window is made."""
     set_language(request.param)
     yield request.param
     set_language("en")
@@ -27,7 +27,7 @@ def mnemonic(text: str) -> str:
 
 
 def twice(menu: QMenu | QMenuBar, name: str) -> list[str]:
-    """Letters that are there more than once, here and below."""
+    """Mnemonics that occur more than once in a menu or in one of its submenus."""
     texts = [action.text() for action in menu.actions() if action.text()]
     letters = Counter(letter for text in texts if (letter := mnemonic(text)))
     found = [f"{name}: {letter} {texts}" for letter, count in letters.items() if count > 1]
@@ -37,7 +37,7 @@ def twice(menu: QMenu | QMenuBar, name: str) -> list[str]:
     return found
 
 
-def test_no_letter_is_there_twice(code: str, driver: Driver, demo: Demo) -> None:
+def test_no_mnemonic_occurs_twice(code: str, driver: Driver, demo: Demo) -> None:
     driver.window.document.open(demo.picked, demo.survey)
     driver.window.controller.rename("T1", "North wall")
     driver.rest()

@@ -1,4 +1,4 @@
-"""Tab and Shift+Tab all the way round the window: the focus is always where it is seen."""
+"""Tests of Tab and Shift+Tab through the window: each tab stop is visible."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -10,15 +10,15 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
 from tests.gui.support import WAIT_MS, Driver, Key, open_step
 
-MOST = 200
-"""More than there are stops in the window."""
+MAX_STOPS = 200
+"""More than the tab stops of the window."""
 SMALL = 1366, 740
 
 
 def round_trip(driver: Driver, key: Qt.Key) -> list[QWidget]:
-    """Where the key leads until it comes to a widget for the second time, which is the first."""
+    """Press a key until the focus returns to its start; return the widgets it passes."""
     stops: list[QWidget] = []
-    for _ in range(MOST):
+    for _ in range(MAX_STOPS):
         driver.bot.keyClick(QApplication.focusWidget(), key)
         focused = QApplication.focusWidget()
         if focused in stops:
@@ -30,7 +30,7 @@ def round_trip(driver: Driver, key: Qt.Key) -> list[QWidget]:
 
 
 def is_seen(widget: QWidget) -> bool:
-    """Whether something of it is drawn; what scrolls is covered by what is in it."""
+    """Whether a part of a widget is visible; the content of a scroll area covers the area."""
     inner = widget.viewport() if hasattr(widget, "viewport") else widget
     return not inner.visibleRegion().isEmpty()
 
@@ -40,7 +40,7 @@ def names(stops: list[QWidget]) -> list[str]:
 
 
 def bring(driver: Driver, title: str) -> None:
-    """Have a dock before those it shares its place with."""
+    """Raise a dock above those it is tabbed with."""
     dock = driver.window.docks[title]
     dock.show()
     dock.raise_()
@@ -71,12 +71,12 @@ def test_recent_projects_come_after_the_ways_to_begin(driver: Driver, demo_copy:
     driver.bot.waitUntil(lambda: QApplication.focusWidget() is not None, timeout=WAIT_MS)
     found = names(round_trip(driver, Key.Key_Tab))
     assert found[found.index("start_design") + 1] == "start_recent"
-    assert found.count("start_recent") == 1  # what is gone takes no keys
+    assert found.count("start_recent") == 1  # removed links are no tab stops
 
 
 def test_a_frame_shows_that_the_view_has_the_focus(adjusted: Driver) -> None:
     window, view = adjusted.window, adjusted.viewport.widget
-    view.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # one that only records takes none
+    view.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # a recording viewport has no focus policy
     window.workflow.headers[0].setFocus()
     without = window.central_widget.grab().toImage()
     view.setFocus()
@@ -123,7 +123,7 @@ def test_what_is_scrolled_out_comes_into_sight(adjusted: Driver) -> None:
 
 
 def test_lists_that_are_passed_choose_nothing(adjusted: Driver) -> None:
-    """A list that gets the focus would choose its first row."""
+    """By default, a list that gets the focus selects its first row."""
     window = adjusted.window
     behind = [
         each
