@@ -21,7 +21,7 @@ def code(request: pytest.FixtureRequest) -> Iterator[str]:
 
 
 def mnemonic(text: str) -> str:
-    """The letter after the first single &; empty where there is none."""
+    """Letter after the first single &; empty if there is none."""
     at = text.replace("&&", "  ").find("&")
     return text[at + 1 : at + 2].lower() if at >= 0 else ""
 

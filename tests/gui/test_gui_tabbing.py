@@ -47,7 +47,7 @@ def bring(driver: Driver, title: str) -> None:
     driver.bot.waitUntil(lambda: not dock.visibleRegion().isEmpty(), timeout=WAIT_MS)
 
 
-def test_without_a_project_tab_goes_round_what_is_in_sight(driver: Driver) -> None:
+def test_tab_visits_the_visible_widgets_without_a_project(driver: Driver) -> None:
     driver.bot.waitUntil(lambda: QApplication.focusWidget() is not None, timeout=WAIT_MS)
     assert QApplication.focusWidget().objectName() == "start_tour"
     stops = round_trip(driver, Key.Key_Tab)
@@ -58,7 +58,9 @@ def test_without_a_project_tab_goes_round_what_is_in_sight(driver: Driver) -> No
     assert round_trip(driver, Key.Key_Backtab) == stops[::-1]
 
 
-def test_recent_projects_come_after_the_ways_to_begin(driver: Driver, demo_copy: Path) -> None:
+def test_recent_projects_follow_the_links_of_the_start_page(
+    driver: Driver, demo_copy: Path
+) -> None:
     window = driver.window
     for folder in (demo_copy, demo_copy.parent / "gone"):
         window.settings.add_recent(folder)
@@ -88,14 +90,14 @@ def test_a_frame_shows_that_the_view_has_the_focus(adjusted: Driver) -> None:
     assert window.central_widget.grab().toImage() == without
 
 
-def test_a_dock_is_gone_through_in_front_only(driver: Driver) -> None:
+def test_tab_visits_a_dock_only_in_front(driver: Driver) -> None:
     for front in ("Results", CONVENTION, "Results"):
         bring(driver, front)
         found = "convention_system" in names(round_trip(driver, Key.Key_Tab))
         assert found == (front == CONVENTION)
 
 
-def test_every_stop_of_a_calibrated_project_is_seen(adjusted: Driver) -> None:
+def test_every_tab_stop_of_a_calibrated_project_is_visible(adjusted: Driver) -> None:
     window = adjusted.window
     window.resize(*SMALL)
     for step, header in enumerate(window.workflow.headers):
@@ -111,7 +113,7 @@ def test_every_stop_of_a_calibrated_project_is_seen(adjusted: Driver) -> None:
         round_trip(adjusted, Key.Key_Backtab)
 
 
-def test_what_is_scrolled_out_comes_into_sight(adjusted: Driver) -> None:
+def test_a_focused_widget_is_scrolled_into_view(adjusted: Driver) -> None:
     window = adjusted.window
     window.resize(*SMALL)
     open_step(adjusted, 0)
@@ -122,7 +124,7 @@ def test_what_is_scrolled_out_comes_into_sight(adjusted: Driver) -> None:
     assert focused.visibleRegion().boundingRect() == focused.rect()
 
 
-def test_lists_that_are_passed_choose_nothing(adjusted: Driver) -> None:
+def test_tab_changes_no_selection_in_lists(adjusted: Driver) -> None:
     """By default, a list that gets the focus selects its first row."""
     window = adjusted.window
     behind = [
