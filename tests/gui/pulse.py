@@ -77,7 +77,7 @@ class Pulse(QObject):
 
     def start(self) -> None:
         """Start the timer and the watcher thread."""
-        self.forget()
+        self.discard()
         self._timer.start()
         self._watcher.start()
 
@@ -87,7 +87,7 @@ class Pulse(QObject):
         self._ended.set()
         self._watcher.join()
 
-    def forget(self) -> None:
+    def discard(self) -> None:
         """Clear all measurements."""
         self.pauses, self.longest, self.beats = [], 0.0, 0
         self._last = self._now()

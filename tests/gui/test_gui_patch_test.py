@@ -89,7 +89,7 @@ def test_the_minimum_of_the_curve_is_the_optimised_angle(opened: Driver) -> None
     press(opened, Key.Key_Z, Control)
     assert opened.project.alternative_result("patch test") is None
 
-    # Use all ticked pairs: the minimum of a single pair differs.
+    # Plot the curve of all ticked objects: the minimum of a single object differs.
     shown.of.setCurrentIndex(1)
     start = answer.boresight + [0.0, np.radians(0.15), 0.0]
     shown.angles.set_angles(start)
