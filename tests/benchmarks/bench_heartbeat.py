@@ -54,7 +54,7 @@ def test_the_window_keeps_up(tmp_path: Path, whole_demo: Project) -> None:
 # -- in the process --------------------------------------------------------------------------------
 
 
-class Heart(Pulse):
+class BeatRecorder(Pulse):
     """Records every beat: wall-clock time and computing time, ms."""
 
     def discard(self) -> None:
@@ -80,10 +80,10 @@ class Heart(Pulse):
         )
 
 
-class Way:
+class Workflow:
     """Steps of a user's workflow, with a summary of the pauses in each step."""
 
-    def __init__(self, application: QApplication, session: Any, heart: Heart) -> None:
+    def __init__(self, application: QApplication, session: Any, heart: BeatRecorder) -> None:
         self._application, self._window, self._heart = application, session.window, heart
         self.summaries: dict[str, str] = {}
 
@@ -159,9 +159,9 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
     tidying = GuiThreadGarbageCollector(application)
     session = Session(application, timed_viewport(draws))
     window = session.window
-    heart = Heart(LONG_MS, draws)
+    heart = BeatRecorder(LONG_MS, draws)
     heart.start()
-    way = Way(application, session, heart)
+    workflow = Workflow(application, session, heart)
 
     project = open_project(raw)
     assert project.accuracy is not None
@@ -175,43 +175,45 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
                 dialog.folder.textEdited.emit(str(folder))
             dialog.ok.click()
 
-    way.step("an idle window", lambda: None, lambda: True)
-    way.step(
+    workflow.step("an idle window", lambda: None, lambda: True)
+    workflow.step(
         "import, files dropped on the window", lambda: drop(window, files),
-        lambda: window.document.survey is not None and way.idle(), fill,
+        lambda: window.document.survey is not None and workflow.idle(), fill,
     )  # fmt: skip
     window.document.undo_stack.setClean()
     # The project with the boresight and lever arm that a surveyor enters
-    way.step("opening the project", lambda: window.open_project(raw))
+    workflow.step("opening the project", lambda: window.open_project(raw))
     first = window.document.survey.lines[0]
     for name, (role, position) in demo_seeds().items():
         window.targets.set_role(role)
         seen = PickedPoint(first, position)
-        way.step(
+        workflow.step(
             f"seed on {name}", lambda seen=seen: window.viewport.signals.seed_clicked.emit(seen)
         )
-        way.step(f"{name} accepted", window.actions_["accept"].trigger)
-    way.step("estimate", window.actions_["estimate"].trigger)
-    way.step("validate", window.actions_["validate"].trigger)
+        workflow.step(f"{name} accepted", window.actions_["accept"].trigger)
+    workflow.step("estimate", window.actions_["estimate"].trigger)
+    workflow.step("validate", window.actions_["validate"].trigger)
     docks = [dock for dock in window.docks.values() if dock.isVisible()]
     for dock in docks:
-        way.step(f"{dock.windowTitle()} looked at", dock.raise_)
+        workflow.step(f"{dock.windowTitle()} looked at", dock.raise_)
     pages = window.diagnostics.list
     for k in range(pages.count()):
-        way.step(f"diagnostics, {pages.item(k).text()}", lambda k=k: pages.setCurrentRow(k))
+        workflow.step(f"diagnostics, {pages.item(k).text()}", lambda k=k: pages.setCurrentRow(k))
     previewed: list[QWidget] = []
 
     def leave(dialog: QWidget) -> None:
         previewed.append(dialog)
         dialog.reject()
 
-    way.step("report, to its preview", window.report.preview.click, lambda: bool(previewed), leave)
-    way.step("saved", window.actions_["save"].trigger)
+    workflow.step(
+        "report, to its preview", window.report.preview.click, lambda: bool(previewed), leave
+    )
+    workflow.step("saved", window.actions_["save"].trigger)
     heart.stop()
     tidying.end()
     window.document.undo_stack.setClean()
     window.close()
-    return way.summaries
+    return workflow.summaries
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ CHUNK = 20_000
 ROUNDS = 5
 
 
-def thickened(line: SimulatedLine, count: int, path: Path) -> None:
+def write_densified_line(line: SimulatedLine, count: int, path: Path) -> None:
     """Write a line with about ``count`` points, and a file with their labels beside it."""
     rng = np.random.default_rng(len(line.time))
     times = -(-count // len(line.time))
@@ -63,7 +63,7 @@ def test_seed_to_six_lines_of_a_store(count: int, tmp_path: Path) -> None:
     project = make_demo(tmp_path / "six")
     survey = port_survey()
     for line, source in zip(survey.lines, project.lines, strict=True):
-        thickened(line, count, source.path.with_suffix(".las"))
+        write_densified_line(line, count, source.path.with_suffix(".las"))
         source.path.unlink()
     written = project.folder / FILE_NAME
     written.write_text(written.read_text().replace(".laz", ".las"))

@@ -20,7 +20,7 @@ from lispac.workflow.calibration.targetless import targetless
 from lispac.workflow.planning.demo import make_demo
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
-from tests.benchmarks.bench_seed_store import thickened
+from tests.benchmarks.bench_seed_store import write_densified_line
 
 
 @pytest.mark.parametrize(
@@ -30,7 +30,7 @@ def test_the_scene_of_six_lines(count: int, tmp_path: Path) -> None:
     project = make_demo(tmp_path / "six")
     survey = port_survey()
     for line, source in zip(survey.lines, project.lines, strict=True):
-        thickened(line, count, source.path.with_suffix(".las"))
+        write_densified_line(line, count, source.path.with_suffix(".las"))
         source.path.unlink()
     written = project.folder / FILE_NAME
     written.write_text(written.read_text().replace(".laz", ".las"))

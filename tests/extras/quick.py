@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-SURVEYS = {
+SURVEY_FIXTURES = {
     "calibrated", "copy", "demo_project", "port", "shared_data", "sparse_project", "printed_demo",
     "whole_demo",
 }  # fmt: skip
@@ -33,7 +33,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     slow = set(json.loads(SLOW.read_text(encoding="utf-8"))) if SLOW.is_file() else set()
     left_out = {
         each for each in items
-        if each.nodeid in slow or SURVEYS & set(getattr(each, "fixturenames", ()))
+        if each.nodeid in slow or SURVEY_FIXTURES & set(getattr(each, "fixturenames", ()))
     }  # fmt: skip
     config.hook.pytest_deselected(items=list(left_out))
     items[:] = [each for each in items if each not in left_out]

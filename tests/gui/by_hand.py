@@ -39,7 +39,7 @@ CLOSES_S = 10.0
 Act = Callable[[QDialog], bool]
 
 
-class Answers(QObject):
+class DialogAnswers(QObject):
     """Answers the expected dialogues in their order, and rejects all others.
 
     Attributes
@@ -50,27 +50,27 @@ class Answers(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.trouble: list[str] = []
-        self._foreseen: deque[tuple[type[QDialog], Act]] = deque()
+        self._expected: deque[tuple[type[QDialog], Act]] = deque()
         self._acting: QWidget | None = None
         self._answered: QWidget | None = None
         self._until = 0.0
         self._on = True
         self._schedule_poll()
 
-    def foresee(self, kind: type[QDialog], act: Act) -> None:
+    def expect(self, kind: type[QDialog], act: Act) -> None:
         """Expect a dialogue; call ``act`` on it repeatedly until it returns True."""
-        self._foreseen.append((kind, act))
+        self._expected.append((kind, act))
 
     def stop(self) -> None:
         """Stop polling, and add the expected dialogues that did not appear to `trouble`."""
         self._on = False
-        self.trouble += [f"no {kind.__name__} came" for kind, _ in self._foreseen]
-        self._foreseen.clear()
+        self.trouble += [f"no {kind.__name__} came" for kind, _ in self._expected]
+        self._expected.clear()
 
     @property
     def all_given(self) -> bool:
         """Whether all expected dialogues have been answered."""
-        return not self._foreseen
+        return not self._expected
 
     def _schedule_poll(self) -> None:
         # A new timer each time: a timer does not fire while its slot runs a dialogue's event loop
@@ -87,7 +87,7 @@ class Answers(QObject):
         closes = dialog is self._answered and monotonic() < self._until
         if self.trouble:  # the dialogues under the unexpected one
             _reject(dialog)
-        elif self._foreseen and isinstance(dialog, self._foreseen[0][0]):
+        elif self._expected and isinstance(dialog, self._expected[0][0]):
             if in_front(dialog):  # keys typed earlier are lost
                 self._answer(dialog)
         elif not closes:
@@ -95,13 +95,13 @@ class Answers(QObject):
             _reject(dialog)
 
     def _answer(self, dialog: QDialog) -> None:
-        kind, act = self._foreseen.popleft()
+        kind, act = self._expected.popleft()
         former, self._acting = self._acting, dialog
         try:
             if act(dialog):
                 self._answered, self._until = dialog, monotonic() + CLOSES_S
             else:
-                self._foreseen.appendleft((kind, act))
+                self._expected.appendleft((kind, act))
         except Exception as error:  # otherwise the event loop drops it and the dialogue stays open
             self.trouble.append(f"{error!r} at {_dialog_text(dialog)}")
         finally:
@@ -133,7 +133,7 @@ class Hands(Driver):
     """
 
     def __init__(self, qtbot: QtBot, viewport: Callable[[], Viewport], folder: Path) -> None:
-        self.bot, self.dialogs, self.answers = qtbot, Dialogs(), Answers()
+        self.bot, self.dialogs, self.answers = qtbot, Dialogs(), DialogAnswers()
         self.settings = AppSettings(folder / SETTINGS)
         self.settings.language = "en"
         application = QApplication.instance()
@@ -196,7 +196,7 @@ def push(hands: Hands, text: str) -> None:
         hands.bot.mouseClick(found, Left)
         return True
 
-    hands.answers.foresee(QMessageBox, act)
+    hands.answers.expect(QMessageBox, act)
 
 
 def name_project(hands: Hands, folder: Path) -> None:
@@ -212,7 +212,7 @@ def name_project(hands: Hands, folder: Path) -> None:
         hands.bot.keyClick(name, Key.Key_Return)
         return True
 
-    hands.answers.foresee(QFileDialog, act)
+    hands.answers.expect(QFileDialog, act)
 
 
 def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:

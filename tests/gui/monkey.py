@@ -48,7 +48,7 @@ DEMO = "harbour"
 
 
 @dataclass
-class Seen:
+class Findings:
     """Findings of a run; all lists except the measurements should be empty.
 
     Attributes
@@ -120,7 +120,7 @@ class Monkey(QObject):
     def __init__(self, session: Any, folder: Path, seed: int, draws: Draws) -> None:
         super().__init__()
         self.session, self.folder = session, folder
-        self.seen = Seen()
+        self.seen = Findings()
         self._hands = Hands(random.Random(seed), folder)
         self._lately: deque[str] = deque(maxlen=12)
         self._doing: Doing | None = None

@@ -37,11 +37,11 @@ from PySide6.QtWidgets import (
 Key, Button, Modifier = Qt.Key, Qt.MouseButton, Qt.KeyboardModifier
 Doing = Iterator[None]
 
-WORDS = (
+TYPED_TEXTS = (
     "1", "0", "12.5", "-3", "0.02", "45", "1e9", "-1e-9", "nan", "inf", "1,5", "12 m", "north",
     "T1", "Mur à l'est", "", " ", "°", "%s {x} \\", "日本", "x" * 80, "2026-02-30", "5/0", "../up",
 )  # fmt: skip
-KEYS = (
+PRESSED_KEYS = (
     "F3", "F5", "F6", "F7", "F9", "F9", "F10", "F10", "F11", "F1", "Ctrl+Z", "Ctrl+Z", "Ctrl+Z",
     "Ctrl+Y", "Ctrl+Y", "Ctrl+S", "Ctrl+E", "Ctrl+O", "Ctrl+N", "Ctrl+,", "Ctrl+.", "Ctrl+Shift+D",
     "Return", "Return", "Return", "Escape", "Escape", "B", "Tab", "Tab", "Delete", "Space", "Up",
@@ -92,7 +92,7 @@ class Hands:
             window.activateWindow()
         draw = self.chance.random()
         if draw < 0.12:
-            return self.press(window, self.chance.choice(KEYS))
+            return self.press(window, self.chance.choice(PRESSED_KEYS))
         if draw < 0.15 and isinstance(window, QMainWindow):
             return self._drop(window)
         if draw < 0.22 and window.isModal():
@@ -277,7 +277,7 @@ class Hands:
         yield
 
     def _fill(self, field: QWidget, seen: QRect) -> Doing:
-        text = self.chance.choice(WORDS)
+        text = self.chance.choice(TYPED_TEXTS)
         self._record(f"type {text!r} into", field)
         self.click(field, seen.center())
         yield

@@ -18,7 +18,7 @@ from PySide6.QtCore import QObject, Qt, QTimer
 
 BEAT_MS = 10
 SAMPLE_S = 0.025
-DEPTH = 7
+STACK_DEPTH = 7
 """Number of innermost stack frames kept of each sample."""
 
 
@@ -163,8 +163,10 @@ def _place(frame: object) -> str:
     if frame is None:
         return "gone"
     stack = traceback.extract_stack(frame)  # type: ignore[arg-type]
-    ours = [k for k, each in enumerate(stack[:-DEPTH]) if "lispac" in Path(each.filename).parts]
-    shown = [*(stack[k] for k in ours[-1:]), *stack[-DEPTH:]]
+    ours = [
+        k for k, each in enumerate(stack[:-STACK_DEPTH]) if "lispac" in Path(each.filename).parts
+    ]
+    shown = [*(stack[k] for k in ours[-1:]), *stack[-STACK_DEPTH:]]
     told = [f"{Path(each.filename).name}:{each.lineno} {each.name}" for each in shown]
     return " < ".join(reversed(told))
 

@@ -39,13 +39,13 @@ BEAT_MS = 30
 PATIENCE_S, PATIENCE_WITH_WORK_S = 20.0, 150.0
 """Time limits for a named widget to appear, and for a started task to end."""
 CTRL_CLICK = ("Ctrl+click", "Ctrl+clic")
-KEYS = {"Entrée": "Return", "Enter": "Return"}
+KEY_NAMES = {"Entrée": "Return", "Enter": "Return"}
 """Qt names of the keys whose names in a page differ."""
 Left, Control = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ControlModifier
 Act = Callable[[], None]
 
 
-class Lost(AssertionError):
+class StepError(AssertionError):
     """The page names something that the window does not show."""
 
 
@@ -76,7 +76,7 @@ class Reader(QObject):
 
         Raises
         ------
-        Lost
+        StepError
             If something that the page names does not appear.
         """
         while not self.done:
@@ -154,7 +154,7 @@ class Reader(QObject):
         while not there():
             if time.monotonic() > end:
                 assert self.at is not None
-                raise Lost(f"{self.at.text!r} {complaint}")
+                raise StepError(f"{self.at.text!r} {complaint}")
             yield None
 
     # -- visible widgets -------------------------------------------------------------------------
@@ -208,10 +208,10 @@ class Reader(QObject):
         yield from self._until(lambda: self._called(text), "is not there to be clicked")
         found = self._called(text)
         if len(found) > 1:
-            raise Lost(f"{text!r} stands there {len(found)} times")
+            raise StepError(f"{text!r} stands there {len(found)} times")
         widget, place = found[0]
         if not widget.isEnabled():
-            raise Lost(f"{text!r} is greyed")
+            raise StepError(f"{text!r} is greyed")
         parent = widget.parent()
         while parent is not None:
             if isinstance(parent, QScrollArea):
@@ -219,7 +219,7 @@ class Reader(QObject):
             parent = parent.parent()
         yield None
         if widget.visibleRegion().isEmpty():
-            raise Lost(f"{text!r} is out of sight")
+            raise StepError(f"{text!r} is out of sight")
         yield lambda: QTest.mouseClick(widget, Left, Qt.KeyboardModifier.NoModifier, place)
         if isinstance(widget, QComboBox):
             for _ in range(30):  # Qt would take a sooner click as part of a double click
@@ -231,10 +231,10 @@ class Reader(QObject):
         for name in names:
             found = [a for a in menu.actions() if a.text().replace("&", "") == name]
             if not found:
-                raise Lost(f"no menu has {name!r}")
+                raise StepError(f"no menu has {name!r}")
             (action,) = found
             if not action.isEnabled():
-                raise Lost(f"{name!r} is greyed")
+                raise StepError(f"{name!r} is greyed")
             place = menu.actionGeometry(action).center()
 
             def act(menu: QWidget = menu, place: QPoint = place) -> None:
@@ -254,7 +254,7 @@ class Reader(QObject):
             yield lambda: QTest.mouseClick(canvas, Left, Control, middle)
             yield from self._rest()
             return
-        sequence = QKeySequence(KEYS.get(keys, keys))[0]
+        sequence = QKeySequence(KEY_NAMES.get(keys, keys))[0]
         key, held = sequence.key(), sequence.keyboardModifiers()
         front = self.front
         # In a dialogue, keys go to its focused widget (in a file dialogue, the line for the name)
@@ -268,7 +268,7 @@ class Reader(QObject):
         else:
             field = front.focusWidget()
         if not isinstance(field, (QLineEdit, QPlainTextEdit)):
-            raise Lost(f"nothing is there to type {text!r} into")
+            raise StepError(f"nothing is there to type {text!r} into")
         field.selectAll()
 
         def act() -> None:

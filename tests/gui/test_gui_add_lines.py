@@ -47,7 +47,7 @@ def short(driver: Driver, shorter: Project) -> Driver:
 MAX_POLLS = 600
 
 
-class Real(Dialogs):
+class RealDialogs(Dialogs):
     """The real dialogues, driven by a timer: the question first, then the import dialogue."""
 
     def __init__(self, driver: Driver, answer: str, drive: Callable[[AddLinesDialog], None]):
@@ -95,7 +95,7 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
         ]  # fmt: skip
         QTest.mouseClick(dialog.ok, Left)
 
-    dialogs = Real(short, "Add to harbour", drive)
+    dialogs = RealDialogs(short, "Add to harbour", drive)
     drop(short.window, new)
     short.bot.waitUntil(lambda: len(short.project.lines) == 6, timeout=WAIT_MS)
     short.rest()
@@ -135,7 +135,7 @@ def test_files_that_cannot_be_added_are_reported_in_the_dialogue(
         assert not dialog.ok.isEnabled()
         short.bot.mouseClick(dialog.buttons.button(QDialogButtonBox.StandardButton.Cancel), Left)
 
-    Real(short, "Add to harbour", drive)
+    RealDialogs(short, "Add to harbour", drive)
     drop(short.window, [shorter.lines[0].path])
     short.bot.waitUntil(lambda: len(told) == 1, timeout=WAIT_MS)
     drop(short.window, [late])

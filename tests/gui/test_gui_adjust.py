@@ -61,7 +61,7 @@ def tick(driver: Driver, row: int, column: int) -> None:
 # -- settings ------------------------------------------------------------------------------------
 
 
-def test_a_wrong_number_is_caught_while_it_is_typed(picked: Driver):
+def test_an_invalid_setting_is_reported_while_typing(picked: Driver):
     panel = picked.window.adjust
     unfold(picked, panel.also)
     switch, sigma = panel.parameters.switches["lever_x"], panel.parameters.sigmas["lever_x"]

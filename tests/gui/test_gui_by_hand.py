@@ -19,7 +19,7 @@ from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project
 from tests.gui.by_hand import (
     SETTINGS,
-    Answers,
+    DialogAnswers,
     Hands,
     ctrl_click,
     open_by_keys,
@@ -65,7 +65,7 @@ def names(folder: Path) -> list[str]:
 
 def test_an_unexpected_dialogue_is_rejected_and_reported(qtbot: QtBot, qapp: QApplication) -> None:
     """The unexpected dialogue opens in the event loop of an expected one."""
-    answers, below, above = Answers(), QMessageBox(), QMessageBox()
+    answers, below, above = DialogAnswers(), QMessageBox(), QMessageBox()
     below.setText("What now?")
     above.setText("The disk is full.")
 
@@ -73,11 +73,11 @@ def test_an_unexpected_dialogue_is_rejected_and_reported(qtbot: QtBot, qapp: QAp
         above.exec()
         return True
 
-    answers.foresee(QMessageBox, act)
+    answers.expect(QMessageBox, act)
     below.exec()
     assert [text for text in answers.trouble if "The disk is full." in text] == answers.trouble
     assert len(answers.trouble) == 1
-    answers.foresee(QFileDialog, act)
+    answers.expect(QFileDialog, act)
     answers.stop()
     assert answers.trouble[1:] == ["no QFileDialog came"]
     for each in (answers, below, above):
@@ -100,7 +100,7 @@ def test_files_dropped_on_the_start_page_become_a_project(
         return True
 
     assert hands.window.central_widget.start.isVisible()
-    hands.answers.foresee(ImportDialog, act)
+    hands.answers.expect(ImportDialog, act)
     drop(hands.window, raw(demo))
     hands.until(lambda: hands.window.document.project is not None)
     hands.rest()

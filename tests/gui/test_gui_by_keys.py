@@ -65,7 +65,7 @@ def type_seed(hands: Hands, name: str, end: Callable[[QDialog], None]) -> None:
         end(dialog)
         return True
 
-    hands.answers.foresee(SeedCoordinatesDialog, act)
+    hands.answers.expect(SeedCoordinatesDialog, act)
     press(hands, Key.Key_F3)
     hands.answered()
     hands.rest()

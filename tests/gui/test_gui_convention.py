@@ -92,7 +92,7 @@ def test_every_digit_can_be_read_and_copied(qtbot: QtBot, panel: ConventionPanel
     assert [float(value) for _, value in copied] == rows(panel)["Assumed angles"]
 
 
-def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) -> None:
+def test_angles_are_converted_without_a_project(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "0.13", "-0.12", "0.28")
     type_in(qtbot, panel.inputs.lever_arm.fields[0], "-0.186")
     assert panel.convention.key == "applanix"
@@ -209,7 +209,7 @@ def test_the_matrix_is_copied_with_all_digits(qtbot: QtBot, panel: ConventionPan
     np.testing.assert_allclose(copied, stated.transform, atol=1e-12)
 
 
-def test_axes_of_an_imu(qtbot: QtBot, panel: ConventionPanel) -> None:
+def test_the_axes_of_an_imu_are_chosen(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "1", "0", "0")
     choose(qtbot, panel, "phoenix")
     assert "Z up" in panel.rules.text()

@@ -197,7 +197,7 @@ def test_the_pos_and_the_stochastic_model_are_edited(driver: Driver, design: Des
     assert shown(design) == predicted(design)
 
 
-def test_a_plan_is_saved_and_reopened_with_questions_about_changes(
+def test_a_plan_is_saved_and_opened_and_unsaved_changes_are_asked_about(
     driver: Driver, design: DesignWindow, tmp_path
 ) -> None:
     work, dialogs = design.workspace, driver.dialogs

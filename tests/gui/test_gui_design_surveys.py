@@ -26,7 +26,7 @@ from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
 from tests.message_codes import is_shown
 from tests.test_campaign import PORT
 
-COARSE = 4000.0
+SLOW_PULSE_RATE = 4000.0
 """Low pulse rate, Hz, with which a simulated survey is adjusted quickly."""
 
 
@@ -34,7 +34,7 @@ COARSE = 4000.0
 def coarse(driver: Driver, design: DesignWindow) -> DesignWindow:
     """The default plan with a slow scanner, and the page of the simulated surveys in front."""
     system = plan(design).system
-    scanner = type(system.scanner)(COARSE)
+    scanner = type(system.scanner)(SLOW_PULSE_RATE)
     work = design.workspace
     work.start(edits.with_system(work.titled, type(system)(scanner=scanner)))
     driver.bot.keyClick(design, Key.Key_F10)

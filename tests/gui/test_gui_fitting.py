@@ -39,8 +39,8 @@ from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
 from tests.gui.support import WAIT_MS, Demo, Driver
 
-SMALL = (1366, 740)
-LOW = QSize(1326, 728)
+SMALL_WINDOW = (1366, 740)
+LOW_SCREEN = QSize(1326, 728)
 """Size available for a dialogue on a screen of 1366 × 768."""
 
 
@@ -107,29 +107,29 @@ def test_the_corner_between_scroll_bars_has_the_colour_of_the_window(
     assert picture.pixelColor(corner * picture.devicePixelRatio()) == QColor(theme.WINDOW)
 
 
-class _Low(VisibilityDialog):
+class _LowScreenDialog(VisibilityDialog):
     """Visibility dialogue on a low screen."""
 
     @property
     def available_size(self) -> QSize:
-        return LOW
+        return LOW_SCREEN
 
 
 def test_a_study_fits_a_low_screen(
     qtbot: QtBot, spoken: str, errors: list[VisibilityStudy]
 ) -> None:
     """The buttons used to be below the edge of the screen, and the last heading was cut off."""
-    dialog = _Low(errors)
+    dialog = _LowScreenDialog(errors)
     qtbot.addWidget(dialog)
     dialog.show()
     qtbot.waitUntil(lambda: dialog.canvas.isVisible(), timeout=WAIT_MS)
     for site in range(dialog.site.count()):
         dialog.site.setCurrentIndex(site)
         QApplication.processEvents()
-        assert dialog.height() <= LOW.height()
-        assert dialog.width() <= LOW.width()
+        assert dialog.height() <= LOW_SCREEN.height()
+        assert dialog.width() <= LOW_SCREEN.width()
         close = dialog.findChild(QPushButton, "visibility_close")
-        assert close.mapTo(dialog, close.rect().bottomRight()).y() < LOW.height()
+        assert close.mapTo(dialog, close.rect().bottomRight()).y() < LOW_SCREEN.height()
         assert dialog.canvas.height() >= 150
         header = dialog.table.horizontalHeader()
         assert dialog.table.horizontalScrollBar().maximum() == 0
@@ -141,12 +141,12 @@ def test_comparisons_are_read_without_scrolling_on_a_small_screen(
     driver: Driver, demo: Demo, validated: Project, spoken: str
 ) -> None:
     window = driver.window
-    window.resize(*SMALL)
+    window.resize(*SMALL_WINDOW)
     window.document.open(validated, demo.survey)
     window.docks["Histograms"].raise_()
     driver.rest()
     driver.bot.waitUntil(window.histograms.table.isVisible, timeout=WAIT_MS)
-    assert window.width() == SMALL[0]
+    assert window.width() == SMALL_WINDOW[0]
     assert window.histograms.table.horizontalScrollBar().maximum() == 0
 
 

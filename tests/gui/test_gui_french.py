@@ -61,14 +61,14 @@ def all_french(*shown: QWidget) -> None:
         assert english(each) == set()
 
 
-def test_the_empty_window(french: Driver) -> None:
+def test_the_empty_window_is_french(french: Driver) -> None:
     all_french(french.window)
     assert french.window.windowTitle() == "LISPAC"
     assert french.window.actions_["open"].text() == "&Ouvrir un projet…"
     assert french.window.adjust.estimate.text() == "Estimer les angles de visée"
 
 
-def test_the_window_with_a_result(french: Driver, demo: Demo, estimated: Project) -> None:
+def test_the_window_with_a_result_is_french(french: Driver, demo: Demo, estimated: Project) -> None:
     window = french.window
     window.document.open(validate(estimated, demo.survey), demo.survey)
     french.rest()
@@ -92,7 +92,7 @@ def test_the_window_with_a_result(french: Driver, demo: Demo, estimated: Project
     all_french(window)
 
 
-def test_candidates_and_edits(french: Driver, demo: Demo) -> None:
+def test_candidates_and_edits_are_french(french: Driver, demo: Demo) -> None:
     window = french.window
     window.document.open(demo.project, demo.survey)
     seed(french, "T1")
@@ -105,7 +105,7 @@ def test_candidates_and_edits(french: Driver, demo: Demo) -> None:
     all_french(window)
 
 
-def test_dialogues(french: Driver, demo: Demo, estimated: Project) -> None:
+def test_dialogues_are_french(french: Driver, demo: Demo, estimated: Project) -> None:
     window, track = french.window, demo.survey.trajectory
     window.document.open(estimated, demo.survey)
     french.rest()
@@ -131,7 +131,7 @@ def test_dialogues(french: Driver, demo: Demo, estimated: Project) -> None:
             each.deleteLater()
 
 
-def test_the_import_dialogue(french: Driver, demo: Demo, tmp_path: Path) -> None:
+def test_the_import_dialogue_is_french(french: Driver, demo: Demo, tmp_path: Path) -> None:
     settings = AppSettings(tmp_path / "other.ini")
     dialog = ImportDialog(settings, french.window)
     more = AddLinesDialog(settings, demo.project, french.window)
@@ -167,7 +167,7 @@ def test_numbers_are_accepted_with_comma_or_point(french: Driver, demo: Demo) ->
         assert field.text() == "-0,1234 m"
 
 
-def test_a_site_is_designed(french: Driver) -> None:
+def test_the_design_window_is_french(french: Driver) -> None:
     design = opened_by_keys(french)
     wait_for_plan(design)
     french.bot.waitUntil(lambda: not design.results.predictor.active, timeout=WAIT_MS)
@@ -199,7 +199,7 @@ def test_a_site_is_designed(french: Driver) -> None:
     design.workspace.history.mark_saved()
 
 
-def test_files_are_written_alike_in_both_languages(
+def test_files_are_identical_in_both_languages(
     french: Driver, estimated: Project, tmp_path: Path
 ) -> None:
     written = []

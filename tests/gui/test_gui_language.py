@@ -182,7 +182,7 @@ def test_a_pending_candidate_is_kept(session: Session, qtbot: QtBot, demo: Demo)
     assert [target.name for target in french.document.project.targets] == ["T1"]
 
 
-class Shown(QObject):
+class ShowRecorder(QObject):
     """Event filter that records the names of windows in the order in which they are shown."""
 
     def __init__(self) -> None:
@@ -200,7 +200,7 @@ def test_floating_panels_are_shown_after_the_window(
 ) -> None:
     """A window manager puts a new window on top, so the main window must be shown first."""
     session.window.docks["Log"].setFloating(True)
-    shown = Shown()
+    shown = ShowRecorder()
     qapp.installEventFilter(shown)
     try:
         french = renewed(session, qtbot, "fr")

@@ -41,7 +41,7 @@ def speak_by_keys(hands: Hands, menu: str, entry: str, wanted: str) -> None:
         hands.bot.mouseClick(dialog.keep, Left)
         return True
 
-    hands.answers.foresee(SettingsDialog, act)
+    hands.answers.expect(SettingsDialog, act)
     choose(hands.bot, open_menu(hands.bot, hands.window, menu), entry)
     hands.answered()
     hands.to_next_window()
@@ -113,7 +113,7 @@ def test_file_dialogues_are_in_the_language_of_the_window(
         return True
 
     def ask() -> None:
-        hands.answers.foresee(QFileDialog, inspect_dialog)
+        hands.answers.expect(QFileDialog, inspect_dialog)
         press(hands, Key.Key_O, Control)
         hands.answered()
 

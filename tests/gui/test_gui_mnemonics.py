@@ -26,14 +26,14 @@ def mnemonic(text: str) -> str:
     return text[at + 1 : at + 2].lower() if at >= 0 else ""
 
 
-def twice(menu: QMenu | QMenuBar, name: str) -> list[str]:
+def repeated_mnemonics(menu: QMenu | QMenuBar, name: str) -> list[str]:
     """Mnemonics that occur more than once in a menu or in one of its submenus."""
     texts = [action.text() for action in menu.actions() if action.text()]
     letters = Counter(letter for text in texts if (letter := mnemonic(text)))
     found = [f"{name}: {letter} {texts}" for letter, count in letters.items() if count > 1]
     for action in menu.actions():
         if action.menu() is not None:
-            found += twice(action.menu(), f"{name} > {action.text()}")
+            found += repeated_mnemonics(action.menu(), f"{name} > {action.text()}")
     return found
 
 
@@ -43,7 +43,7 @@ def test_no_mnemonic_occurs_twice(code: str, driver: Driver, demo: Demo) -> None
     driver.rest()
     bar = driver.window.menuBar()
     assert len(bar.actions()) >= 7
-    assert twice(bar, "main") == []
+    assert repeated_mnemonics(bar, "main") == []
     design = opened_by_keys(driver)
     design.workspace.add_line()
-    assert twice(design.menuBar(), "design") == []
+    assert repeated_mnemonics(design.menuBar(), "design") == []

@@ -17,10 +17,10 @@ from tests.gui.support import Demo
 CHECKOUT = Path(__file__).resolve().parents[2]
 WARMING_S = 120
 """Time for starting, for both memory measurements and for closing, on busy processors."""
-GROWTH = 1.10
+MAX_GROWTH = 1.10
 
 
-def seen(project: Path, folder: Path, seed: int, seconds: int) -> dict[str, Any]:
+def run_monkey(project: Path, folder: Path, seed: int, seconds: int) -> dict[str, Any]:
     """Run the monkey in its own process and return its findings."""
     run = subprocess.run(
         [sys.executable, "-m", "tests.gui.monkey", str(project), str(folder),
@@ -47,7 +47,7 @@ def base(demo: Demo, demo_copy: Path) -> Path:
 @pytest.mark.timeout(60 + 2 * WARMING_S)
 def test_a_minute_of_random_actions(base: Path, tmp_path: Path) -> None:
     """Stalls are only printed, because computing times on shared processors vary."""
-    found = seen(base, tmp_path / "cage", seed=1, seconds=60)
+    found = run_monkey(base, tmp_path / "cage", seed=1, seconds=60)
     assert sum(found["done"].values()) > 100, "it hardly did anything"
     assert found["exceptions"] == []
     assert found["left"] == []
@@ -56,7 +56,7 @@ def test_a_minute_of_random_actions(base: Path, tmp_path: Path) -> None:
 @pytest.mark.long
 @pytest.mark.timeout(600 + 2 * WARMING_S)
 def test_ten_minutes_of_random_actions(base: Path, tmp_path: Path) -> None:
-    found = seen(base, tmp_path / "cage", seed=2, seconds=600)
+    found = run_monkey(base, tmp_path / "cage", seed=2, seconds=600)
     assert sum(found["done"].values()) > 1000
     assert found["exceptions"] == []
     assert found["stalls"] == []
@@ -64,4 +64,4 @@ def test_ten_minutes_of_random_actions(base: Path, tmp_path: Path) -> None:
     # Libraries are loaded when first needed, so memory is compared after the first minutes
     course = found["course_mb"]
     third = len(course) // 3
-    assert max(course[-third:]) < GROWTH * max(course[third : 2 * third])
+    assert max(course[-third:]) < MAX_GROWTH * max(course[third : 2 * third])

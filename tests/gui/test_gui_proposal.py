@@ -31,7 +31,7 @@ def proposal(demo: Demo) -> Proposal:
     return propose_targets(demo.project, demo.survey)
 
 
-def answered(driver: Driver, answer: Callable[[QDialog], None]) -> None:
+def answer_next_dialog(driver: Driver, answer: Callable[[QDialog], None]) -> None:
     """Call ``answer`` with the next modal dialogue."""
 
     def inspect_window() -> None:
@@ -61,7 +61,7 @@ def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Drive
         table.item(0, 0).setCheckState(Qt.CheckState.Unchecked)
         press(opened, dialog, "accept_proposal")
 
-    answered(opened, answer)
+    answer_next_dialog(opened, answer)
     click(opened, opened.window.targets.propose)
     assert opened.window.runner.busy
     assert not opened.window.targets.propose.isEnabled()
@@ -77,7 +77,7 @@ def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Drive
     assert opened.project is before
 
 
-def test_the_return_key_accepts_what_is_proposed(opened: Driver, proposal: Proposal) -> None:
+def test_the_return_key_accepts_the_proposed_targets(opened: Driver, proposal: Proposal) -> None:
     """Enter accepts, as in other dialogues; rejecting would discard a minute of work."""
     dialog = ProposedTargetsDialog(proposal)
     with opened.bot.waitExposed(dialog):
@@ -100,7 +100,7 @@ def test_the_tab_key_leads_out_of_every_table(opened: Driver) -> None:
 def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> None:
     open_step(opened, TARGETS_STEP)
     before = opened.project
-    answered(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
+    answer_next_dialog(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
     click(opened, opened.window.targets.propose)
     opened.rest()
     assert opened.project is before
@@ -167,7 +167,7 @@ def again(driver: Driver, threshold_mm: float, radius: float) -> Project:
         dialog.findChild(QDoubleSpinBox, "again_radius").setValue(radius)
         press(driver, dialog, "again_find")
 
-    answered(driver, answer)
+    answer_next_dialog(driver, answer)
     driver.window.actions_["find_again"].trigger()
     driver.rest()
     return driver.project

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel, QPlainTextEdit, QPushButton, QWidget
 
 from lispac.gui.features.export.dialogs import ScriptDialog
 from tests.gui.support import Control, Driver, Key, Left, press, seed
-from tests.gui.test_gui_seed_coordinates import hand
+from tests.gui.test_gui_seed_coordinates import answer_next_dialog
 from tests.script_runs import run, same_part
 
 Answer = Callable[[QWidget], None]
@@ -25,7 +25,7 @@ def shown(driver: Driver, answer: Answer = lambda dialog: None) -> str:
         found.append(dialog.findChild(QPlainTextEdit, "script_text").toPlainText())
         answer(dialog)
 
-    hand(driver, inspect_dialog)
+    answer_next_dialog(driver, inspect_dialog)
     action = driver.window.actions_["script"]
     assert action.isEnabled()
     action.trigger()

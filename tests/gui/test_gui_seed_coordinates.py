@@ -19,7 +19,7 @@ TARGETS_STEP = 1
 T1 = demo_seeds()["T1"][1]
 
 
-def hand(
+def answer_next_dialog(
     driver: Driver, answer: Callable[[SeedCoordinatesDialog], None]
 ) -> list[SeedCoordinatesDialog]:
     """Call ``answer`` with the next modal dialogue; its errors fail the test."""
@@ -73,7 +73,7 @@ def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
         assert dialog.focusWidget() is find(dialog)
         opened.bot.keyClick(dialog.focusWidget(), Key.Key_Return)
 
-    seen = hand(opened, answer)
+    seen = answer_next_dialog(opened, answer)
     press(opened, Key.Key_F3)
     opened.rest()
     assert len(seen) == 1
@@ -116,7 +116,7 @@ def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:
         assert is_shown("coordinates.too_far_local", typed("seed_coordinate_0", "5041234"))
         assert not find(dialog).isEnabled()
 
-    seen = hand(picked, answer)
+    seen = answer_next_dialog(picked, answer)
     before = picked.project
     click(picked, picked.window.targets.type_seed)
     picked.rest()
@@ -156,7 +156,7 @@ def test_three_projected_coordinates_are_pasted_at_once(opened: Driver) -> None:
         assert "Local frame: " in shown_result(dialog)
         opened.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    hand(opened, answer)
+    answer_next_dialog(opened, answer)
     click(opened, opened.window.targets.type_seed)
     opened.rest()
     candidate = opened.window.controller.candidate
@@ -178,7 +178,7 @@ def test_a_seed_for_one_line_belongs_to_the_selected_target(picked: Driver) -> N
             fill(picked, dialog, f"seed_coordinate_{k}", f"{value:.3f}")
         picked.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    hand(picked, answer)
+    answer_next_dialog(picked, answer)
     click(picked, picked.window.targets.type_seed)
     picked.rest()
     candidate = picked.window.controller.candidate

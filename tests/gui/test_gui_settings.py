@@ -24,9 +24,9 @@ from lispac.workflow.project.projects import new_project
 from tests.gui.support import Driver, Key, Left, in_front, press
 from tests.message_codes import is_shown
 
-OTHERS = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
+OTHER_PREFERENCES = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
                      theme="dark", scale="turbo")  # fmt: skip
-MINE = ScannerSpecification("Profiler 16", 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
+OWN_SCANNER = ScannerSpecification("Profiler 16", 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
 
 
 @pytest.fixture
@@ -57,7 +57,7 @@ def test_settings_are_applied_at_once_and_stored(
 ) -> None:
     driver.window.settings.language = "en"
     assert isinstance(driver.viewport, RecordingViewport)
-    asked = answers(driver, monkeypatch, OTHERS)
+    asked = answers(driver, monkeypatch, OTHER_PREFERENCES)
     with qtbot.waitSignal(driver.window.renewal_requested):
         press(driver, Key.Key_Comma, Qt.KeyboardModifier.ControlModifier)
     assert asked == [Preferences(language="en")]
@@ -65,7 +65,7 @@ def test_settings_are_applied_at_once_and_stored(
     assert driver.viewport.point_budget == 3_500_000
     assert driver.window.report.options().convention == "applanix"
     again = AppSettings(Path(driver.window.settings.folder) / "settings.ini")
-    assert Preferences.of(again) == OTHERS
+    assert Preferences.of(again) == OTHER_PREFERENCES
     assert again.language == "fr"
 
     answers(driver, monkeypatch, Preferences(language="fr"))
@@ -84,7 +84,7 @@ def test_cancelled_settings_change_nothing(driver: Driver, monkeypatch: pytest.M
 
 def test_the_default_language_is_that_of_the_system(tmp_path: Path) -> None:
     settings = AppSettings(tmp_path / "settings.ini")
-    OTHERS.save(settings)
+    OTHER_PREFERENCES.save(settings)
     assert settings.language == "fr"
     Preferences().save(settings)
     system = QLocale.system().name().partition("_")[0]
@@ -113,8 +113,8 @@ def test_the_dialogue_returns_its_values_and_restores_the_defaults(
     page: SettingsDialog, qtbot: QtBot
 ) -> None:
     assert page.preferences == Preferences()
-    page.show_preferences(OTHERS)
-    assert page.preferences == OTHERS
+    page.show_preferences(OTHER_PREFERENCES)
+    assert page.preferences == OTHER_PREFERENCES
     qtbot.mouseClick(page.restore, Left)
     assert page.preferences == Preferences()
 
@@ -162,12 +162,12 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     count = sensors.table.rowCount()
     answer_editor(
         monkeypatch, qtbot, sensor_title="Profiler 16", sensor_range="4", sensor_angle="0.0125",
-        sensor_beam="0.3", sensor_source=MINE.source,
+        sensor_beam="0.3", sensor_source=OWN_SCANNER.source,
     )  # fmt: skip
     qtbot.mouseClick(sensors.add_scanner, Left)
-    assert read_library(folder).scanner("profiler-16") == MINE
+    assert read_library(folder).scanner("profiler-16") == OWN_SCANNER
     assert sensors.current is not None
-    assert sensors.current.figures == MINE
+    assert sensors.current.figures == OWN_SCANNER
     assert "Profiler 16" in [page.choice.scanner.itemText(k) for k in range(count)]
 
     answer_editor(monkeypatch, qtbot, sensor_range="6")
@@ -205,7 +205,7 @@ def test_own_sensors_are_added_copied_edited_and_removed(
 
 
 def test_invalid_sensors_are_reported_while_typing(qtbot: QtBot, tmp_path: Path) -> None:
-    store_sensor(tmp_path, MINE)
+    store_sensor(tmp_path, OWN_SCANNER)
     editor = SensorEditor(tmp_path, NEW_SCANNER, "")
     qtbot.addWidget(editor)
     editor.show()

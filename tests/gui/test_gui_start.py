@@ -16,7 +16,7 @@ from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX, MainWindow
 from lispac.io.project.project_file import FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
-DAY = datetime(2026, 3, 7, 9, 5).timestamp()
+SAVED_AT = datetime(2026, 3, 7, 9, 5).timestamp()
 
 
 def links(window: MainWindow, name: str) -> list[QCommandLinkButton]:
@@ -48,7 +48,7 @@ def test_the_date_of_a_recent_project_is_in_the_language_of_the_window(
 ) -> None:
     window = driver.window
     window.settings.add_recent(demo_copy)
-    os.utime(demo_copy / FILE_NAME, (DAY, DAY))
+    os.utime(demo_copy / FILE_NAME, (SAVED_AT, SAVED_AT))
     for code, said in (("en", "Saved 2026-03-07 09:05 in"), ("fr", "07/03/2026 09:05 dans")):
         set_language(code)
         try:

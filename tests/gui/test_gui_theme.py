@@ -83,7 +83,7 @@ def test_neighbouring_lines_differ_for_the_colour_blind(scheme: ColourScheme, bl
 
 CLEAR_DIFFERENCE = 10.0
 """CIE 1976 colour difference that is clearly visible; about 2.3 is just noticeable."""
-BLIND = {
+COLOUR_BLINDNESS = {
     "protan": [
         [0.152286, 1.052583, -0.204868],
         [0.114503, 0.786281, 0.099216],
@@ -103,7 +103,7 @@ WHITE = [0.9505, 1.0, 1.089]
 def seen(colour: tuple[int, int, int], blind: str) -> np.ndarray:
     """L*, a*, b* of a colour as seen with a type of colour blindness."""
     linear = [luminance(f"#{value:02x}{value:02x}{value:02x}") for value in colour]
-    mixed = np.clip(np.array(BLIND[blind]) @ linear, 0.0, 1.0)
+    mixed = np.clip(np.array(COLOUR_BLINDNESS[blind]) @ linear, 0.0, 1.0)
     share = np.array(XYZ) @ mixed / WHITE
     x, y, z = np.where(share > 0.008856, np.cbrt(share), 7.787 * share + 16 / 116)
     return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
@@ -223,13 +223,13 @@ def test_texts_of_windows_have_enough_contrast(
     box, dialog = about_box(window), ImportDialog(window.settings, window)
     for each in (window, box, dialog):
         each.ensurePolished()
-        assert faint(each) == []
+        assert low_contrast_widgets(each) == []
     for each in (box, dialog):
         assert isinstance(each, QDialog)
         each.deleteLater()
 
 
-def faint(window: QWidget) -> list[str]:
+def low_contrast_widgets(window: QWidget) -> list[str]:
     """Widgets whose palettes give too little contrast between text and background."""
     found = []
     for widget in (window, *window.findChildren(QWidget)):

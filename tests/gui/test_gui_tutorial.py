@@ -19,7 +19,7 @@ from lispac.gui.window.session import Session
 from lispac.language import gettext
 from lispac.workflow.project.projects import open_project
 from tests.french_catalogue import FRENCH
-from tests.gui.reader import Lost, Reader
+from tests.gui.reader import Reader, StepError
 from tests.gui.support import WAIT_MS
 from tests.tutorial_steps import Step, page, steps_of
 
@@ -138,7 +138,7 @@ def test_a_page_that_names_missing_widgets_fails(
     program: MainWindow, step: Step, complaint: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("tests.gui.reader.PATIENCE_S", 0.5)
-    with pytest.raises(Lost, match=complaint) as refused:
+    with pytest.raises(StepError, match=complaint) as refused:
         Reader(program, [step], lambda _front, _picture: None).follow()
     assert "at line 3 of the page" in refused.value.__notes__[0]
 

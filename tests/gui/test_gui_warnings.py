@@ -20,7 +20,7 @@ from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, wa
 Role = Qt.ItemDataRole
 
 
-STALE = note("project.out_of_date", subject=Cause.of_step("Adjust"))
+OUT_OF_DATE = note("project.out_of_date", subject=Cause.of_step("Adjust"))
 
 
 def listed(driver: Driver) -> tuple[Message, ...]:
@@ -233,20 +233,20 @@ def test_a_result_removed_by_an_edit_is_reported_until_it_is_restored(
     adjusted: Driver,
 ) -> None:
     settings = replace(adjusted.project.settings, lidar_sigma=0.004)
-    assert STALE not in listed(adjusted)
+    assert OUT_OF_DATE not in listed(adjusted)
     adjusted.window.controller.change_settings(settings)
-    click_row(adjusted, row_of(adjusted, message_text(STALE)))
+    click_row(adjusted, row_of(adjusted, message_text(OUT_OF_DATE)))
     assert adjusted.window.workflow.opened == ADJUST
     assert has_focus(adjusted.window.workflow.headers[ADJUST])
     adjusted.window.document.undo_stack.undo()
-    assert STALE not in listed(adjusted)
+    assert OUT_OF_DATE not in listed(adjusted)
 
 
 def test_a_new_project_without_a_result_is_not_reported_as_out_of_date(
     adjusted: Driver, demo: Demo
 ) -> None:
     adjusted.window.document.open(demo.picked, demo.survey)
-    assert STALE not in listed(adjusted)
+    assert OUT_OF_DATE not in listed(adjusted)
 
 
 def test_gaps_of_the_trajectory_are_reported(picked: Driver, demo: Demo) -> None:
