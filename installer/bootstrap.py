@@ -24,21 +24,21 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the checkout stays clean
+sys.dont_write_bytecode = True  # no bytecode in the checkout
 import environment  # noqa: E402
 import system_packages  # noqa: E402
 from environment import SetupError, say, script  # noqa: E402
 
 OLDEST_PYTHON = (3, 11)
-NEWEST_PYTHON = (3, 14)  # the locked dependencies have wheels up to here
-IN_TWO = ["--numprocesses=2", "--dist=loadfile", "--no-loadscope-reorder"]
-HANGING = [
+NEWEST_PYTHON = (3, 14)  # newest version for which the locked dependencies have wheels
+TWO_PROCESS_OPTIONS = ["--numprocesses=2", "--dist=loadfile", "--no-loadscope-reorder"]
+HANG_OPTIONS = [
     "--max-worker-restart=0", "-o", "faulthandler_timeout=330",
     "-o", "faulthandler_exit_on_timeout=true",
 ]  # fmt: skip
 
 
-def python_complaint(version: tuple[int, int]) -> str | None:
+def unsupported_python_text(version: tuple[int, int]) -> str | None:
     """Reason why this Python is not supported, or None."""
     if OLDEST_PYTHON <= version <= NEWEST_PYTHON:
         return None
@@ -50,7 +50,7 @@ def python_complaint(version: tuple[int, int]) -> str | None:
 
 
 def has_display(platform: str, variables: Mapping[str, str]) -> bool:
-    """Whether a window can open: on Linux, whether the X server or Wayland answers."""
+    """Whether a window can open: on Linux, whether Wayland is set or the X server answers."""
     if platform in ("win32", "darwin") or variables.get("WAYLAND_DISPLAY"):
         return True
     if not variables.get("DISPLAY"):
@@ -68,16 +68,16 @@ def has_display(platform: str, variables: Mapping[str, str]) -> bool:
 
 
 def ensure_system(kind: str) -> None:
-    """On Linux, installs missing system libraries or reports how to install them."""
+    """On Linux, installs missing system packages or raises an error with the command for it."""
     if not sys.platform.startswith("linux"):
         return
     missing = system_packages.missing_packages(for_tests=kind == "test")
     root, apt_get = system_packages.is_root(), shutil.which("apt-get")
-    system_packages.ensure(missing, root=root, apt_get=apt_get, say=say)
+    system_packages.ensure_packages(missing, root=root, apt_get=apt_get, say=say)
 
 
 def lint_commands() -> list[tuple[str, list[str]]]:
-    """Name and command line of each check before the tests."""
+    """Name and command line of each check that `lint` runs, and `test` before the tests."""
     python, cache = script("python"), str(environment.ENVIRONMENT / "cache" / "import-linter")
     return [
         ("ruff check", [python, "-m", "ruff", "check", "."]),
@@ -101,12 +101,12 @@ def check_commands(command: str, arguments: Sequence[str]) -> list[tuple[str, li
         return [("benchmarks", [*pytest, *options, *arguments])]
     # Each process runs whole test files, because their tests share data that are slow to make, in
     # the order of tests/conftest.py. Selected tests run in one process, for debugging.
-    chosen = arguments or [*IN_TWO, *HANGING]
+    chosen = arguments or [*TWO_PROCESS_OPTIONS, *HANG_OPTIONS]
     return [*lint_commands(), ("pytest", [*pytest, *chosen])]
 
 
 def run_checks(commands: Sequence[tuple[str, list[str]]], variables: Mapping[str, str]) -> int:
-    """Runs the commands in the checkout and stops at the first that fails; returns its code."""
+    """Runs the commands in the checkout until one fails; returns its exit code, or 0."""
     for name, command in commands:
         say(f"== {name}")
         code = subprocess.call(command, cwd=environment.CHECKOUT, env=dict(variables))
@@ -123,7 +123,7 @@ def demo_command(output: Path, display: bool) -> list[str]:
 
 
 def parser() -> argparse.ArgumentParser:
-    """The command line of this script."""
+    """Parser of the command line of this script."""
     form = argparse.RawDescriptionHelpFormatter
     top = argparse.ArgumentParser(
         prog="bootstrap.py", description=__doc__, formatter_class=form, allow_abbrev=False
@@ -137,7 +137,7 @@ def parser() -> argparse.ArgumentParser:
     bundle.add_argument(
         "--no-archive", action="store_true", help="build the folder only, no archive"
     )
-    commands.add_parser("lint", help="run linting, typing and import rules")
+    commands.add_parser("lint", help="run linting, typing, import rules and translation checks")
     for name, text in (("test", "run all checks and tests"), ("benchmark", "run the benchmarks")):
         check = commands.add_parser(
             name, help=text, usage=f"bootstrap.py {name} [PYTEST ARGUMENT...]"
@@ -148,7 +148,7 @@ def parser() -> argparse.ArgumentParser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs one command; returns the exit code."""
-    complaint = python_complaint(sys.version_info[:2])
+    complaint = unsupported_python_text(sys.version_info[:2])
     if complaint:
         print(complaint, file=sys.stderr)
         return 1

@@ -24,8 +24,10 @@ from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
 ROOT = Path(__file__).resolve().parents[1]
-CODES = ("fr",)
-KEYWORDS = {"N_": None, "gettext": None, "gettext_lazy": None, "Plural": (1, 2)}
+LANGUAGE_CODES = ("fr",)
+MARKING_FUNCTIONS = {"N_": None, "gettext": None, "gettext_lazy": None, "Plural": (1, 2)}
+"""Functions whose arguments are texts to translate, with the positions of singular and plural; None
+for a single text."""
 
 TYPOGRAPHY = (
     ("'", "\u2019"),
@@ -36,10 +38,10 @@ TYPOGRAPHY = (
 )
 """French typography: regular expressions and their replacements in a translation."""
 
-EPOCH = datetime(2026, 1, 1, tzinfo=UTC)
+CATALOGUE_DATE = datetime(2026, 1, 1, tzinfo=UTC)
 """Fixed date in all catalogues, so that a file changes only if its texts change."""
 
-HEADER = "# Translations of LISPAC; installer/catalogues.py brings this file up to date."
+FILE_HEADER = "# Translations of LISPAC; installer/catalogues.py brings this file up to date."
 
 
 def path_of(code: str) -> Path:
@@ -50,7 +52,7 @@ def path_of(code: str) -> Path:
 def extracted() -> Catalog:
     """Catalogue of the English texts of the program, with the file of each text."""
     found = Catalog(project="LISPAC", charset="utf-8")
-    for file, _, text, comments, _ in extract_from_dir(ROOT / "lispac", keywords=KEYWORDS):
+    for file, _, text, comments, _ in extract_from_dir(ROOT / "lispac", keywords=MARKING_FUNCTIONS):
         if text:
             place = f"lispac/{Path(file).as_posix()}"
             # Line numbers are omitted: they would change with every edit.
@@ -65,7 +67,7 @@ def not_extracted(catalogue: Catalog) -> list[str]:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
                 continue
-            if node.func.id not in KEYWORDS or not node.args:
+            if node.func.id not in MARKING_FUNCTIONS or not node.args:
                 continue
             first = node.args[0]
             text = first.value if isinstance(first, ast.Constant) else None
@@ -75,7 +77,12 @@ def not_extracted(catalogue: Catalog) -> list[str]:
 
 
 def updated(code: str, take: list[Path]) -> Catalog:
-    """The catalogue of a language with the texts of the program."""
+    """Catalogue of a language with the present texts of the program.
+
+    Parameters
+    ----------
+    take : catalogue files whose translations replace those of the catalogue
+    """
     catalogue = read(path_of(code))
     catalogue.update(extracted(), no_fuzzy_matching=True)
     catalogue.obsolete.clear()
@@ -102,9 +109,9 @@ def read(path: Path) -> Catalog:
 
 
 def typeset(text: str) -> str:
-    """Apply the signs and spaces of French typography to a translation."""
-    for pattern, by in TYPOGRAPHY:
-        text = re.sub(pattern, by, text)
+    """Replace apostrophes and spaces in a translation as French typography requires."""
+    for pattern, replacement in TYPOGRAPHY:
+        text = re.sub(pattern, replacement, text)
     return text
 
 
@@ -142,8 +149,8 @@ def places(text: str) -> set[str]:
 
 def written(catalogue: Catalog) -> tuple[bytes, bytes]:
     """Contents of the .po and the .mo file."""
-    catalogue.creation_date = catalogue.revision_date = EPOCH
-    catalogue.project, catalogue.header_comment, catalogue.fuzzy = "LISPAC", HEADER, False
+    catalogue.creation_date = catalogue.revision_date = CATALOGUE_DATE
+    catalogue.project, catalogue.header_comment, catalogue.fuzzy = "LISPAC", FILE_HEADER, False
     catalogue.copyright_holder = catalogue.last_translator = catalogue.language_team = "LISPAC"
     catalogue.msgid_bugs_address = ""
     po, mo = BytesIO(), BytesIO()
@@ -153,21 +160,21 @@ def written(catalogue: Catalog) -> tuple[bytes, bytes]:
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Run one command."""
+    """Run one command; returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("command", choices=("update", "check"))
     parser.add_argument("--take", nargs="+", type=Path, default=[], metavar="FILE.po")
     arguments = parser.parse_args(argv)
     failed = False
-    for code in CODES:
+    for code in LANGUAGE_CODES:
         catalogue = updated(code, arguments.take)
         po, mo = written(catalogue)
         files = {path_of(code): po, path_of(code).with_suffix(".mo"): mo}
         if arguments.command == "update":
             for path, content in files.items():
                 path.write_bytes(content)
-        stale = [path for path, content in files.items() if path.read_bytes() != content]
-        found = [f"out of date: {path.relative_to(ROOT)}" for path in stale]
+        outdated = [path for path, content in files.items() if path.read_bytes() != content]
+        found = [f"out of date: {path.relative_to(ROOT)}" for path in outdated]
         found += problems(catalogue) + not_extracted(catalogue)
         print("\n".join(f"{code}: {each}" for each in found) or f"{code}: up to date")
         failed = failed or bool(found)

@@ -1,7 +1,7 @@
-"""The private environment .venv of a checkout: its state, its required state, and the update.
+"""The private Python environment .venv of a checkout, and its update.
 
-A stamp file, written last, records what was installed. If it matches the lock file and the project,
-nothing is done. If an installation is unfinished, the environment is created anew.
+A stamp file, written last, contains digests of the installed lock files and of the project. If they
+are up to date, nothing is done. After an interrupted installation, the environment is created anew.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 ENVIRONMENT = CHECKOUT / ".venv"
 STAMP = ENVIRONMENT / "lispac-installed.json"
 INSTALL_LOG = ENVIRONMENT / "install.log"
-LOCKS = {"run": "lock-run.txt", "test": "lock-test.txt", "bundle": "lock-bundle.txt"}
-# The project has to be installed again if one of these files changes.
+LOCK_FILES = {"run": "lock-run.txt", "test": "lock-test.txt", "bundle": "lock-bundle.txt"}
+# The project is installed again if one of these files changes.
 PROJECT_FILES = ("pyproject.toml", "lispac/__init__.py")
 
 
@@ -72,13 +72,14 @@ def script(name: str, platform: str = sys.platform) -> str:
 def child_variables(
     variables: Mapping[str, str], cache: Path, *, testing: bool = False
 ) -> dict[str, str]:
-    """Environment variables of all programs started here, with permitted cache folders.
+    """Environment variables of all programs started here, with separate folders for their caches.
 
     Parameters
     ----------
     variables : mapping, the variables of this process
     cache : Path, the program's folder in the user's cache folder
-    testing : bool, software OpenGL and settings of its own, so that every machine tests the same
+    testing : bool, whether to use software OpenGL and separate settings, so that the tests do not
+        depend on the graphics card and the settings of the user
     """
     own = ENVIRONMENT / "cache"
     # PYTHONPATH is removed: modules of another environment would take precedence over the locked
@@ -114,13 +115,13 @@ def digest(*paths: Path) -> str:
 
 
 def wanted_state(checkout: Path = CHECKOUT) -> dict[str, Any]:
-    """Contents of the stamp after a complete installation for tests."""
+    """Contents of the stamp if the dependencies of all kinds were installed and up to date."""
     installer = checkout / "installer"
     return {
-        # Scripts of an environment hold its path, so a moved checkout needs a new one.
+        # Scripts of an environment contain its path, so a moved checkout needs a new environment.
         "checkout": str(checkout),
         "python": f"{sys.version} {sys.base_prefix}",
-        "locks": {kind: digest(installer / name) for kind, name in LOCKS.items()},
+        "locks": {kind: digest(installer / name) for kind, name in LOCK_FILES.items()},
         "project": digest(*(checkout / name for name in PROJECT_FILES)),
     }
 
@@ -141,7 +142,7 @@ def steps_needed(installed: dict[str, Any] | None, wanted: dict[str, Any], kind:
     ----------
     installed : dict or None, as from `read_stamp`
     wanted : dict, as from `wanted_state`
-    kind : str, key of `LOCKS`; the lock for tests includes everything in the lock for running
+    kind : str, key of `LOCK_FILES`; the lock for tests includes everything in the lock for running
     """
     if installed is None or any(installed.get(k) != wanted[k] for k in ("checkout", "python")):
         return ["environment", "dependencies", "project"]
@@ -198,7 +199,7 @@ def make_environment() -> None:
 
 
 def pip_progress(lines: Iterable[str], total: int, report: Callable[[str], None]) -> None:
-    """Turns pip's output into a few plain lines: big downloads, and every 25 packages."""
+    """Reports pip's output in a few lines: large downloads, every 25th package, and unpacking."""
     seen = 0
     for line in lines:
         text = line.strip()
@@ -224,7 +225,7 @@ def run_pip(arguments: Sequence[str], variables: Mapping[str, str], total: int) 
     Raises
     ------
     SetupError
-        pip failed; the message holds its last lines.
+        pip failed; the message contains its last lines.
     """
     output: list[str] = []
 
@@ -259,7 +260,7 @@ def requirement_count(lock: Path) -> int:
 
 
 def ensure_installed(kind: str, cache: Path) -> None:
-    """Updates the environment for a kind of `LOCKS`, if needed."""
+    """Installs or updates the environment for a kind of `LOCK_FILES`, if it is not up to date."""
     wanted = wanted_state()
     installed = read_stamp(STAMP)
     steps = steps_needed(installed, wanted, kind)
@@ -270,10 +271,10 @@ def ensure_installed(kind: str, cache: Path) -> None:
         make_environment()
         installed = None
     locks = dict(installed["locks"]) if installed else {}
-    write_stamp({"state": "unfinished"}, STAMP)  # an interrupted install starts from nothing
+    write_stamp({"state": "unfinished"}, STAMP)  # after an interruption, all is installed again
     variables = child_variables(os.environ, cache)
     if "dependencies" in steps:
-        lock = CHECKOUT / "installer" / LOCKS[kind]
+        lock = CHECKOUT / "installer" / LOCK_FILES[kind]
         total = requirement_count(lock)
         say(f"Installing {total} locked packages (the first time this takes some minutes)")
         run_pip(["--only-binary", ":all:", "--require-hashes", "-r", str(lock)], variables, total)

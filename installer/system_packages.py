@@ -1,8 +1,8 @@
-"""System libraries that Qt, VTK and Open3D require on Linux, and how to install them.
+"""System packages that the program and its tests require on Linux, and their installation.
 
-A wheel contains its own libraries except those that belong to the system: OpenGL, X11, fonts. The
-dynamic loader is used to check whether a library is present, so that the check works on every
-distribution; only the package names to install are those of Debian and Ubuntu.
+The wheels of Qt, VTK and Open3D contain their libraries except those that belong to the system,
+such as OpenGL and X11. The dynamic loader is used to check whether such a library is present, so
+that the check works on every distribution; the names of packages are those of Debian and Ubuntu.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-# A package that a distribution renamed is listed under both names, the newer one first.
-LIBRARIES: dict[str, tuple[str, ...]] = {
+# Names of the package that contains each library: if it was renamed, the newer name is first.
+LIBRARY_PACKAGES: dict[str, tuple[str, ...]] = {
     # OpenGL, and Mesa's software renderer for machines without a graphics card
     "libGL.so.1": ("libgl1",),
     "libEGL.so.1": ("libegl1",),
@@ -62,21 +62,24 @@ LIBRARIES: dict[str, tuple[str, ...]] = {
     "libudev.so.1": ("libudev1",),
     "libusb-1.0.so.0": ("libusb-1.0-0",),
 }
-FONTS = ("fonts-dejavu-core",)
-VIRTUAL_SCREEN = ("xvfb",)
-PDF_READER = ("poppler-utils",)  # the tests read the report with pdftotext
+FONT_PACKAGES = ("fonts-dejavu-core",)
+VIRTUAL_SCREEN_PACKAGES = ("xvfb",)
+PDF_READER_PACKAGES = ("poppler-utils",)  # the tests read the report with pdftotext
 FONT_FOLDERS = ("/usr/share/fonts", "/usr/local/share/fonts")
 
 
-class Missing(NamedTuple):
-    """A missing system component: its description and the possible names of its package."""
+class MissingComponent(NamedTuple):
+    """Missing component of the system, with its description and the names of its package.
 
-    what: str
-    package: tuple[str, ...]
+    `choose_names` selects the name to install.
+    """
+
+    description: str
+    package_names: tuple[str, ...]
 
 
 class PackagesMissingError(Exception):
-    """The system lacks libraries and this script may not, or cannot, install them."""
+    """The system lacks packages that could not be installed; the message gives the reason."""
 
 
 def library_loads(soname: str) -> bool:
@@ -98,8 +101,8 @@ def fonts_exist() -> bool:
 
 
 def venv_works() -> bool:
-    """Whether this Python can make environments; Debian keeps that in a package of its own."""
-    # In a process of its own: the attempt must not change this one.
+    """Whether this Python can create environments; on Debian a separate package is required."""
+    # Tested in another process, so that the modules are not imported into this one.
     command = [sys.executable, "-c", "import venv, ensurepip; ensurepip.version()"]
     return subprocess.run(command, capture_output=True, check=False).returncode == 0
 
@@ -111,76 +114,84 @@ def missing_packages(
     has_fonts: Callable[[], bool] = fonts_exist,
     which: Callable[[str], str | None] = shutil.which,
     has_venv: Callable[[], bool] = venv_works,
-) -> list[Missing]:
-    """Missing components of this Linux system; tests replace the callables that query it."""
-    missing = [Missing(so, package) for so, package in LIBRARIES.items() if not loads(so)]
+) -> list[MissingComponent]:
+    """Missing components of this Linux system; the callables that query it can be replaced."""
+    missing = [
+        MissingComponent(so, package) for so, package in LIBRARY_PACKAGES.items() if not loads(so)
+    ]
     if not has_fonts():
-        missing.append(Missing("a scalable font", FONTS))
+        missing.append(MissingComponent("a scalable font", FONT_PACKAGES))
     if for_tests and which("Xvfb") is None:
-        missing.append(Missing("the virtual screen Xvfb", VIRTUAL_SCREEN))
+        missing.append(MissingComponent("the virtual screen Xvfb", VIRTUAL_SCREEN_PACKAGES))
     if for_tests and which("pdftotext") is None:
-        missing.append(Missing("the PDF reader pdftotext", PDF_READER))
+        missing.append(MissingComponent("the PDF reader pdftotext", PDF_READER_PACKAGES))
     if not has_venv():
         version = f"{sys.version_info[0]}.{sys.version_info[1]}"
-        missing.append(Missing("Python's venv module", (f"python{version}-venv", "python3-venv")))
+        missing.append(
+            MissingComponent("Python's venv module", (f"python{version}-venv", "python3-venv"))
+        )
     return missing
 
 
 def apt_knows(package: str) -> bool:
-    """Whether apt can install a package of this name (a purely virtual name does not count)."""
+    """Whether the lists of apt contain this name, as that of a package or as a virtual one."""
     command = ["apt-cache", "show", "--no-all-versions", package]
     return subprocess.run(command, capture_output=True, check=False).returncode == 0
 
 
-def choose_names(missing: Sequence[Missing], knows: Callable[[str], bool] = apt_knows) -> list[str]:
-    """Package names for apt-get, each once.
+def choose_names(
+    missing: Sequence[MissingComponent], knows: Callable[[str], bool] = apt_knows
+) -> list[str]:
+    """Package name of each component for apt-get, without repetitions.
 
-    Of several names, the first that apt knows is used. If apt knows none because its lists were
-    never fetched, the last is used: it is the older name, which newer systems still provide.
+    Of several names, the first that apt knows is used, otherwise the last one. That is the older or
+    more general name, which newer systems still provide; it is also used if the lists of apt were
+    never fetched.
     """
     chosen = []
-    for need in missing:
-        known = (name for name in need.package[:-1] if knows(name))
-        name = next(known, need.package[-1])
+    for component in missing:
+        known = (name for name in component.package_names[:-1] if knows(name))
+        name = next(known, component.package_names[-1])
         if name not in chosen:
             chosen.append(name)
     return chosen
 
 
 def install_command(packages: Sequence[str]) -> list[str]:
-    """Command that installs the packages without questions."""
+    """Command that installs packages without asking for confirmation."""
     return ["apt-get", "install", "-y", "--no-install-recommends", *packages]
 
 
 def is_root() -> bool:
-    """Whether this process may install packages."""
+    """Whether this process runs as root, so that it may install packages."""
     return hasattr(os, "geteuid") and os.geteuid() == 0
 
 
-def ensure(
-    missing: Sequence[Missing],
+def ensure_packages(
+    missing: Sequence[MissingComponent],
     *,
     root: bool,
     apt_get: str | None,
     say: Callable[[str], None],
 ) -> None:
-    """Installs missing packages as root; otherwise raises an error with the command to run.
+    """Installs the packages of missing components, if this process runs as root and has apt-get.
 
     Parameters
     ----------
-    missing : sequence of Missing
-    root : bool, whether this process may install packages
+    missing : sequence of MissingComponent
+    root : bool, whether this process runs as root
     apt_get : path of apt-get, or None on a system without it
-    say : receives one line of progress
+    say : function that prints one line of progress
 
     Raises
     ------
     PackagesMissingError
-        The user has to install something; the message holds the exact command.
+        If the user has to install the packages, with the command (or, without apt-get, the names of
+        the packages), or if apt-get failed.
     """
     if not missing:
         return
-    shown = [need.what for need in missing[:4]]
+    shown = [component.description for component in missing[:4]]
     more = len(missing) - len(shown)
     what = ", ".join(shown) + (f" and {more} more" if more else "")
     if apt_get is None:
@@ -203,7 +214,13 @@ def ensure(
 
 
 def run_apt(command: Sequence[str]) -> None:
-    """Runs one apt-get command; on failure raises with the last lines it printed."""
+    """Runs one apt-get command.
+
+    Raises
+    ------
+    PackagesMissingError
+        If it failed; the message contains the last lines of its output.
+    """
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C"}
     # apt-get must not wait for an answer to questions about the time zone or the keyboard.
     done = subprocess.run(

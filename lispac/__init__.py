@@ -39,8 +39,8 @@ if TYPE_CHECKING:
     from lispac.workflow.calibration.point_numbers import point_numbers as point_numbers
     from lispac.workflow.checking.batch import batch as batch
 
-# Imported on first use: the command line asks for the version alone.
-_WHERE = {
+# Modules are imported on first use, since the command line often needs only the version.
+_MODULE_OF_NAME = {
     "ExpectedTarget": "lispac.targets.expected_target",
     "FinderChoices": "lispac.targets.finder_settings",
     "Identity": "lispac.identity",
@@ -60,14 +60,14 @@ _WHERE = {
     "point_numbers": "lispac.workflow.calibration.point_numbers",
 }
 
-__all__ = ["__version__", *sorted(_WHERE)]
+__all__ = ["__version__", *sorted(_MODULE_OF_NAME)]
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _WHERE:
+    if name not in _MODULE_OF_NAME:
         raise AttributeError(f"module 'lispac' has no attribute {name!r}")
     _use_cache()
-    found = getattr(import_module(_WHERE[name]), name)
+    found = getattr(import_module(_MODULE_OF_NAME[name]), name)
     globals()[name] = found
     return found
 

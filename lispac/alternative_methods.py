@@ -11,7 +11,7 @@ from lispac.messages import Message
 Array = NDArray[np.float64]
 
 Method = Literal["natural planes", "targetless", "patch test"]
-METHODS: tuple[Method, ...] = ("natural planes", "targetless", "patch test")
+ALTERNATIVE_METHODS: tuple[Method, ...] = ("natural planes", "targetless", "patch test")
 """Alternative methods in the order in which they are shown."""
 
 

@@ -1,9 +1,9 @@
 """Cache of files that the program can create again.
 
-These are the built-in survey, the manual, compiled code and fonts. The user chooses the folder, for
-the window and the command line alike. If the folder cannot be written to, for example in a missing
-or read-only home directory, a temporary folder is used instead. Only files created by the program
-are ever removed from the cache.
+These are the built-in survey, the manual, compiled code, and matplotlib's list of fonts. The user
+can choose the folder, which the window and the command line share. If it cannot be written to, for
+example in a missing or read-only home directory, a temporary folder is used instead. Only files
+created by the program are ever removed from the cache.
 """
 
 import os
@@ -18,19 +18,21 @@ from lispac.errors import InputError, system_reason
 from lispac.installation_paths import home_folder, temporary_folder, user_folder
 from lispac.messages import Level, Message, error
 
-CHOICE = "cache-folder.txt"
-"""Name of the file with the chosen folder, next to the other settings for all projects."""
-NAME = "lispac"
-"""Name of the cache folder within the chosen folder."""
-DEMO = "demo"
-MANUAL, MANUAL_MARK = "manual", "made-by-lispac"
-"""Folder of the built manual, and the file in it that marks it as created by this program."""
-VARIABLES = {"NUMBA_CACHE_DIR": "numba", "MPLCONFIGDIR": "matplotlib"}
-"""Cache folders of other packages, by the environment variable that sets their location."""
+CHOSEN_FOLDER_FILE = "cache-folder.txt"
+"""Name of the file with the path of the chosen folder, in `user_folder`."""
+CACHE_FOLDER_NAME = "lispac"
+"""Name of the cache folder within the chosen or default folder."""
+DEMO_FOLDER = "demo"
+"""Folder of the built-in survey within the cache folder."""
+MANUAL_FOLDER, MANUAL_MARKER_FILE = "manual", "made-by-lispac"
+"""Folder of the built manual within the cache folder, and the file that marks it as created by
+this program."""
+CACHE_VARIABLES = {"NUMBA_CACHE_DIR": "numba", "MPLCONFIGDIR": "matplotlib"}
+"""Subfolder for the cache of another package, by the environment variable that sets its path."""
 
 
 def default_folder() -> Path:
-    """Default cache folder of the user on this system."""
+    """Folder in which programs of the user have their caches on this system."""
     home = home_folder()
     if sys.platform == "win32":
         return Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local")) / "cache"
@@ -48,15 +50,15 @@ def chosen_folder(config: Path | None = None) -> Path | None:
         Folder of the user's files for all projects, if it is not `user_folder`.
     """
     try:
-        text = ((config or user_folder()) / CHOICE).read_text(encoding="utf-8").strip()
+        text = ((config or user_folder()) / CHOSEN_FOLDER_FILE).read_text(encoding="utf-8").strip()
     except (OSError, UnicodeDecodeError):
         return None
     return Path(text) if text else None
 
 
 def cache_folder_in(folder: Path | None) -> Path:
-    """Folder of the cache inside a chosen folder; the default cache folder for None."""
-    return (folder or default_folder()) / NAME
+    """Cache folder of the program inside a chosen folder, or inside the default one for None."""
+    return (folder or default_folder()) / CACHE_FOLDER_NAME
 
 
 def usable_cache_folder(config: Path | None = None) -> Path:
@@ -65,7 +67,7 @@ def usable_cache_folder(config: Path | None = None) -> Path:
 
 
 def writable_or_temporary_folder(place: Path) -> Path:
-    """Folder itself if it can be written to, which is tested once; otherwise a temporary one."""
+    """Return a folder if it can be written to, which is tested once; otherwise a temporary one."""
     return place if _is_writable(place) else temporary_folder()
 
 
@@ -124,7 +126,7 @@ def choose_folder(folder: Path | None, config: Path | None = None) -> None:
         return
     if folder is not None:
         require_writable(folder)
-    with atomic_write((config or user_folder()) / CHOICE) as path:
+    with atomic_write((config or user_folder()) / CHOSEN_FOLDER_FILE) as path:
         path.write_text("" if folder is None else f"{folder}\n", encoding="utf-8")
 
 
@@ -173,7 +175,7 @@ def set_cache_variables(variables: MutableMapping[str, str]) -> Message | None:
     folder = cache_folder_in(chosen_folder())
     place = usable_cache_folder()
     refused = [] if place == folder else [folder]
-    for variable, part in VARIABLES.items():
+    for variable, part in CACHE_VARIABLES.items():
         current = variables.get(variable)
         if current and not _may_be_written(Path(current)):
             refused.append(Path(current))
@@ -194,10 +196,10 @@ def _may_be_written(folder: Path) -> bool:
 
 
 def _cache_parts(place: Path) -> list[Path]:
-    parts = [place / part for part in VARIABLES.values()]
+    parts = [place / part for part in CACHE_VARIABLES.values()]
     # A folder called demo may belong to another program; that of this program has a marker file.
-    if (place / DEMO / "raw" / DEMO).is_file():
-        parts.append(place / DEMO)
-    if (place / MANUAL / MANUAL_MARK).is_file():
-        parts.append(place / MANUAL)
+    if (place / DEMO_FOLDER / "raw" / DEMO_FOLDER).is_file():
+        parts.append(place / DEMO_FOLDER)
+    if (place / MANUAL_FOLDER / MANUAL_MARKER_FILE).is_file():
+        parts.append(place / MANUAL_FOLDER)
     return [part for part in parts if part.is_dir() and not part.is_symlink()]

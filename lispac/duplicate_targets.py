@@ -1,4 +1,4 @@
-"""Duplicate targets: targets that have points in common.
+"""Duplicate targets, which have points in common, and all other warnings about a project.
 
 Points shared by two targets count twice in the adjustment. A validation plane that has the points
 of a target is not an independent check.
@@ -13,23 +13,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.diagnostics.cause_warnings import SAME_ON_LINES, point_displacement
+from lispac.adjustment.diagnostics.cause_warnings import SAME_ON_LINES_CODE, point_displacement
 from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.messages import Level, Message, error, note, shortened_list, warning
 from lispac.picked_targets import PickedSighting, Target
 from lispac.project import Project, ProposalPrediction
-from lispac.warning_causes import RESULT, Cause
+from lispac.warning_causes import RESULT_CAUSE, Cause
 
-MIN_SHARED = 0.1
+MIN_SHARED_FRACTION = 0.1
 """Smallest share of common points for which two targets are reported."""
-SAME_SURFACE_SHARE = 0.3
-"""Smallest share of common points for which two targets are considered the same surface."""
-SAMPLE_SIZE = 1000
-"""Number of points of a sighting that are first compared with another one."""
-SIGMA_MARGIN = 0.2
-"""Largest relative difference between the sigma of the result and the predicted one."""
+SAME_SURFACE_FRACTION = 0.3
+"""Targets with a larger share of common points are considered the same surface."""
+MAX_SAMPLE_SIZE = 1000
+"""Largest number of points of a sighting that are first compared with another one."""
+MAX_SIGMA_DIFFERENCE = 0.2
+"""Largest relative difference of a sigma from the predicted one that is not reported."""
 
 
 @dataclass(frozen=True)
@@ -57,11 +57,11 @@ class TargetOverlap:
     @property
     def is_same_surface(self) -> bool:
         """True if both targets are the same surface."""
-        return self.share > SAME_SURFACE_SHARE
+        return self.share > SAME_SURFACE_FRACTION
 
 
 def find_overlaps(targets: Iterable[Target]) -> tuple[TargetOverlap, ...]:
-    """Pairs of used targets that share at least `MIN_SHARED` of their points on a line."""
+    """Pairs of used targets that share at least `MIN_SHARED_FRACTION` of their points on a line."""
     used = [_TargetPoints.of(target, target.used_sightings) for target in targets]
     found = (_largest_overlap(one, other) for one, other in combinations(used, 2))
     return tuple(each for each in found if each is not None)
@@ -82,7 +82,7 @@ def find_overlap(target: Target, others: Iterable[Target]) -> TargetOverlap | No
     return max(overlapping, key=lambda each: each.share, default=None)
 
 
-_OVERLAPS = {
+_OVERLAP_CODES = {
     (True, "twice"): "overlap.same_surface_twice",
     (True, "unchecked"): "overlap.same_surface_unchecked",
     (True, ""): "overlap.same_surface",
@@ -104,7 +104,7 @@ def overlap_warning(target: Target, others: Iterable[Target]) -> Message | None:
     if target.role == other.role == "validation":
         effect = ""
     return warning(
-        _OVERLAPS[found.is_same_surface, effect], target=target.name, other=found.other,
+        _OVERLAP_CODES[found.is_same_surface, effect], target=target.name, other=found.other,
         share=found.share, smaller=found.smaller, line=found.line,
     )  # fmt: skip
 
@@ -143,13 +143,13 @@ def _duplicate_warnings(targets: tuple[Target, ...]) -> tuple[Message, ...]:
 
 
 def all_warnings(project: Project, also: Iterable[Message] = ()) -> tuple[Message, ...]:
-    """All warnings about a project with a result or without one, then notes."""
+    """All warnings and notes about a project; sorted by level if it has a result."""
     also = (*project_warnings(project), *also)
     return result_warnings(project.result, project.cross_checks, also) if project.result else also
 
 
 def project_warnings(project: Project) -> tuple[Message, ...]:
-    """Warnings from picks, files and predictions, in addition to those about a result."""
+    """Warnings about the targets, the predicted sigmas and the files of a project."""
     return (
         *duplicate_warnings(project),
         *prediction_warnings(project),
@@ -161,26 +161,31 @@ def project_warnings(project: Project) -> tuple[Message, ...]:
 def prediction_warnings(project: Project) -> tuple[Message, ...]:
     """Messages on sigmas that differ from those predicted when the targets were proposed.
 
-    Larger sigmas include the differences found by the cross-checks and give a note. Smaller sigmas
-    give a warning, since they may be too optimistic.
+    Larger sigmas give a note. Smaller sigmas give a warning, since they may be too optimistic.
     """
     result, prediction = project.result, project.prediction
     if result is None or prediction is None:
         return ()
     ratio = result.sigma / prediction.sigma
     found = []
-    if (ratio < 1 - SIGMA_MARGIN).any():
-        angles = _predicted_angles(result, prediction, ratio < 1 - SIGMA_MARGIN)
+    if (ratio < 1 - MAX_SIGMA_DIFFERENCE).any():
+        angles = _predicted_angles(result, prediction, ratio < 1 - MAX_SIGMA_DIFFERENCE)
         found.append(
             warning(
-                "targets.sigma_below_prediction", limit=SIGMA_MARGIN, angles=angles, subject=RESULT
+                "targets.sigma_below_prediction",
+                limit=MAX_SIGMA_DIFFERENCE,
+                angles=angles,
+                subject=RESULT_CAUSE,
             )
         )
-    if (ratio > 1 + SIGMA_MARGIN).any():
-        angles = _predicted_angles(result, prediction, ratio > 1 + SIGMA_MARGIN)
+    if (ratio > 1 + MAX_SIGMA_DIFFERENCE).any():
+        angles = _predicted_angles(result, prediction, ratio > 1 + MAX_SIGMA_DIFFERENCE)
         found.append(
             note(
-                "targets.sigma_above_prediction", limit=SIGMA_MARGIN, angles=angles, subject=RESULT
+                "targets.sigma_above_prediction",
+                limit=MAX_SIGMA_DIFFERENCE,
+                angles=angles,
+                subject=RESULT_CAUSE,
             )
         )
     return tuple(found)
@@ -189,7 +194,7 @@ def prediction_warnings(project: Project) -> tuple[Message, ...]:
 def _predicted_angles(
     result: AdjustmentResult, prediction: ProposalPrediction, named: NDArray[np.bool_]
 ) -> list[Message]:
-    """Predicted and formal sigmas of the selected angles."""
+    """Predicted and estimated sigmas of the selected angles, as items of a message."""
     return [
         note(
             "item.angle_predicted", angle=mounting_value_name(angle),
@@ -200,7 +205,7 @@ def _predicted_angles(
 
 
 def single_line_notes(targets: Iterable[Target]) -> tuple[Message, ...]:
-    """Note on targets that are not used because only one line shows them."""
+    """Note on targets that are not used because they were found on only one line."""
     alone = [
         target
         for target in targets
@@ -221,7 +226,8 @@ def single_line_notes(targets: Iterable[Target]) -> tuple[Message, ...]:
 def data_warnings(project: Project) -> tuple[Message, ...]:
     """Warnings about the imported files, which apply to every result computed from them.
 
-    Lines with the same warning are named after the first one.
+    Warnings with the same code about several lines become one message, with the text of the first
+    and the names of the other lines.
     """
     groups: dict[str, list[Message]] = {}
     for message in project.data_messages:
@@ -231,7 +237,7 @@ def data_warnings(project: Project) -> tuple[Message, ...]:
     for first, *others in groups.values():
         lines = [each.subject.name for each in others if each.subject is not None]
         if not lines:
-            found.append(replace(first, subject=first.subject or RESULT))
+            found.append(replace(first, subject=first.subject or RESULT_CAUSE))
             continue
         params: dict[str, Any] = {"reason": first, "lines": lines}
         effects = [point_displacement(each) for each in (first, *others)]
@@ -239,7 +245,7 @@ def data_warnings(project: Project) -> tuple[Message, ...]:
         if len(known) == len(effects):
             params["effect"] = max(known)
         make = error if first.level is Level.ERROR else warning
-        found.append(make(SAME_ON_LINES, subject=first.subject or RESULT, **params))
+        found.append(make(SAME_ON_LINES_CODE, subject=first.subject or RESULT_CAUSE, **params))
     return tuple(found)
 
 
@@ -266,24 +272,24 @@ def _overlap_items(overlaps: Sequence[TargetOverlap]) -> tuple[str | Message, ..
 
 @dataclass(frozen=True, eq=False)
 class _TargetPoints:
-    """The points of a target by line, their numbers in order."""
+    """Sorted indices of the points of a target on each line."""
 
     name: str
     lines: dict[str, NDArray[np.int64]]
 
     @classmethod
     def of(cls, target: Target, sightings: Iterable[PickedSighting]) -> "_TargetPoints":
-        # The numbers are usually in order already, which a stable sort detects quickly.
+        # The indices are usually sorted already, which a stable sort detects quickly.
         return cls(target.name, {s.line: np.sort(s.indices, kind="stable") for s in sightings})
 
 
 def _largest_overlap(one: _TargetPoints, other: _TargetPoints) -> TargetOverlap | None:
-    """Largest overlap of two targets on a line; None if there is none."""
+    """Overlap of two targets on the line where it is largest; None if there is none."""
     found = []
     for line, first in one.lines.items():
         second = other.lines.get(line)
         share = 0.0 if second is None else _shared_fraction(first, second)
-        if second is not None and share >= MIN_SHARED:
+        if second is not None and share >= MIN_SHARED_FRACTION:
             smaller = one if len(first) <= len(second) else other
             found.append(TargetOverlap(one.name, other.name, line, share, smaller.name))
     return max(found, key=lambda each: each.share, default=None)
@@ -295,8 +301,8 @@ def _shared_fraction(first: NDArray[np.int64], second: NDArray[np.int64]) -> flo
     if not len(small):
         return 0.0
     # Most pairs have no common points; a sample of the points is enough to detect that.
-    share = _fraction_among(small[:: 1 + len(small) // SAMPLE_SIZE], large)
-    return share if share < MIN_SHARED / 2 else _fraction_among(small, large)
+    share = _fraction_among(small[:: 1 + len(small) // MAX_SAMPLE_SIZE], large)
+    return share if share < MIN_SHARED_FRACTION / 2 else _fraction_among(small, large)
 
 
 def _fraction_among(numbers: NDArray[np.int64], among: NDArray[np.int64]) -> float:

@@ -1,15 +1,15 @@
 """Exceptions with messages for the user.
 
-A message says in plain words what is wrong, where, and what to do. The command line prints it and
-exits with status 1; the window shows it in a dialogue.
+A message describes the problem, where it is, and what the user can do. The command line prints it
+and exits with status 1; the window shows it in a dialogue.
 """
 
 import errno
 
-from lispac.message_texts import CONTROL, message_text
+from lispac.message_texts import CONTROL_CHARACTERS_TO_SPACES, message_text
 from lispac.messages import Message, note
 
-SYSTEM_REASONS = {
+SYSTEM_REASON_CODES = {
     errno.ENOENT: "system.not_found",
     errno.EIO: "system.input_output",
     errno.EACCES: "system.permission",
@@ -25,7 +25,7 @@ SYSTEM_REASONS = {
 
 def system_reason(failure: OSError) -> Message | str:
     """Reason of an error of the operating system, as a parameter of a message."""
-    code = SYSTEM_REASONS.get(failure.errno or 0)
+    code = SYSTEM_REASON_CODES.get(failure.errno or 0)
     return failure.strerror or str(failure) if code is None else note(code)
 
 
@@ -62,7 +62,7 @@ class LispacError(Exception):
         """Text of the message, in one line."""
         if isinstance(self._message, Message):
             return message_text(self._message)
-        return self._message.translate(CONTROL)
+        return self._message.translate(CONTROL_CHARACTERS_TO_SPACES)
 
 
 class InputError(LispacError):

@@ -14,7 +14,7 @@ from lispac.messages import Message, note
 
 Renamed = TypeVar("Renamed", bound=Callable[..., Any])
 
-SCRIPT_NAMES = {
+NEW_SCRIPT_NAMES = {
     "accept_one_facing": "accept_single_orientation",
     "left_out": "excluded_outliers",
     "others": "other_surfaces",
@@ -30,9 +30,9 @@ SCRIPT_NAMES = {
     "suspects": "rejected_sightings",
     "together": "all_lines",
 }
-"""Former and new names of parameters and attributes that scripts use."""
-READING_OPTIONS = {"restart": "time_rollover"}
-"""New names of reading options by the former ones."""
+"""New names of parameters and attributes that scripts use, by the former names."""
+NEW_READING_OPTIONS = {"restart": "time_rollover"}
+"""New names of the options for reading a file, by the former names."""
 
 
 def renamed_keys(content: Any, names: Mapping[str, Mapping[str, str]], place: str = "") -> Any:
@@ -41,8 +41,10 @@ def renamed_keys(content: Any, names: Mapping[str, Mapping[str, str]], place: st
     Parameters
     ----------
     names : mapping
-        Tables of new names by former names, for each place in the file. A place is the path of
-        keys to the table, joined by points, without list indices; it is empty for the top level.
+        New keys by former keys, for each place in the file. A place is the path of keys to an
+        object, joined by points, without list indices; it is empty for the top level.
+    place : str
+        Place of ``content`` in the file.
     """
     if isinstance(content, list):
         return [renamed_keys(each, names, place) for each in content]
@@ -57,7 +59,7 @@ def renamed_keys(content: Any, names: Mapping[str, Mapping[str, str]], place: st
 
 def renamed_reading(reading: Mapping[str, Any]) -> dict[str, Any]:
     """Plain values of a `Reading` with former names of options replaced."""
-    options = [[READING_OPTIONS.get(name, name), value] for name, value in reading["options"]]
+    options = [[NEW_READING_OPTIONS.get(name, name), value] for name, value in reading["options"]]
     return {**reading, "options": options}
 
 
@@ -76,7 +78,7 @@ def accept_script_names(renamed: Renamed) -> Renamed:
 
 
 def _present_option(name: str) -> str:
-    new = READING_OPTIONS.get(name, name)
+    new = NEW_READING_OPTIONS.get(name, name)
     if new != name:
         _warn(note("former_name.script", former=name, name=new))
     return new
@@ -87,16 +89,16 @@ def _with_former_parameters(function: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(function)
     def renamed(*args: Any, **named: Any) -> Any:
-        for former in named.keys() & SCRIPT_NAMES.keys() - parameters.keys():
-            _warn(note("former_name.script", former=former, name=SCRIPT_NAMES[former]))
-            named[SCRIPT_NAMES[former]] = named.pop(former)
+        for former in named.keys() & NEW_SCRIPT_NAMES.keys() - parameters.keys():
+            _warn(note("former_name.script", former=former, name=NEW_SCRIPT_NAMES[former]))
+            named[NEW_SCRIPT_NAMES[former]] = named.pop(former)
         return function(*args, **named)
 
     return renamed
 
 
 def _attribute_of_former_name(holder: Any, name: str) -> Any:
-    new = SCRIPT_NAMES.get(name)
+    new = NEW_SCRIPT_NAMES.get(name)
     if new is None or not hasattr(holder, new):
         raise AttributeError(f"{type(holder).__name__!r} object has no attribute {name!r}")
     _warn(note("former_name.script", former=name, name=new))

@@ -9,8 +9,8 @@ from lispac.errors import InputError
 from lispac.language import N_
 from lispac.messages import error, note
 
-MAX_LENGTH = 200
-"""Largest number of characters of a field; notes may be ten times as long."""
+MAX_FIELD_LENGTH = 200
+"""Largest number of characters of a field; remarks may be ten times as long."""
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class Identity:
     ----------
     scanner, pos : maker and model of the LiDAR and of the INS/GNSS
     dates : day or days of the survey
-    lever_arm_origin : where the lever arm comes from: a measurement, a drawing
+    lever_arm_origin : source of the lever arm, such as a measurement or a drawing
     """
 
     surveyor: str = ""
@@ -56,10 +56,10 @@ class Identity:
         self.changed(**asdict(self))
 
 
-BLANK = Identity()
-NAMES = tuple(field.name for field in fields(Identity))
+EMPTY_IDENTITY = Identity()
+FIELD_NAMES = tuple(field.name for field in fields(Identity))
 
-LABELS = {
+FIELD_LABELS = {
     "surveyor": N_("Surveyor"),
     "company": N_("Company"),
     "vessel": N_("Vessel"),
@@ -74,7 +74,7 @@ LABELS = {
 }
 """Labels of the fields."""
 
-HINTS = {
+FIELD_HINTS = {
     "surveyor": "person responsible for the calibration",
     "company": "company of the surveyor",
     "vessel": "name of the vessel",
@@ -97,7 +97,7 @@ def _clean_text(name: str, text: str) -> str:
         raise InputError(error("identity.several_lines", field=field))
     if any(not letter.isprintable() and letter != "\n" for letter in tidy):
         raise InputError(error("identity.not_printable", field=field))
-    longest = MAX_LENGTH * (10 if name == "remarks" else 1)
+    longest = MAX_FIELD_LENGTH * (10 if name == "remarks" else 1)
     if len(tidy) > longest:
         raise InputError(error("identity.too_long", field=field, held=len(tidy), longest=longest))
     return tidy

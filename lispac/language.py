@@ -9,8 +9,9 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
 - ``n``: a count
 - ``m``, ``mm``, ``km``, ``s``, ``ms``, ``h``, ``hz``: an SI value, converted to that unit;
   ``deg``: an angle in radians, converted to degrees; ``percent``: a ratio; ``mb``: a number of
-  bytes; ``x``: a number without a unit. Without a number of decimals, three significant digits are
-  written; ``+`` always writes the sign. The unit itself is part of the text.
+  bytes in megabytes; ``x``: a number without a unit. Without a number of decimals, three
+  significant digits are written, or all digits before the decimal sign if there are more; ``+``
+  always writes the sign. The unit itself is part of the text.
 - ``names``: names joined by commas and "and"; ``choices``: names joined by commas and "or";
   ``sentences``: sentences one after the other
 - ``title``: the English title of a field, which is translated
@@ -34,16 +35,18 @@ LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
 """Name of each language in the language itself, by its code."""
 
 _LOCALES: Mapping[str, str] = {"en": "en_GB", "fr": "fr_FR"}
-_SCALES: Mapping[str, float] = {
+_UNIT_FACTORS: Mapping[str, float] = {
     "m": 1.0, "mm": 1e3, "km": 1e-3, "s": 1.0, "ms": 1e3, "h": 1 / 3600, "hz": 1.0,
     "deg": degrees(1.0), "percent": 100.0, "x": 1.0, "mb": 1e-6,
 }  # fmt: skip
-_SIGNIFICANT = 3
-_SMALLEST, _LARGEST = 1e-9, 1e15
-"""Smallest and largest absolute value of numbers that are written without an exponent."""
+"""Factor from the SI value to the displayed unit, by the unit of a format specification."""
+_SIGNIFICANT_DIGITS = 3
+_MIN_PLAIN_NUMBER, _MAX_PLAIN_NUMBER = 1e-9, 1e15
+"""Limits of the absolute value of numbers written without an exponent; the lower one applies only
+if no number of decimals is given."""
 
-_default = "en"
-_chosen: ContextVar[str | None] = ContextVar("language", default=None)
+_program_language = "en"
+_block_language: ContextVar[str | None] = ContextVar("language", default=None)
 
 
 @dataclass(frozen=True)
@@ -65,15 +68,15 @@ def use_language(code: str) -> None:
     ValueError
         If there is no such language.
     """
-    global _default
+    global _program_language
     if code not in LANGUAGES:
         raise ValueError(f"no language {code!r}: choose one of {', '.join(LANGUAGES)}")
-    _default = code
+    _program_language = code
 
 
 def current_language() -> str:
     """Code of the current language, such as ``en``."""
-    return _chosen.get() or _default
+    return _block_language.get() or _program_language
 
 
 @contextmanager
@@ -87,11 +90,11 @@ def in_language(code: str) -> Iterator[None]:
     """
     if code not in LANGUAGES:
         raise ValueError(f"no language {code!r}: choose one of {', '.join(LANGUAGES)}")
-    token = _chosen.set(code)
+    token = _block_language.set(code)
     try:
         yield
     finally:
-        _chosen.reset(token)
+        _block_language.reset(token)
 
 
 def in_english(value: object) -> str:
@@ -161,8 +164,8 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
     if isinstance(value, float) and not isfinite(value):
         return f"{value:+g}" if sign else f"{value:g}"
     # Damaged files may contain huge numbers; Babel supports only 28 digits.
-    if abs(value) >= _LARGEST or (decimals is None and 0 < abs(value) < _SMALLEST):
-        return f"{Decimal(value):{'+' if sign else ''}.{_SIGNIFICANT}g}"
+    if abs(value) >= _MAX_PLAIN_NUMBER or (decimals is None and 0 < abs(value) < _MIN_PLAIN_NUMBER):
+        return f"{Decimal(value):{'+' if sign else ''}.{_SIGNIFICANT_DIGITS}g}"
     if decimals is None:
         decimals = _significant_decimals(value)
     places = f"#,##0.{'0' * decimals}" if decimals else "#,##0"
@@ -188,15 +191,16 @@ def capitalised(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
-ASCII_CHARACTERS = {
+ASCII_REPLACEMENTS = {
     "\u2212": "-", "\u2013": "-", "\u03c3": "sigma", "\u00a0": " ", "\u00b1": "+/-", "\u00b2": "2",
     "\u00b0": " deg",
 }  # fmt: skip
+"""ASCII texts for characters that some terminals cannot show."""
 
 
 def to_plain_text(text: str) -> str:
-    """Text without characters and fixed spaces that some terminals cannot show."""
-    for sign, words in ASCII_CHARACTERS.items():
+    """Text with the characters of `ASCII_REPLACEMENTS` replaced, for terminals that lack them."""
+    for sign, words in ASCII_REPLACEMENTS.items():
         text = text.replace(sign, words)
     return text
 
@@ -230,7 +234,7 @@ def duration_text(seconds: float) -> str:
 
 
 class TextFormatter(Formatter):
-    """Formatter of SI values in units for the user; see the module for the specifications."""
+    """Formatter of the placeholders in texts; the module describes the specifications."""
 
     def format_field(self, value: Any, format_spec: str) -> str:
         """Format one value by its specification.
@@ -251,8 +255,8 @@ class TextFormatter(Formatter):
             return number(int(value), 0)
         bare = format_spec.removesuffix("+")
         unit, _, digits = bare.partition(".")
-        if unit in _SCALES:
-            scaled = float(value) * _SCALES[unit]
+        if unit in _UNIT_FACTORS:
+            scaled = float(value) * _UNIT_FACTORS[unit]
             return number(scaled, int(digits) if digits else None, sign=format_spec.endswith("+"))
         if format_spec:
             raise ValueError(f"no format specification {format_spec!r}")
@@ -279,4 +283,4 @@ def _catalogue(code: str) -> gnu.NullTranslations:
 def _significant_decimals(value: float) -> int:
     if value == 0:
         return 0
-    return max(0, _SIGNIFICANT - 1 - floor(log10(abs(value))))
+    return max(0, _SIGNIFICANT_DIGITS - 1 - floor(log10(abs(value))))

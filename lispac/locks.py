@@ -15,9 +15,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-POLL_INTERVAL = 0.05
+POLL_INTERVAL_S = 0.05
 """Seconds between two attempts to get a lock."""
-UNSUPPORTED = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP}
+NO_LOCK_SUPPORT_ERRNOS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP}
+"""Error numbers of a lock on a file system without locks."""
 
 
 class AlreadyLocked(Exception):
@@ -32,7 +33,7 @@ class NotALockFile(Exception):
 def file_lock(
     path: Path, *, wait: float = 0.0, waiting: Callable[[], None] = lambda: None
 ) -> Iterator[None]:
-    """Hold a lock in a ``with`` block; the lock file is created and removed afterwards.
+    """Hold a lock in a ``with`` block; the lock file is created, and removed except on Windows.
 
     Parameters
     ----------
@@ -65,9 +66,9 @@ def _acquire_lock(path: Path, until: float, waiting: Callable[[], None]) -> int:
     Raises
     ------
     AlreadyLocked
-        If another process holds the lock.
+        If another process or thread still holds the lock at the time ``until``.
     NotALockFile
-        If the path is a link or no regular file.
+        If the path is a link or a folder.
     OSError
         If the file cannot be opened.
     """
@@ -82,14 +83,14 @@ def _acquire_lock(path: Path, until: float, waiting: Callable[[], None]) -> int:
         try:
             _lock(handle)
         except OSError as failure:
-            if failure.errno in UNSUPPORTED:
+            if failure.errno in NO_LOCK_SUPPORT_ERRNOS:
                 return handle
             os.close(handle)
             if time.monotonic() >= until:
                 raise AlreadyLocked(str(path)) from failure
             waiting()
             waiting = _do_nothing
-            time.sleep(POLL_INTERVAL)
+            time.sleep(POLL_INTERVAL_S)
             continue
         # The previous holder may have removed the file between opening and locking.
         try:
@@ -122,7 +123,7 @@ def is_locked(path: Path) -> bool | None:
     try:
         _lock(handle)
     except OSError as failure:
-        return None if failure.errno in UNSUPPORTED else True
+        return None if failure.errno in NO_LOCK_SUPPORT_ERRNOS else True
     finally:
         os.close(handle)
     return False

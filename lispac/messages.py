@@ -16,7 +16,7 @@ Value = Union[str, int, float, "Message", Sequence[Union[str, "Message"]]]
 """Parameter of a message: a name, a count, an SI quantity (metres, seconds, radians, ratios), a
 list of names, or messages that are part of the message."""
 
-MAX_LISTED = 4
+MAX_LISTED_ITEMS = 4
 """Largest number of items of a list that are named; for the others only their number is given."""
 
 
@@ -38,7 +38,7 @@ class Action:
     Attributes
     ----------
     code : str
-        Kind of action: ``set_option``, ``exclude_line``, ``split_line``.
+        Kind of action, such as ``set_option``, ``exclude_line`` or ``split_line``.
     params : mapping of str to Value
         Parameters of the action: name and value of an option, name of a line, shift in seconds.
     """
@@ -73,7 +73,7 @@ class Message:
         """Convert numbers of NumPy to those of Python, which all users of parameters accept."""
         params = {name: _python_value(value) for name, value in self.params.items()}
         object.__setattr__(self, "params", params)
-        object.__setattr__(self, "level", Level(self.level))  # scripts have its value
+        object.__setattr__(self, "level", Level(self.level))  # scripts may give "note"
 
     @property
     def is_serious(self) -> bool:
@@ -95,12 +95,12 @@ def sort_by_level(messages: Iterable[Message]) -> tuple[Message, ...]:
 
 def shortened_list(items: Sequence[str | Message]) -> tuple[str | Message, ...]:
     """First items of a list, with a note on the number of the others."""
-    rest = len(items) - MAX_LISTED
-    return (*items[:MAX_LISTED], note("item.more", count=rest)) if rest > 0 else tuple(items)
+    rest = len(items) - MAX_LISTED_ITEMS
+    return (*items[:MAX_LISTED_ITEMS], note("item.more", count=rest)) if rest > 0 else tuple(items)
 
 
 def plain_params(message: Message | Action) -> dict[str, Any]:
-    """Parameters as values for JSON; nested messages are given by code and parameters."""
+    """Parameters as values for JSON; nested messages as code and parameters."""
     return {name: _plain_value(value) for name, value in message.params.items()}
 
 
@@ -115,7 +115,7 @@ def _plain_value(value: Value) -> Any:
 
 
 def as_message(reason: Message | str) -> Message:
-    """Message itself, or a message with the text of a former project or script as parameter."""
+    """Return a message unchanged; a text of a former project or script becomes a message."""
     return note("project.former_text", reason=reason) if isinstance(reason, str) else reason
 
 

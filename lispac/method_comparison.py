@@ -1,21 +1,21 @@
-"""Comparison of the results of several methods (table 4.4 of the thesis)."""
+"""Comparison of the boresight angles from several methods (table 4.4 of the thesis)."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 from lispac.adjustment.model.parameters import mounting_value_names
 from lispac.adjustment.result import ANGLES
-from lispac.alternative_methods import METHODS, Method
+from lispac.alternative_methods import ALTERNATIVE_METHODS, Method
 from lispac.messages import Message, note
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration, CalibrationDifference, compare_calibrations
 
-TARGETS, TARGETLESS = "targets", "targetless"
-EFFECT_DISTANCE = 50.0
+TARGETS_METHOD, TARGETLESS_METHOD = "targets", "targetless"
+EFFECT_DISTANCE_M = 50.0
 """Distance in metres at which the effect of a difference on a point is given."""
 
-NAMES: Mapping[str, str] = {
-    TARGETS: "method.targets",
+METHOD_NAME_CODES: Mapping[str, str] = {
+    TARGETS_METHOD: "method.targets",
     "natural planes": "method.natural_planes",
     "targetless": "method.targetless",
     "patch test": "method.patch_test",
@@ -30,7 +30,7 @@ class MethodResult:
     Attributes
     ----------
     calibration : Calibration
-        Has the name of the method.
+        Angles with their covariance; its name is that of the method.
     lines, surfaces : int
         Number of lines and surfaces used for the result.
     against : CalibrationDifference or None
@@ -62,11 +62,12 @@ def method_results(project: Project) -> tuple[MethodResult, ...]:
 
     result = project.result
     if result is not None:
-        seen = [each.sighting for each in result.sightings]
-        method = TARGETLESS if project.is_targetless else TARGETS
+        sightings = [each.sighting for each in result.sightings]
+        method = TARGETLESS_METHOD if project.is_targetless else TARGETS_METHOD
         add(
             Calibration(method, result.boresight, result.covariance),
-            len({each.line for each in seen}), len({each.target for each in seen}), result.messages,
+            len({each.line for each in sightings}), len({each.target for each in sightings}),
+            result.messages,
         )  # fmt: skip
     for each in project.alternative_results:
         add(
@@ -80,14 +81,14 @@ def missing_methods(project: Project) -> tuple[Method, ...]:
     """Methods without a result."""
     return tuple(
         method
-        for method in METHODS
+        for method in ALTERNATIVE_METHODS
         if project.alternative_result(method) is None
-        and not (method == TARGETLESS and project.is_targetless)
+        and not (method == TARGETLESS_METHOD and project.is_targetless)
     )
 
 
 def comparison_messages(results: tuple[MethodResult, ...]) -> tuple[Message, ...]:
-    """Notes on the agreement of each method with the first one, and on its limitations."""
+    """Notes on the agreement of each method with the first, and on its meaning; empty for one."""
     if len(results) < 2:
         return ()
     compared = [_agreement_note(each.against) for each in results if each.against is not None]
@@ -99,9 +100,9 @@ def _agreement_note(against: CalibrationDifference) -> Message:
     code = "methods.differ" if angles else "methods.differ_together"
     return note(
         code if against.differ else "methods.agree",
-        method=note(NAMES[against.second]),
-        other=note(NAMES[against.first]),
+        method=note(METHOD_NAME_CODES[against.second]),
+        other=note(METHOD_NAME_CODES[against.first]),
         angles=mounting_value_names(angles),
-        distance=EFFECT_DISTANCE,
-        displacement=against.largest_displacement(EFFECT_DISTANCE),
+        distance=EFFECT_DISTANCE_M,
+        displacement=against.largest_displacement(EFFECT_DISTANCE_M),
     )

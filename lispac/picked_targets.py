@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from lispac.errors import ProjectError
 from lispac.messages import Message, error
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 
 Role = Literal["target", "validation"]
 ROLES: tuple[Role, ...] = ("target", "validation")
@@ -26,12 +26,12 @@ class PickedSighting:
     Attributes
     ----------
     indices : ndarray of shape (n,), int64
-        Indices into the points of the line, which are those of its file within the trajectory.
+        Indices into the points of the line: the points of its file within the trajectory's time.
     fingerprint : str
         `Scan.fingerprint` of the points of the line. The sighting is refused if the line has other
         points later, for example after it is read with other options.
     rms : float, metres
-        Of the points about their own plane or sphere.
+        Root mean square distance of the points from the plane or sphere fitted to them.
     used : bool
         Whether the sighting is used.
     one_in : int
@@ -77,7 +77,7 @@ class Target:
     shape: Shape = "plane"
     sphere_radius: float | None = None
     expected: ExpectedTarget | None = None
-    choices: FinderChoices = USUAL
+    choices: FinderChoices = DEFAULT_CHOICES
 
     def sighting(self, line: str) -> PickedSighting | None:
         """Sighting on ``line``; None if there is none."""
@@ -94,7 +94,8 @@ class Target:
         return len(self.used_sightings) >= 2
 
 
-LONGEST_NAME = 40
+MAX_NAME_LENGTH = 40
+"""Largest number of characters in the name of a target."""
 
 
 def require_target_name(name: str) -> None:
@@ -104,9 +105,9 @@ def require_target_name(name: str) -> None:
     ------
     ProjectError
     """
-    if not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():
-        shown = repr(name[:LONGEST_NAME])
-        raise ProjectError(error("target.invalid_name", name=shown, longest=LONGEST_NAME))
+    if not name.strip() or len(name) > MAX_NAME_LENGTH or not name.isprintable():
+        shown = repr(name[:MAX_NAME_LENGTH])
+        raise ProjectError(error("target.invalid_name", name=shown, longest=MAX_NAME_LENGTH))
     if any(character in name for character in "/\\:"):
         raise ProjectError(error("target.name_with_separator", name=name))
 

@@ -11,8 +11,8 @@ from typing import Protocol
 
 from lispac.language import LazyText, duration_text, gettext, number
 
-SHORTEST_RATED = 1.0
-"""Time in seconds after which a rate is given."""
+MIN_RATE_TIME_S = 1.0
+"""Smallest duration of a measurement, seconds, for which a rate is given."""
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class PointRate:
     def step(self, done: int) -> PointProgress:
         """Progress after ``done`` points, with the rate once it is known."""
         elapsed = time.monotonic() - self._started
-        if elapsed < SHORTEST_RATED or done <= self._before:
+        if elapsed < MIN_RATE_TIME_S or done <= self._before:
             return PointProgress(self._step, done, self._total)
         return PointProgress(self._step, done, self._total, (done - self._before) / elapsed)
 

@@ -1,7 +1,7 @@
 """Project: an immutable value with paths, settings, picked targets and results.
 
-Every edit creates a new value without the results that are out of date. Undo restores the previous
-value, and a result that is out of date can never be shown.
+Every edit creates a new value without the results that are out of date, so that such a result can
+never be shown. Undo restores the previous value.
 """
 
 import math
@@ -13,14 +13,14 @@ from typing import Annotated, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.model.parameters import OPTIONAL_NAMES, PRIOR_SIGMAS, Parameter
-from lispac.adjustment.model.robust_loss import LOSSES, LossName
-from lispac.adjustment.model.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
+from lispac.adjustment.model.parameters import OPTIONAL_NAMES, PRIOR_SIGMA_LIMITS, Parameter
+from lispac.adjustment.model.robust_loss import LOSS_NAMES, LossName
+from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, PosErrors, StochasticModel
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.alternative_methods import METHODS, AlternativeResult, Method
+from lispac.alternative_methods import ALTERNATIVE_METHODS, AlternativeResult, Method
 from lispac.errors import InputError, ProjectError
 from lispac.former_names import accept_script_names
-from lispac.identity import BLANK, Identity
+from lispac.identity import EMPTY_IDENTITY, Identity
 from lispac.messages import Message, error, note
 from lispac.picked_targets import ROLES as ROLES
 from lispac.picked_targets import SHAPES as SHAPES
@@ -32,34 +32,38 @@ from lispac.picked_targets import Triple as Triple
 from lispac.picked_targets import require_target_name as require_target_name
 from lispac.picked_targets import require_valid_target as require_valid_target
 from lispac.survey.georeferencing import Mounting
-from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.line_source import LineSource as LineSource
 from lispac.survey.line_source import Reading as Reading
-from lispac.survey.trajectory import LONGEST_GAP
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S
 from lispac.untrusted_values import ArrayShape
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.validation.plane_comparison import PlaneComparison
 
-DEFAULT_THRESHOLD = 0.01
+DEFAULT_THRESHOLD_M = 0.01
 """RANSAC distance threshold in metres (thesis 4.5.3)."""
 
 
 Unit = Literal["m", "deg", "s"]
-LIMITS: Mapping[str, tuple[float, float, Unit]] = {
+SETTING_LIMITS: Mapping[str, tuple[float, float, Unit]] = {
     "setting.position_sigma": (1e-6, 1e4, "m"), "setting.attitude_sigma": (1e-9, 180.0, "deg"),
     "setting.lidar_sigma": (1e-6, 100.0, "m"), "setting.lidar_sigma_xyz": (1e-6, 100.0, "m"),
     "setting.subsample": (1e-6, 1e3, "m"), "setting.scan_angle_offset": (0.0, 360.0, "deg"),
     "setting.correlation_time": (1e-3, 1e7, "s"), "setting.surface": (1e-7, 100.0, "m"),
     "setting.longest_gap": (1e-3, 1e6, "s"),
 }  # fmt: skip
-"""Smallest and largest absolute value of each setting, other than zero, and its unit. Values
+"""Smallest and largest absolute value of each setting that is not zero, and the unit. Values
 outside these limits are typing errors and would cause overflow in the adjustment."""
-LIMITS_OF_BEAM: tuple[tuple[float, float, Unit], ...] = ((1e-6, 100.0, "m"), (1e-9, 180.0, "deg"))
-"""Limits, as in `LIMITS`, of the standard deviations of range and direction of a beam."""
-OUT_OF_RANGE: Mapping[Unit, str] = {
+BEAM_SIGMA_LIMITS: tuple[tuple[float, float, Unit], ...] = (
+    (1e-6, 100.0, "m"),
+    (1e-9, 180.0, "deg"),
+)
+"""Limits, as in `SETTING_LIMITS`, of the standard deviations of range and direction of a beam."""
+OUT_OF_RANGE_CODES: Mapping[Unit, str] = {
     "m": "settings.length_out_of_range", "deg": "settings.angle_out_of_range",
     "s": "settings.time_out_of_range",
 }  # fmt: skip
+"""Code of the message about a setting outside its limits, by the unit of the setting."""
 
 
 @accept_script_names
@@ -78,7 +82,9 @@ class Settings:
     lidar_sigma : metres on each axis, unless one of the next two is given
     lidar_sigma_xyz : metres along x, y, z of the LiDAR
     lidar_beam_sigma : sigma of the range in metres and of the beam's direction in degrees
-    range_offset : metres, scan_angle_offset_deg : degrees, latency : seconds
+    range_offset : metres
+    scan_angle_offset_deg : degrees
+    latency : seconds
         Known systematic errors of the scanner, as `Mounting` applies them.
     subsample : metres; points closer together than this are averaged, or with independent POS
         errors reduced to one of them; 0 keeps all points
@@ -111,7 +117,7 @@ class Settings:
     parameters: tuple[Parameter, ...] = ()
     variance_components: bool = False
     accept_single_orientation: bool = False
-    longest_gap: float = LONGEST_GAP
+    longest_gap: float = DEFAULT_LONGEST_GAP_S
 
     @property
     def stochastic_model(self) -> StochasticModel:
@@ -124,7 +130,7 @@ class Settings:
     @property
     def threshold(self) -> float:
         """Default RANSAC threshold, metres: that of the thesis, or 3 LiDAR sigma if larger."""
-        return max(DEFAULT_THRESHOLD, 3 * self.lidar_sigma)
+        return max(DEFAULT_THRESHOLD_M, 3 * self.lidar_sigma)
 
     def require_sound(self) -> None:
         """Refuse invalid settings.
@@ -153,21 +159,21 @@ class Settings:
         for name, values in numbers.items():
             if not np.isfinite(values).all():
                 raise InputError(error("settings.not_finite", setting=note(name)))
-            if name in LIMITS:
-                low, high, unit = LIMITS[name]
+            if name in SETTING_LIMITS:
+                low, high, unit = SETTING_LIMITS[name]
                 for value in values:
                     if value and not low <= abs(value) <= high:
                         raise InputError(_out_of_range(name, value, low, high, unit))
         for value, (low, high, unit) in zip(
-            self.lidar_beam_sigma or (), LIMITS_OF_BEAM, strict=False
+            self.lidar_beam_sigma or (), BEAM_SIGMA_LIMITS, strict=False
         ):
             if value > 0 and not low <= value <= high:
                 raise InputError(_out_of_range("setting.lidar_beam_sigma", value, low, high, unit))
         if min(*self.position_sigma, *self.attitude_sigma_deg, self.subsample) < 0:
             raise InputError(error("settings.negative"))
-        if self.pos_errors not in POS_ERRORS:
+        if self.pos_errors not in POS_ERROR_MODELS:
             raise InputError(
-                error("settings.unknown_pos_errors", name=self.pos_errors, known=POS_ERRORS)
+                error("settings.unknown_pos_errors", name=self.pos_errors, known=POS_ERROR_MODELS)
             )
         lidar = (self.lidar_sigma, *(self.lidar_sigma_xyz or ()), *(self.lidar_beam_sigma or ()))
         if min(lidar) <= 0:
@@ -180,8 +186,8 @@ class Settings:
             raise InputError(error("settings.negative_surface"))
         if not self.longest_gap > 0:
             raise InputError(error("settings.zero_longest_gap"))
-        if self.loss is not None and self.loss not in LOSSES:
-            raise InputError(error("settings.unknown_loss", name=self.loss, known=LOSSES))
+        if self.loss is not None and self.loss not in LOSS_NAMES:
+            raise InputError(error("settings.unknown_loss", name=self.loss, known=LOSS_NAMES))
         if abs(self.latency) > 10:
             raise InputError(error("settings.latency_too_large", value=self.latency))
         if abs(self.range_offset) > 10:
@@ -212,13 +218,13 @@ class Settings:
 
 
 def require_prior_sigma(parameter: Parameter) -> None:
-    """Refuse a prior standard deviation outside `PRIOR_SIGMAS`.
+    """Refuse a prior standard deviation outside `PRIOR_SIGMA_LIMITS`.
 
     Raises
     ------
     InputError
     """
-    low, high = PRIOR_SIGMAS
+    low, high = PRIOR_SIGMA_LIMITS
     if parameter.sigma is not None and not low <= parameter.sigma <= high:
         raise InputError(error("settings.parameter_sigma_out_of_range", name=parameter.name))
 
@@ -227,7 +233,7 @@ def _out_of_range(name: str, value: float, low: float, high: float, unit: Unit) 
     """Message that a setting is outside its limits."""
     if unit == "deg":
         value, low, high = (math.radians(each) for each in (value, low, high))
-    return error(OUT_OF_RANGE[unit], setting=note(name), value=value, least=low, most=high)
+    return error(OUT_OF_RANGE_CODES[unit], setting=note(name), value=value, least=low, most=high)
 
 
 @dataclass(frozen=True, eq=False)
@@ -262,9 +268,9 @@ class Project:
     """Reason for each validation plane that could not be compared."""
     truth_deg: Triple | None = None
     """True boresight of a simulated survey; None for a real one."""
-    trajectory_reading: Reading = USUAL
-    accuracy_reading: Reading = USUAL
-    identity: Identity = BLANK
+    trajectory_reading: Reading = DEFAULT_READING
+    accuracy_reading: Reading = DEFAULT_READING
+    identity: Identity = EMPTY_IDENTITY
     absolute: AbsoluteCheck | None = None
     """Comparison of the lines with a static scan or surveyed points, if it has been made."""
     alternative_results: tuple[AlternativeResult, ...] = ()
@@ -412,11 +418,14 @@ class Project:
     def with_alternative_result(self, alternative: AlternativeResult) -> "Project":
         """Set the result of an alternative method."""
         others = [each for each in self.alternative_results if each.method != alternative.method]
-        kept = sorted([*others, alternative], key=lambda each: METHODS.index(each.method))
+        kept = sorted(
+            [*others, alternative], key=lambda each: ALTERNATIVE_METHODS.index(each.method)
+        )
         return replace(self, alternative_results=tuple(kept))
 
     def _edited(self, targets: tuple[Target, ...], roles: set[Role]) -> "Project":
-        # A validation plane is not used in the adjustment, so the angles stay valid after its edit.
+        # Validation planes are not used in the adjustment, so the angles stay valid after an edit
+        # of one. Only the method of natural planes uses them.
         kept = "target" not in roles
         return replace(
             self,

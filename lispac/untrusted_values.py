@@ -11,28 +11,28 @@ from typing import Any
 from lispac.message_texts import message_text
 from lispac.messages import Message, error
 
-DEEPEST = 60
-"""Largest depth of nested tables and lists; a project has about ten levels."""
-LARGEST_INTEGER = 2**63
-"""Limit of integers: NumPy and the files of the program use 64 bits."""
-LARGEST_QUANTITY = 1e30
+MAX_NESTING = 60
+"""Largest depth of nested tables and lists in a file; a project has about ten levels."""
+INTEGER_LIMIT = 2**63
+"""Integers in files are smaller than this in absolute value: the program uses 64 bits."""
+MAX_QUANTITY = 1e30
 """Largest quantity in a survey; squares of larger values could overflow."""
-LEAST_AMOUNT, LARGEST_AMOUNT = 1e-12, 1e12
+MIN_AMOUNT, MAX_AMOUNT = 1e-12, 1e12
 """Smallest and largest absolute value, other than zero, of a number given by the user or in a file
 of settings, in any unit. Values outside are typing errors; their squares or inverses would
 overflow."""
-MAX_DIGITS = 19
+MAX_INTEGER_DIGITS = 19
 """Largest number of digits of a 64-bit integer; Python refuses to read thousands of digits."""
 
 
 def is_possible_amount(value: float) -> bool:
-    """True if a number is zero or lies between `LEAST_AMOUNT` and `LARGEST_AMOUNT`."""
-    return value == 0 or LEAST_AMOUNT <= abs(value) <= LARGEST_AMOUNT
+    """True if a number is zero or lies between `MIN_AMOUNT` and `MAX_AMOUNT`."""
+    return value == 0 or MIN_AMOUNT <= abs(value) <= MAX_AMOUNT
 
 
 def is_whole_number(text: str, limit: int) -> bool:
     """True if a text is an integer from 0 to ``limit`` in decimal digits."""
-    return text.isdecimal() and len(text) <= MAX_DIGITS and int(text) <= limit
+    return text.isdecimal() and len(text) <= MAX_INTEGER_DIGITS and int(text) <= limit
 
 
 class ArrayShape:
@@ -128,9 +128,9 @@ def _number_too_large(failure: Exception) -> Message:
 def require_usable_values(values: Any) -> None:
     """Refuse values that the program cannot work with.
 
-    These are lists and tables nested deeper than `DEEPEST`, integers of more than 64 bits, and text
-    with a null character or an unpaired surrogate. Surrogates from U+DC80 on, by which Python
-    represents bytes of file names that are not UTF-8, are allowed.
+    These are lists and tables nested deeper than `MAX_NESTING`, integers of more than 64 bits, and
+    text with a null character or an unpaired surrogate. Surrogates from U+DC80 to U+DCFF, by which
+    Python represents bytes of file names that are not UTF-8, are allowed.
 
     Raises
     ------
@@ -139,7 +139,7 @@ def require_usable_values(values: Any) -> None:
     waiting = [(values, 0)]
     while waiting:
         value, depth = waiting.pop()
-        if depth > DEEPEST:
+        if depth > MAX_NESTING:
             raise InvalidContentError(error("content.nested_too_deeply"))
         if isinstance(value, dict):
             waiting += [(each, depth + 1) for pair in value.items() for each in pair]
@@ -147,12 +147,12 @@ def require_usable_values(values: Any) -> None:
             waiting += [(each, depth + 1) for each in value]
         elif isinstance(value, str):
             require_usable_text(value)
-        elif isinstance(value, int) and abs(value) >= LARGEST_INTEGER:
+        elif isinstance(value, int) and abs(value) >= INTEGER_LIMIT:
             raise InvalidContentError(error("content.number_too_large"))
 
 
 def require_usable_text(text: str) -> None:
-    """Refuse text with a null character or an unpaired surrogate.
+    """Refuse text with a null character or an unpaired surrogate outside U+DC80 to U+DCFF.
 
     Raises
     ------
@@ -166,17 +166,17 @@ def require_usable_text(text: str) -> None:
         raise InvalidContentError(error("content.surrogate")) from failure
 
 
-FORMULA = ("=", "+", "-", "@", "\t", "\r")
-"""First characters of cells that spreadsheets interpret as formulas."""
+FORMULA_PREFIXES = ("=", "+", "-", "@", "\t", "\r")
+"""First characters of a cell that a spreadsheet may interpret as a formula."""
 
 
 def as_csv_cell(value: object) -> str:
-    """Value as a cell of a CSV file, with an apostrophe in front of text that would be a formula.
+    """Text of a CSV cell; an apostrophe is added before text that would be a formula.
 
-    Source: OWASP, CSV injection. Numbers are not changed.
+    Numbers are not changed. Source: OWASP, CSV injection.
     """
     text = "" if value is None else str(value)
-    if not text.startswith(FORMULA):
+    if not text.startswith(FORMULA_PREFIXES):
         return text
     try:
         float(text.replace(",", ""))

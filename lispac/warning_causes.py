@@ -14,10 +14,10 @@ class Cause:
     ----------
     kind : {"line", "target", "sighting", "parameter", "field", "page", "step", "result"}
     name : str
-        Name of the line, target, value of the mounting (as in `CALIBRATION`), setting, page of the
-        diagnostics or step. Empty for the result as a whole.
+        Name of the line, target, value of the mounting (as in `MOUNTING_VALUE_NAMES`), setting,
+        page of the diagnostics or step. Empty for the result as a whole.
     line : str
-        Line of a sighting.
+        Line of a sighting; empty for other kinds.
     """
 
     kind: CauseKind
@@ -60,5 +60,5 @@ class Cause:
         return cls("step", name)
 
 
-RESULT = Cause("result")
+RESULT_CAUSE = Cause("result")
 """Cause that is the result as a whole: the angles and their sigmas."""

@@ -218,7 +218,7 @@ def while_read(act: Callable[[Path], object], command: Callable[[Scene, str], Wo
             if (scene / "L1.las").exists():
                 act(scene / "L1.las")
 
-        scene.patch.setattr(las_chunks, "CHUNK", 200)
+        scene.patch.setattr(las_chunks, "POINTS_PER_CHUNK", 200)
         scene.patch.setattr(las_chunks, "require_usable_points", spoil)
         return command(scene, project)
 

@@ -33,7 +33,7 @@ from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import pick_target
 from lispac.workflow.calibration.targetless import targetless
-from lispac.workflow.planning.simulate import TARGETS as TARGETS_LIST
+from lispac.workflow.planning.simulate import TARGET_LIST_FILE as TARGETS_LIST
 from lispac.workflow.planning.simulate import simulate
 from lispac.workflow.planning.simulated_setup import read_simulation
 from lispac.workflow.project.survey import load_survey

@@ -42,9 +42,9 @@ from lispac.gui.window.actions import ALL_ACTIONS
 from lispac.gui.window.actions import MENUS as WINDOW_MENUS
 from lispac.installation_paths import resource_path
 from lispac.io.format_types import FileFormat, FormatOption
-from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
+from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
 from lispac.language import LANGUAGES, Plural, Template, current_language, gettext
-from lispac.message_texts import TOPICS, message_text
+from lispac.message_texts import TOPIC_MODULES, message_text
 from lispac.message_texts.occasions import OCCASIONS
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
 from tests.french_catalogue import FRENCH
@@ -136,7 +136,9 @@ FIELDS = (QAbstractSpinBox, QComboBox, QAbstractButton, QLineEdit)
 LONGEST = 6
 """Choices of a field that are named; longer lists are those of a library."""
 SHARED = tuple(
-    option for option in POINTS[0].options if all(option in each.options for each in POINTS)
+    option
+    for option in POINT_FORMATS[0].options
+    if all(option in each.options for each in POINT_FORMATS)
 )
 """Options of every format of points."""
 
@@ -154,7 +156,11 @@ def tables(language: str) -> dict[str, str]:
             )
         made["menus.md"] = _menus(language)
         made["keys.md"] = _keys(language)
-        kinds = (("trajectories", TRAJECTORIES), ("accuracies", ACCURACIES), ("points", POINTS))
+        kinds = (
+            ("trajectories", TRAJECTORY_FORMATS),
+            ("accuracies", ACCURACY_FORMATS),
+            ("points", POINT_FORMATS),
+        )
         with tempfile.TemporaryDirectory() as scratch:
             files = samples(Path(scratch))
             for name, formats in kinds:
@@ -331,7 +337,7 @@ def _messages(language: str) -> str:
     """Every message code by its topic, with its levels and its texts, placeholders in brackets."""
     levels = message_levels()
     parts = []
-    for topic in TOPICS:
+    for topic in TOPIC_MODULES:
         rows = [
             (
                 f"`{code}`",

@@ -11,7 +11,7 @@ from typing import Any, get_type_hints
 from jsonschema import Draft202012Validator
 from pydantic import TypeAdapter
 
-from lispac.report.json_report import NAME, SCHEMA_FILE, SCHEMA_VERSION, JsonWarning
+from lispac.report.json_report import SCHEMA_FILE, SCHEMA_NAME, SCHEMA_VERSION, JsonWarning
 from lispac.report.report_values import ReportContent
 
 PATH = Path(__file__).resolve().parents[1] / "resources" / SCHEMA_FILE
@@ -26,7 +26,7 @@ def schema_text() -> str:
     found = TypeAdapter(_in_json()).json_schema(mode="serialization")
     made = _plain(_with_texts(found))
     head = {
-        "schema": {"const": NAME},
+        "schema": {"const": SCHEMA_NAME},
         "schema_version": {"const": SCHEMA_VERSION},
     }
     schema: dict[str, Any] = {

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.model.parameters import ParameterEstimate, mounting_value_name
-from lispac.adjustment.model.robust_loss import LOSSES
+from lispac.adjustment.model.robust_loss import LOSS_NAMES
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import VarianceComponent
-from lispac.io.formats import POINTS
+from lispac.io.formats import POINT_FORMATS
 from lispac.messages import Message, error, note
 from lispac.project import Project
 from lispac.report.content import ReportContent
@@ -46,7 +46,7 @@ COMMENT_MARKS = (
 NOTES = (
     note("trajectory.metres_assumed", file="a.txt", column="Alt"),
     note("assumed.column_unit", column="Alt", unit=note("unit.feet")),
-    *(note("assumed.format", file="L3.laz", format=format.name) for format in POINTS),
+    *(note("assumed.format", file="L3.laz", format=format.name) for format in POINT_FORMATS),
     note("assumed.same_time_base_shifted"),
     note("assumed.time_shift", file="L1.laz", shift=18.0),
     note("import.excluded_outside", file="L2.laz", count=12, total=1_234_567),
@@ -149,7 +149,7 @@ VARIANTS: dict[str, Change] = {
     ),
     "origin": with_settings(origin_deg_m=(45.5, -73.5, -25.6)),
     "file gone": lambda p: replace(p, trajectory=p.folder / "gone.sbet"),
-    **{loss: with_result(model=StochasticModel(loss=loss)) for loss in LOSSES},
+    **{loss: with_result(model=StochasticModel(loss=loss)) for loss in LOSS_NAMES},
     **{f"{code} {k}": change for k, (code, _, change, _) in enumerate(CASES)},
 }
 

@@ -20,7 +20,11 @@ from lispac.workflow.calibration.seed_lists import SeedOutcome, pick_seeds, read
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.checking.calibration_history import CalibrationHistory, read_histories
-from lispac.workflow.checking.subsampling import DISTANCES, SubsamplingResult, subsampling_study
+from lispac.workflow.checking.subsampling import (
+    DEFAULT_DISTANCES,
+    SubsamplingResult,
+    subsampling_study,
+)
 from lispac.workflow.project.survey import Survey
 from tests.report_sample import sample_project
 
@@ -62,7 +66,9 @@ class Findings:
             AbsoluteCheckValues.of(absolute),
             ErrorBudgetValues.of(error_budget_of(project, survey)),
             _years(project, folder),
-            subsampling_study(project, survey, sorted({*DISTANCES, project.settings.subsample})),
+            subsampling_study(
+                project, survey, sorted({*DEFAULT_DISTANCES, project.settings.subsample})
+            ),
             [study_visibility(site) for site in SITES.values()],
             propose_targets(bare, survey),
             seeds,

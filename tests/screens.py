@@ -25,7 +25,7 @@ from lispac.gui.features.estimate.diagnostics_panel import TITLE as DIAGNOSTICS
 from lispac.gui.features.inspect.clipping_panel import TITLE as CLIPPING
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
-from lispac.gui.project.status import STEPS
+from lispac.gui.project.status import STEP_NAMES
 from lispac.gui.viewport.vtk_viewport import VtkViewport
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.gui.window.session import Session
@@ -135,7 +135,7 @@ class Photographer:
     def empty(self) -> None:
         """Before a project is open: the start page, and what the docks say of themselves."""
         self.take(self.window, "start")
-        for step, name in enumerate(STEPS):
+        for step, name in enumerate(STEP_NAMES):
             self.window.workflow.open(step)
             self.take(self.window, f"empty-step-{step + 1}-{name.lower()}")
         self._docks("empty")
@@ -143,7 +143,7 @@ class Photographer:
     def panels(self) -> None:
         """Every step and every dock, with nothing and with a target selected."""
         window = self.window
-        for step, name in enumerate(STEPS):
+        for step, name in enumerate(STEP_NAMES):
             window.workflow.open(step)
             self.take(window, f"step-{step + 1}-{name.split()[0].lower()}")
         self._docks("dock")

@@ -116,11 +116,11 @@ def files_of(manifest: Manifest) -> dict[str, int]:
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Blocks, buckets and coarse level so small that a few thousand points are a big line."""
     for module in (point_blocks, spool):
-        monkeypatch.setattr(module, "BLOCK", 1000)
-    monkeypatch.setattr(column_writer, "BUCKET", 700)
-    monkeypatch.setattr(column_writer, "STEP", 16)
-    monkeypatch.setattr(column_writer, "COARSE", 1500)
-    monkeypatch.setattr(column_files, "WINDOW", 2048)
+        monkeypatch.setattr(module, "BLOCK_POINTS", 1000)
+    monkeypatch.setattr(column_writer, "BUCKET_POINTS", 700)
+    monkeypatch.setattr(column_writer, "KEY_SAMPLING_STEP", 16)
+    monkeypatch.setattr(column_writer, "MAX_COARSE_POINTS", 1500)
+    monkeypatch.setattr(column_files, "WINDOW_VALUES", 2048)
 
 
 def why(error: LispacError) -> str:

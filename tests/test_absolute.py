@@ -12,7 +12,7 @@ from pyproj import CRS
 
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.frames import LocalFrame
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note, warning
 from lispac.present.absolute import AbsoluteCheckValues
@@ -360,7 +360,7 @@ def test_the_project_keeps_it_and_the_report_shows_it(
     assert content.absolute is not None
     assert len(svg_of(reference_distance_figure(content.absolute))) > 1000
     # A file of before has no such entry, and nothing is told of it.
-    path = project.folder / FILE_NAME
+    path = project.folder / PROJECT_FILE_NAME
     stored = json.loads(path.read_text())
     del stored["absolute"]
     path.write_text(json.dumps(stored))

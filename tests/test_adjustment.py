@@ -8,10 +8,19 @@ import scipy.linalg
 import scipy.stats
 
 from lispac.adjustment.least_squares import adjust
-from lispac.adjustment.model.condition_equations import CALIBRATION, POSE, SHAPE, linearise
+from lispac.adjustment.model.condition_equations import (
+    MOUNTING_COLUMNS,
+    POSE_COLUMNS,
+    SHAPE_COLUMNS,
+    linearise,
+)
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.robust_loss import Loss
-from lispac.adjustment.model.stochastic_model import KNOT_INTERVAL, PosErrorKnots, StochasticModel
+from lispac.adjustment.model.stochastic_model import (
+    MAX_KNOT_INTERVAL,
+    PosErrorKnots,
+    StochasticModel,
+)
 from lispac.adjustment.solve.group_sums import (
     AdjustmentState,
     PointWeights,
@@ -64,10 +73,10 @@ def test_jacobians_against_central_differences(block: str, spheres: bool) -> Non
         return linearise(changed(observations, block, k, sign * step), here, shapes).misclosure
 
     analytic = {
-        "mounting": conditions.rows[:, CALIBRATION],
-        "shape": conditions.rows[:, SHAPE],
-        "position": conditions.rows[:, POSE][:, :3],
-        "attitude": conditions.rows[:, POSE][:, 3:],
+        "mounting": conditions.rows[:, MOUNTING_COLUMNS],
+        "shape": conditions.rows[:, SHAPE_COLUMNS],
+        "position": conditions.rows[:, POSE_COLUMNS][:, :3],
+        "attitude": conditions.rows[:, POSE_COLUMNS][:, 3:],
         "points_lidar": conditions.by_lidar,
     }[block]
     for k in range(analytic.shape[1]):
@@ -81,7 +90,7 @@ def dense_rows(
     """Wide rows and variances of all points, written out without sums."""
     kept = [0, 1, 2, 9, 10, 11, 12, 19]
     conditions = linearise(observations, here, PLANES)
-    by_pose = conditions.rows[:, POSE]
+    by_pose = conditions.rows[:, POSE_COLUMNS]
     variance = ((conditions.by_lidar * observations.sigma_lidar) ** 2).sum(axis=1)
     if knots is None:
         sigma = np.hstack([observations.sigma_position, observations.sigma_attitude])
@@ -92,14 +101,14 @@ def dense_rows(
     misclosure = conditions.misclosure + (by_pose * error).sum(axis=1)
     sigma = np.hstack([observations.sigma_position, observations.sigma_attitude])
     # Variance of a Gauss-Markov process between two knots about their chord
-    between = 2 * KNOT_INTERVAL / np.repeat([300.0, 600.0], 3) * u * (1 - u)
+    between = 2 * MAX_KNOT_INTERVAL / np.repeat([300.0, 600.0], 3) * u * (1 - u)
     variance += (between * (by_pose * sigma) ** 2).sum(axis=1)
     # Derivatives at the adjusted observations
     pull = (misclosure / variance)[:, None]
     noise = pull * conditions.by_lidar * observations.sigma_lidar**2
     adjusted = replace(observations, points_lidar=observations.points_lidar - noise)
     conditions = linearise(adjusted, here, PLANES)
-    by_pose = conditions.rows[:, POSE]
+    by_pose = conditions.rows[:, POSE_COLUMNS]
     rows = [conditions.rows[:, kept[:-1]], (1 - u) * by_pose, u * by_pose, misclosure[:, None]]
     return np.hstack(rows), variance
 
@@ -142,7 +151,7 @@ def test_elimination_of_the_pos_error_equals_generalised_least_squares() -> None
     """The same sigmas from one dense covariance of all misclosures, without any knots."""
     observations = planar_survey(mounting(0.1, 0.2, 0.3), points=8)
     on_knots = replace(
-        observations, time=np.round(observations.time / KNOT_INTERVAL) * KNOT_INTERVAL
+        observations, time=np.round(observations.time / MAX_KNOT_INTERVAL) * MAX_KNOT_INTERVAL
     )
     here = mounting(0.1, 0.2, 0.3)
     result = adjust(on_knots, here, NO_SURFACE)
@@ -152,7 +161,7 @@ def test_elimination_of_the_pos_error_equals_generalised_least_squares() -> None
     covariance = np.diag(((conditions.by_lidar * on_knots.sigma_lidar) ** 2).sum(axis=1))
     sigma = np.hstack([on_knots.sigma_position, on_knots.sigma_attitude])
     for k, tau in enumerate([300.0] * 3 + [600.0] * 3):
-        part = conditions.rows[:, POSE][:, k] * sigma[:, k]
+        part = conditions.rows[:, POSE_COLUMNS][:, k] * sigma[:, k]
         covariance += np.exp(-apart / tau) * np.outer(part, part)
     design = np.zeros((len(on_knots), 9))
     design[:, :3] = conditions.rows[:, :3]

@@ -151,7 +151,7 @@ def test_a_wrong_lever_arm_that_leaves_the_angles_open_is_named() -> None:
     """Surfaces as different as they seem with it determine nothing, under attitudes that vague."""
     wrong = replace(PRIOR, lever_arm=PRIOR.lever_arm + [1.0, 0.0, 0.0])
     with pytest.raises(RankDeficient) as refused:
-        adjust(survey(1, 0.15).with_sigmas(1.0, 1.0, 50.0), wrong, MODEL)
+        adjust(survey(1, 0.15).with_scaled_sigmas(1.0, 1.0, 50.0), wrong, MODEL)
     assert refused.value.code == "adjustment.contradicts_lever_arm"
     assert refused.value.message is not None
     assert refused.value.message.params["axis"] == "X"
@@ -159,7 +159,7 @@ def test_a_wrong_lever_arm_that_leaves_the_angles_open_is_named() -> None:
 
 
 def test_open_angles_that_no_given_value_explains_are_refused_as_such(few: Observations) -> None:
-    vague = few.with_sigmas(1.0, 1.0, 1000.0)
+    vague = few.with_scaled_sigmas(1.0, 1.0, 1000.0)
     with pytest.raises(RankDeficient, check=has_code("adjustment.undetermined")):
         solver._require_still_determined(_linearised(vague))
 
@@ -241,8 +241,8 @@ def test_a_given_value_weighs_in_the_likelihood_of_the_sigmas(
 
 def test_one_round_of_the_sigmas_is_reported_and_used(monkeypatch: pytest.MonkeyPatch) -> None:
     """Positions stated five times too small; the sigmas could settle in more rounds only."""
-    monkeypatch.setattr(solver, "COMPONENT_ROUNDS", 1)
-    stated = survey(1, 0.3).with_sigmas(1.0, 0.2, 1.0)
+    monkeypatch.setattr(solver, "MAX_COMPONENT_ROUNDS", 1)
+    stated = survey(1, 0.3).with_scaled_sigmas(1.0, 0.2, 1.0)
     found = adjust(stated, PRIOR, MODEL, components=True, diagnostics=False)
     position = found.components[1]
     assert position.applied
@@ -270,9 +270,9 @@ def test_the_scatter_of_two_targets_or_halves_of_lines_is_not_reported(
     """Two parts of a kind are too few for a jackknife."""
     solved = SolvedEquations.of(adjust(few, PRIOR, MODEL), few, PRIOR)
     assert solved is not None
-    assert excess_variance(solved.here, solved.origins).shape == (3,)
-    monkeypatch.setattr(excess_scatter, "LINE_PARTS", 2)
-    np.testing.assert_array_equal(excess_variance(solved.here, solved.origins), np.zeros(3))
+    assert excess_variance(solved.linearised, solved.origins).shape == (3,)
+    monkeypatch.setattr(excess_scatter, "PARTS_PER_LINE", 2)
+    np.testing.assert_array_equal(excess_variance(solved.linearised, solved.origins), np.zeros(3))
 
 
 BESIDE_EACH_OTHER = (
@@ -287,7 +287,9 @@ def test_the_remainder_is_that_of_adjustments_without_each_place(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Two sightings displaced; the jackknife, less what the sigmas foresee (Tukey, Hausman)."""
-    monkeypatch.setattr(excess_scatter, "LINE_PARTS", 2)  # too few to tell anything of the lines
+    monkeypatch.setattr(
+        excess_scatter, "PARTS_PER_LINE", 2
+    )  # too few to tell anything of the lines
     generator = np.random.default_rng(5)
     exact = error_free_survey(TRUTH, BESIDE_EACH_OTHER, six_courses(), 0.5, generator)
     data = shifted(add_errors(exact, HYDROGRAPHIC_INS, generator), 2, 0.02)
@@ -302,10 +304,10 @@ def test_the_remainder_is_that_of_adjustments_without_each_place(
     expected = 3 / 4 * np.maximum((off**2 - predicted).sum(axis=0), 0.0)
     solved = SolvedEquations.of(whole, data, TRUTH)
     assert solved is not None
-    more = excess_variance(solved.here, solved.origins)
+    more = excess_variance(solved.linearised, solved.origins)
     np.testing.assert_allclose(more, expected, rtol=0.01)
     assert np.count_nonzero(expected) == 2
-    raised = raise_sigmas_by_scatter(whole, solved.here, solved.origins)
+    raised = raise_sigmas_by_scatter(whole, solved.linearised, solved.origins)
     np.testing.assert_allclose(raised.sigma**2, whole.sigma**2 + more)
     np.testing.assert_allclose(raised.correlation_all, whole.correlation_all)
 
@@ -319,7 +321,7 @@ def test_the_equations_at_an_answer_say_how_its_weights_follow(
     model = StochasticModel(loss=loss, surface=0.001)
     solved = SolvedEquations.of(adjust(outliers, PRIOR, model, diagnostics=False), outliers, PRIOR)
     assert solved is not None
-    here, step = solved.here.tangent, 1e-6
+    here, step = solved.linearised.tangent, 1e-6
     mounting = here.state.mounting
 
     def pull(turn: np.ndarray) -> np.ndarray:
@@ -364,8 +366,10 @@ def test_the_statistic_is_the_quadratic_form_of_the_equations(few: Observations)
     result = adjust(data, off, MODEL, parameters=stated, diagnostics=False)
     solved = SolvedEquations.of(result, data, off, stated)
     assert solved is not None
-    assert np.abs(solved.here.departures).max() > 0
-    assert result.chi_square.statistic == pytest.approx(solved.here.normal.quadratic, rel=1e-6)
+    assert np.abs(solved.linearised.departures).max() > 0
+    assert result.chi_square.statistic == pytest.approx(
+        solved.linearised.normal.quadratic, rel=1e-6
+    )
 
 
 def test_a_contradiction_is_reported_above_a_number_of_sigmas_of_an_angle(
@@ -375,11 +379,11 @@ def test_a_contradiction_is_reported_above_a_number_of_sigmas_of_an_angle(
     problem = AdjustmentProblem.of(few, wrong, MODEL)
     first = problem.linearised(problem.start(wrong, fit_shapes(few, wrong)))
     here = problem.linearised(first.next_state()[0])
-    (found,) = find_contradicted_parameters(here, least=1.0)
+    (found,) = find_contradicted_parameters(here, min_angle_change=1.0)
     assert 3.5 < abs(found.w) < 5.5  # beyond 6 it would be told whatever it does
     sigmas = np.abs(found.angle_change / np.sqrt(np.diag(here.normal.covariance)[:3])).max()
     assert sigmas > 1.0
-    assert find_contradicted_parameters(here, least=1.01 * sigmas) == ()
+    assert find_contradicted_parameters(here, min_angle_change=1.01 * sigmas) == ()
 
 
 def test_the_sigma_of_the_surfaces_is_the_likeliest(few: Observations) -> None:

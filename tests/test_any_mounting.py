@@ -14,7 +14,7 @@ from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult
 from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.io.value_conversion import decode_value, encode_value
-from lispac.survey.georeferencing import AXES, Mounting
+from lispac.survey.georeferencing import RIGHT_ANGLE_ROTATIONS, Mounting
 from tests.surveys import TARGETS, planar_survey
 
 LEVER = np.array([-0.2, 0.05, 2.0])
@@ -49,14 +49,14 @@ def body_covariance(result: AdjustmentResult) -> np.ndarray:
 
 
 def test_there_are_24_mountings_along_the_axes() -> None:
-    assert len(AXES) == 24
-    assert len({tuple(axes.ravel()) for axes in AXES}) == 24
-    assert all(np.linalg.det(axes) == 1 for axes in AXES)
+    assert len(RIGHT_ANGLE_ROTATIONS) == 24
+    assert len({tuple(axes.ravel()) for axes in RIGHT_ANGLE_ROTATIONS}) == 24
+    assert all(np.linalg.det(axes) == 1 for axes in RIGHT_ANGLE_ROTATIONS)
 
 
 @pytest.mark.parametrize("number", range(24))
 def test_all_mountings_along_the_axes_give_the_same_answer(number: int) -> None:
-    turn = AXES[number]
+    turn = RIGHT_ANGLE_ROTATIONS[number]
     result = adjusted(turn)
     rotation = result.mounting.rotation_body_lidar
     off = small_rotation(USUAL.mounting.rotation_body_lidar @ turn, rotation)

@@ -129,7 +129,7 @@ def test_nothing_stands_out_of_a_clean_survey(survey) -> None:
 
 def test_nothing_stands_out_where_the_scanner_is_worse_than_given(survey) -> None:
     """The spread of the points themselves is what they are judged by."""
-    told = survey.with_sigmas(0.2, 1.0, 1.0)
+    told = survey.with_scaled_sigmas(0.2, 1.0, 1.0)
     assert average_points_in_cells(told, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1
 
 

@@ -14,7 +14,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.project import Project
-from lispac.workflow.checking.batch import HEADS, BatchRow, write_table
+from lispac.workflow.checking.batch import COLUMN_NAMES, BatchRow, write_table
 from lispac.workflow.planning.demo import demo_seeds
 from tests.message_codes import is_shown
 
@@ -51,7 +51,7 @@ def on_disk(folder: Path) -> dict[str, bytes]:
 def table(path: Path) -> dict[str, dict[str, str]]:
     with path.open(encoding="utf-8-sig", newline="") as file:
         rows = list(csv.DictReader(file))
-    assert tuple(rows[0]) == HEADS
+    assert tuple(rows[0]) == COLUMN_NAMES
     return {str(Path(row["folder"])): row for row in rows}
 
 

@@ -9,7 +9,7 @@ from lispac.survey.crs import run_in_blocks
 
 @pytest.mark.parametrize("count", [0, 1, 6, 7, 8, 14, 23])
 def test_blocks_are_put_together_as_they_were(count: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(crs, "BLOCK", 7)
+    monkeypatch.setattr(crs, "BLOCK_POINTS", 7)
     sizes: list[int] = []
 
     def run(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -49,7 +49,7 @@ def test_it_is_called_what_it_is(change, kind, monkeypatch: pytest.MonkeyPatch) 
 
 def test_sigmas_are_taken_again_from_what_is_left() -> None:
     """Positions stated two and a half times too small, and one sighting 10 cm aside."""
-    stated = shifted(survey(24, 0.1), 4, 0.1).with_sigmas(1.0, 0.4, 1.0)
+    stated = shifted(survey(24, 0.1), 4, 0.1).with_scaled_sigmas(1.0, 0.4, 1.0)
     model = StochasticModel(loss="tukey")
     found = adjust(stated, PRIOR, model, components=True)
     assert [stated.sightings.index(each) for each in found.rejected_sightings] == [4]

@@ -10,7 +10,7 @@ import bootstrap
 import environment
 import pytest
 import system_packages
-from system_packages import Missing, PackagesMissingError
+from system_packages import MissingComponent, PackagesMissingError
 
 WANTED = {
     "checkout": "/checkout",
@@ -23,12 +23,12 @@ EVERYTHING = ["environment", "dependencies", "project"]
 
 @pytest.mark.parametrize("version", [(3, 11), (3, 14)])
 def test_supported_python_is_not_complained_about(version: tuple[int, int]) -> None:
-    assert bootstrap.python_complaint(version) is None
+    assert bootstrap.unsupported_python_text(version) is None
 
 
 @pytest.mark.parametrize("version", [(3, 10), (3, 15)])
 def test_other_python_is_refused_in_one_line(version: tuple[int, int]) -> None:
-    complaint = bootstrap.python_complaint(version)
+    complaint = bootstrap.unsupported_python_text(version)
     assert complaint is not None
     assert f"3.{version[1]}" in complaint
     assert "\n" not in complaint
@@ -85,7 +85,7 @@ def test_interrupted_install_counts_as_none(tmp_path: Path, text: str | None) ->
 
 
 def test_the_required_state_follows_the_lock_files_and_the_version(tmp_path: Path) -> None:
-    locks = [f"installer/{name}" for name in environment.LOCKS.values()]
+    locks = [f"installer/{name}" for name in environment.LOCK_FILES.values()]
     for name in (*environment.PROJECT_FILES, *locks):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text("first")
@@ -204,7 +204,7 @@ def test_display_that_does_not_answer_is_none(monkeypatch: pytest.MonkeyPatch) -
 # System packages
 
 
-def missing(**answers: object) -> list[Missing]:
+def missing(**answers: object) -> list[MissingComponent]:
     """`missing_packages` of a system that has everything except what the answers take away."""
     system = {
         "loads": lambda _soname: True,
@@ -221,12 +221,12 @@ def test_complete_system_lacks_nothing() -> None:
 
 def test_missing_library_names_its_package() -> None:
     found = missing(loads=lambda soname: soname != "libxcb-cursor.so.0")
-    assert found == [Missing("libxcb-cursor.so.0", ("libxcb-cursor0",))]
+    assert found == [MissingComponent("libxcb-cursor.so.0", ("libxcb-cursor0",))]
 
 
 def test_missing_fonts_screen_and_venv_are_noticed() -> None:
     found = missing(has_fonts=lambda: False, which=lambda _name: None, has_venv=lambda: False)
-    packages = [need.package[-1] for need in found]
+    packages = [need.package_names[-1] for need in found]
     assert packages == ["fonts-dejavu-core", "xvfb", "poppler-utils", "python3-venv"]
 
 
@@ -242,7 +242,10 @@ def test_virtual_screen_is_only_asked_for_tests() -> None:
 
 
 def test_renamed_package_is_called_as_this_system_calls_it() -> None:
-    needs = [Missing("glib", ("libglib2.0-0t64", "libglib2.0-0")), Missing("GL", ("libgl1",))]
+    needs = [
+        MissingComponent("glib", ("libglib2.0-0t64", "libglib2.0-0")),
+        MissingComponent("GL", ("libgl1",)),
+    ]
     new = system_packages.choose_names(needs, knows=lambda name: name.endswith("t64"))
     old = system_packages.choose_names(needs, knows=lambda name: not name.endswith("t64"))
     assert new == ["libglib2.0-0t64", "libgl1"]
@@ -252,32 +255,35 @@ def test_renamed_package_is_called_as_this_system_calls_it() -> None:
 
 def test_without_root_the_exact_command_is_printed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(system_packages, "run_apt", lambda _command: pytest.fail("not root"))
-    needs = [Missing("libGL.so.1", ("libgl1",)), Missing("the virtual screen Xvfb", ("xvfb",))]
+    needs = [
+        MissingComponent("libGL.so.1", ("libgl1",)),
+        MissingComponent("the virtual screen Xvfb", ("xvfb",)),
+    ]
     with pytest.raises(PackagesMissingError) as refused:
-        system_packages.ensure(needs, root=False, apt_get="/usr/bin/apt-get", say=print)
+        system_packages.ensure_packages(needs, root=False, apt_get="/usr/bin/apt-get", say=print)
     command = "sudo apt-get install -y --no-install-recommends libgl1 xvfb"
     assert f"sudo apt-get update && {command}" in str(refused.value)
 
 
 def test_without_apt_the_packages_are_named() -> None:
-    needs = [Missing("libGL.so.1", ("libgl1",))]
+    needs = [MissingComponent("libGL.so.1", ("libgl1",))]
     with pytest.raises(PackagesMissingError, match="libgl1"):
-        system_packages.ensure(needs, root=True, apt_get=None, say=print)
+        system_packages.ensure_packages(needs, root=True, apt_get=None, say=print)
 
 
 def test_root_installs_only_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     ran: list[list[str]] = []
     monkeypatch.setattr(system_packages, "run_apt", lambda command: ran.append(list(command)))
     said: list[str] = []
-    needs = [Missing("libGL.so.1", ("libgl1",))]
-    system_packages.ensure(needs, root=True, apt_get="apt-get", say=said.append)
+    needs = [MissingComponent("libGL.so.1", ("libgl1",))]
+    system_packages.ensure_packages(needs, root=True, apt_get="apt-get", say=said.append)
     assert ran == [
         ["apt-get", "update"],
         ["apt-get", "install", "-y", "--no-install-recommends", "libgl1"],
     ]
     assert len(said) == 1
     ran.clear()
-    system_packages.ensure([], root=True, apt_get="apt-get", say=said.append)
+    system_packages.ensure_packages([], root=True, apt_get="apt-get", say=said.append)
     assert ran == []
 
 

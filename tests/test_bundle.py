@@ -15,7 +15,7 @@ import pytest
 from bundling import build, desktop, licences, names, sizes, trimming
 
 import lispac
-from lispac.io.project.project_file import OPENER, OPENER_ENDING
+from lispac.io.project.project_file import OPENER_ENDING, OPENER_NAME
 from lispac.language import LANGUAGES
 from tests.extras.clean_root import Root
 
@@ -36,8 +36,8 @@ def scripts() -> dict[str, str]:
 def test_names_are_those_of_the_package() -> None:
     assert names.version() == lispac.__version__
     assert set(names.PROGRAMS) == set(scripts())
-    assert f".{names.ENDING}" == OPENER_ENDING
-    assert OPENER.endswith(OPENER_ENDING)
+    assert f".{names.PROJECT_SUFFIX}" == OPENER_ENDING
+    assert OPENER_NAME.endswith(OPENER_ENDING)
     assert build.bundle_name().startswith(f"lispac-{lispac.__version__}-")
 
 
@@ -61,7 +61,7 @@ def test_other_systems_take_every_name_from_the_one_place(script: str, used: str
     lines = script.splitlines()
     rules = "\n".join(line for line in lines if not line.lstrip().startswith((";", "#")))
     assert lispac.__version__ not in script
-    for name in (names.WINDOW, names.IDENTIFIER, names.MIME_TYPE, names.DOCUMENT):
+    for name in (names.WINDOW_PROGRAM, names.IDENTIFIER, names.MIME_TYPE, names.DOCUMENT_NAME):
         assert name not in rules
 
 
@@ -80,9 +80,9 @@ def test_windows_and_macos_tie_the_same_files_to_the_window() -> None:
     assert r"Software\Classes\.{#Ending}" in WINDOWS
     plist = plistlib.loads(plistlib.dumps(names.for_macos()))
     (kind,) = plist["UTExportedTypeDeclarations"]
-    assert kind["UTTypeTagSpecification"]["public.filename-extension"] == [names.ENDING]
+    assert kind["UTTypeTagSpecification"]["public.filename-extension"] == [names.PROJECT_SUFFIX]
     assert plist["CFBundleDocumentTypes"][0]["LSItemContentTypes"] == [kind["UTTypeIdentifier"]]
-    assert plist["CFBundleExecutable"] == names.WINDOW
+    assert plist["CFBundleExecutable"] == names.WINDOW_PROGRAM
     assert plist["CFBundleLocalizations"] == list(LANGUAGES)
     for code, language in (("en", "english"), ("fr", "french")):
         assert code in LANGUAGES
@@ -104,7 +104,7 @@ def test_the_hardened_runtime_of_macos_comes_with_what_numba_needs() -> None:
 
 
 def test_shell_scripts_can_be_read() -> None:
-    for script in (MACOS, desktop.INSTALL, desktop.UNINSTALL):
+    for script in (MACOS, desktop.INSTALL_SCRIPT, desktop.UNINSTALL_SCRIPT):
         done = subprocess.run(["sh", "-n"], input=script, text=True, check=False)
         assert done.returncode == 0
 
@@ -113,8 +113,8 @@ def test_shell_scripts_can_be_read() -> None:
 
 
 def test_icon_is_there_as_drawing_and_as_picture() -> None:
-    assert ElementTree.parse(names.ICON_DRAWING).getroot().get("viewBox") == "0 0 256 256"
-    data = names.ICON.read_bytes()
+    assert ElementTree.parse(names.ICON_SVG).getroot().get("viewBox") == "0 0 256 256"
+    data = names.ICON_PNG.read_bytes()
     assert data.startswith(b"\x89PNG")
     assert [int.from_bytes(data[at : at + 4], "big") for at in (16, 20)] == [256, 256]
 
@@ -136,7 +136,7 @@ def test_desktop_entry_and_file_type_agree() -> None:
     keys = entry["Desktop Entry"]
     assert {"Type", "Name", "Exec", "Icon", "Categories", "MimeType"} <= set(keys)
     assert keys["Exec"].endswith(" %f")
-    root = ElementTree.fromstring(desktop.FILE_TYPE.encode())
+    root = ElementTree.fromstring(desktop.FILE_TYPE_XML.encode())
     space = "{http://www.freedesktop.org/standards/shared-mime-info}"
     (kind,) = root.findall(f"{space}mime-type")
     assert keys["MimeType"] == f"{kind.get('type')};"
@@ -152,7 +152,7 @@ def test_what_is_installed_is_taken_away_again(tmp_path: Path) -> None:
     for _twice in range(2):
         subprocess.run([bundle / "install.sh", prefix], check=True, capture_output=True)
     entry = (prefix / "share/applications/lispac.desktop").read_text(encoding="utf-8")
-    window = prefix / "lib" / "lispac" / names.WINDOW
+    window = prefix / "lib" / "lispac" / names.WINDOW_PROGRAM
     assert f'Exec="{window}" %f' in entry
     assert "@" not in entry
     assert (prefix / "bin" / "lispac").resolve() == window.with_name("lispac")

@@ -120,7 +120,7 @@ def test_notices_refer_to_texts_that_are_there() -> None:
     texts = [*notices["shared_texts"]]
     for row in notices["distribution"].values():
         texts += row.get("texts", ())
-    assert all((licences.TEXTS / name).stat().st_size > 1000 for name in texts)
+    assert all((licences.TEXT_FOLDER / name).stat().st_size > 1000 for name in texts)
     for row in notices["library"]:
         re.compile(row["file"])
         assert row["licence"]
@@ -130,7 +130,7 @@ def test_what_the_pages_of_the_manual_hold_is_named() -> None:
     notices = licences.read_notices()
     texts = {
         name: "\n".join(licences.texts_of(distribution(name), notices))
-        for name in licences.IN_PAGES
+        for name in licences.MANUAL_PAGE_PACKAGES
     }
     assert "Snowball project" in texts["snowballstemmer"]
     assert "Permission is hereby granted" in texts["furo"]
@@ -150,5 +150,5 @@ def test_what_the_pages_of_the_manual_hold_is_named() -> None:
 def test_qt_comes_with_the_lgpl() -> None:
     row = licences.read_notices()["distribution"]["pyside6-essentials"]
     assert "LGPL-3.txt" in row["texts"]
-    assert "LESSER GENERAL PUBLIC LICENSE" in (licences.TEXTS / "LGPL-3.txt").read_text()
+    assert "LESSER GENERAL PUBLIC LICENSE" in (licences.TEXT_FOLDER / "LGPL-3.txt").read_text()
     assert "may be replaced" in " ".join(row["note"].split())

@@ -85,7 +85,7 @@ def test_the_command_line_follows_the_choice_unless_an_option_is_given(tmp_path:
         "import os, sys; from lispac.cli.main import main; main(['sensors']); "
         "print(os.environ['NUMBA_CACHE_DIR'].split('/sources-')[0], os.environ['MPLCONFIGDIR'])"
     )
-    variables = {k: v for k, v in os.environ.items() if k not in caches.VARIABLES}
+    variables = {k: v for k, v in os.environ.items() if k not in caches.CACHE_VARIABLES}
     variables |= {"XDG_CONFIG_HOME": str(config), "MPLCONFIGDIR": "/elsewhere"}
     done = subprocess.run(
         [sys.executable, "-c", told], capture_output=True, text=True, env=variables, check=True
@@ -120,11 +120,11 @@ def test_choosing_the_same_again_writes_nothing(config: Path, tmp_path: Path) ->
     (tmp_path / "fast").mkdir()
     caches.choose_folder(tmp_path / "fast", config)
     assert (tmp_path / "fast").is_dir()  # it was there before
-    (config / caches.CHOICE).chmod(0o444)
-    before = (config / caches.CHOICE).stat().st_ino
+    (config / caches.CHOSEN_FOLDER_FILE).chmod(0o444)
+    before = (config / caches.CHOSEN_FOLDER_FILE).stat().st_ino
     caches.choose_folder(tmp_path / "fast", config)
-    assert (config / caches.CHOICE).stat().st_ino == before
-    (config / caches.CHOICE).chmod(0o644)
+    assert (config / caches.CHOSEN_FOLDER_FILE).stat().st_ino == before
+    (config / caches.CHOSEN_FOLDER_FILE).chmod(0o644)
 
 
 def test_a_manual_that_we_made_is_ours(tmp_path: Path) -> None:
@@ -132,7 +132,7 @@ def test_a_manual_that_we_made_is_ours(tmp_path: Path) -> None:
     (place / "manual").mkdir(parents=True)
     (place / "manual" / "index.html").write_bytes(bytes(9))
     assert caches.cache_size(place) == 0
-    (place / "manual" / caches.MANUAL_MARK).write_bytes(b"")
+    (place / "manual" / caches.MANUAL_MARKER_FILE).write_bytes(b"")
     assert caches.cache_size(place) == 9
     caches.empty_cache(place)
     assert not (place / "manual").exists()
@@ -154,7 +154,7 @@ def test_what_cannot_be_removed_is_named(tmp_path: Path, monkeypatch: pytest.Mon
 
 def environment_of(home: Path | str | None) -> dict[str, str]:
     """Variables of a process with this home directory and no other folders of the user's."""
-    own = (*caches.VARIABLES, "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "HOME")
+    own = (*caches.CACHE_VARIABLES, "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "HOME")
     variables = {name: value for name, value in os.environ.items() if name not in own}
     variables["PYTHONWARNINGS"] = "default"  # these folders are warned of
     return variables if home is None else variables | {"HOME": str(home)}

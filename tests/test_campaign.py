@@ -315,7 +315,7 @@ def test_a_lost_scheduler_is_reported(
         scheduler.kill()
         scheduler.wait()
         told = cluster_module._Cluster(client, address)
-        with cluster_module._silenced_logs():
+        with cluster_module._suppressed_logs():
             with pytest.raises(LispacError) as raised:
                 list(told.map(abs, range(3)))
             assert raised.value.code == "cluster.connection_lost"

@@ -12,10 +12,10 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError, TargetNotFound
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
-from lispac.targets.finder_settings import USUAL, FinderChoices, FinderSettings
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices, FinderSettings
 from lispac.workflow.calibration import reselection
 from lispac.workflow.calibration.picking import find_target
 from lispac.workflow.calibration.target_search import TargetSearch
@@ -35,7 +35,7 @@ def survey(demo_project: Project) -> Survey:
 
 
 def test_the_usual_choices_are_those_of_the_finder() -> None:
-    assert USUAL.settings() == FinderSettings()
+    assert DEFAULT_CHOICES.settings() == FinderSettings()
     assert CHOSEN.settings(radius=3.0) == FinderSettings(
         radius=3.0, min_points=50, max_tilt=radians(8.0), stop=0.9, seed=7
     )
@@ -55,7 +55,7 @@ def test_what_cannot_be_worked_with_is_refused(wrong: dict[str, Any]) -> None:
 
 def test_choices_decide_what_is_found(demo_project: Project, survey: Survey) -> None:
     usual = find_target(demo_project, survey, SEED, name="T1")
-    assert usual.choices == USUAL
+    assert usual.choices == DEFAULT_CHOICES
     sizes = sorted(len(sighting.indices) for sighting in usual.sightings)
     between = (sizes[0] + sizes[-1]) // 2
     fewer = find_target(
@@ -110,19 +110,22 @@ def test_kept_in_the_project_where_they_are_not_the_usual_ones(tmp_path: Path) -
     first = replace(project.targets[0], choices=CHOSEN)
     project = replace(project, targets=(first, *project.targets[1:]))
     write_project(project)
-    content = json.loads((tmp_path / "p" / FILE_NAME).read_text())
+    content = json.loads((tmp_path / "p" / PROJECT_FILE_NAME).read_text())
     assert [target["choices"] is None for target in content["targets"]] == [
         False, *(True for _ in project.targets[1:])
     ]  # fmt: skip
     read = read_project(tmp_path / "p")
-    assert [t.choices for t in read.targets] == [CHOSEN, *(USUAL for _ in project.targets[1:])]
+    assert [t.choices for t in read.targets] == [
+        CHOSEN,
+        *(DEFAULT_CHOICES for _ in project.targets[1:]),
+    ]
     for wrong, code in (
         ({"min_points": 2}, "finder.setting"),
         ({"surprise": 1}, "content.unknown_fields"),
     ):
         damaged = json.loads(json.dumps(content))
         damaged["targets"][0]["choices"] |= wrong
-        (tmp_path / "p" / FILE_NAME).write_text(json.dumps(damaged))
+        (tmp_path / "p" / PROJECT_FILE_NAME).write_text(json.dumps(damaged))
         with pytest.raises(ProjectError) as refused:
             read_project(tmp_path / "p")
         assert code in codes_of(refused.value)
@@ -132,7 +135,7 @@ def test_a_project_from_before_has_the_usual_ones(tmp_path: Path) -> None:
     old = Path(__file__).parent / "data" / "project-3"
     read = read_project(Path(shutil.copytree(old, tmp_path / "old")))
     assert read.result is not None
-    assert {target.choices for target in read.targets} == {USUAL}
+    assert {target.choices for target in read.targets} == {DEFAULT_CHOICES}
 
 
 def test_chosen_at_the_command_line(

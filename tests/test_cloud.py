@@ -110,8 +110,8 @@ def test_crowded_region_is_sampled_fairly(
     name = stored.lines[0]
     centre = calibrated[1].clouds[name].sample[100_000]
     whole = stored.clouds[name].within(centre, 3.0)
-    monkeypatch.setattr(cloud_module, "MAX_POINTS", len(whole.numbers) // 3)
-    monkeypatch.setattr(reading_module, "AT_ONCE", 1000)
+    monkeypatch.setattr(cloud_module, "MAX_REGION_POINTS", len(whole.numbers) // 3)
+    monkeypatch.setattr(reading_module, "PLACED_POINTS_PER_STEP", 1000)
     regions = [cloud.clouds[name].within(centre, 3.0) for cloud in (stored, calibrated[1])]
     for some in regions:
         assert some.one_in == 4
@@ -130,8 +130,8 @@ def test_a_thinned_sighting_says_so_and_keeps_saying_it(
     project, survey = calibrated
     role, seed = demo_seeds()["T1"]
     assert thinned_notes(find_target(project, survey, seed, name="T1", role=role)) == ()
-    monkeypatch.setattr(cloud_module, "MAX_POINTS", 500)
-    monkeypatch.setattr(seeking_module, "SEARCH_SAMPLE", 2000)
+    monkeypatch.setattr(cloud_module, "MAX_REGION_POINTS", 500)
+    monkeypatch.setattr(seeking_module, "MAX_SAMPLE_POINTS", 2000)
     target = find_target(project, survey, seed, name="T1", role=role)
     notes = thinned_notes(target)
     thinned = [s for s in target.sightings if s.one_in > 1]
@@ -185,12 +185,12 @@ def test_large_line_is_imported_when_the_project_is_opened(
     )  # fmt: skip
     assert isinstance(load_survey(project).clouds[project.lines[0].name], CloudInMemory)
     counts = [len(calibrated[1].scans[line.name]) for line in project.lines]
-    monkeypatch.setattr(survey_module, "LARGE_LINE", max(counts) - 1)
+    monkeypatch.setattr(survey_module, "MAX_POINTS_IN_MEMORY", max(counts) - 1)
     opened = load_survey(project)
     kinds = {name: type(cloud) for name, cloud in opened.clouds.items()}
     assert CloudOnDisk in kinds.values()
     # What was imported stays on disk; a change of what it was made with has it made again.
-    monkeypatch.setattr(survey_module, "LARGE_LINE", 10**12)
+    monkeypatch.setattr(survey_module, "MAX_POINTS_IN_MEMORY", 10**12)
     assert {n: type(c) for n, c in load_survey(project).clouds.items()} == kinds
     name = next(name for name, kind in kinds.items() if kind is CloudOnDisk)
     other = replace(project, settings=replace(project.settings, longest_gap=0.7))
@@ -210,7 +210,7 @@ def test_new_project_of_large_lines_is_whole_or_leaves_nothing(
     calibrated: tuple[Project, Survey], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     source, folder = calibrated[0], tmp_path / "p"
-    monkeypatch.setattr(survey_module, "LARGE_LINE", 0)
+    monkeypatch.setattr(survey_module, "MAX_POINTS_IN_MEMORY", 0)
 
     def stop_on_second(fraction: float, step: Step | None = None) -> None:
         if str(step).startswith(f"Reading {source.lines[1].name}"):

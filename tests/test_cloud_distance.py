@@ -14,7 +14,7 @@ from lispac.io.value_conversion import decode_value, encode_value
 from lispac.message_texts import english_text
 from lispac.progress import Step
 from lispac.validation.cloud_distance import cloud_to_cloud
-from lispac.validation.local_models import NEAREST_POINT, SIX_POINT_PLANE, LocalModel
+from lispac.validation.local_models import NEAREST_POINT_MODEL, SIX_POINT_PLANE, LocalModel
 from tests.error_codes import has_code
 
 Array = NDArray[np.float64]
@@ -104,7 +104,7 @@ def test_a_quadric_follows_a_bend_that_a_plane_cuts() -> None:
 
 
 def test_a_model_survives_json() -> None:
-    for model in (*MODELS, NEAREST_POINT, SIX_POINT_PLANE):
+    for model in (*MODELS, NEAREST_POINT_MODEL, SIX_POINT_PLANE):
         assert decode_value(encode_value(model), LocalModel) == model
 
 
@@ -138,7 +138,7 @@ def test_more_points_than_one_chunk_keep_their_order() -> None:
 def test_nearest_point_alone() -> None:
     compared, reference = tower(300, 1, 0.05), tower(500, 2)
     nearest = np.linalg.norm(compared[:, None] - reference[None], axis=2).min(axis=1)
-    alone = cloud_to_cloud(compared, reference, model=NEAREST_POINT)
+    alone = cloud_to_cloud(compared, reference, model=NEAREST_POINT_MODEL)
     np.testing.assert_allclose(alone, nearest, atol=1e-12)
     assert np.all(cloud_to_cloud(compared, reference) <= alone)
     assert np.mean(cloud_to_cloud(compared, reference)) < 0.9 * np.mean(alone)
@@ -260,7 +260,7 @@ def single(**clouds: Array) -> dict[str, Array]:
 
 
 COMMANDS = {
-    NEAREST_POINT: (),
+    NEAREST_POINT_MODEL: (),
     SIX_POINT_PLANE: ("-MODEL", "LS", "KNN", "6"),
     LocalModel("plane", 12): ("-MODEL", "LS", "KNN", "12"),
     LocalModel("plane", radius=0.5): ("-MODEL", "LS", "SPHERE", "0.5"),

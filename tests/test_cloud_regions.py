@@ -113,7 +113,7 @@ def test_a_crowded_region_is_the_same_sample_in_memory_and_on_disk(
     assert (
         len(one.numbers) <= 300 < np.count_nonzero(is_number_in_sample(whole.numbers, halvings - 1))
     )
-    monkeypatch.setattr(cloud_module, "MAX_POINTS", 300)
+    monkeypatch.setattr(cloud_module, "MAX_REGION_POINTS", 300)
     for cloud in clouds.values():
         np.testing.assert_array_equal(cloud.within(centre, 12.0).numbers, one.numbers)
 
@@ -163,9 +163,9 @@ def test_points_about_a_place_show_how_far_it_moved() -> None:
     """Those within 3 m of it by half a metre, the others by more."""
     centre = np.array([10.0, 20.0, 30.0])
     after = centre + np.random.default_rng(1).uniform(-5, 5, (4000, 3))
-    far = np.linalg.norm(after - centre, axis=1) > 2.0 + cloud_module.BESIDE
+    far = np.linalg.norm(after - centre, axis=1) > 2.0 + cloud_module.PROBE_SEARCH_MARGIN_M
     before = after - np.where(far[:, None], [0.0, 2.0, 0.0], [0.3, -0.4, 0.0])
-    near = cloud_module.MARGIN_FACTOR * 0.5 + cloud_module.MIN_MARGIN
+    near = cloud_module.MARGIN_FACTOR * 0.5 + cloud_module.MIN_MARGIN_M
     found = cloud_module._largest_move_near(before, after, centre, 2.0, 9.0)
     assert found == pytest.approx(near)
     assert cloud_module._largest_move_near(before, after, centre, 2.0, 0.25) == 0.25

@@ -10,7 +10,7 @@ from pyproj import CRS
 
 from lispac.errors import InputError
 from lispac.io.format_types import PointChunk
-from lispac.io.las.las_chunks import LAS
+from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.las.las_crs import read_header_crs
 from lispac.io.las.las_export import layout_of_columns, layout_of_las
 from lispac.io.points.point_reader_common import crs_of_options
@@ -39,7 +39,7 @@ def to_las(
 ) -> laspy.LasData:
     """Georeference a LAS file along the test track."""
     mapper = ScannerPointConverter(system, track(), MOUNTING)
-    chunks = LAS.read(source, LAS.resolved({})) if chunk is None else [chunk]
+    chunks = LAS_FORMAT.read(source, LAS_FORMAT.resolved({})) if chunk is None else [chunk]
     write_cloud(
         chunks, path, path, mapper, lambda _: layout_of_las(source),
         compressed=path.suffix == ".laz",
@@ -164,14 +164,16 @@ def test_what_is_written_is_read_back(tmp_path: Path, code: str, height: str, nu
     metres = np.array(system.metres)
     assert np.abs((after.xyz - expected) * metres).max() < 0.6e-4
     assert (np.asarray(after.header.scales) * metres <= 1.2e-4).all()
-    choice = {**LAS.preview(path, {}).choice, "height": grid}
+    choice = {**LAS_FORMAT.preview(path, {}).choice, "height": grid}
     if number < 6 and code == "EPSG:4326":
         choice["frame"] = "georeferenced"
-    found = crs_of_options(LAS.resolved(choice))
+    found = crs_of_options(LAS_FORMAT.resolved(choice))
     assert found is not None
     trajectory = track()
     recovery = RecoverySetup(found, trajectory, MOUNTING)
-    parts = [part.xyz for part, _ in recover_scanner_points(LAS.read(path, choice), recovery)]
+    parts = [
+        part.xyz for part, _ in recover_scanner_points(LAS_FORMAT.read(path, choice), recovery)
+    ]
     assert np.linalg.norm(np.concatenate(parts) - before.xyz, axis=1).max() < 2e-4
 
 
@@ -252,7 +254,7 @@ def test_a_column_that_outgrows_its_dimension_is_refused(tmp_path: Path) -> None
 def test_progress_shows_the_rate_and_the_time_remaining(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("lispac.progress.SHORTEST_RATED", 0.0)
+    monkeypatch.setattr("lispac.progress.MIN_RATE_TIME_S", 0.0)
     points, time = sweep(track(), 40_000)
     parts = np.array_split(np.arange(len(time)), 20)
     chunks = (PointChunk(points[k], time[k], {}, len(time)) for k in parts)

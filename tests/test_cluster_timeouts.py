@@ -8,7 +8,7 @@ import pytest
 
 from lispac.errors import LispacError
 from lispac.workflow.planning import cluster as cluster_module
-from lispac.workflow.planning.cluster import MAX_SENDINGS, _Cluster
+from lispac.workflow.planning.cluster import MAX_SENDS_PER_CHUNK, _Cluster
 
 distributed = pytest.importorskip("distributed")
 
@@ -69,21 +69,21 @@ def test_an_answer_that_takes_long_is_waited_for_while_there_are_workers() -> No
     assert client.sent == 1
 
 
-@pytest.mark.parametrize("losses", range(MAX_SENDINGS + 1))
+@pytest.mark.parametrize("losses", range(MAX_SENDS_PER_CHUNK + 1))
 def test_what_lost_its_worker_is_sent_again_and_not_for_ever(losses: int) -> None:
     futures = [*(Future(lost(), slow=0) for _ in range(losses)), Future([7], slow=0)]
     client = Client(iter(futures))
     cluster = _Cluster(client, "tcp://here:1")
-    if losses < MAX_SENDINGS:
+    if losses < MAX_SENDS_PER_CHUNK:
         assert list(cluster.map(abs, [-7])) == [7]
         assert client.sent == losses + 1
         return
     with pytest.raises(LispacError) as caught:
         list(cluster.map(abs, [-7]))
-    assert client.sent == MAX_SENDINGS
+    assert client.sent == MAX_SENDS_PER_CHUNK
     assert caught.value.code == "cluster.worker_lost_repeatedly"
     assert "tcp://here:1" in str(caught.value)
-    assert not cluster.under_way
+    assert not cluster.in_progress
 
 
 def test_a_calculation_that_takes_long_does_not_end_the_campaign(

@@ -8,14 +8,14 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
 from lispac.io.value_conversion import decode_value, encode_value
-from lispac.validation.local_models import NEAREST_POINT, SIX_POINT_PLANE
+from lispac.validation.local_models import NEAREST_POINT_MODEL, SIX_POINT_PLANE
 from lispac.validation.plane_comparison import (
     MAX_POINTS_PER_LINE,
     DistanceStatistics,
     PlaneComparison,
+    are_reciprocal,
     comparable_pairs,
     compare_plane,
-    reciprocal,
 )
 from tests.error_codes import has_code
 
@@ -163,8 +163,8 @@ def test_without_reciprocal_pairs_all_pairs_make_the_pool() -> None:
 )
 def test_reciprocal_through_north(a_deg: float, b_deg: float, expected: bool) -> None:
     nudge = 1e-9 if expected else 0.0  # keeps a pair of exactly 20 degrees on its side
-    assert reciprocal(np.radians(a_deg) + nudge, np.radians(b_deg)) is expected
-    assert reciprocal(np.radians(b_deg), np.radians(a_deg) + nudge) is expected
+    assert are_reciprocal(np.radians(a_deg) + nudge, np.radians(b_deg)) is expected
+    assert are_reciprocal(np.radians(b_deg), np.radians(a_deg) + nudge) is expected
 
 
 def test_histograms_share_edges_and_count_every_distance() -> None:
@@ -327,9 +327,9 @@ def test_another_model_is_used_and_kept() -> None:
     clouds = {"L1": wall(1, noise=0.002), "L2": wall(2, noise=0.002)}
     points, plane = (
         compare_plane("V1", clouds, clouds, OPPOSITE, model=model)
-        for model in (NEAREST_POINT, SIX_POINT_PLANE)
+        for model in (NEAREST_POINT_MODEL, SIX_POINT_PLANE)
     )
-    assert points.model == NEAREST_POINT
+    assert points.model == NEAREST_POINT_MODEL
     assert points.after.median > 3 * plane.after.median  # the spacing of the points is in it
 
 

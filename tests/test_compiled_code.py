@@ -11,7 +11,13 @@ from pathlib import Path
 import pytest
 
 from lispac import compiled_code
-from lispac.compiled_code import MARK, PACKAGES, UNUSED_S, cache_folder, source_state
+from lispac.compiled_code import (
+    COMPILED_PACKAGES,
+    IMPORT_TEXT,
+    MAX_UNUSED_TIME_S,
+    cache_folder,
+    source_state,
+)
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 
@@ -20,14 +26,16 @@ def compiled_files() -> dict[Path, ast.Module]:
     found = {}
     for path in sorted((CHECKOUT / "lispac").rglob("*.py")):
         text = path.read_bytes()
-        if MARK in text and path.name != "compiled_code.py":
+        if IMPORT_TEXT in text and path.name != "compiled_code.py":
             found[path] = ast.parse(text)
     return found
 
 
 def test_all_compiled_functions_are_in_files_that_are_watched() -> None:
     files = compiled_files()
-    assert {path.relative_to(CHECKOUT / "lispac").parts[0] for path in files} <= set(PACKAGES)
+    assert {path.relative_to(CHECKOUT / "lispac").parts[0] for path in files} <= set(
+        COMPILED_PACKAGES
+    )
     others = [
         path for path in (CHECKOUT / "lispac").rglob("*.py")
         if re.search(r"^\s*(from|import) numba\b", path.read_text(encoding="utf-8"), re.MULTILINE)
@@ -95,7 +103,7 @@ def test_only_folders_unused_for_a_month_are_removed(tmp_path: Path) -> None:
     other = tmp_path / "geometry_0123"
     other.mkdir()
     for folder in (old, other):
-        os.utime(folder, (time.time() - 2 * UNUSED_S,) * 2)
+        os.utime(folder, (time.time() - 2 * MAX_UNUSED_TIME_S,) * 2)
     cache_folder(tmp_path, "new")
     assert not old.exists()
     assert recent.is_dir()

@@ -10,7 +10,7 @@ from scipy import stats
 
 from lispac.adjustment.diagnostics.excess_scatter import with_raised_sigmas
 from lispac.adjustment.diagnostics.findings import exceedance_limit
-from lispac.adjustment.diagnostics.warnings import RULES, result_warnings
+from lispac.adjustment.diagnostics.warnings import WARNING_RULES, result_warnings
 from lispac.adjustment.model.parameters import ParameterEstimate
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import (
@@ -302,10 +302,10 @@ def test_every_rule_has_been_heard(project: Project) -> None:
     targetless = replace(project.result, messages=(note("targetless.with_targets", targets=2),))
     for changed in (*results, replace(project, result=targetless)):
         assert changed.result is not None
-        for rule in RULES:
+        for rule in WARNING_RULES:
             if any(rule(changed.result, changed.cross_checks)):
                 told.add(rule)
-    assert told == set(RULES)
+    assert told == set(WARNING_RULES)
 
 
 def test_a_sound_answer_leaves_no_warning(

@@ -14,7 +14,7 @@ from lispac.io.project.project_file import write_project
 from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.report.control_charts import control_chart_figure
-from lispac.validation.control_chart import CHANCE, control_chart, control_limits
+from lispac.validation.control_chart import FALSE_ALARM_PROBABILITY, control_chart, control_limits
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.checking.calibration_history import CalibratedSystem, read_histories
 from tests.command_errors import command_error
@@ -46,7 +46,7 @@ def test_alarms_without_a_reason_come_as_often_as_given() -> None:
                 alarms += 1
                 break
     # At least as often as one angle alone goes beyond, at most as often as any of four tests does.
-    least, most = CHANCE * total, 4 * CHANCE * total
+    least, most = FALSE_ALARM_PROBABILITY * total, 4 * FALSE_ALARM_PROBABILITY * total
     assert least - 3.5 * np.sqrt(least) < alarms < most + 3.5 * np.sqrt(most), (alarms, total)
 
 
@@ -59,7 +59,7 @@ def test_what_lies_outside_its_band_has_moved() -> None:
     )
     (_, each) = control_chart([first, second])
     assert each.change is not None
-    assert each.change.probability > CHANCE
+    assert each.change.probability > FALSE_ALARM_PROBABILITY
     assert each.has_moved
 
 

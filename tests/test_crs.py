@@ -11,7 +11,7 @@ from pyproj import CRS, Geod, Transformer
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame, geodetic_to_ecef
-from lispac.io.las.las_chunks import LAS
+from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.las.las_crs import read_header_crs
 from lispac.io.points.point_reader_common import crs_of_options
 from lispac.messages import note
@@ -27,8 +27,8 @@ def test_utm_points_and_the_same_points_in_ecef_agree(
     points, clouds = [], []
     for name in ("points.las", "points_ecef.las"):
         path = shared_data / "leeward" / name
-        choice = LAS.preview(path, {}).choice
-        system = crs_of_options(LAS.resolved(choice))
+        choice = LAS_FORMAT.preview(path, {}).choice
+        system = crs_of_options(LAS_FORMAT.resolved(choice))
         assert system is not None
         cloud = laspy.read(path).xyz
         clouds.append(cloud)

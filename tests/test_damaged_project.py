@@ -11,8 +11,8 @@ import pytest
 
 from lispac.errors import ProjectError
 from lispac.io.project.project_file import (
-    FILE_NAME,
-    SIGHTINGS,
+    PROJECT_FILE_NAME,
+    SIGHTINGS_FOLDER,
     read_project,
     read_unsaved,
     write_project,
@@ -31,7 +31,7 @@ def refused(folder: Path) -> ProjectError:
         read_project(folder)
     said = str(caught.value)
     assert caught.value.code == "project.damaged"
-    assert said.startswith(f"{folder / FILE_NAME}: ")
+    assert said.startswith(f"{folder / PROJECT_FILE_NAME}: ")
     assert not [word for word in JARGON if word in said]
     assert caught.value.__cause__ is not None  # for the details
     return caught.value
@@ -82,15 +82,15 @@ def folder(tmp_path: Path) -> Path:
     ],
 )  # fmt: skip
 def test_a_value_that_does_not_fit(folder: Path, damage: Damage, reason: Message) -> None:
-    content = json.loads((folder / FILE_NAME).read_text())
+    content = json.loads((folder / PROJECT_FILE_NAME).read_text())
     damage(content)
-    (folder / FILE_NAME).write_text(json.dumps(content))
+    (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
     assert reason_of(refused(folder)) == reason
 
 
 def test_a_file_cut_short(folder: Path) -> None:
-    text = (folder / FILE_NAME).read_text()
-    (folder / FILE_NAME).write_text(text[: len(text) // 2])
+    text = (folder / PROJECT_FILE_NAME).read_text()
+    (folder / PROJECT_FILE_NAME).write_text(text[: len(text) // 2])
     line = text[: len(text) // 2].count("\n") + 1
     reason = reason_of(refused(folder))
     assert reason.code == "content.not_json"
@@ -98,7 +98,7 @@ def test_a_file_cut_short(folder: Path) -> None:
 
 
 def test_bytes_that_are_no_text(folder: Path) -> None:
-    (folder / FILE_NAME).write_bytes(b"\xff\xfe\x00\xd8" * 10)
+    (folder / PROJECT_FILE_NAME).write_bytes(b"\xff\xfe\x00\xd8" * 10)
     assert reason_of(refused(folder)) == error("content.not_utf8")
 
 
@@ -122,7 +122,7 @@ def test_a_drive_that_is_lost(folder: Path, monkeypatch: pytest.MonkeyPatch) -> 
     ],
 )
 def test_points_that_are_no_numbers_of_points(folder: Path, numbers: np.ndarray, code: str) -> None:
-    (path,) = (folder / SIGHTINGS).glob("T1-*.npz")
+    (path,) = (folder / SIGHTINGS_FOLDER).glob("T1-*.npz")
     with np.load(path) as arrays:
         kept = dict(arrays)
     np.savez(path, **(kept | {"line1": numbers}))
@@ -168,9 +168,9 @@ def test_what_could_not_be_read_again_is_not_written(folder: Path) -> None:
 
 @pytest.mark.parametrize("kind", ["targets", "lines"])
 def test_two_of_one_name_are_refused(folder: Path, kind: str) -> None:
-    content = json.loads((folder / FILE_NAME).read_text())
+    content = json.loads((folder / PROJECT_FILE_NAME).read_text())
     content[kind][1]["name"] = content[kind][0]["name"]
-    (folder / FILE_NAME).write_text(json.dumps(content))
+    (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
     assert reason_of(refused(folder)).code == f"content.duplicate_{kind[:-1]}"
 
 
@@ -192,23 +192,23 @@ def test_two_of_one_name_are_refused(folder: Path, kind: str) -> None:
 def test_values_that_only_an_edit_can_have_brought_in(
     folder: Path, place: str, values: list[object]
 ) -> None:
-    sound = (folder / FILE_NAME).read_text()
+    sound = (folder / PROJECT_FILE_NAME).read_text()
     *outer, last = place.split("/")
     for value in values:
         content = inner = json.loads(sound)
         for name in outer:
             inner = inner[int(name) if name.isdigit() else name]
         inner[last] = value
-        (folder / FILE_NAME).write_text(json.dumps(content))
+        (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
         refused(folder)
 
 
 def test_messages_that_cannot_be_shown_are_not_read(folder: Path) -> None:
-    content = json.loads((folder / FILE_NAME).read_text())
+    content = json.loads((folder / PROJECT_FILE_NAME).read_text())
     sound = encode_value(error("store.locked", folder="a"))
     content["data_messages"] = [
         sound, sound | {"code": "no.such"},
         encode_value(error("store.disk_full_size", folder="a", size="much")),
     ]  # fmt: skip
-    (folder / FILE_NAME).write_text(json.dumps(content))
+    (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
     assert [each.code for each in read_project(folder).data_messages] == ["store.locked"]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.model.robust_loss import LOSSES
+from lispac.adjustment.model.robust_loss import LOSS_NAMES
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.model.target_shapes import fit_shapes, points_local, target_centroids
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
@@ -55,7 +55,7 @@ def test_a_little_more_than_chance_is_reported() -> None:
 def test_outliers_are_noise_unless_a_loss_takes_their_weight() -> None:
     outliers, _ = with_outliers(survey(1, 0.3), 3)
     noise, scale = {}, {}
-    for loss in LOSSES:
+    for loss in LOSS_NAMES:
         problem = AdjustmentProblem.of(outliers, TRUTH, StochasticModel(loss=loss))
         problem = with_noise_blocks(problem)
         state = problem.start(TRUTH, fit_shapes(survey(1, 0.3), TRUTH))

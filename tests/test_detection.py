@@ -10,7 +10,7 @@ from lispac.cli.main import main
 from lispac.project import Project
 from lispac.simulation.scene import tilted_rectangle
 from lispac.targets.flat_patches import find_flat_patches, voxel_side
-from lispac.targets.plane_detection import VOXEL, detect_planes
+from lispac.targets.plane_detection import COARSE_VOXEL_SIDE, detect_planes
 from lispac.targets.plane_finder import FinderSettings
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.proposals import propose_targets
@@ -64,7 +64,7 @@ def test_pieces_of_one_surface_do_not_count_as_surfaces_followed():
     folds = rippled("sheet", (-0.6, WALL, 7.8), 3.2, 1.6, period=1.4, slope_deg=7.0)
     seen = site([tilted_rectangle("T1", (2.6, WALL, 7.5), 1.0, 0.7, 270, 40), *folds], lines=2)
     clouds, settings = seen.clouds(), FinderSettings(threshold=0.06)
-    voxel = voxel_side(settings.threshold, VOXEL)
+    voxel = voxel_side(settings.threshold, COARSE_VOXEL_SIDE)
     pieces = [
         patch
         for line in clouds

@@ -82,7 +82,7 @@ def test_missing_files_and_names_are_found() -> None:
     assert located("survey/no.py") is None
     cloud = located("survey/cloud.py")
     assert cloud is not None
-    assert {"Cloud", "Cloud.within", "MAX_POINTS"} <= names_in(cloud)
+    assert {"Cloud", "Cloud.within", "MAX_REGION_POINTS"} <= names_in(cloud)
     assert "Cloud.without" not in names_in(cloud)
     assert links("[a](b.md#c), [d](https://e.org), [f](#g)") == ["b.md#c"]
 

@@ -11,7 +11,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import in_language
 from lispac.present.validation import ValidationPlane
@@ -141,7 +141,7 @@ def test_report_tables_and_file_hold_the_cells(tmp_path: Path) -> None:
     values = np.array(rows[1:], dtype=float)
     np.testing.assert_allclose(values[:, 2], 1000 * found.before, atol=0.005)
     write_project(project)
-    path = project.folder / FILE_NAME
+    path = project.folder / PROJECT_FILE_NAME
     stored = json.loads(path.read_text())
     again = read_project(project.folder).validation[0].maps[0]
     np.testing.assert_array_equal(again.after, found.after)

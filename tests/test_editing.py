@@ -11,7 +11,7 @@ from lispac.project import PickedSighting, Project, Target
 from lispac.simulation.scene import Sphere
 from lispac.workflow.calibration.point_edits import (
     EDIT_MARGIN,
-    MIN_POINTS,
+    MIN_POINTS_PER_SIGHTING,
     with_points,
     without_points,
 )
@@ -77,7 +77,9 @@ def test_a_sighting_is_not_emptied(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     with pytest.raises(ProjectError) as raised:
         without_points(
-            project.target("T1"), survey.clouds, lambda p: np.arange(len(p)) >= MIN_POINTS - 1
+            project.target("T1"),
+            survey.clouds,
+            lambda p: np.arange(len(p)) >= MIN_POINTS_PER_SIGHTING - 1,
         )
     assert raised.value.code == "edit.few_points_left"
 
@@ -133,7 +135,7 @@ def test_what_would_be_left_on_one_straight_line_is_no_surface() -> None:
     project, survey = picked()
     target = project.target("T1")
     one = target.sightings[0]
-    twice = replace(one, indices=np.repeat(one.indices[:1], 2 * MIN_POINTS))
+    twice = replace(one, indices=np.repeat(one.indices[:1], 2 * MIN_POINTS_PER_SIGHTING))
     thin = replace(target, sightings=(twice,))
     first = iter([True])
     with pytest.raises(ProjectError, check=has_code("edit.no_surface_left", target="T1")):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.diagnostics.error_budget import (
-    BEAMS,
+    BEAM_DIRECTIONS,
     ErrorBudget,
     PointSigma,
     SourceBudget,
@@ -69,14 +69,14 @@ def drawn(errors: np.ndarray, way: np.ndarray) -> PointSigma:
     return PointSigma(*(float(np.sqrt((part**2).sum(axis=1).mean())) for part in squares))
 
 
-@pytest.mark.parametrize("beam", BEAMS)
+@pytest.mark.parametrize("beam", BEAM_DIRECTIONS)
 @pytest.mark.parametrize("distance", [10.0, pytest.param(100.0, marks=pytest.mark.long)])
 def test_every_source_agrees_with_drawn_errors(beam: str, distance: float) -> None:
     """X = P + R(attitude) (R(boresight) x + lever arm), each value drawn 5,000 times.
 
     The spread of so many draws is known to 1 % (1 sigma); figures agree within 4 %.
     """
-    own, rng, way = system(), np.random.default_rng(8), np.array(BEAMS[beam])
+    own, rng, way = system(), np.random.default_rng(8), np.array(BEAM_DIRECTIONS[beam])
     mounting = own.mounting
     reading = rotation_matrix(*mounting.boresight).T @ (distance * way)
     length = np.linalg.norm(reading)
@@ -201,7 +201,7 @@ def test_the_command_and_the_report_say_the_same(
     content = replace(sample_content(sample), budget=budget)
     section = report_document(content, {}).sections[0]
     tables = [b for b in section.blocks if isinstance(b, Table) and "Error of a point" in b.title]
-    assert len(tables) == len(BEAMS)
+    assert len(tables) == len(BEAM_DIRECTIONS)
     last = tables[0].rows[-1]
     at_50 = found["beams"][0]["after"]["at_distance"][1]
     assert last[0] == "Total after calibration"

@@ -21,7 +21,7 @@ from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import place_points
 from lispac.survey.trajectory import Poses, Trajectory
 from lispac.workflow.output.data_export import (
-    SBET_ZEROS,
+    SBET_ZEROS_NOTE,
     export_planes,
     export_targets,
     export_trajectory,
@@ -199,7 +199,7 @@ def test_what_is_assumed_is_reported_with_what_is_written(tmp_path: Path) -> Non
         paths, notes = export(moving, survey, ExportRequest("trajectory", path, form=form))
         assert paths == [path]
         assert notes[0] == note("export.trajectory_datum", file="own.sbet")
-        assert (SBET_ZEROS in notes) == velocities
+        assert (SBET_ZEROS_NOTE in notes) == velocities
 
 
 def turning(folder: Path) -> Project:

@@ -198,7 +198,7 @@ def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: 
 
 def test_a_click_on_an_edge_holds_where_lines_are_sampled(monkeypatch: pytest.MonkeyPatch) -> None:
     """One point in many is looked at: the clicked one is among them, and its surface is meant."""
-    monkeypatch.setattr(target_search, "SEARCH_SAMPLE", 6_000)
+    monkeypatch.setattr(target_search, "MAX_SAMPLE_POINTS", 6_000)
     seen = site([board(), wall(0.3)], lines=1, pulses_per_second=300_000.0)
     _, survey = seen.opened()
     cloud = survey.clouds["L1"]

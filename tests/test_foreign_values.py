@@ -18,7 +18,7 @@ from lispac.errors import InputError, LispacError, ProjectError
 from lispac.io.config.toml_table import TomlTable, toml_string
 from lispac.io.files import atomic_write
 from lispac.io.formats import format_of
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.project import Project, Settings
 from lispac.survey.store.layout import read_manifest, write_manifest
 from lispac.untrusted_values import (
@@ -148,7 +148,7 @@ WRONG_VALUES = [
 def test_values_of_a_project_that_do_not_fit_are_refused(
     copy: Project, place: str, value: object
 ) -> None:
-    path = copy.folder / FILE_NAME
+    path = copy.folder / PROJECT_FILE_NAME
     content = json.loads(path.read_text())
     *folders, last = place.split("/")
     inner: Any = content

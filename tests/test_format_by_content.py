@@ -21,7 +21,7 @@ import pytest
 from lispac.errors import InputError
 from lispac.io.format_types import Kind
 from lispac.io.formats import is_las, recognise_formats
-from lispac.io.points.compressed_files import ARCHIVES
+from lispac.io.points.compressed_files import ARCHIVE_FORMATS
 from lispac.io.points.mesh_file import read_mesh
 from lispac.io.points.static_scan import open_static_scan
 from lispac.io.text.plane_file import read_plane_table
@@ -223,7 +223,9 @@ def test_packed_files_get_a_hint(
     for read in (open_static_scan, read_point_list):
         with pytest.raises(InputError) as raised:
             read(packed)
-        assert raised.value.code == ("file.archive" if packing in ARCHIVES else "file.compressed")
+        assert raised.value.code == (
+            "file.archive" if packing in ARCHIVE_FORMATS else "file.compressed"
+        )
         assert raised.value.message is not None
         assert raised.value.message.params == {"file": str(packed), "format": packing}
 

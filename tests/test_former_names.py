@@ -11,9 +11,9 @@ import lispac
 from lispac.cli.former_options import FORMER_COMMANDS, FORMER_OPTIONS, with_new_names
 from lispac.cli.main import main
 from lispac.cli.parser import build_parser
-from lispac.former_names import SCRIPT_NAMES
+from lispac.former_names import NEW_SCRIPT_NAMES
 from lispac.io.config.plan_file import read_site
-from lispac.io.config.toml_table import FORMER_KEYS
+from lispac.io.config.toml_table import PRESENT_KEY_OF_FORMER
 from lispac.io.project.project_file import read_project
 from lispac.project import Settings
 from lispac.survey.store import layout
@@ -86,7 +86,7 @@ def test_an_option_of_another_command_is_not_replaced() -> None:
 
 def test_former_keys_of_a_site_are_read_with_a_warning(tmp_path: Path) -> None:
     former = SITE.read_text(encoding="utf-8")
-    used = [(new, old) for old, new in FORMER_KEYS.items() if new in former]
+    used = [(new, old) for old, new in PRESENT_KEY_OF_FORMER.items() if new in former]
     assert len(used) == 3
     for new, old in used:
         former = former.replace(new, old)
@@ -132,12 +132,12 @@ def test_former_attributes_of_results_are_accepted(tmp_path: Path) -> None:
     holders = result, rejected, BatchRow(tmp_path, "p", "refused", ("No targets.",))
     for holder in holders:
         names = {each.name for each in fields(holder)}  # type: ignore[arg-type]
-        former = [old for old, new in SCRIPT_NAMES.items() if new in names]
+        former = [old for old, new in NEW_SCRIPT_NAMES.items() if new in names]
         assert former
         for name in former:
-            with pytest.warns(FutureWarning, match=SCRIPT_NAMES[name]):
+            with pytest.warns(FutureWarning, match=NEW_SCRIPT_NAMES[name]):
                 found = getattr(holder, name)
-            assert found is getattr(holder, SCRIPT_NAMES[name])
+            assert found is getattr(holder, NEW_SCRIPT_NAMES[name])
     with pytest.warns(FutureWarning, match="rejected_sightings"):
         assert result.suspects == result.rejected_sightings  # type: ignore[attr-defined]
 
@@ -219,7 +219,7 @@ def test_a_project_of_version_10_keeps_the_time_rollover_of_a_line() -> None:
 @pytest.mark.usefixtures("small")
 def test_a_line_stored_with_version_2_is_read(tmp_path: Path) -> None:
     now = stored(tmp_path / "L1").manifest
-    path = tmp_path / "L1" / layout.MANIFEST
+    path = tmp_path / "L1" / layout.MANIFEST_FILE
     content = json.loads(path.read_text(encoding="utf-8"))
     store = content["store"]
     store["left_out"] = store.pop("excluded_points")

@@ -28,11 +28,11 @@ from lispac.io.config.scene_file import read_scene
 from lispac.io.config.sensor_file import read_pos_specification, read_scanner_specification
 from lispac.io.config.vessel_file import read_vessel
 from lispac.io.format_types import FilePreview
-from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of
+from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS, format_of
 from lispac.io.points.mesh_file import MeshReader, read_mesh
 from lispac.io.points.point_reader_common import usable_points
 from lispac.io.points.static_scan import open_static_scan
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.io.text.seed_file import is_point_list, read_point_list
 from lispac.simulation.meshes import Mesh
 from lispac.survey.store import layout
@@ -52,7 +52,9 @@ from tests.test_trajectory_bad_input import anything, good
 __all__ = ["small"]
 
 ROOT = Path(__file__).parents[1]
-FORMATS = {format.key: format for format in (*TRAJECTORIES, *ACCURACIES, *POINTS)}
+FORMATS = {
+    format.key: format for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS, *POINT_FORMATS)
+}
 SHORT = 15
 
 Sources = list[st.SearchStrategy[bytes]]
@@ -218,7 +220,7 @@ def project(folder: Path) -> tuple[Sources, Attempt]:
     made = sample_project(folder / "p")
     first = replace(made.targets[0], choices=FinderChoices(min_points=50))
     write_project(replace(made, targets=(first, *made.targets[1:])))
-    path = folder / "p" / FILE_NAME
+    path = folder / "p" / PROJECT_FILE_NAME
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
@@ -317,7 +319,7 @@ def used(folder: Path) -> None:
 def manifest(folder: Path) -> tuple[Sources, Attempt]:
     """Damaged, or changed by somebody who also puts the checksum right."""
     stored(folder / "L1")
-    path = folder / "L1" / layout.MANIFEST
+    path = folder / "L1" / layout.MANIFEST_FILE
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
@@ -426,13 +428,13 @@ def spool(folder: Path) -> tuple[Sources, Attempt]:
     expected = files_of(open_store(folder / "whole", "L1").manifest)
     with pytest.raises(Cancelled):
         write_store(folder / "half", RECIPE, LINE.pieces(200), place, progress=stop_at(15))
-    files = sorted((folder / "half" / layout.SPOOL).iterdir())
+    files = sorted((folder / "half" / layout.SPOOL_FOLDER).iterdir())
     assert {"block-00002.json", "complete.json", "recipe.json"} <= {file.name for file in files}
 
     def attempt(content: bytes) -> bool:
         shutil.rmtree(folder / "L1", ignore_errors=True)
         shutil.copytree(folder / "half", folder / "L1")
-        (folder / "L1" / layout.SPOOL / files[content[0] % len(files)].name).write_bytes(
+        (folder / "L1" / layout.SPOOL_FOLDER / files[content[0] % len(files)].name).write_bytes(
             content[1:]
         )
         told = refusal_of(lambda: stored(folder / "L1"))

@@ -1,4 +1,4 @@
-"""The lines of a project on the map: there and back, what is counted, and what is left behind."""
+"""Tests of georeferencing the lines of a project: accuracy, excluded points, clean-up."""
 
 import json
 from collections.abc import Iterator
@@ -11,7 +11,7 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import Cancelled, InputError, ProjectError
-from lispac.io.las.las_chunks import LAS
+from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.las.las_crs import read_header_crs
 from lispac.io.las.mounting_record import MountingRecord
 from lispac.io.points.point_reader_common import crs_of_options
@@ -41,7 +41,7 @@ from tests.point_files import COUNT
 from tests.point_files import cloud as open3d_cloud
 
 UTM = "EPSG:32619"
-SMALL = 3000
+POINT_COUNT = 3000
 
 
 def states() -> Trajectory:
@@ -52,9 +52,9 @@ def states() -> Trajectory:
 
 @pytest.fixture
 def project(tmp_path: Path) -> Project:
-    """Two lines in the scanner frame: LAS with a time shift, PLY."""
+    """Return a project of two lines in the scanner frame: LAS with a time shift, and PLY."""
     write_sbet(tmp_path / "sbet.out", states())
-    points, time = sweep(track(), SMALL)
+    points, time = sweep(track(), POINT_COUNT)
     raw = written_las(tmp_path / "raw.laz", 6, points, time - 18.0)
     raw.withheld[:] = 0
     raw.write(tmp_path / "raw.laz")
@@ -75,21 +75,21 @@ def project(tmp_path: Path) -> Project:
     )  # fmt: skip
 
 
-def test_a_project_goes_to_the_map_and_comes_back(
+def test_georeferenced_lines_are_converted_back_to_the_scanner_frame(
     project: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Scanner frame, UTM LAZ, scanner frame: within 0.2 mm."""
+    """From the scanner frame to UTM LAZ and back: within 0.2 mm."""
     done = georeference_project(project, tmp_path / "out", "prior", system=UTM)
     assert [item.path.name for item in done] == ["L1_prior.laz", "L2_prior.laz"]
-    assert [item.points for item in done] == [SMALL, COUNT]
+    assert [item.points for item in done] == [POINT_COUNT, COUNT]
     trajectory = local_trajectory(project)[0]
     raw = laspy.read(tmp_path / "raw.laz")
     written = laspy.read(done[0].path)
-    np.testing.assert_array_equal(written.gps_time, raw.gps_time)  # the original ones
-    choice = LAS.preview(done[0].path, {}).choice
-    system = crs_of_options(LAS.resolved(choice))
+    np.testing.assert_array_equal(written.gps_time, raw.gps_time)  # times of the file, not shifted
+    choice = LAS_FORMAT.preview(done[0].path, {}).choice
+    system = crs_of_options(LAS_FORMAT.resolved(choice))
     assert system is not None
-    chunks = (replace(c, time=c.time + 18.0) for c in LAS.read(done[0].path, choice))
+    chunks = (replace(c, time=c.time + 18.0) for c in LAS_FORMAT.read(done[0].path, choice))
     recovery = RecoverySetup(system, trajectory, project.mounting("prior"))
     back = np.concatenate([part.xyz for part, _ in recover_scanner_points(chunks, recovery)])
     worst = np.linalg.norm(back - raw.xyz, axis=1).max()
@@ -100,13 +100,13 @@ def test_a_project_goes_to_the_map_and_comes_back(
     assert "ring" in ply.point_format.extra_dimension_names
 
 
-def test_a_line_whose_file_is_gone_comes_from_its_store(project: Project, tmp_path: Path) -> None:
+def test_a_line_without_its_file_is_read_from_the_store(project: Project, tmp_path: Path) -> None:
     project.folder.mkdir()
     import_lines(project, ["L1"])
     raw = laspy.read(tmp_path / "raw.laz")
     (tmp_path / "raw.laz").unlink()
     (done,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
-    assert done.points == SMALL
+    assert done.points == POINT_COUNT
     written = laspy.read(done.path)
     order, own = np.argsort(written.gps_time), np.argsort(raw.gps_time)
     np.testing.assert_allclose(
@@ -126,15 +126,16 @@ def test_a_line_whose_file_is_gone_comes_from_its_store(project: Project, tmp_pa
     assert refused.value.code == "file.not_found"
 
 
-def test_another_boresight_on_a_cloud_that_is_georeferenced(
+def test_a_georeferenced_cloud_is_written_with_another_boresight(
     project: Project, tmp_path: Path
 ) -> None:
-    """A UTM cloud made with the prior, written again with the estimated boresight.
+    """Write a UTM cloud that was made with the prior again, with the estimated boresight.
 
-    Its own system by default, as if it had been made from the scanner frame.
+    The default system is that of the cloud. The points are those made directly from the
+    scanner frame.
     """
     (first,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
-    choice = LAS.preview(first.path, {}).choice
+    choice = LAS_FORMAT.preview(first.path, {}).choice
     reading = Reading("las", tuple((k, str(v)) for k, v in choice.items()), 18.0)
     better = replace(
         project, lines=(LineSource("again", first.path, (), reading),),
@@ -174,16 +175,16 @@ def test_points_without_a_pose_are_counted_and_skipped(project: Project, tmp_pat
     assert in_gap > 0
     file = "L1_prior.laz"
     assert done.notes[:2] == (
-        note("import.excluded_outside", file=file, count=60, total=SMALL),
-        note("export.excluded_in_gaps", file=file, count=in_gap, total=SMALL),
+        note("import.excluded_outside", file=file, count=60, total=POINT_COUNT),
+        note("export.excluded_in_gaps", file=file, count=in_gap, total=POINT_COUNT),
     )
     left = laspy.read(done.path)
-    assert len(left) == done.points == SMALL - 60 - in_gap
+    assert len(left) == done.points == POINT_COUNT - 60 - in_gap
     keep = (time <= holes[0]) | (time >= holes[1])
     np.testing.assert_array_equal(left.intensity, np.array(raw.intensity)[60:][keep])
 
 
-def test_no_system_given(project: Project, tmp_path: Path) -> None:
+def test_a_missing_or_unknown_system_or_line_is_refused(project: Project, tmp_path: Path) -> None:
     with pytest.raises(InputError, check=has_code("export.no_system", zone="EPSG:32619")):
         georeference_project(project, tmp_path / "out", "prior")
     with pytest.raises(InputError, check=has_code("crs.unknown")):
@@ -195,7 +196,7 @@ def test_no_system_given(project: Project, tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-def test_the_local_frame(project: Project, tmp_path: Path) -> None:
+def test_lines_are_written_in_the_local_frame(project: Project, tmp_path: Path) -> None:
     (done,) = georeference_project(
         project, tmp_path / "out", "prior", system="local", lines=["L1"], ending="las"
     )
@@ -207,7 +208,7 @@ def test_the_local_frame(project: Project, tmp_path: Path) -> None:
     np.testing.assert_allclose(las.xyz, expected, rtol=0, atol=0.51e-4)
 
 
-def test_the_raw_files_are_not_written_over(project: Project, tmp_path: Path) -> None:
+def test_the_raw_files_are_not_overwritten(project: Project, tmp_path: Path) -> None:
     (tmp_path / "raw.laz").rename(tmp_path / "L1_prior.laz")
     line = replace(project.lines[0], path=tmp_path / "L1_prior.laz")
     with pytest.raises(InputError) as raised:
@@ -216,7 +217,7 @@ def test_the_raw_files_are_not_written_over(project: Project, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("when", [1, 2, 3])
-def test_cancel_leaves_nothing(project: Project, tmp_path: Path, when: int) -> None:
+def test_a_cancelled_export_leaves_no_files(project: Project, tmp_path: Path, when: int) -> None:
     calls = 0
 
     def stop(fraction: float, step: Step | None = None) -> None:
@@ -230,7 +231,7 @@ def test_cancel_leaves_nothing(project: Project, tmp_path: Path, when: int) -> N
     assert not (tmp_path / "a").exists()
 
 
-def test_what_was_there_stays_when_something_fails(project: Project, tmp_path: Path) -> None:
+def test_a_failed_export_keeps_existing_files(project: Project, tmp_path: Path) -> None:
     out = tmp_path / "out"
     out.mkdir()
     (out / "L1_prior.laz").write_bytes(b"older")
@@ -243,7 +244,7 @@ def test_what_was_there_stays_when_something_fails(project: Project, tmp_path: P
 
 @pytest.fixture
 def small_disk() -> Iterator[None]:
-    """No file may grow beyond 40 kB, as on a disk that is full."""
+    """Limit the size of files to 40 kB, to simulate a full disk."""
     resource = pytest.importorskip("resource")  # not on Windows
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, before[1]))
@@ -252,7 +253,7 @@ def small_disk() -> Iterator[None]:
 
 
 @pytest.mark.parametrize("ending", ["las", "laz"])
-def test_a_full_disk_leaves_nothing(
+def test_an_export_to_a_full_disk_leaves_no_files(
     project: Project, tmp_path: Path, small_disk: None, ending: str
 ) -> None:
     with pytest.raises(InputError, match=f"L1_prior.{ending}: ") as refused:
@@ -261,7 +262,7 @@ def test_a_full_disk_leaves_nothing(
     assert not (tmp_path / "out").exists()
 
 
-def test_from_the_command_line(
+def test_georeference_command(
     project: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     raw = laspy.read(tmp_path / "raw.laz")
@@ -275,10 +276,10 @@ def test_from_the_command_line(
     out, err = capsys.readouterr()
     (line,) = json.loads(out)["lines"]
     assert line == {
-        "file": str(tmp_path / "out" / "L1_prior.las"), "points": SMALL - 5, "outside": 5,
+        "file": str(tmp_path / "out" / "L1_prior.las"), "points": POINT_COUNT - 5, "outside": 5,
         "in_gaps": 0,
     }  # fmt: skip
-    outside = note("import.excluded_outside", file="L1_prior.las", count=5, total=SMALL)
+    outside = note("import.excluded_outside", file="L1_prior.las", count=5, total=POINT_COUNT)
     assert message_text(outside) in err
     assert "assumed to be ellipsoidal" in err
     assert main([*words, "--crs", "local"]) == 0
@@ -289,14 +290,14 @@ def test_from_the_command_line(
 
 @pytest.mark.parametrize("ending", ["las", "laz"])
 @pytest.mark.parametrize("system", ["local", UTM, "EPSG:2249", "EPSG:4979"])
-def test_a_cloud_of_the_program_gives_its_points_back(
+def test_an_exported_cloud_gives_its_points_in_the_scanner_frame(
     project: Project, tmp_path: Path, system: str, ending: str
 ) -> None:
-    """With the mounting in its header, whatever the prior of the project that reads it."""
+    """The mounting in its header is used instead of the prior of the project."""
     (done,) = georeference_project(
         project, tmp_path / "out", "prior", system=system, lines=["L1"], ending=ending
     )
-    found = LAS.preview(done.path, {})
+    found = LAS_FORMAT.preview(done.path, {})
     assert found.choice["frame"] == "georeferenced"
     options = tuple((name, str(value)) for name, value in found.choice.items())
     line = LineSource("L1", done.path, (), Reading("las", options, 18.0))
@@ -311,7 +312,9 @@ def test_a_cloud_of_the_program_gives_its_points_back(
     assert [note["roll"], note["pitch"], note["yaw"]] == pytest.approx(list(made), abs=1e-12)
 
 
-def test_a_cloud_with_another_lever_arm_is_a_warning(project: Project, tmp_path: Path) -> None:
+def test_another_lever_arm_than_that_of_the_cloud_is_reported(
+    project: Project, tmp_path: Path
+) -> None:
     (done,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
     line = LineSource(
         "L1", done.path, (), Reading("las", (("frame", "georeferenced"), ("crs", UTM)), 18.0)
@@ -329,7 +332,9 @@ def test_a_cloud_with_another_lever_arm_is_a_warning(project: Project, tmp_path:
 @pytest.mark.parametrize(
     "damage", [b"", b"{", b"[]", b'{"version": 9}', b'{"version": 1, "lever_arm_m": [1e9, 0, 0]}']
 )
-def test_a_damaged_record_is_not_used(project: Project, tmp_path: Path, damage: bytes) -> None:
+def test_a_damaged_mounting_record_is_not_used(
+    project: Project, tmp_path: Path, damage: bytes
+) -> None:
     (done,) = georeference_project(
         project, tmp_path / "out", "prior", system="local", lines=["L1"], ending="las"
     )
@@ -340,15 +345,15 @@ def test_a_damaged_record_is_not_used(project: Project, tmp_path: Path, damage: 
     cloud.write(done.path)
     assert MountingRecord.read(done.path) is None
     with pytest.raises(InputError, check=has_code("las.local_frame")):
-        LAS.preview(done.path, {})
+        LAS_FORMAT.preview(done.path, {})
 
 
-def test_a_written_cloud_is_written_again(project: Project, tmp_path: Path) -> None:
-    """From the local frame to a map: the points are those that come directly from the raw line."""
+def test_an_exported_cloud_is_exported_again(project: Project, tmp_path: Path) -> None:
+    """From the local frame to UTM: the points are equal to those of a direct export."""
     (local,) = georeference_project(
         project, tmp_path / "local", "prior", system="local", lines=["L1"], ending="las"
     )
-    options = tuple((k, str(v)) for k, v in LAS.preview(local.path, {}).choice.items())
+    options = tuple((k, str(v)) for k, v in LAS_FORMAT.preview(local.path, {}).choice.items())
     line = LineSource("L1", local.path, (), Reading("las", options, 18.0))
     (again,) = georeference_project(
         replace(project, lines=(line,)), tmp_path / "again", "prior", system=UTM, ending="las"

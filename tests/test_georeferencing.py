@@ -7,7 +7,13 @@ from lispac.errors import Cancelled, InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.trajectory.sbet import read_sbet, write_sbet
 from lispac.progress import Step
-from lispac.survey.georeferencing import CHUNK, Mounting, georeference, place_points, to_lidar
+from lispac.survey.georeferencing import (
+    POINTS_PER_KERNEL_CALL,
+    Mounting,
+    georeference,
+    place_points,
+    to_lidar,
+)
 from lispac.survey.trajectory import LocalTrajectory, Poses, Trajectory
 from tests.error_codes import has_code
 
@@ -18,7 +24,7 @@ def trajectory(count: int = 500, seed: int = 4) -> LocalTrajectory:
     rng = np.random.default_rng(seed)
     time = np.cumsum(rng.uniform(0.004, 0.006, count)) + 486_000
     position = np.cumsum(rng.normal(0, 0.01, (count, 3)), axis=0)
-    # The heading passes through north: without unwrapping the points would spin round.
+    # The heading passes through north, where interpolation without unwrapping fails.
     attitude = np.cumsum(rng.normal(0, 0.002, (count, 3)), axis=0)
     return LocalTrajectory(FRAME, time, position, attitude)
 
@@ -44,15 +50,15 @@ def test_kernel_equals_the_reference_formula(order: str) -> None:
 
 
 def test_kernel_equals_the_reference_over_several_chunks() -> None:
-    path, points, time, mounting = survey(CHUNK + 1000)
+    path, points, time, mounting = survey(POINTS_PER_KERNEL_CALL + 1000)
     local = georeference(points, time, path, mounting)
-    ends = np.r_[0:500, CHUNK - 500 : CHUNK + 1000]
+    ends = np.r_[0:500, POINTS_PER_KERNEL_CALL - 500 : POINTS_PER_KERNEL_CALL + 1000]
     np.testing.assert_allclose(
         local[ends], place_points(points[ends], path.at(time[ends]), mounting), atol=1e-11
     )
 
 
-def test_inverse() -> None:
+def test_to_lidar_is_the_inverse_of_georeference() -> None:
     path, points, time, mounting = survey(2000)
     local = georeference(points, time, path, mounting)
     np.testing.assert_allclose(to_lidar(local, path.at(time), mounting), points, atol=1e-11)
@@ -86,14 +92,14 @@ def test_a_range_offset_lengthens_every_range(offset: float) -> None:
     np.testing.assert_allclose(mounting.raw_points(longer), points, atol=1e-12)
 
 
-def test_both_ends_of_the_trajectory_belong_to_it() -> None:
+def test_both_ends_of_the_trajectory_are_included() -> None:
     path, points, _, mounting = survey(2)
     ends = path.time[[0, -1]]
     expected = place_points(points, Poses(path.position[[0, -1]], path.attitude[[0, -1]]), mounting)
     np.testing.assert_allclose(georeference(points, ends, path, mounting), expected, atol=1e-11)
 
 
-def test_can_be_cancelled() -> None:
+def test_georeferencing_can_be_cancelled() -> None:
     path, points, time, mounting = survey(10)
 
     def stop(fraction: float, step: Step | None = None) -> None:
@@ -116,7 +122,7 @@ def test_heading_through_north_is_interpolated_the_short_way(tmp_path: Path) -> 
 
 
 def test_vessel_data_regeoreferences_to_its_stored_coordinates(shared_data: Path) -> None:
-    """Points of a real vessel LiDAR, stored with the coordinates another program gave them."""
+    """Points of a real vessel LiDAR, stored with the coordinates that another program computed."""
     mounting = Mounting(
         np.array([-0.185596, 0.037658, 2.419063]), np.radians([0.4395, -1.8681, 0.3992])
     )

@@ -1,4 +1,4 @@
-"""From the scanner to the map and back, against the reference formula and PROJ point by point."""
+"""Tests of the conversion between scanner frame and map, against PROJ point by point."""
 
 from pathlib import Path
 
@@ -17,8 +17,8 @@ from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference, place_points, to_lidar
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup
-from lispac.survey.smooth_map import ACCURACY, fit_smooth_map
-from lispac.survey.trajectory import STEEPEST, LocalTrajectory, Trajectory
+from lispac.survey.smooth_map import MAP_ACCURACY_M, fit_smooth_map
+from lispac.survey.trajectory import MAX_PITCH_RAD, LocalTrajectory, Trajectory
 from tests.cloud_files import (
     GREENWICH,
     MOUNTING,
@@ -75,14 +75,16 @@ def test_map_agrees_with_proj_point_by_point(
             f"{len(fit.boxes)} cells, residual {1e3 * fit.residual:.1e} mm, "
             f"{fit.exact_share:.1%} point by point"
         )
-    assert off < ACCURACY
-    assert back < 2 * ACCURACY
-    assert fit.residual < ACCURACY
-    np.testing.assert_array_less(np.abs(mapper.to_scanner(found, time) - points), 2 * ACCURACY)
+    assert off < MAP_ACCURACY_M
+    assert back < 2 * MAP_ACCURACY_M
+    assert fit.residual < MAP_ACCURACY_M
+    np.testing.assert_array_less(
+        np.abs(mapper.to_scanner(found, time) - points), 2 * MAP_ACCURACY_M
+    )
 
 
-def test_utm_against_pipeline_of_proj_alone() -> None:
-    """Nothing of the program between the local frame and the map but the polynomials."""
+def test_utm_agrees_with_a_proj_pipeline() -> None:
+    """Only the polynomials of the program lie between the local frame and the map."""
     trajectory = track()
     points, time = sweep(trajectory)
     frame = trajectory.frame
@@ -98,43 +100,45 @@ def test_utm_against_pipeline_of_proj_alone() -> None:
     found = ScannerPointConverter(coordinate_system("EPSG:32619"), trajectory, MOUNTING).to_map(
         points, time
     )
-    np.testing.assert_allclose(found, expected, rtol=0, atol=ACCURACY)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=MAP_ACCURACY_M)
 
 
-def test_far_points_go_the_exact_way() -> None:
-    """A range of 20 km is beyond what the polynomials are fitted for."""
+def test_distant_points_are_converted_exactly() -> None:
+    """A range of 20 km is beyond the region of the fitted polynomials."""
     system, trajectory = coordinate_system("EPSG:32619"), track()
     points, time = sweep(trajectory, 200)
     points[::10] *= 250
     mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
     found = mapper.to_map(points, time)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=ACCURACY)
-    np.testing.assert_allclose(mapper.to_scanner(found, time), points, rtol=0, atol=2 * ACCURACY)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=MAP_ACCURACY_M)
+    np.testing.assert_allclose(
+        mapper.to_scanner(found, time), points, rtol=0, atol=2 * MAP_ACCURACY_M
+    )
 
 
 @pytest.mark.parametrize("threads", [None, 1, 3])
-def test_the_pieces_that_threads_take_are_put_together(
+def test_pieces_and_threads_do_not_change_the_result(
     threads: int | None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     trajectory = track()
     points, time = sweep(trajectory, 1000)
-    points[::10] *= 250  # these go the exact way
+    points[::10] *= 250  # these are converted exactly, not by polynomials
     mapper = ScannerPointConverter(coordinate_system("EPSG:32619"), trajectory, MOUNTING)
     whole = mapper.to_map(points, time)
     back = mapper.to_scanner(whole, time)
-    monkeypatch.setattr(point_mapping, "PIECE", 128)
+    monkeypatch.setattr(point_mapping, "PIECE_POINTS", 128)
     np.testing.assert_array_equal(mapper.to_map(points, time, threads=threads), whole)
     np.testing.assert_array_equal(mapper.to_scanner(whole, time, threads=threads), back)
 
 
-def test_a_long_survey_is_divided() -> None:
-    """60 km along the coast: one polynomial does not bend enough."""
+def test_a_long_survey_has_several_polynomial_cells() -> None:
+    """Over 60 km along the coast one polynomial is not accurate enough."""
     system, trajectory = coordinate_system("EPSG:2949"), track(size=30_000.0)
     points, time = sweep(trajectory)
     mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
-    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=ACCURACY)
+    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=MAP_ACCURACY_M)
     fit = mapper.fit_to(points)
     assert fit is not None
     assert len(fit.boxes) > 1
@@ -147,19 +151,23 @@ def test_a_long_survey_is_divided() -> None:
     longitude=st.floats(-179, 179),
     size=st.floats(10, 20_000),
 )
-def test_anywhere_on_earth(latitude: float, longitude: float, size: float) -> None:
+def test_utm_conversion_is_accurate_anywhere_on_earth(
+    latitude: float, longitude: float, size: float
+) -> None:
     zone = int((longitude + 180) // 6) + 1
     system = coordinate_system(f"EPSG:{(32600 if latitude >= 0 else 32700) + zone}")
     trajectory = track((latitude, longitude), size=size, turns=1.0)
     points, time = sweep(trajectory, 300)
     mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
-    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=ACCURACY)
-    np.testing.assert_allclose(mapper.to_scanner(expected, time), points, rtol=0, atol=2 * ACCURACY)
+    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=MAP_ACCURACY_M)
+    np.testing.assert_allclose(
+        mapper.to_scanner(expected, time), points, rtol=0, atol=2 * MAP_ACCURACY_M
+    )
 
 
-def test_what_polynomials_cannot_follow_is_excluded_from_them() -> None:
-    """A step, a fold and a hole: every point that is mapped is right, the others are marked."""
+def test_points_at_discontinuities_are_not_mapped_by_polynomials() -> None:
+    """For a step, a fold and a hole: mapped points are correct, the others are marked."""
 
     def exact(points: np.ndarray) -> np.ndarray:
         x, y, z = points.T
@@ -173,7 +181,7 @@ def test_what_polynomials_cannot_follow_is_excluded_from_them() -> None:
     missed = fit.apply(found)
     assert 0.01 < missed.mean() < 0.3
     np.testing.assert_array_equal(found[missed], points[missed])
-    np.testing.assert_allclose(found[~missed], exact(points[~missed]), rtol=0, atol=ACCURACY)
+    np.testing.assert_allclose(found[~missed], exact(points[~missed]), rtol=0, atol=MAP_ACCURACY_M)
     outside = np.array([[600.0, 0, 0], [0, 0, 11], [np.nan, 0, 0]])
     assert fit.apply(outside).all()
 
@@ -199,17 +207,19 @@ def test_points_outside_the_system_are_refused(tmp_path: Path) -> None:
 
 
 def test_a_site_at_the_edge_of_a_geoid_grid_is_mapped(tmp_path: Path) -> None:
-    """Its own points lie on the grid, what the polynomials are fitted for reaches beyond."""
+    """The points lie on the grid; the region of the polynomials extends beyond it."""
     system = coordinate_system("EPSG:2949", height=str(folded_geoid(tmp_path / "g.gtx")))
     trajectory = track((47.9965, -71.2), size=200.0)  # the grid ends 390 m to the north
     points, time = sweep(trajectory, 300)
     mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
-    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=ACCURACY)
-    np.testing.assert_allclose(mapper.to_scanner(expected, time), points, rtol=0, atol=2 * ACCURACY)
+    np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=MAP_ACCURACY_M)
+    np.testing.assert_allclose(
+        mapper.to_scanner(expected, time), points, rtol=0, atol=2 * MAP_ACCURACY_M
+    )
 
 
-def test_local_frame_is_a_map_too() -> None:
+def test_conversion_to_the_local_frame_is_georeferencing() -> None:
     trajectory = track()
     points, time = sweep(trajectory)
     mapper = ScannerPointConverter(None, trajectory, MOUNTING)
@@ -232,7 +242,7 @@ def test_compiled_inverse_equals_the_reference_formula() -> None:
 
 
 def through_north(tmp_path: Path, *, clockwise: bool) -> LocalTrajectory:
-    """A steady turn through north, as a file has it: 359.5, 0.5 or 0.5, 359.5 degrees."""
+    """Return a steady turn through north, stored as 359.5, 0.5 or 0.5, 359.5 degrees."""
     time = np.arange(0.0, 61.0)
     turn = np.degrees(0.1) * (time - 30) * (1 if clockwise else -1)
     attitude = np.radians(np.stack([0 * time, 0 * time, turn % 360], axis=1))
@@ -242,8 +252,8 @@ def through_north(tmp_path: Path, *, clockwise: bool) -> LocalTrajectory:
 
 
 @pytest.mark.parametrize("clockwise", [True, False])
-def test_heading_through_north_turns_the_short_way(tmp_path: Path, clockwise: bool) -> None:
-    """A point 50 m ahead moves on its circle by no more than the turn, there and back."""
+def test_points_follow_a_turn_through_north(tmp_path: Path, clockwise: bool) -> None:
+    """A point 50 m ahead moves by the angle of the turn only, and is converted back."""
     trajectory = through_north(tmp_path, clockwise=clockwise)
     assert np.abs(np.diff(trajectory.attitude[:, 2])).max() < 0.11
     mounting = Mounting(np.zeros(3), np.zeros(3))
@@ -256,7 +266,7 @@ def test_heading_through_north_turns_the_short_way(tmp_path: Path, clockwise: bo
     system = coordinate_system("EPSG:32618")
     cloud = ScannerPointConverter(system, trajectory, mounting).to_map(ahead, time)
     back = RecoverySetup(system, trajectory, mounting).points_lidar(cloud, time)
-    np.testing.assert_allclose(back, ahead, rtol=0, atol=2 * ACCURACY)
+    np.testing.assert_allclose(back, ahead, rtol=0, atol=2 * MAP_ACCURACY_M)
 
 
 def tilted(pitch_deg: np.ndarray) -> Trajectory:
@@ -266,42 +276,42 @@ def tilted(pitch_deg: np.ndarray) -> Trajectory:
     return Trajectory(time, zero + 0.8, zero - 1.3, zero, attitude)
 
 
-def test_a_body_frame_on_end_is_refused() -> None:
+def test_a_trajectory_with_steep_pitch_is_refused() -> None:
     raw = tilted(np.full(100, -88.0))
     with pytest.raises(InputError, check=has_code("survey.trajectory_steep")):
         LocalTrajectory.of(raw, raw.mean_frame())
 
 
-def test_states_on_end_have_no_pose() -> None:
-    """A drone that is carried on its side before it takes off."""
+def test_states_with_steep_pitch_have_no_pose() -> None:
+    """For example a drone that is carried on its side before take-off."""
     pitch = np.full(100, 5.0)
     pitch[20:30] = 86.0
     raw = tilted(pitch)
     trajectory = LocalTrajectory.of(raw, raw.mean_frame())
     time = np.array([1.0, 1.95, 2.5, 2.95, 3.05, 5.0])
     np.testing.assert_array_equal(trajectory.covers(time), [True, False, False, False, True, True])
-    assert np.degrees(STEEPEST) == pytest.approx(80)
+    assert np.degrees(MAX_PITCH_RAD) == pytest.approx(80)
 
 
-def test_steep_but_not_on_end_is_interpolated_right() -> None:
-    """At 200 Hz and a pitch of 75 deg the straight line between angles equals the great circle."""
+def test_interpolation_at_a_pitch_of_75_degrees_is_accurate() -> None:
+    """At 200 Hz, linear interpolation of the angles is as accurate as that of the rotation."""
     rng = np.random.default_rng(2)
     time = np.arange(2001) / 200
     motion = np.radians(
         np.stack([5 * np.sin(time), 75 + 4 * np.sin(1.3 * time), 3 * np.cos(0.5 * time)], axis=1)
     )
     trajectory = LocalTrajectory(LocalFrame(0.8, -1.3, 0.0), time, np.zeros((2001, 3)), motion)
-    asked = rng.uniform(0, 10, 500)
-    k = np.minimum((asked * 200).astype(int), 1999)
+    times = rng.uniform(0, 10, 500)
+    k = np.minimum((times * 200).astype(int), 1999)
     first, second = rotation_matrix(*motion[k].T), rotation_matrix(*motion[k + 1].T)
     turn = np.einsum("nji,njk->nik", first, second)
     axis = np.stack([turn[:, 2, 1] - turn[:, 1, 2], turn[:, 0, 2] - turn[:, 2, 0],
                      turn[:, 1, 0] - turn[:, 0, 1]], axis=1) / 2  # fmt: skip
-    small = axis * (asked * 200 - k)[:, None]  # angles of a twentieth of a degree: sine is angle
+    small = axis * (times * 200 - k)[:, None]  # angles of 1/20 degree: the sine equals the angle
     ahead = np.array([50.0, 0, 0])
     moved = ahead + np.cross(small, ahead) + np.cross(small, np.cross(small, ahead)) / 2
     expected = np.einsum("nij,nj->ni", first, moved)
     found = georeference(
-        np.tile(ahead, (500, 1)), asked, trajectory, Mounting(np.zeros(3), np.zeros(3))
+        np.tile(ahead, (500, 1)), times, trajectory, Mounting(np.zeros(3), np.zeros(3))
     )
     assert np.linalg.norm(found - expected, axis=1).max() < 5e-5

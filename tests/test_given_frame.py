@@ -1,4 +1,4 @@
-"""Frame and coordinate system given for a line that its coordinates contradict."""
+"""Tests of a given frame or coordinate system that the coordinates contradict."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -10,11 +10,11 @@ from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.io.formats import format_of
 from lispac.io.points.line_times import read_line_times
-from lispac.io.points.point_reader_common import CHOOSE_FRAME
+from lispac.io.points.point_reader_common import CHOOSE_FRAME_ACTION
 from lispac.messages import warning
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
-from lispac.survey.scanner_frame_recovery import MAX_DISTANCE
+from lispac.survey.scanner_frame_recovery import MAX_PLAUSIBLE_RANGE_M
 from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.georeferencing import georeference_project
@@ -34,7 +34,7 @@ from tests.input_file_samples import (
 from tests.message_codes import is_shown
 from tests.trajectory_files import vessel, write_records
 
-SYSTEM = "EPSG:32619"
+UTM = "EPSG:32619"
 
 
 @pytest.fixture
@@ -44,15 +44,15 @@ def track(tmp_path: Path) -> Path:
 
 
 def on_map(folder: Path, crs: str = "") -> Path:
-    """A line about the trajectory, in UTM."""
+    """Write a line near the trajectory, in UTM."""
     states = vessel(2000)
-    system = coordinate_system(SYSTEM, height="ellipsoid")
+    system = coordinate_system(UTM, height="ellipsoid")
     place = system.from_geodetic(*(states[:1, k] for k in (1, 2, 3)))[0]
     return write_line(folder / "utm.las", START + np.linspace(5, 20, 3000), place + fan(3000), crs)
 
 
-def options(**stated: str) -> Reading:
-    return Reading("", tuple(stated.items()))
+def options(**values: str) -> Reading:
+    return Reading("", tuple(values.items()))
 
 
 def made(folder: Path, track: Path, line: Path, reading: Reading):
@@ -62,8 +62,8 @@ def made(folder: Path, track: Path, line: Path, reading: Reading):
     )  # fmt: skip
 
 
-def test_map_coordinates_given_as_the_scanners_are_refused_everywhere(track, tmp_path) -> None:
-    line = on_map(tmp_path, SYSTEM)
+def test_map_coordinates_given_as_scanner_frame_are_refused(track, tmp_path) -> None:
+    line = on_map(tmp_path, UTM)
     too_far = has_code("survey.not_scanner_frame", limit=5000.0)
     with pytest.raises(InputError, check=too_far):
         made(tmp_path / "p", track, line, options(frame="scanner"))
@@ -86,45 +86,45 @@ def test_map_coordinates_given_as_the_scanners_are_refused_everywhere(track, tmp
         georeference_project(usual, tmp_path / "out", "prior", system="local")
 
 
-def test_a_long_line_is_judged_by_points_all_over_it(tmp_path, monkeypatch) -> None:
-    monkeypatch.setattr("lispac.io.points.line_times.READ_WHOLE", 100)
+def test_the_frame_of_a_long_line_is_checked_by_points_of_all_parts(tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr("lispac.io.points.line_times.MAX_POINTS_READ_WHOLE", 100)
     with pytest.raises(InputError, check=has_code("survey.not_scanner_frame")):
         read_line_times(on_map(tmp_path), format_of("las"), {"frame": "scanner"})
     points = fan(3000)
-    points[0] += [0, 2 * MAX_DISTANCE, 0]  # a stray at the very beginning is none
+    points[0] += [0, 2 * MAX_PLAUSIBLE_RANGE_M, 0]  # a single outlier at the beginning
     line = write_line(tmp_path / "stray.las", START + np.linspace(5, 20, 3000), points)
     times = read_line_times(line, format_of("las"), {"frame": "scanner"})
     assert times.count == 3000
 
 
-def test_single_points_far_off_are_no_reason(track, tmp_path) -> None:
+def test_distant_points_are_excluded_and_the_line_is_accepted(track, tmp_path) -> None:
     points = fan(3000)
-    points[::3] += [0, 2 * MAX_DISTANCE, 0]
+    points[::3] += [0, 2 * MAX_PLAUSIBLE_RANGE_M, 0]
     line = write_line(tmp_path / "noise.las", START + np.linspace(5, 20, 3000), points)
     _, survey = made(tmp_path / "p", track, line, options(frame="scanner"))
-    assert len(survey.scans["L"]) == 2000  # those beyond any range are excluded
+    assert len(survey.scans["L"]) == 2000  # points beyond the largest range are excluded
 
 
-def test_a_system_that_is_given_is_not_asked_for(track, tmp_path, capsys) -> None:
+def test_a_given_system_ends_the_request_for_one(track, tmp_path, capsys) -> None:
     line = on_map(tmp_path)
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     command += ["--lever-arm", "0", "0", "0"]
     assert "crs.none_given" in codes_of(command_error(*command))
-    assert main([*command, "--line-option", f"crs={SYSTEM}"]) == 0
+    assert main([*command, "--line-option", f"crs={UTM}"]) == 0
     capsys.readouterr()
     input_files = taken_in(InputFiles(), track, line)
     assert "points.no_system" in codes_about(input_files, "utm.las")
-    input_files = taken_in(input_files.with_option(line, "crs", SYSTEM))
+    input_files = taken_in(input_files.with_option(line, "crs", UTM))
     assert input_files.state_of_file(named(input_files, "utm.las")) == "fine"
 
 
-def test_a_system_that_is_not_used_is_reported(track, tmp_path) -> None:
+def test_an_unused_system_is_reported(track, tmp_path) -> None:
     line = write_line(tmp_path / "near.las", START + np.linspace(5, 20, 3000))
-    _, survey = made(tmp_path / "p", track, line, options(crs=SYSTEM))
+    _, survey = made(tmp_path / "p", track, line, options(crs=UTM))
     unused = warning(
-        "points.unused_system", file="near.las", system=SYSTEM, actions=(CHOOSE_FRAME,)
+        "points.unused_system", file="near.las", system=UTM, actions=(CHOOSE_FRAME_ACTION,)
     )
     assert unused in survey.notes
-    input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "crs", SYSTEM))
+    input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "crs", UTM))
     assert unused in input_files.messages(named(input_files, "near.las"))
     assert input_files.state_of_file(named(input_files, "near.las")) == "warning"

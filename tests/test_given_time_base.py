@@ -1,4 +1,4 @@
-"""Time bases given by the user are applied: lines and trajectory get the same base."""
+"""Tests of time bases given by the user for lines and trajectories."""
 
 from pathlib import Path
 
@@ -30,7 +30,7 @@ UTC_WEEK = (("time_base", "utc-week"),)
 
 @pytest.fixture
 def track(tmp_path: Path) -> Path:
-    """100 s from ``START`` on, GPS seconds of the week."""
+    """Return a trajectory of 100 s from ``START``, in GPS seconds of the week."""
     return write_track(tmp_path / "pos.sbet", 0.0)
 
 
@@ -47,7 +47,7 @@ def write_points(path: Path, added: float, first: float = 30.0, last: float = 60
 
 
 def messages_of(survey: Survey, code: str) -> list[Message]:
-    """Notes of a survey that are messages with a code."""
+    """Return the notes of a survey that have this code."""
     return [each for each in survey.notes if each.code == code]
 
 
@@ -58,7 +58,7 @@ def made(folder: Path, track: Path, line: Path, reading=Reading(), track_reading
     )  # fmt: skip
 
 
-def test_a_line_given_in_utc_comes_into_gps_time_though_it_lies_inside(track, tmp_path) -> None:
+def test_a_line_given_in_utc_is_shifted_to_gps_time(track, tmp_path) -> None:
     line = write_points(tmp_path / "utc.las", -18)
     project, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
@@ -78,11 +78,11 @@ def test_a_line_given_in_utc_comes_into_gps_time_though_it_lies_inside(track, tm
     assert (follows.params["file"], follows.params["shift"]) == ("later.las", 18.0)
 
 
-def test_a_trajectory_given_in_utc_takes_the_lines_along(tmp_path) -> None:
+def test_lines_are_shifted_to_a_trajectory_given_in_utc(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     line = write_points(tmp_path / "gps.las", 0)  # its header says seconds of the GPS week
-    stated = Reading("", (("time", "utc-week"),))
-    project, survey = made(tmp_path / "p", track, line, Reading(), stated)
+    given = Reading("", (("time", "utc-week"),))
+    project, survey = made(tmp_path / "p", track, line, Reading(), given)
     assert survey.scans["L"].time.min() == pytest.approx(START + 12)
     (follows,) = messages_of(survey, "import.shift_follows")
     assert (follows.params["file"], follows.params["shift"]) == ("gps.las", -18.0)
@@ -101,7 +101,9 @@ def test_a_trajectory_given_in_utc_takes_the_lines_along(tmp_path) -> None:
         ("unix", 2268 * WEEK + 315_964_800 - 18),
     ],
 )
-def test_every_base_comes_to_the_week(base: str, added: float, track, tmp_path) -> None:
+def test_every_base_is_converted_to_seconds_of_the_week(
+    base: str, added: float, track, tmp_path
+) -> None:
     line = write_points(tmp_path / "L.las", added)
     _, survey = made(tmp_path / "p", track, line, Reading("", (("time_base", base),)))
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
@@ -115,7 +117,7 @@ def test_equal_bases_need_no_shift(track, tmp_path) -> None:
 
 
 @pytest.mark.parametrize("base", ["utc-day", "gps-adjusted"])
-def test_what_the_times_cannot_be_is_refused(base: str, track, tmp_path) -> None:
+def test_an_impossible_time_base_is_refused(base: str, track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 0)
     with pytest.raises(InputError) as caught:
         made(tmp_path / "p", track, line, Reading("", (("time_base", base),)))
@@ -125,7 +127,7 @@ def test_what_the_times_cannot_be_is_refused(base: str, track, tmp_path) -> None
     assert not (tmp_path / "p").exists()
 
 
-def test_a_typed_shift_is_not_doubled_and_must_agree(track, tmp_path, capsys) -> None:
+def test_a_given_shift_must_agree_with_the_given_base(track, tmp_path, capsys) -> None:
     line = write_points(tmp_path / "L.las", -18)
     _, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK, 18.0))
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
@@ -140,25 +142,25 @@ def test_a_typed_shift_is_not_doubled_and_must_agree(track, tmp_path, capsys) ->
     assert "+18.000 s are added" in capsys.readouterr().err
 
 
-def test_bases_that_bring_nothing_inside_are_refused(track, tmp_path) -> None:
+def test_a_base_without_overlap_with_the_trajectory_is_refused(track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 50_000)
     with pytest.raises(InputError) as raised:
         made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
     assert raised.value.code == "time_base.no_overlap"
 
 
-def test_times_that_fit_no_base_say_so() -> None:
-    stated = KnownTimeBase(base_of_key("gps-week"), is_given=True)
+def test_times_that_fit_no_base_are_refused() -> None:
+    given = KnownTimeBase(base_of_key("gps-week"), is_given=True)
     times = np.array([5e12, 4e12])
-    refusal = time_base_error(times, stated, "a")
+    refusal = time_base_error(times, given, "a")
     assert refusal is not None
     assert refusal.code == "time_base.no_base_possible"
     assert (refusal.params["first"], refusal.params["last"]) == (4e12, 5e12)
     assert time_base_error(times, KnownTimeBase(base_of_key("gps-week")), "a") is None
-    assert time_base_error(np.array([5.0]), stated, "a") is None
+    assert time_base_error(np.array([5.0]), given, "a") is None
 
 
-def test_what_the_trajectory_could_count_instead_is_named() -> None:
+def test_possible_bases_of_the_trajectory_are_suggested() -> None:
     own, track = (
         KnownTimeBase(base_of_key("gps-adjusted"), is_given=True),
         START + np.arange(0.0, 100.0),
@@ -174,7 +176,7 @@ def test_what_the_trajectory_could_count_instead_is_named() -> None:
         "trajectory_base": note("time_base.of_file", base=note("time_base.gps_day")),
         "options": list(options),
     }  # fmt: skip
-    # Some seconds behind its end: UTC is that much behind
+    # Times 5 s after the end of the trajectory: UTC is 18 s behind GPS time
     behind = 2268 * WEEK - 1e9 + START + 105.0 + np.linspace(0, 5, 50)
     assert no_overlap_error(own, other, behind, track, "a").params["options"] == [options[1]]
     assert no_overlap_error(
@@ -182,7 +184,7 @@ def test_what_the_trajectory_could_count_instead_is_named() -> None:
     ).code == ("time_base.no_overlap")
 
 
-def test_a_shift_is_offered_where_it_brings_in_a_twentieth_more() -> None:
+def test_a_shift_is_suggested_if_it_covers_five_percent_more_points() -> None:
     week, utc = base_of_key("gps-week"), base_of_key("utc-week")
     found = (TimeMatch(((utc, week),), 18.0, 0.75),)
     assert shift_note((), 0.0, "a") is None
@@ -193,7 +195,7 @@ def test_a_shift_is_offered_where_it_brings_in_a_twentieth_more() -> None:
     )  # fmt: skip
 
 
-def test_a_base_that_the_file_does_not_contain_is_reported(tmp_path) -> None:
+def test_an_assumed_base_is_reported(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     rows = np.column_stack([START + np.linspace(30, 60, 500), np.tile([5.0, 6.0, 7.0], (500, 1))])
     path = tmp_path / "L.txt"
@@ -203,13 +205,13 @@ def test_a_base_that_the_file_does_not_contain_is_reported(tmp_path) -> None:
     assert assumed.params["file"] == "L.txt"
 
 
-def test_a_shift_that_brings_in_clearly_more_is_offered(track, tmp_path) -> None:
+def test_a_shift_that_covers_clearly_more_points_is_suggested(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)  # 51.9 % before the trajectory
     project, survey = made(tmp_path / "p", track, line)
     (possible,) = [each for each in survey.notes if each.code == "import.shift_possible"]
     assert (possible.params["shift"], possible.params["share"]) == (18.0, 1.0)
     assert possible in assumptions_of(import_lines(project)[0].stored)
-    end = write_points(tmp_path / "end.las", 0, 70, 101)  # little more to be had
+    end = write_points(tmp_path / "end.las", 0, 70, 101)  # a shift would cover few more points
     _, survey = made(tmp_path / "q", track, end)
     assert "import.excluded_outside" in codes(survey.notes)
     assert "import.shift_possible" not in codes(survey.notes)
@@ -218,7 +220,7 @@ def test_a_shift_that_brings_in_clearly_more_is_offered(track, tmp_path) -> None
 # -- in the import dialogue ----------------------------------------------------------------------
 
 
-def test_the_dialogue_applies_a_lines_statement_and_takes_it_back(track, tmp_path) -> None:
+def test_the_dialogue_applies_and_reverts_the_base_of_a_line(track, tmp_path) -> None:
     line = write_points(tmp_path / "utc.las", -18)
     before = taken_in(InputFiles(), track, line)
     assert named(before, "utc.las").shift == 0
@@ -239,7 +241,7 @@ def test_the_dialogue_applies_a_lines_statement_and_takes_it_back(track, tmp_pat
     assert named(back, "utc.las").shift == 0
 
 
-def test_the_dialogue_applies_a_trajectorys_statement(tmp_path) -> None:
+def test_the_dialogue_applies_the_base_of_a_trajectory(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     line = write_points(tmp_path / "gps.las", 0)
     input_files = taken_in(
@@ -252,7 +254,7 @@ def test_the_dialogue_applies_a_trajectorys_statement(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("base", ["utc-day", "gps-adjusted"])
-def test_the_dialogue_refuses_what_the_times_cannot_be(base: str, track, tmp_path) -> None:
+def test_the_dialogue_refuses_an_impossible_time_base(base: str, track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 0)
     input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "time_base", base))
     assert "cannot be" in input_files.files_problem_text()
@@ -262,7 +264,7 @@ def test_the_dialogue_refuses_what_the_times_cannot_be(base: str, track, tmp_pat
     assert taken_in(input_files.with_action(line, error.actions[0])).files_problem_text() == ""
 
 
-def test_the_dialogue_offers_the_shift_that_brings_in_more(track, tmp_path) -> None:
+def test_the_dialogue_proposes_the_shift_that_covers_more_points(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)
     input_files = taken_in(InputFiles(), track, line)
     outside, offered = input_files.time_messages(named(input_files, "early.las"))
@@ -278,7 +280,7 @@ def test_the_dialogue_offers_the_shift_that_brings_in_more(track, tmp_path) -> N
     assert covered.outside == 0
 
 
-def test_beside_a_line_with_a_given_base_the_others_stay_as_they_are(track, tmp_path) -> None:
+def test_a_given_base_of_one_line_does_not_shift_the_others(track, tmp_path) -> None:
     utc, own = write_points(tmp_path / "utc.las", -18), write_points(tmp_path / "own.las", 0)
     lines = [LineSource("utc", utc, reading=Reading("", UTC_WEEK)), LineSource("own", own)]
     project, survey = new_project(
@@ -290,20 +292,20 @@ def test_beside_a_line_with_a_given_base_the_others_stay_as_they_are(track, tmp_
     assert shifted == ["utc.las"]
 
 
-def test_a_typed_shift_holds_where_the_bases_lead_nowhere(track, tmp_path) -> None:
-    """The clock of the line was wrong besides, and its user knows by how much."""
+def test_a_given_shift_is_used_if_the_bases_have_no_overlap(track, tmp_path) -> None:
+    """The clock of the line was wrong, and the user knows by how much."""
     line = write_points(tmp_path / "L.las", 50_000)
     project, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK, -50_000.0))
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
     assert project.lines[0].reading.time_shift == -50_000.0
 
 
-def test_a_typed_shift_has_no_warning_of_an_unknown_base(tmp_path) -> None:
+def test_a_given_shift_has_no_warning_of_an_unknown_base(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     rows = np.column_stack([START + np.linspace(30, 60, 500), np.tile([5.0, 6.0, 7.0], (500, 1))])
     path = tmp_path / "L.txt"
     np.savetxt(path, rows, fmt="%.6f", header="time x y z", comments="")
-    stated = Reading("", (("time", "utc-week"),))
-    _, survey = made(tmp_path / "p", track, path, Reading("", (), -18.0), stated)
+    given = Reading("", (("time", "utc-week"),))
+    _, survey = made(tmp_path / "p", track, path, Reading("", (), -18.0), given)
     assert survey.scans["L"].time.min() == pytest.approx(START + 12)
     assert messages_of(survey, "import.base_assumed") == []

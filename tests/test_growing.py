@@ -1,4 +1,4 @@
-"""A plane grown over points: what belongs to it, and what does not end it."""
+"""Tests of growing a plane over connected points."""
 
 from dataclasses import replace
 
@@ -9,8 +9,8 @@ from lispac.geometry.planes import Plane
 from lispac.targets.finder_settings import FinderSettings
 from lispac.targets.region_growing import grow_best_contender, grow_plane, trim_outliers
 
-LEVEL = Plane(np.array([0.0, 0.0, 1.0]), 0.0)
-FAR = Plane(np.array([0.0, 0.0, 1.0]), -30.0)
+LEVEL_PLANE = Plane(np.array([0.0, 0.0, 1.0]), 0.0)
+DISTANT_PLANE = Plane(np.array([0.0, 0.0, 1.0]), -30.0)
 SETTINGS = FinderSettings(threshold=0.01)
 
 
@@ -20,33 +20,36 @@ def _board(noise: float = 0.002) -> np.ndarray:
     return np.column_stack([flat, rng.normal(0.0, noise, 400)])
 
 
-def test_a_plane_where_there_is_nothing_grows_to_nothing() -> None:
+def test_a_plane_without_points_near_it_grows_to_no_points() -> None:
     points = _board()
-    assert len(grow_plane(points, np.ones(400), FAR, SETTINGS, None)) == 0
-    assert len(grow_plane(points, np.ones(400), LEVEL, SETTINGS, None)) > 380
+    assert len(grow_plane(points, np.ones(400), DISTANT_PLANE, SETTINGS, None)) == 0
+    assert len(grow_plane(points, np.ones(400), LEVEL_PLANE, SETTINGS, None)) > 380
 
 
-@pytest.mark.parametrize("contenders", [[FAR, LEVEL], [LEVEL, FAR]])
-def test_the_plane_with_points_is_the_strongest(contenders: list[Plane]) -> None:
+@pytest.mark.parametrize("contenders", [[DISTANT_PLANE, LEVEL_PLANE], [LEVEL_PLANE, DISTANT_PLANE]])
+def test_the_best_contender_is_the_plane_with_points(contenders: list[Plane]) -> None:
     found = grow_best_contender(_board(), np.ones(400), contenders, SETTINGS, None)
     assert abs(found.d) < 0.001
-    assert found.tilt_to(LEVEL) < np.radians(0.1)
+    assert found.tilt_to(LEVEL_PLANE) < np.radians(0.1)
 
 
-def test_without_points_on_any_the_first_contender_stays() -> None:
-    other = replace(FAR, d=-40.0)
-    assert grow_best_contender(_board(), np.ones(400), [FAR, other], SETTINGS, None) is FAR
+def test_the_first_contender_is_kept_if_none_has_points() -> None:
+    other = replace(DISTANT_PLANE, d=-40.0)
+    assert (
+        grow_best_contender(_board(), np.ones(400), [DISTANT_PLANE, other], SETTINGS, None)
+        is DISTANT_PLANE
+    )
 
 
-def test_points_right_at_the_threshold_belong_and_do_not_tilt_the_plane() -> None:
-    """They have no weight in the fit: the plane stays where it was."""
+def test_points_at_the_threshold_are_included_without_tilting_the_plane() -> None:
+    """They have no weight in the fit, so the plane does not change."""
     points = np.array([(0.0, 0.0, 0.5), (0.1, 0.0, 0.5), (0.0, 0.1, -0.5), (0.1, 0.1, -0.5)])
-    on = grow_plane(points, np.ones(4), LEVEL, replace(SETTINGS, threshold=0.5), None)
+    on = grow_plane(points, np.ones(4), LEVEL_PLANE, replace(SETTINGS, threshold=0.5), None)
     np.testing.assert_array_equal(on, np.arange(4))
 
 
-def test_a_crowd_that_the_plane_runs_through_is_not_its_patch() -> None:
-    """Five points on the plane, four of them amid fifty that lie just off it."""
+def test_points_amid_many_points_off_the_plane_are_not_included() -> None:
+    """Of five points on the plane, four lie amid fifty points each that lie just off it."""
     rng = np.random.default_rng(1)
     corners = np.array([(0.8, 0.0), (-0.8, 0.0), (0.0, 0.8), (0.0, -0.8)])
     on = np.column_stack([np.vstack([[0.0, 0.0], corners]), np.zeros(5)])
@@ -56,8 +59,10 @@ def test_a_crowd_that_the_plane_runs_through_is_not_its_patch() -> None:
     ]
     votes = np.full(205, 1e-3)
     votes[0] = 1.0
-    assert len(grow_plane(on, votes[:5], LEVEL, SETTINGS, None)) == 3, "alone they are connected"
-    assert len(grow_plane(np.concatenate([on, *crowds]), votes, LEVEL, SETTINGS, None)) == 0
+    assert len(grow_plane(on, votes[:5], LEVEL_PLANE, SETTINGS, None)) == 3, (
+        "alone they are connected"
+    )
+    assert len(grow_plane(np.concatenate([on, *crowds]), votes, LEVEL_PLANE, SETTINGS, None)) == 0
 
 
 def test_too_few_points_for_a_plane_are_not_trimmed() -> None:

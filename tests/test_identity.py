@@ -1,4 +1,4 @@
-"""Who, when and with what: kept in the project, said at the command line, printed on page one."""
+"""Tests of the survey details: project file, command line and report."""
 
 import csv
 import json
@@ -15,8 +15,8 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
-from lispac.identity import BLANK, HINTS, LABELS, NAMES, Identity
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.identity import EMPTY_IDENTITY, FIELD_HINTS, FIELD_LABELS, FIELD_NAMES, Identity
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.message_texts import TEXTS
 from lispac.messages import error, note
 from lispac.project import LineSource, Project, Reading
@@ -46,11 +46,11 @@ FULL = Identity(
 
 
 def test_every_field_has_a_name_and_a_hint() -> None:
-    assert tuple(LABELS) == tuple(HINTS) == NAMES == tuple(asdict(FULL))
+    assert tuple(FIELD_LABELS) == tuple(FIELD_HINTS) == FIELD_NAMES == tuple(asdict(FULL))
     assert all(asdict(FULL).values())
 
 
-def test_it_comes_back_and_drops_no_result(tmp_path: Path) -> None:
+def test_details_are_saved_and_keep_the_results(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     changed = project.with_identity(FULL)
     assert changed.result is project.result
@@ -68,7 +68,7 @@ def test_it_comes_back_and_drops_no_result(tmp_path: Path) -> None:
         ({"remarks": "7" * 2001}, "too_long", {"held": 2001, "longest": 2000}),
     ],
 )
-def test_what_cannot_be_printed_is_refused(
+def test_texts_that_cannot_be_printed_are_refused(
     texts: dict[str, str], code: str, params: dict[str, int]
 ) -> None:
     with pytest.raises(InputError) as refused:
@@ -80,17 +80,17 @@ def test_what_cannot_be_printed_is_refused(
 
 def test_every_field_has_a_name_in_messages() -> None:
     fields = [code for code in TEXTS if code.startswith("identity_field.")]
-    assert fields == [f"identity_field.{name}" for name in NAMES]
+    assert fields == [f"identity_field.{name}" for name in FIELD_NAMES]
 
 
-def test_blanks_around_go(tmp_path: Path) -> None:
-    assert BLANK.changed(vessel="  F. J. Saucier \n").vessel == "F. J. Saucier"
+def test_surrounding_blanks_are_removed(tmp_path: Path) -> None:
+    assert EMPTY_IDENTITY.changed(vessel="  F. J. Saucier \n").vessel == "F. J. Saucier"
 
 
-def test_a_damaged_text_is_refused_with_the_file(tmp_path: Path) -> None:
+def test_an_invalid_text_in_a_project_file_is_refused(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_project(project)
-    path = project.folder / FILE_NAME
+    path = project.folder / PROJECT_FILE_NAME
     content = json.loads(path.read_text())
     content["identity"]["vessel"] = "\x01"
     path.write_text(json.dumps(content))
@@ -103,7 +103,7 @@ def test_a_damaged_text_is_refused_with_the_file(tmp_path: Path) -> None:
     )  # fmt: skip
 
 
-def test_the_command_sets_what_is_given_and_shows_all(
+def test_the_command_sets_given_fields_and_shows_all(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = tmp_path / "p"
@@ -111,11 +111,11 @@ def test_the_command_sets_what_is_given_and_shows_all(
     words = ["--surveyor", FULL.surveyor, "--lever-arm-origin", FULL.lever_arm_origin]
     assert main(["identity", str(folder), *words]) == 0
     shown = capsys.readouterr().out.splitlines()
-    assert [line.split("  ")[0] for line in shown] == list(LABELS.values())
+    assert [line.split("  ")[0] for line in shown] == list(FIELD_LABELS.values())
     assert f"Surveyor                 {FULL.surveyor}" in shown
     assert main(["identity", str(folder), "--vessel", "Saucier", "--json"]) == 0
-    said = json.loads(capsys.readouterr().out)
-    assert {name: text for name, text in said.items() if text} == {
+    values = json.loads(capsys.readouterr().out)
+    assert {name: text for name, text in values.items() if text} == {
         "surveyor": FULL.surveyor, "lever_arm_origin": FULL.lever_arm_origin, "vessel": "Saucier",
     }  # fmt: skip
     assert main(["identity", str(folder), "--vessel", ""]) == 0
@@ -125,14 +125,14 @@ def test_the_command_sets_what_is_given_and_shows_all(
     assert refusal.message == error("identity.not_printable", field=note("identity_field.vessel"))
 
 
-def test_page_one_says_it_and_blanks_are_lines(tmp_path: Path) -> None:
+def test_the_first_page_shows_the_details_and_blank_fields(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_pdf(sample_content(project.with_identity(FULL)), tmp_path / "full.pdf", {})
     first = _pdf_text(tmp_path / "full.pdf", "-f", "1", "-l", "1")
     for name, text in asdict(FULL).items():
-        assert LABELS[name] in first
+        assert FIELD_LABELS[name] in first
         assert all(line in first for line in text.splitlines())
-    assert first.count(FULL.surveyor) == first.count(FULL.company) == 2  # over the signature too
+    assert first.count(FULL.surveyor) == first.count(FULL.company) == 2  # also above the signature
     assert first.index("CALIBRATED") < first.index(FULL.vessel) < first.index("Estimated")
     page = html_text(sample_content(project.with_identity(replace(FULL, vessel=""))), {})
     assert page.count("<dd></dd>") == 1
@@ -142,17 +142,17 @@ def test_page_one_says_it_and_blanks_are_lines(tmp_path: Path) -> None:
     assert blank.warnings == ()
 
 
-def test_it_is_a_table_among_the_others(tmp_path: Path) -> None:
+def test_details_are_exported_as_a_table(tmp_path: Path) -> None:
     content = sample_content(sample_project(tmp_path / "p").with_identity(FULL))
     write_tables(content, tmp_path / "r.zip")
     with zipfile.ZipFile(tmp_path / "r.zip") as archive:
         text = archive.read("01-details-of-the-survey.csv").decode("utf-8-sig")
-    said = dict(csv.reader(text.splitlines()))
-    assert said["INS/GNSS serial number"] == "1,218"  # a text, though it looks like a number
+    values = dict(csv.reader(text.splitlines()))
+    assert values["INS/GNSS serial number"] == "1,218"  # a text, though it looks like a number
 
 
 def _adjusted(*moment: int) -> float:
-    """Adjusted standard GPS time by the definition: 18 leap seconds since 2017."""
+    """Return adjusted standard GPS time by its definition: 18 leap seconds since 2017."""
     at = datetime(*moment, tzinfo=UTC)  # type: ignore[arg-type, misc]
     return (at - datetime(1980, 1, 6, tzinfo=UTC)).total_seconds() + 18 - 1e9
 
@@ -169,27 +169,25 @@ def _line(path: Path, times: list[float], *, absolute: bool) -> LineSource:
     return LineSource(path.stem, path)
 
 
-def test_days_come_from_times_that_contain_them(tmp_path: Path, demo_folder: Path) -> None:
+def test_survey_dates_are_taken_from_absolute_times(tmp_path: Path, demo_folder: Path) -> None:
     evening, night = _adjusted(2026, 3, 4, 23, 59, 58), _adjusted(2026, 3, 5, 0, 0, 1)
     demo = read_project(demo_folder)
     one = _line(tmp_path / "one.las", [evening - 5, evening], absolute=True)
     two = _line(tmp_path / "two.las", [night, night + 5], absolute=True)
     week = _line(tmp_path / "week.las", [259_200.0, 259_210.0], absolute=False)
-    # A header that says adjusted over times of the week is as usual as it is wrong.
-    lying = _line(tmp_path / "lying.las", [259_200.0, 259_210.0], absolute=True)
+    # Headers often specify adjusted time though the times are seconds of the week.
+    contradictory = _line(tmp_path / "contradictory.las", [259_200.0, 259_210.0], absolute=True)
 
     def days(*lines: LineSource) -> str:
         return survey_dates(replace(demo, lines=lines))
 
     assert days(one) == "2026-03-04"
     assert days(one, two) == "2026-03-04 to 2026-03-05"
-    assert days(two, week) == days(lying) == ""
+    assert days(two, week) == days(contradictory) == ""
     assert days(replace(one, path=tmp_path / "gone.las")) == ""
 
 
-def test_days_come_from_the_survey_in_the_trajectorys_time(
-    tmp_path: Path, demo_folder: Path
-) -> None:
+def test_survey_dates_are_taken_from_shifted_times(tmp_path: Path, demo_folder: Path) -> None:
     noon = _adjusted(2026, 3, 4, 12)
     to_week = -456_358_400.0  # from adjusted GPS time to seconds of the GPS week 2408
     line = _line(tmp_path / "one.las", [noon, noon + 60], absolute=True)
@@ -207,11 +205,11 @@ def demo_folder(demo_project, tmp_path: Path) -> Path:
     return Path(shutil.copytree(demo_project.folder, tmp_path / "demo"))
 
 
-def test_auto_refuses_where_the_times_contain_no_day(demo_folder: Path) -> None:
+def test_automatic_dates_are_refused_without_absolute_times(demo_folder: Path) -> None:
     assert command_error("identity", demo_folder, "--dates", "auto").code == "cli.no_dates"
 
 
-def test_auto_takes_the_days_from_the_times(
+def test_automatic_dates_are_taken_from_the_times(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     noon = _adjusted(2026, 3, 4, 12)

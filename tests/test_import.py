@@ -1,4 +1,4 @@
-"""Importing the lines of a project: the same points as from the files, whatever happens between."""
+"""Tests of importing the lines of a project into its store."""
 
 import json
 import os
@@ -41,13 +41,13 @@ from tests.store_lines import stop_at
 
 @pytest.fixture(scope="module")
 def survey(calibrated: tuple[Project, Survey]) -> Survey:
-    """What is in memory without a store."""
+    """Return the survey read from the files, without a store."""
     return calibrated[1]
 
 
 @pytest.fixture
 def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
-    """A project of two lines of the built-in survey, nothing picked."""
+    """Return a project of two lines of the built-in survey, without targets."""
     source = calibrated[0]
     return create_project(
         tmp_path / "project", trajectory=source.trajectory, lines=source.lines[:2],
@@ -57,12 +57,12 @@ def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
 
 @pytest.fixture(scope="module")
 def trajectory(calibrated: tuple[Project, Survey]) -> LocalTrajectory:
-    """Of the built-in survey."""
+    """Return the trajectory of the built-in survey."""
     return local_trajectory(calibrated[0])[0]
 
 
 def in_file_order(stored: StoredLine) -> np.ndarray:
-    """Rows in the order of the file."""
+    """Return the row numbers of a stored line in the order of its file."""
     return stored.rows(np.arange(len(stored)))
 
 
@@ -82,7 +82,7 @@ def test_imported_lines_are_those_read_from_the_files(project: Project) -> None:
         assert stored.folder.parent == project.folder / "lines"
 
 
-def test_region_of_an_imported_line(project: Project) -> None:
+def test_a_region_of_an_imported_line_has_the_points_of_the_file(project: Project) -> None:
     survey = load_survey(project)
     (item,) = import_lines(project, ["L1_000"])
     stored, cloud = item.stored, survey.clouds["L1_000"].sample
@@ -91,7 +91,7 @@ def test_region_of_an_imported_line(project: Project) -> None:
         centre = cloud[k] + 0.3
         rows, local = stored.within(centre, 1.5, place, margin=1e-4)
         away = np.linalg.norm(cloud - centre, axis=1)
-        # What lies on the rim to the rounding of the coordinates may fall on either side.
+        # Rounding of the coordinates decides about points at the edge.
         inner, outer = np.flatnonzero(away < 1.5 - 2e-5), np.flatnonzero(away < 1.5 + 2e-5)
         numbers = np.sort(stored.numbers(rows))
         assert np.isin(inner, numbers).all()
@@ -122,7 +122,7 @@ def test_no_point_moves_farther_than_the_margin(project: Project, trajectory) ->
     assert Georeferencer.of(trajectory, prior).largest_displacement(prior, 100.0) == 0
 
 
-def test_placing_is_georeferencing(survey: Survey, project: Project) -> None:
+def test_georeferencer_agrees_with_georeference(survey: Survey, project: Project) -> None:
     scan = survey.scans["L1_000"]
     mounting = replace(
         project.mounting("prior"), range_offset=0.02, scan_angle_offset=0.01, latency=0.003
@@ -134,9 +134,9 @@ def test_placing_is_georeferencing(survey: Survey, project: Project) -> None:
         Georeferencer.of(survey.trajectory, mounting)(scan.points_lidar, scan.time + 1e6)
 
 
-def test_second_import_does_nothing(project: Project) -> None:
+def test_a_second_import_only_removes_temporary_files(project: Project) -> None:
     first, _ = import_lines(project)
-    # As after a kill between the manifest and the tidying up.
+    # The files of an import that was killed after the manifest was written.
     (first.stored.folder / "spool").mkdir()
     (first.stored.folder / "spool" / "block-00000.keys").write_bytes(b"left")
     (first.stored.folder / "columns-9").mkdir()
@@ -147,9 +147,11 @@ def test_second_import_does_nothing(project: Project) -> None:
 
 
 @pytest.mark.parametrize("when", [1, 3, 4])
-def test_cancelled_import_goes_on(project: Project, trajectory, monkeypatch, when: int) -> None:
+def test_a_cancelled_import_can_be_continued(
+    project: Project, trajectory, monkeypatch, when: int
+) -> None:
     for module in (point_blocks, spool):
-        monkeypatch.setattr(module, "BLOCK", 100_000)
+        monkeypatch.setattr(module, "BLOCK_POINTS", 100_000)
     line = project.lines[0]
     whole = import_line(project, line, trajectory).stored.manifest
     shutil.rmtree(project.folder / "lines")
@@ -162,7 +164,9 @@ def test_cancelled_import_goes_on(project: Project, trajectory, monkeypatch, whe
     assert [c.checksum for c in again.files] == [c.checksum for c in whole.files]
 
 
-def test_interrupted_command_says_how_to_go_on(project: Project, monkeypatch, capsys) -> None:
+def test_an_interrupted_command_explains_how_to_continue(
+    project: Project, monkeypatch, capsys
+) -> None:
     def stop(*_: object) -> None:
         raise KeyboardInterrupt
 
@@ -179,7 +183,7 @@ def test_interrupted_command_says_how_to_go_on(project: Project, monkeypatch, ca
     }  # fmt: skip
 
 
-def test_a_store_is_checked_when_its_file_is_gone(project: Project, survey: Survey, capsys) -> None:
+def test_a_store_is_checked_without_its_file(project: Project, survey: Survey, capsys) -> None:
     own = write_line(project.folder / "own.laz", survey.scans["L1_000"])
     other = write_line(project.folder / "other.laz", survey.scans["L2_180"])
     write_project(replace(project, lines=(own, other)))
@@ -193,7 +197,7 @@ def test_a_store_is_checked_when_its_file_is_gone(project: Project, survey: Surv
     column.write_bytes(content)
     refusal = command_error("import", project.folder, "--check", "--lines", "own")
     assert refusal.code == "import.file_missing"
-    other.path.unlink()  # not imported: said before anything is read
+    other.path.unlink()  # not imported: reported before anything is read
     refused_with("file.not_found", "import", project.folder, file=str(other.path))
 
 
@@ -208,7 +212,7 @@ def test_command_prints_points_and_size(project: Project, capsys) -> None:
 
 
 def test_progress_shows_rate_and_time_remaining(project: Project, trajectory, monkeypatch) -> None:
-    monkeypatch.setattr("lispac.progress.SHORTEST_RATED", 0.0)
+    monkeypatch.setattr("lispac.progress.MIN_RATE_TIME_S", 0.0)
     told: list[tuple[float, str]] = []
     import_line(
         project,
@@ -223,12 +227,14 @@ def test_progress_shows_rate_and_time_remaining(project: Project, trajectory, mo
 
 
 def write_line(path: Path, scan, shift: float = 0.0) -> LineSource:
-    """A scan as a raw line of its own."""
+    """Write a scan to a LAS file and return it as a line."""
     write_points(path, scan.points_lidar, scan.time + shift, scan.intensity)
     return LineSource(path.stem, path)
 
 
-def test_changes_since_the_import_are_noticed(project: Project, survey: Survey, trajectory) -> None:
+def test_changes_since_the_import_are_detected(
+    project: Project, survey: Survey, trajectory
+) -> None:
     own = write_line(project.folder / "own.laz", survey.scans["L1_000"])
     project = replace(project, lines=(own,))
     import_line(project, own, trajectory)
@@ -249,7 +255,7 @@ def test_changes_since_the_import_are_noticed(project: Project, survey: Survey, 
         open_stored_line(late, own, trajectory)
     assert raised.value.code == "import.latency_changed"
     turned = replace(project, settings=replace(project.settings, boresight_deg=(5.0, 0, 0)))
-    open_stored_line(turned, own, trajectory)  # only the order hangs on it
+    open_stored_line(turned, own, trajectory)  # changes only the order of points
 
     write_line(own.path, survey.scans["L2_180"])
     with pytest.raises(ProjectError) as raised:
@@ -257,14 +263,14 @@ def test_changes_since_the_import_are_noticed(project: Project, survey: Survey, 
     assert raised.value.code == "import.file_changed"
     assert len(import_line(project, own, trajectory).stored) == len(survey.scans["L2_180"])
     own.path.unlink()
-    open_stored_line(project, own, trajectory)  # the store does without its file
+    open_stored_line(project, own, trajectory)  # the store does not need its file
     assert import_lines(project)[0].seconds == 0.0
     with pytest.raises(InputError, match=r"own\.laz") as refused:
         import_lines(project, again=True)
     assert refused.value.code == "file.not_found"
 
 
-def test_a_line_with_a_changed_column_is_imported_again_and_that_is_reported(
+def test_a_line_with_a_damaged_column_is_imported_again(
     project: Project, survey: Survey, trajectory
 ) -> None:
     own = write_line(project.folder / "again.laz", survey.scans["L1_000"])
@@ -289,7 +295,7 @@ def test_a_line_with_a_changed_column_is_imported_again_and_that_is_reported(
 
 
 def test_points_without_a_pose_are_skipped_and_counted(survey: Survey, project, trajectory) -> None:
-    """Before the trajectory and in a gap of it that is longer than the set time."""
+    """Points before the trajectory and in a gap longer than the limit."""
     scan = survey.scans["L1_000"]
     start = np.quantile(scan.time, 0.3)
     gap = (trajectory.time > start + 2) & (trajectory.time < start + 4)
@@ -308,7 +314,9 @@ def test_points_without_a_pose_are_skipped_and_counted(survey: Survey, project, 
     assert sum(counts) == stored.manifest.excluded_points
 
 
-def test_line_outside_the_trajectory_leaves_nothing(survey: Survey, project, trajectory) -> None:
+def test_a_refused_line_outside_the_trajectory_leaves_no_files(
+    survey: Survey, project, trajectory
+) -> None:
     early = write_line(project.folder / "early.laz", survey.scans["L1_000"], -7200.0)
     before = sorted(project.folder.rglob("*"))
     with pytest.raises(InputError, check=has_code("import.before_trajectory")):
@@ -316,7 +324,7 @@ def test_line_outside_the_trajectory_leaves_nothing(survey: Survey, project, tra
     assert sorted(project.folder.rglob("*")) == before
 
 
-def test_damaged_file_leaves_nothing(survey: Survey, project, trajectory) -> None:
+def test_a_refused_damaged_file_leaves_no_files(survey: Survey, project, trajectory) -> None:
     own = write_line(project.folder / "own.las", survey.scans["L1_000"])
     os.truncate(own.path, own.path.stat().st_size // 2)
     before = sorted(project.folder.rglob("*"))
@@ -326,7 +334,9 @@ def test_damaged_file_leaves_nothing(survey: Survey, project, trajectory) -> Non
 
 
 @pytest.mark.parametrize("change", ["changed", "removed"])
-def test_file_that_changes_meanwhile(survey: Survey, project, trajectory, change: str) -> None:
+def test_a_file_that_changes_during_the_import_is_refused(
+    survey: Survey, project, trajectory, change: str
+) -> None:
     own = write_line(project.folder / "own.las", survey.scans["L1_000"])
     original = source_file_of(own.path)
     source = _LineFileReader(
@@ -344,7 +354,9 @@ def test_file_that_changes_meanwhile(survey: Survey, project, trajectory, change
     assert "own.las" in str(raised.value)
 
 
-def test_line_on_the_map_comes_back_to_the_scanner(survey: Survey, project, trajectory) -> None:
+def test_a_line_on_the_map_is_converted_to_the_scanner_frame(
+    survey: Survey, project, trajectory
+) -> None:
     scan = survey.scans["L1_000"]
     mounting = project.mounting("prior")
     system = coordinate_system("EPSG:32619")
@@ -370,7 +382,7 @@ def test_line_on_the_map_comes_back_to_the_scanner(survey: Survey, project, traj
     assert raised.value.code == "import.mounting_changed"
 
 
-def test_text_line_with_named_columns(survey: Survey, project, trajectory) -> None:
+def test_a_text_line_with_named_columns_is_imported(survey: Survey, project, trajectory) -> None:
     scan = survey.scans["L1_000"]
     table = np.column_stack([scan.time, scan.points_lidar, scan.intensity])[:20_000]
     path = project.folder / "line.txt"
@@ -382,7 +394,7 @@ def test_text_line_with_named_columns(survey: Survey, project, trajectory) -> No
     np.testing.assert_array_equal(stored.intensity[in_file_order(stored)], read.intensity)
 
 
-def test_folders_of_lines_are_apart_on_every_system(project: Project) -> None:
+def test_folders_of_lines_are_distinct_on_every_operating_system(project: Project) -> None:
     names = ("Wall", "wall", "Kai/Süd", "Kai_S_d", "con", "..", "a b")
     lines = tuple(LineSource(name, Path("a.las")) for name in names)
     project = replace(project, lines=lines)
@@ -392,12 +404,12 @@ def test_folders_of_lines_are_apart_on_every_system(project: Project) -> None:
     assert all(folder.name.isascii() for folder in folders)
 
 
-def test_project_with_imported_lines_opens(project: Project) -> None:
+def test_a_project_with_imported_lines_is_opened(project: Project) -> None:
     import_lines(project)
     assert open_project(project.folder).lines == project.lines
 
 
-def test_settings_of_gap_come_from_the_project(project: Project) -> None:
+def test_the_longest_gap_is_that_of_the_project_settings(project: Project) -> None:
     settings = replace(project.settings, longest_gap=0.7)
     assert isinstance(settings, Settings)
     assert local_trajectory(replace(project, settings=settings))[0].longest_gap == 0.7

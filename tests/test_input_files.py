@@ -1,4 +1,4 @@
-"""Examination of input files: detected kind and format, and agreement of their times."""
+"""Tests of the examination of input files: kinds, formats and agreement of their times."""
 
 import json
 from dataclasses import replace
@@ -14,7 +14,7 @@ from lispac.io.project.project_file import read_project
 from lispac.message_texts import message_text
 from lispac.messages import Action, Level, Message, error, note
 from lispac.project import LineSource, Settings
-from lispac.survey.trajectory import LONGEST_GAP
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S
 from lispac.workflow.importing.input_file import examine_file
 from lispac.workflow.importing.input_files import InputFiles, find_project, proposed_folder
 from lispac.workflow.project.projects import new_project, open_project
@@ -36,7 +36,7 @@ from tests.trajectory_files import vessel, write_records
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The survey's folder."""
+    """Return the folder of a simulated survey."""
     return write_survey(tmp_path_factory.mktemp("survey"))
 
 
@@ -45,10 +45,10 @@ def whole(files: Path) -> InputFiles:
     return taken_in(InputFiles(), files)
 
 
-# -- what files are ------------------------------------------------------------------------------
+# -- kinds of files ------------------------------------------------------------------------------
 
 
-def test_files_of_a_folder_are_sorted_by_what_they_are(whole: InputFiles) -> None:
+def test_kinds_of_the_files_of_a_folder_are_detected(whole: InputFiles) -> None:
     roles = {entry.path.name: entry.role for entry in whole.files}
     assert roles == {
         "pos.sbet": "trajectory", "smrmsg.out": "accuracy", "L1.laz": "points",
@@ -76,7 +76,7 @@ def test_a_project_among_the_files_is_found(files: Path, tmp_path: Path) -> None
     assert find_project([tmp_path / "project.json"]) == tmp_path / "project.json"
 
 
-def test_what_is_missing_is_reported_in_order(files: Path, tmp_path: Path) -> None:
+def test_missing_files_are_reported_in_order(files: Path, tmp_path: Path) -> None:
     assert InputFiles().import_problem("x").startswith("Add the files of the survey")
     waiting = InputFiles().with_files([files / "L1.laz"])
     assert waiting.import_problem("x") == "The files are being examined."
@@ -92,7 +92,7 @@ def test_what_is_missing_is_reported_in_order(files: Path, tmp_path: Path) -> No
     assert proposed_folder(both) == files / "boresight"
 
 
-def test_two_trajectories_are_one_too_many_until_one_is_skipped(
+def test_a_second_trajectory_is_an_error_until_it_is_skipped(
     whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
@@ -107,9 +107,7 @@ def test_two_trajectories_are_one_too_many_until_one_is_skipped(
     assert mended.files_problem_text() == ""
 
 
-def test_text_that_might_be_a_trajectory_is_a_line_beside_a_certain_one(
-    files: Path, tmp_path: Path
-) -> None:
+def test_ambiguous_text_is_a_line_if_a_trajectory_exists(files: Path, tmp_path: Path) -> None:
     rows = np.column_stack([START + np.linspace(3, 9, 200), fan(200), np.ones((200, 4))])
     text = tmp_path / "points.txt"
     np.savetxt(text, rows, fmt="%.4f")
@@ -119,7 +117,7 @@ def test_text_that_might_be_a_trajectory_is_a_line_beside_a_certain_one(
     assert beside.file(text).role == "points"
 
 
-def test_lines_of_one_name_are_named_by_their_folders(files: Path, tmp_path: Path) -> None:
+def test_lines_with_the_same_name_are_named_by_their_folders(files: Path, tmp_path: Path) -> None:
     paths = []
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
@@ -129,7 +127,7 @@ def test_lines_of_one_name_are_named_by_their_folders(files: Path, tmp_path: Pat
     assert input_files.files_problem_text() == ""
 
 
-def test_a_damaged_line_is_an_error_beside_the_others(
+def test_a_damaged_line_is_an_error_until_it_is_skipped(
     whole: InputFiles, files: Path, tmp_path: Path
 ):
     damaged = tmp_path / "damaged.laz"
@@ -145,18 +143,18 @@ def test_a_damaged_line_is_an_error_beside_the_others(
 # -- times ---------------------------------------------------------------------------------------
 
 
-def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
+def test_the_shift_that_fits_seconds_of_the_day_is_proposed(
     whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     late = write_line(tmp_path / "day.laz", START + np.linspace(20, 30, 3000) - 5 * 86_400)
     input_files = taken_in(whole, late)
-    remark = input_files.messages(input_files.file(late))[0]
-    assert (remark.level, remark.code) == (Level.ERROR, "import.outside_with_shift")
-    assert remark.params["points"] == note("time_base.gps_day")
-    assert remark.actions[0].params["shift"] == pytest.approx(432_000)
+    message = input_files.messages(input_files.file(late))[0]
+    assert (message.level, message.code) == (Level.ERROR, "import.outside_with_shift")
+    assert message.params["points"] == note("time_base.gps_day")
+    assert message.actions[0].params["shift"] == pytest.approx(432_000)
     assert [entry.path for entry, _ in input_files.proposed_shifts] == [late]
     for mended in (
-        input_files.with_action(late, remark.actions[0]),
+        input_files.with_action(late, message.actions[0]),
         input_files.with_shift_for_all(),
     ):
         assert mended.files_problem_text() == ""
@@ -176,8 +174,8 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
     assert again.scans["day"].time.max() == pytest.approx(START + 30)
 
 
-def test_a_shift_that_another_one_rivals_stays_a_warning(whole: InputFiles, tmp_path: Path) -> None:
-    # With 18 s to spare on one side, UTC and GPS seconds of the day both fit.
+def test_an_ambiguous_shift_is_a_warning(whole: InputFiles, tmp_path: Path) -> None:
+    # The line ends 18 s or more before the trajectory: UTC and GPS seconds of the day both fit.
     late = write_line(tmp_path / "day.laz", START + np.linspace(1, 5, 500) - 5 * 86_400)
     input_files = taken_in(whole, late)
     first = input_files.messages(input_files.file(late))[0]
@@ -197,14 +195,14 @@ def test_a_line_of_another_day_is_refused_with_the_distance(
 ) -> None:
     other = write_line(tmp_path / "other.laz", START + 50_000 + np.linspace(0, 5, 500))
     input_files = taken_in(whole, other)
-    remark = input_files.messages(input_files.file(other))[0]
-    assert (remark.level, remark.code) == (Level.ERROR, "import.after_trajectory")
-    assert remark.params["distance"] == pytest.approx(49_960, abs=0.5)
-    assert remark.actions == (Action("leave_out"),)
+    message = input_files.messages(input_files.file(other))[0]
+    assert (message.level, message.code) == (Level.ERROR, "import.after_trajectory")
+    assert message.params["distance"] == pytest.approx(49_960, abs=0.5)
+    assert message.actions == (Action("leave_out"),)
 
 
 def gaps_of(input_files: InputFiles, name: str) -> list[Message]:
-    """Messages about the gaps of a trajectory."""
+    """Return the messages about the gaps of a trajectory."""
     return [
         each
         for each in input_files.messages(named(input_files, name))
@@ -212,9 +210,7 @@ def gaps_of(input_files: InputFiles, name: str) -> list[Message]:
     ]
 
 
-def test_points_in_a_gap_are_distinguished_from_those_outside_and_bridged_on_demand(
-    files: Path, tmp_path: Path
-) -> None:
+def test_points_in_gaps_are_reported_and_gaps_can_be_bridged(files: Path, tmp_path: Path) -> None:
     records = vessel(2000)
     time = records[:, 0] - START
     records = records[(time < 17) | (time > 19)]
@@ -255,24 +251,24 @@ def test_points_in_a_gap_are_distinguished_from_those_outside_and_bridged_on_dem
     assert read_project(project.folder).settings.longest_gap == bridge.params["gap"]
 
 
-def test_a_project_without_the_longest_gap_has_the_usual_one(files: Path, tmp_path: Path) -> None:
+def test_a_project_file_without_the_longest_gap_has_the_default(
+    files: Path, tmp_path: Path
+) -> None:
     project, _ = new_project(
         tmp_path / "p", trajectory=files / "pos.sbet",
         lines=[LineSource("L1", files / "L1.laz")], settings=Settings(lever_arm=LEVER),
     )  # fmt: skip
     path = project.folder / "project.json"
     content = json.loads(path.read_text())
-    assert content["settings"].pop("longest_gap") == LONGEST_GAP
+    assert content["settings"].pop("longest_gap") == DEFAULT_LONGEST_GAP_S
     path.write_text(json.dumps(content))
-    assert open_project(project.folder).settings.longest_gap == LONGEST_GAP
+    assert open_project(project.folder).settings.longest_gap == DEFAULT_LONGEST_GAP_S
 
 
-def test_a_long_line_is_examined_here_and_there(
-    files: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_long_line_is_sampled(files: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = read_line_times(files / "L1.laz", format_of("las"), {})
-    monkeypatch.setattr(times_module, "READ_WHOLE", 1000)
-    monkeypatch.setattr(times_module, "BLOCK", 50)
+    monkeypatch.setattr(times_module, "MAX_POINTS_READ_WHOLE", 1000)
+    monkeypatch.setattr(times_module, "POINTS_PER_BLOCK", 50)
     sampled = read_line_times(files / "L1.laz", format_of("las"), {})
     assert not sampled.whole
     assert whole.whole
@@ -281,13 +277,13 @@ def test_a_long_line_is_examined_here_and_there(
     assert len(sampled.sample) == 40 * 50
 
 
-def test_a_line_that_takes_long_to_read_is_cut_and_reported(
+def test_the_reading_of_times_stops_at_a_time_limit(
     files: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(times_module, "TIME_LIMIT", -1.0)
+    monkeypatch.setattr(times_module, "TIME_LIMIT_S", -1.0)
     entry = examine_file(files / "deeper" / "L9.txt")
-    assert entry.content is None  # its columns are not named yet
-    monkeypatch.setattr("lispac.io.las.las_chunks.CHUNK", 500)
+    assert entry.content is None  # the names of its columns are not given yet
+    monkeypatch.setattr("lispac.io.las.las_chunks.POINTS_PER_CHUNK", 500)
     cut = read_line_times(files / "L1.laz", format_of("las"), {})
     assert not cut.reached_end
     assert cut.count == 3000

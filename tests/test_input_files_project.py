@@ -1,4 +1,4 @@
-"""Adding lines to an open project, and rarer states of the list of input files."""
+"""Tests of adding lines to an open project, and of single rules of the list of input files."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -10,9 +10,13 @@ from lispac.io.format_types import FilePreview
 from lispac.io.formats import format_of
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.line_times import LineTimes
-from lispac.io.points.point_reader_common import CHOOSE_SYSTEM, USE_FEET, time_base_warnings
+from lispac.io.points.point_reader_common import (
+    CHOOSE_SYSTEM_ACTION,
+    USE_FEET_ACTIONS,
+    time_base_warnings,
+)
 from lispac.io.trajectory.ascii_trajectory import degrees_action
-from lispac.io.trajectory.trajectory_facts import SWAP_COORDINATES, time_warnings
+from lispac.io.trajectory.trajectory_facts import SWAP_COORDINATES_ACTION, time_warnings
 from lispac.io.trajectory.trajectory_preview import sign_assumed_warning
 from lispac.language import LANGUAGES, in_language
 from lispac.message_texts import action_text, action_tip, message_text
@@ -55,7 +59,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def project(files: Path, tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """Of the survey's first line alone."""
+    """Return a project with the first line of the survey only."""
     return new_project(
         tmp_path_factory.mktemp("made") / "quay", trajectory=files / "pos.sbet",
         accuracy=files / "smrmsg.out", lines=[LineSource("L1", files / "L1.laz")],
@@ -64,7 +68,7 @@ def project(files: Path, tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 def opened(project: Project) -> InputFiles:
-    """For lines to be added to it, its own files looked into as it reads them."""
+    """Return the input files of a project, examined, to add lines to."""
     input_files = InputFiles.of_project(project)
     for entry in input_files.files:
         input_files = input_files.with_changed_file(examine_project_file(entry))
@@ -74,7 +78,7 @@ def opened(project: Project) -> InputFiles:
 # -- lines for an open project --------------------------------------------------------------------
 
 
-def test_a_projects_own_files_are_there_and_stay(project: Project, files: Path) -> None:
+def test_the_files_of_a_project_cannot_be_removed(project: Project, files: Path) -> None:
     input_files = opened(project)
     assert [entry.role for entry in input_files.files] == ["trajectory", "accuracy"]
     assert input_files.trajectory_content is not None
@@ -96,39 +100,39 @@ def test_a_projects_own_files_are_there_and_stay(project: Project, files: Path) 
     )
 
 
-def test_a_line_that_is_there_already_can_only_be_skipped(project: Project, files: Path) -> None:
+def test_a_line_of_the_project_can_only_be_skipped(project: Project, files: Path) -> None:
     input_files = taken_in(opened(project), files / "L1.laz")
-    (remark,) = input_files.messages(named(input_files, "L1.laz"))
-    assert (remark.level, remark.code) == (Level.ERROR, "import.already_in_project")
-    assert remark.params == {"file": "L1.laz", "line": "L1"}
-    assert message_text(remark) in input_files.files_problem_text()
-    left = input_files.with_action(files / "L1.laz", remark.actions[0])
+    (message,) = input_files.messages(named(input_files, "L1.laz"))
+    assert (message.level, message.code) == (Level.ERROR, "import.already_in_project")
+    assert message.params == {"file": "L1.laz", "line": "L1"}
+    assert message_text(message) in input_files.files_problem_text()
+    left = input_files.with_action(files / "L1.laz", message.actions[0])
     assert left.state_of_file(left.file(files / "L1.laz")) == "out"
 
 
-def test_gaps_are_bridged_for_a_new_project_and_not_for_one_that_is_there(
+def test_bridging_gaps_is_proposed_only_for_a_new_project(
     project: Project, files: Path, tmp_path: Path
 ) -> None:
-    """What a project bridges is among its settings; lines that are added do not change it."""
+    """The longest gap is a setting of the project, which added lines do not change."""
     records = vessel(2000)
     time = records[:, 0] - START
     torn = write_records(tmp_path / "torn.sbet", records[(time < 5) | (time > 8)])
     (new,) = (
-        remark
-        for remark in (lambda i: i.messages(named(i, "L1.laz")))(
+        message
+        for message in (lambda i: i.messages(named(i, "L1.laz")))(
             taken_in(InputFiles(), torn, files / "L1.laz")
         )
-        if remark.level is Level.WARNING
+        if message.level is Level.WARNING
     )
     assert [action.params["gap"] for action in new.actions] == [pytest.approx(3.1, abs=0.11)]
     here = replace(project, trajectory=torn, lines=(), accuracy=None)
     input_files = taken_in(opened(here), files / "L1.laz")
-    remarks = input_files.messages(named(input_files, "L1.laz"))
-    assert remarks == (replace(new, actions=()),)
+    messages = input_files.messages(named(input_files, "L1.laz"))
+    assert messages == (replace(new, actions=()),)
 
 
-def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path) -> None:
-    """Ten times what is bridged usually: half a minute of the trajectory is missing."""
+def test_bridging_a_wide_gap_is_not_proposed(files: Path, tmp_path: Path) -> None:
+    """Half a minute of the trajectory is missing, more than ten times the default limit."""
     records = vessel(2000)
     time = records[:, 0] - START
     torn = write_records(tmp_path / "torn.sbet", records[(time < 3) | (time > 30)])
@@ -141,7 +145,7 @@ def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path)
 # -- single rules of the list ---------------------------------------------------------------------
 
 
-def test_before_there_is_a_trajectory_nothing_is_reported_for_times(files: Path) -> None:
+def test_times_are_not_checked_without_a_trajectory(files: Path) -> None:
     line = taken_in(InputFiles(), files / "L1.laz")
     entry = line.file(files / "L1.laz")
     assert line.time_messages(entry) == ()
@@ -155,20 +159,20 @@ def test_before_there_is_a_trajectory_nothing_is_reported_for_times(files: Path)
     assert covered.usable == covered.count
 
 
-def test_a_file_that_waits_says_nothing(files: Path) -> None:
+def test_a_pending_file_has_no_messages(files: Path) -> None:
     waiting = InputFiles().with_files([files / "L1.laz"])
     entry = waiting.files[0]
     assert waiting.state_of_file(entry) == "pending"
     assert waiting.messages(entry) == ()
 
 
-def test_a_role_that_a_file_has_already_keeps_what_was_found(files: Path) -> None:
+def test_setting_the_same_role_changes_nothing(files: Path) -> None:
     input_files = taken_in(InputFiles(), files / "L1.laz")
     assert input_files.with_role(files / "L1.laz", "points") is input_files
-    assert input_files.with_action(files / "L1.laz", CHOOSE_SYSTEM) is input_files
+    assert input_files.with_action(files / "L1.laz", CHOOSE_SYSTEM_ACTION) is input_files
 
 
-def test_two_accuracies_are_one_too_many(files: Path, tmp_path: Path) -> None:
+def test_a_second_accuracy_file_is_an_error(files: Path, tmp_path: Path) -> None:
     second = tmp_path / "second.out"
     second.write_bytes((files / "smrmsg.out").read_bytes())
     input_files = taken_in(InputFiles(), files, second)
@@ -176,10 +180,10 @@ def test_two_accuracies_are_one_too_many(files: Path, tmp_path: Path) -> None:
     assert input_files.files_problem_text().endswith("Another file has errors.")
 
 
-def test_a_folder_for_the_project_is_proposed_where_one_is_free(
+def test_a_free_folder_is_proposed_for_the_project(
     files: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Beside the data, else at home, else under the next number; and none where nothing can be."""
+    """Beside the data, else in the home folder, else with a number; none without write access."""
     assert proposed_folder(InputFiles()) is None
     home = tmp_path / "home"
     home.mkdir()
@@ -200,7 +204,7 @@ def test_a_folder_for_the_project_is_proposed_where_one_is_free(
 # -- columns and time bases -----------------------------------------------------------------------
 
 
-def test_columns_mean_what_their_kind_of_file_can_hold() -> None:
+def test_possible_meanings_of_columns_depend_on_the_format() -> None:
     points, track = (
         possible_meanings(format_of("text")),
         possible_meanings(format_of("ascii-trajectory")),
@@ -213,7 +217,7 @@ def test_columns_mean_what_their_kind_of_file_can_hold() -> None:
 
 
 @pytest.mark.parametrize(
-    ("tokens", "said"),
+    ("tokens", "missing"),
     [
         ("time latitude longitude height roll pitch heading", ""),
         ("time easting northing sea_height roll pitch heading", ""),
@@ -222,9 +226,9 @@ def test_columns_mean_what_their_kind_of_file_can_hold() -> None:
         ("date easting roll", "time pitch heading position height"),
     ],
 )
-def test_what_a_trajectory_cannot_do_without_is_named(tokens: str, said: str) -> None:
+def test_missing_columns_of_a_trajectory_are_named(tokens: str, missing: str) -> None:
     found = missing_columns(format_of("ascii-trajectory"), tokens.split())
-    assert found == tuple(note(f"column.{name}") for name in said.split())
+    assert found == tuple(note(f"column.{name}") for name in missing.split())
 
 
 def test_an_undecided_file_has_no_time_base() -> None:
@@ -236,8 +240,8 @@ def test_an_undecided_file_has_no_time_base() -> None:
     assert reexamine_file(entry).pending is False
 
 
-def test_a_line_in_another_base_than_that_given_is_tried_in_all() -> None:
-    """Times of the day fit a trajectory in seconds of the week, though it is said to be Unix's."""
+def test_a_line_is_matched_in_all_bases_if_the_given_one_does_not_fit() -> None:
+    """Times of the day fit a trajectory in seconds of the week, also if its given base is Unix."""
     track = START + np.linspace(0, 100, 400)
     zero = np.zeros(len(track))
     trajectory = Trajectory(track, zero, zero, zero, np.zeros((len(track), 3)))
@@ -253,18 +257,18 @@ def test_a_line_in_another_base_than_that_given_is_tried_in_all() -> None:
 
 # -- actions --------------------------------------------------------------------------------------
 
-_RANGE = np.linspace(6_000.0, 6_650.0, 50)
-_NEAR = np.random.default_rng(5).normal(0, 10, (200, 3))
+_LARGE_VALUES = np.linspace(6_000.0, 6_650.0, 50)
+_NEAR_POINTS = np.random.default_rng(5).normal(0, 10, (200, 3))
 _SECONDS = 5000 + np.arange(200) / 100
 
 
 def of_points(xyz: np.ndarray, crs: str = "") -> tuple[Message, ...]:
-    """Warnings about the coordinates of points."""
+    """Return the warnings about the coordinates of points."""
     return check_first_points(xyz, _SECONDS[: len(xyz)], file="a.dat", crs=crs).file_warnings
 
 
-_OPTION = [
-    ("sbet", warning("trajectory.exchanged", file="a.dat", actions=(SWAP_COORDINATES,)),
+_OPTIONS_OF_WARNINGS = [
+    ("sbet", warning("trajectory.exchanged", file="a.dat", actions=(SWAP_COORDINATES_ACTION,)),
      [("order", "longitude-latitude")]),
     ("ascii-trajectory",
      warning("trajectory.position_in_radians", file="a.dat", actions=(degrees_action("position"),)),
@@ -272,24 +276,24 @@ _OPTION = [
     ("ascii-trajectory",
      warning("trajectory.attitude_in_radians", file="a.dat", actions=(degrees_action("attitude"),)),
      [("attitude", "degrees")]),
-    ("las", warning("points.feet_in_header", file="a.dat", actions=USE_FEET),
+    ("las", warning("points.feet_in_header", file="a.dat", actions=USE_FEET_ACTIONS),
      [("unit", "foot"), ("unit", "us-survey-foot")]),
-    ("text", warning("points.feet_in_header", file="a.dat", actions=USE_FEET),
+    ("text", warning("points.feet_in_header", file="a.dat", actions=USE_FEET_ACTIONS),
      [("unit", "foot"), ("unit", "us-survey-foot")]),
     ("sbet", warning("trajectory.jumps", file="a.dat", speed=1.0, largest=90.0), []),
 ]  # fmt: skip
 
 
 def entry_with(key: str, message: Message) -> InputFile:
-    """A file in a format, with a warning of its reader."""
+    """Return an input file of a format, with a warning of its reader."""
     format = format_of(key)
     radians = {a.params["name"]: "radians" for a in message.actions if a.code == "use_degrees"}
     finding = FilePreview({}, choice=radians, file_warnings=(message,))
     return InputFile(Path("a.dat"), role=format.kind, format=format, finding=finding, pending=False)
 
 
-@pytest.mark.parametrize(("key", "message", "options"), _OPTION)
-def test_a_warning_has_the_options_that_its_format_takes(
+@pytest.mark.parametrize(("key", "message", "options"), _OPTIONS_OF_WARNINGS)
+def test_a_warning_proposes_options_of_its_format(
     key: str, message: Message, options: list[tuple[str, str]]
 ) -> None:
     entry = entry_with(key, message)
@@ -297,7 +301,7 @@ def test_a_warning_has_the_options_that_its_format_takes(
     assert shown == message
     assert [(a.params["name"], a.params["value"]) for a in shown.actions] == options
     assert all(action.params["name"] in entry.options for action in shown.actions)
-    for name, value in options:  # as they are already
+    for name, value in options:  # not proposed if set already
         set_already = replace(entry, given_options={name: value})
         (again,) = file_messages(set_already, None, 1, 1, 1.5)
         assert (name, value) not in [(a.params["name"], a.params["value"]) for a in again.actions]
@@ -306,15 +310,21 @@ def test_a_warning_has_the_options_that_its_format_takes(
 @pytest.mark.parametrize(
     ("xyz", "crs", "code"),
     [
-        (np.column_stack([_RANGE, -_RANGE, 0 * _RANGE]), "", "points.far_from_origin"),
-        (_NEAR, "EPSG:32619", "points.small_coordinates"),
-        (_NEAR * 1000, "", "points.around_origin"),
-        (_NEAR + [600, 100, 0], "", "points.away_from_origin"),
-        (_NEAR * [1e-5, 1e-5, 1] + [7, 50, 0], "", "points.degrees"),
+        (
+            np.column_stack([_LARGE_VALUES, -_LARGE_VALUES, 0 * _LARGE_VALUES]),
+            "",
+            "points.far_from_origin",
+        ),
+        (_NEAR_POINTS, "EPSG:32619", "points.small_coordinates"),
+        (_NEAR_POINTS * 1000, "", "points.around_origin"),
+        (_NEAR_POINTS + [600, 100, 0], "", "points.away_from_origin"),
+        (_NEAR_POINTS * [1e-5, 1e-5, 1] + [7, 50, 0], "", "points.degrees"),
     ],
 )
-def test_warnings_about_the_frame_offer_to_choose_it(xyz: np.ndarray, crs: str, code: str) -> None:
-    """Whatever their words are: the button follows from the action alone."""
+def test_warnings_about_the_frame_propose_to_choose_it(
+    xyz: np.ndarray, crs: str, code: str
+) -> None:
+    """The button depends on the action of the message, not on its text."""
     (message,) = (each for each in of_points(xyz, crs) if each.code == code)
     (shown,) = (
         each
@@ -333,14 +343,16 @@ def test_warnings_about_the_frame_offer_to_choose_it(xyz: np.ndarray, crs: str, 
 @pytest.mark.parametrize(
     ("key", "message", "option"),
     [
-        ("las", of_points(_NEAR + [350_000, 5e6, 0])[0], "crs"),
+        ("las", of_points(_NEAR_POINTS + [350_000, 5e6, 0])[0], "crs"),
         ("las", time_base_warnings(np.array([5e5]), "gps-adjusted", "a.dat")[0], "time_base"),
         ("sbet", time_warnings(START + 1e9 + np.arange(9.0), "unix", "a.dat")[0], "time"),
         ("ascii-trajectory", sign_assumed_warning(Path("a.dat"), "pitch", "bow-up"), "pitch"),
         ("ascii-trajectory", sign_assumed_warning(Path("a.dat"), "roll", "port-down"), "roll"),
     ],
 )
-def test_a_warning_leads_to_the_option_it_is_about(key: str, message: Message, option: str) -> None:
+def test_a_warning_has_an_action_to_choose_its_option(
+    key: str, message: Message, option: str
+) -> None:
     entry = entry_with(key, message)
     (shown,) = (each for each in file_messages(entry, None, 1, 1, 1.5) if each.code == message.code)
     assert [option_to_choose(action) for action in shown.actions] == [option]
@@ -362,7 +374,7 @@ def test_actions_and_tips_are_translated(language: str) -> None:
         assert action_tip(Action("leave_out")) == ""
 
 
-def test_of_a_long_file_it_is_reported_that_the_rest_comes_later() -> None:
+def test_a_partly_read_file_is_reported() -> None:
     sample = START + np.arange(1500.0)
     times = LineTimes(
         sample, sample[0], sample[-1], None, whole=False, reached_end=False, place=np.zeros(3)
@@ -384,7 +396,7 @@ def test_of_a_long_file_it_is_reported_that_the_rest_comes_later() -> None:
         (900.0, Level.ERROR, "import.accuracy_times"),
     ],
 )
-def test_accuracies_are_held_against_the_trajectorys_times(
+def test_accuracies_must_cover_the_times_of_the_trajectory(
     files: Path, tmp_path: Path, first: float, level: Level | None, code: str
 ) -> None:
     rows = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))

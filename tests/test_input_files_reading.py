@@ -1,4 +1,4 @@
-"""Columns, coordinate systems and reader options of input files, and accuracy files."""
+"""Tests of columns, coordinate systems, options and accuracies of input files."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -31,7 +31,7 @@ from tests.trajectory_files import vessel, write_records
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The survey's folder."""
+    """Return the folder of a simulated survey."""
     return write_survey(tmp_path_factory.mktemp("survey"))
 
 
@@ -49,7 +49,7 @@ def write_unnamed(path: Path, seconds: float = 3.0) -> Path:
     return path
 
 
-def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_path: Path) -> None:
+def test_chosen_columns_are_used_for_the_next_file(files: Path, tmp_path: Path) -> None:
     text = write_unnamed(tmp_path / "one.txt")
     input_files = taken_in(InputFiles(), files / "pos.sbet", text)
     assert input_files.state_of_file(input_files.file(text)) == "error"
@@ -85,7 +85,7 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
     assert anew.state_of_file(anew.file(second)) == "error"
 
 
-def test_columns_of_another_layout_are_not_taken_over(files: Path, tmp_path: Path) -> None:
+def test_columns_of_another_layout_are_not_reused(files: Path, tmp_path: Path) -> None:
     first = write_unnamed(tmp_path / "one.txt")
     input_files = taken_in(InputFiles(), first)
     for column, meaning in enumerate(("x", "y", "z", "time")):
@@ -97,12 +97,12 @@ def test_columns_of_another_layout_are_not_taken_over(files: Path, tmp_path: Pat
     )
 
 
-def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
+def test_columns_of_a_text_trajectory_can_be_chosen(tmp_path: Path) -> None:
     records = vessel(300)
     rows = np.column_stack(
         [records[:, 0], np.degrees(records[:, 1:3]), records[:, 3], np.degrees(records[:, 7:10])]
     )
-    rows = rows[:, [1, 2, 3, 0, 4, 5, 6]]  # time stands fourth
+    rows = rows[:, [1, 2, 3, 0, 4, 5, 6]]  # time is the fourth column
     path = tmp_path / "track.csv"
     np.savetxt(path, rows, fmt="%.9f", delimiter=",")
     input_files = taken_in(InputFiles(), path)
@@ -115,7 +115,7 @@ def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
     np.testing.assert_allclose(input_files.trajectory_content.time, records[:, 0])
 
 
-# -- places --------------------------------------------------------------------------------------
+# -- coordinate systems and options --------------------------------------------------------------
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -172,7 +172,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     np.testing.assert_allclose(survey.scans["bare"].points_lidar, fan(1500), atol=1e-3)
 
 
-def test_an_option_that_is_given_goes_with_the_request(whole: InputFiles, files: Path) -> None:
+def test_a_given_option_is_part_of_the_request(whole: InputFiles, files: Path) -> None:
     pos = files / "pos.sbet"
     usual = whole.request(Path("p"), Settings(lever_arm=LEVER)).trajectory_reading
     assert usual.format == ""

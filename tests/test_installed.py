@@ -1,4 +1,4 @@
-"""Where the program looks for its own files and for the user's."""
+"""Tests of the paths of the program's files and of the user folder."""
 
 import sys
 from pathlib import Path
@@ -10,7 +10,7 @@ from lispac.installation_paths import resource_path, user_folder, window_command
 from lispac.messages import error
 
 
-def test_a_file_the_installation_lacks_is_reported() -> None:
+def test_a_missing_file_of_the_installation_is_reported() -> None:
     assert resource_path("manual").is_dir()
     with pytest.raises(InputError) as refused:
         resource_path("manual/no-such-page.md")
@@ -27,7 +27,7 @@ def test_a_file_the_installation_lacks_is_reported() -> None:
         ("linux", "XDG_CONFIG_HOME", ".config/lispac"),
     ],
 )
-def test_what_the_user_has_is_where_each_system_keeps_it(
+def test_the_user_folder_follows_the_operating_system(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, platform: str, variable: str, place: str
 ) -> None:
     monkeypatch.setattr(sys, "platform", platform)
@@ -40,9 +40,7 @@ def test_what_the_user_has_is_where_each_system_keeps_it(
         assert user_folder() == tmp_path / "chosen" / "lispac"
 
 
-def test_the_window_of_the_bundle_lies_beside_its_command_line(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_the_window_command_of_the_bundle(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     assert window_command() == [sys.executable, "-m", "lispac.gui"]
     monkeypatch.setattr(sys, "executable", str(tmp_path / "lispac.exe"))
     monkeypatch.setattr(sys, "frozen", True, raising=False)

@@ -63,7 +63,7 @@ def _damage(records: np.ndarray, kind: str) -> bytes:
 
 
 @pytest.mark.parametrize(
-    ("kind", "said"),
+    ("kind", "expected"),
     [
         ("empty", "file.empty"),
         ("truncated", "file.partial_record"),
@@ -73,12 +73,12 @@ def _damage(records: np.ndarray, kind: str) -> bytes:
         ("one", "at least two"),
     ],
 )
-def test_bad_sbet_is_refused_in_one_sentence(tmp_path: Path, kind: str, said: str) -> None:
+def test_an_invalid_sbet_is_refused(tmp_path: Path, kind: str, expected: str) -> None:
     path = tmp_path / "bad.sbet"
     path.write_bytes(_damage(sbet_records(), kind))
     with pytest.raises(InputError) as refused:
         read_sbet(path)
-    assert said in f"{refused.value.code} {refused.value}"
+    assert expected in f"{refused.value.code} {refused.value}"
     assert str(path) in str(refused.value)
     assert "\n" not in str(refused.value)
 
@@ -159,7 +159,7 @@ def test_damaged_las_is_refused(tmp_path: Path, name: str, kept: int) -> None:
         read_scan(tmp_path / name)
 
 
-def test_not_las_at_all_is_refused(tmp_path: Path) -> None:
+def test_an_invalid_las_header_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.laz"
     path.write_bytes(b"LASF" + bytes(range(256)) * 4)
     with pytest.raises(InputError) as refused:
@@ -167,7 +167,7 @@ def test_not_las_at_all_is_refused(tmp_path: Path) -> None:
     assert refused.value.code == "las.scale"
 
 
-TEXTS = {
+TEXT_FILES = {
     "blank.txt": "1.0 2.0 3.0 4.0 9\n1.5 2.5 3.5 4.5 9\n",
     "comma.csv": "time,x,y,z,intensity\n1.0,2.0,3.0,4.0,9\n1.5,2.5,3.5,4.5,9\n",
     "semicolon.txt": "# made elsewhere\n1.0;2.0;3.0;4.0;9\n\n1.5;2.5;3.5;4.5;9\n",
@@ -179,16 +179,16 @@ def text_chunks(path: Path, columns: tuple[str, ...]) -> list[PointChunk]:
     return [chunk for chunk in chunks if isinstance(chunk, PointChunk)]
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", TEXT_FILES)
 def test_text_line(tmp_path: Path, name: str) -> None:
-    (tmp_path / name).write_text(TEXTS[name])
+    (tmp_path / name).write_text(TEXT_FILES[name])
     (chunk,) = text_chunks(tmp_path / name, ("time", "x", "y", "z", "intensity"))
     np.testing.assert_array_equal(chunk.xyz, [[2, 3, 4], [2.5, 3.5, 4.5]])
     np.testing.assert_array_equal(chunk.time, [1.0, 1.5])
     np.testing.assert_array_equal(chunk.extra["intensity"], [9, 9])
 
 
-def test_text_columns_in_any_order_and_passed_over(tmp_path: Path) -> None:
+def test_text_columns_in_any_order_and_ignored_columns(tmp_path: Path) -> None:
     (tmp_path / "a.txt").write_text("7 4.0 3.0 2.0 1.0\n")
     (chunk,) = text_chunks(tmp_path / "a.txt", ("-", "z", "y", "x", "time"))
     np.testing.assert_array_equal(chunk.xyz, [[2, 3, 4]])
@@ -224,7 +224,7 @@ def plane_row(time: float, key: int = 0) -> list[float]:
 
 def test_plane_file_sightings_are_distinguished_by_gaps_in_time(tmp_path: Path) -> None:
     first = [plane_row(t) for t in (0.0, 0.5, 1.0, 60.0, 60.5, 61.0)]
-    second = [plane_row(t) for t in (61.5, 62.0, 2.0)]  # same passes, seen a little later
+    second = [plane_row(t) for t in (61.5, 62.0, 2.0)]  # the same lines, observed a little later
     np.savetxt(tmp_path / "T1.txt", first)
     np.savetxt(tmp_path / "T2.txt", second)
     observations, planes = read_plane_files([tmp_path / "T1.txt", tmp_path / "T2.txt"], 0.003)
@@ -246,8 +246,10 @@ def test_plane_files_of_one_name_are_distinguished(tmp_path: Path) -> None:
     assert refused.value.code == "planes.none_given"
 
 
-def test_a_file_that_may_not_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The system is asked; who may read everything is told as others are."""
+def test_a_file_without_read_permission_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The permission is simulated, because a superuser may read every file."""
     monkeypatch.setattr("lispac.io.files.os.access", lambda *_: False)
     path = tmp_path / "plane.txt"
     np.savetxt(path, [plane_row(0.0)])
@@ -289,7 +291,7 @@ def test_bad_plane_file_is_refused(tmp_path: Path, text: str, code: str) -> None
     assert refused.value.code == code
 
 
-def test_a_failed_write_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> None:
+def test_a_failed_write_keeps_the_old_file(tmp_path: Path) -> None:
     path = tmp_path / "a.txt"
     path.write_text("old")
 
@@ -304,7 +306,7 @@ def test_a_failed_write_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> 
     assert [p.name for p in tmp_path.iterdir()] == ["a.txt"]
 
 
-def test_what_a_killed_save_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
+def test_temporary_files_of_a_killed_save_are_removed(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_project(project)
     folder = project.folder
@@ -326,7 +328,7 @@ def test_what_a_killed_save_left_is_removed_and_nothing_else(tmp_path: Path) -> 
         assert left == {*others, ".project-folder12.part.json"}
 
 
-def test_writing_where_no_folder_can_be_made_is_refused(tmp_path: Path) -> None:
+def test_writing_below_a_file_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError) as refused, atomic_write(tmp_path / "file" / "a.txt"):
         pass

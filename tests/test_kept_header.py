@@ -1,4 +1,4 @@
-"""What a LAS file says besides its points outlives the file: it is kept at the import."""
+"""Tests that the header of a LAS file is stored at the import and used for exports."""
 
 import uuid
 from dataclasses import replace
@@ -11,7 +11,7 @@ import pytest
 from lispac.cli.main import main
 from lispac.messages import Message
 from lispac.project import LineSource, Project
-from lispac.survey.store.layout import HEADER
+from lispac.survey.store.layout import HEADER_FILE
 from lispac.survey.store.stored_line import StoredLine
 from lispac.workflow.importing.line_import import import_lines, line_folder, stored_header
 from lispac.workflow.output.georeferencing import georeference_project
@@ -25,7 +25,7 @@ GUID = uuid.UUID("12345678-1234-5678-1234-567812345678")
 
 @pytest.fixture
 def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
-    """One line, written by laspy with records and extra bytes of its own, imported."""
+    """Return a project with one imported LAZ line that has extra records and extra bytes."""
     source, survey = calibrated
     name = survey.lines[0]
     numbers = np.arange(5000)
@@ -63,7 +63,7 @@ def written(project: Project, folder: Path) -> tuple[laspy.LasData, tuple[Messag
     return laspy.read(done.path), done.notes
 
 
-def test_a_cloud_has_the_same_records_without_the_file(project: Project, tmp_path: Path) -> None:
+def test_an_export_without_the_file_has_the_same_records(project: Project, tmp_path: Path) -> None:
     with_file, _ = written(project, tmp_path / "one")
     path = project.lines[0].path
     path.rename(path.with_suffix(".moved"))
@@ -77,7 +77,7 @@ def test_a_cloud_has_the_same_records_without_the_file(project: Project, tmp_pat
         [
             (v.user_id, v.record_id, v.record_data_bytes())
             for v in cloud.header.vlrs
-            if not isinstance(v, laspy.vlrs.known.ExtraBytesVlr)  # least and largest are laspy's
+            if not isinstance(v, laspy.vlrs.known.ExtraBytesVlr)  # laspy adds minimum and maximum
         ]
         for cloud in (with_file, without)
     ]
@@ -89,18 +89,18 @@ def test_a_cloud_has_the_same_records_without_the_file(project: Project, tmp_pat
         np.testing.assert_allclose(one, two, atol=2e-4 if name in "xyz" else 0, err_msg=name)
     assert np.asarray(without.reflectance).max() == pytest.approx(5.99)
 
-    # Copied along with the project.
+    # The header is copied with the project.
     moved, _ = save_project_as(project, load_survey(project), tmp_path / "office")
     third, _ = written(moved, tmp_path / "three")
     assert third.header.uuid == GUID
 
 
-def test_without_what_was_kept_the_loss_is_reported(
+def test_a_damaged_or_missing_header_is_reported(
     project: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     project.lines[0].path.unlink()
     folder = line_folder(project, project.lines[0])
-    (header,) = folder.glob(f"columns-*/{HEADER}")
+    (header,) = folder.glob(f"columns-*/{HEADER_FILE}")
     whole = header.read_bytes()
     for n, damaged in enumerate((whole[:100], whole[:400] + bytes(len(whole) - 400), b"")):
         header.write_bytes(damaged)
@@ -114,7 +114,7 @@ def test_without_what_was_kept_the_loss_is_reported(
     assert "export.file_and_header_gone" in codes(written(project, tmp_path / "two")[1])
 
 
-def test_a_text_line_has_no_header_to_keep(
+def test_a_text_line_has_no_stored_header(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     source, survey = calibrated

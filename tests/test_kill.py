@@ -1,4 +1,4 @@
-"""Kill -9 while importing and saving: complete afterwards, or it is said what to redo."""
+"""Tests of SIGKILL during imports, saves and commands: files stay sound or are redone."""
 
 import os
 import random
@@ -26,23 +26,23 @@ from tests.store_lines import RECIPE, Line, place
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no SIGKILL here")
 
 CHECKOUT = Path(__file__).resolve().parents[1]
-POINTS, BLOCK = 400_000, 20_000
+POINT_COUNT, BLOCK = 400_000, 20_000
 
-IMPORT = f"""
+IMPORT_SCRIPT = f"""
 import sys
 from pathlib import Path
 from lispac.survey.store import point_blocks, spool
-point_blocks.BLOCK = spool.BLOCK = {BLOCK}
+point_blocks.BLOCK_POINTS = spool.BLOCK_POINTS = {BLOCK}
 from lispac.survey.store.spatial_cells import octave_runs_in_sphere
 from lispac.survey.store.line_import import write_store
 from tests.store_lines import RECIPE, Line, place
-line = Line({POINTS})
+line = Line({POINT_COUNT})
 print("ready", flush=True)
 write_store(Path(sys.argv[1]), RECIPE, line.pieces(30_000), place)
 print("done", flush=True)
 """
 
-SAVE = """
+SAVE_SCRIPT = """
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -67,17 +67,17 @@ while True:
 
 
 def killed(code: str, argument: Path, seconds: float | None) -> float:
-    """Run code in a process of its own and kill it so long after it is ready.
+    """Run code in a process of its own and kill it a given time after it is ready.
 
     Parameters
     ----------
     seconds : float or None
-        None lets it end by itself.
+        Time before the kill; None lets the process end by itself.
 
     Returns
     -------
     float
-        Seconds from being ready to its end.
+        Seconds from being ready to the end of the process.
     """
     with subprocess.Popen(
         [sys.executable, "-c", code, str(argument)], stdout=subprocess.PIPE, text=True,
@@ -99,36 +99,36 @@ def killed(code: str, argument: Path, seconds: float | None) -> float:
 @pytest.mark.parametrize("times", [2, pytest.param(20, marks=pytest.mark.long)])
 def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
     for module in (point_blocks, spool):
-        monkeypatch.setattr(module, "BLOCK", BLOCK)
-    line = Line(POINTS)
-    took = killed(IMPORT, tmp_path / "whole", None)
+        monkeypatch.setattr(module, "BLOCK_POINTS", BLOCK)
+    line = Line(POINT_COUNT)
+    took = killed(IMPORT_SCRIPT, tmp_path / "whole", None)
     whole = open_store(tmp_path / "whole", "L1").manifest
     moments = random.Random(7)
-    said = {"complete": 0, "interrupted while reading": 0, "while ordering": 0, "not imported": 0}
+    counts = {"complete": 0, "interrupted while reading": 0, "while ordering": 0, "not imported": 0}
     for k in range(times):
         folder = tmp_path / f"L{k}"
-        # Some in every part of the import, and some about its end.
-        killed(IMPORT, folder, 1.1 * took * (k + moments.random()) / times)
+        # The moments are spread over the whole import and shortly after it.
+        killed(IMPORT_SCRIPT, folder, 1.1 * took * (k + moments.random()) / times)
         ordering = bool(list(folder.glob("columns-*")))
         try:
             stored = open_store(folder, "L1")
         except ProjectError as error:
             code = error.code
             if code == "store.not_imported":
-                said["not imported"] += 1
+                counts["not imported"] += 1
             else:
                 assert code == "store.interrupted"
-                said["while ordering" if ordering else "interrupted while reading"] += 1
+                counts["while ordering" if ordering else "interrupted while reading"] += 1
         else:
-            said["complete"] += 1
+            counts["complete"] += 1
             stored.require_sound()
         manifest = write_store(folder, RECIPE, line.pieces(30_000), place)
         assert [c.checksum for c in manifest.files] == [c.checksum for c in whole.files]
         assert {path.name for path in folder.iterdir()} == {"store.json", manifest.folder}
         for path in folder.rglob("*.npy"):
             path.unlink()
-    print(f"\n{times} imports of {took:.2f} s killed: {said}")
-    assert said["interrupted while reading"] + said["while ordering"] > 0
+    print(f"\n{times} imports of {took:.2f} s killed: {counts}")
+    assert counts["interrupted while reading"] + counts["while ordering"] > 0
 
 
 @pytest.mark.parametrize(
@@ -139,7 +139,7 @@ def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
     ],
 )
 def test_kill_during_the_import_command(tmp_path: Path, points: int, times: int) -> None:
-    """The project opens, and the next import completes and leaves nothing of the killed one."""
+    """The project opens, and the next import completes and removes temporary files."""
     (tmp_path / "files").mkdir()
     files = write_survey(tmp_path / "files")
     project = create_project(
@@ -174,20 +174,20 @@ def test_kill_during_the_import_command(tmp_path: Path, points: int, times: int)
     assert found["incomplete"] > 0
 
 
-def test_kill_while_a_line_is_imported_anew(tmp_path: Path, monkeypatch) -> None:
-    """The store that was there stays until the new one is complete."""
+def test_kill_during_a_repeated_import(tmp_path: Path, monkeypatch) -> None:
+    """The old store is kept until the new one is complete."""
     for module in (point_blocks, spool):
-        monkeypatch.setattr(module, "BLOCK", BLOCK)
+        monkeypatch.setattr(module, "BLOCK_POINTS", BLOCK)
     folder = tmp_path / "L1"
     write_store(folder, RECIPE, Line(30_000, seed=8).pieces(30_000), place)
-    killed(IMPORT, folder, 0.3)
+    killed(IMPORT_SCRIPT, folder, 0.3)
     stored = open_store(folder, "L1")
-    assert len(stored) in (30_000, POINTS)
+    assert len(stored) in (30_000, POINT_COUNT)
     stored.require_sound()
 
 
 def project_in(folder: Path) -> Project:
-    """A saved project of three lines with two targets."""
+    """Save a project of three lines and two targets, and return it."""
     rng = np.random.default_rng(1)
     lines = tuple(LineSource(f"L{k}", folder / f"L{k}.las") for k in range(3))
     targets = tuple(
@@ -212,7 +212,7 @@ def test_kill_during_save(tmp_path: Path, times: int) -> None:
     moments = random.Random(3)
     seen = []
     for _ in range(times):
-        killed(SAVE, tmp_path / "project", moments.uniform(0.0, 0.4))
+        killed(SAVE_SCRIPT, tmp_path / "project", moments.uniform(0.0, 0.4))
         found = read_project(tmp_path / "project").target("T1").sightings[0]
         half = found.rms == 0.002
         np.testing.assert_array_equal(found.indices, indices[:: 2 if half else 1])
@@ -222,7 +222,7 @@ def test_kill_during_save(tmp_path: Path, times: int) -> None:
         assert len(set(seen)) == 2
 
 
-COMMAND = """
+COMMAND_SCRIPT = """
 import sys
 from lispac.cli.main import main
 print("ready", flush=True)
@@ -231,10 +231,11 @@ main(sys.argv[1:])
 
 
 def command_killed(words: list[str], seconds: float | None) -> float:
-    """Run a command in a process of its own and kill it so long after its start, as `killed`."""
+    """Run a command in a process of its own and kill it after a time; see `killed`."""
     with subprocess.Popen(
-        [sys.executable, "-c", COMMAND, *words], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-        text=True, cwd=CHECKOUT, env=os.environ | {"PYTHONPATH": str(CHECKOUT)},
+        [sys.executable, "-c", COMMAND_SCRIPT, *words],
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=CHECKOUT,
+        env=os.environ | {"PYTHONPATH": str(CHECKOUT)},
     ) as process:  # fmt: skip
         assert process.stdout is not None
         assert process.stdout.readline() == "ready\n"
@@ -258,7 +259,7 @@ def command_killed(words: list[str], seconds: float | None) -> float:
     ],
 )
 def test_kill_during_a_command(copy: Project, tmp_path: Path, name: str, times: int) -> None:
-    """The project opens, and the next run completes and leaves nothing of the killed one."""
+    """The project opens, and the next run completes and removes temporary files."""
     folder, out = str(copy.folder), tmp_path / "out"
     first = copy.targets[0]
     words = {

@@ -1,4 +1,4 @@
-"""Of several surfaces, one behind the other, the one that a reference shows is measured."""
+"""Tests that the distance to the reference surface is measured if a line sees several."""
 
 from pathlib import Path
 
@@ -29,10 +29,10 @@ def known(
     return with_truth(demo_project, sample_project(tmp_path_factory.mktemp("sample")))
 
 
-def test_a_wall_behind_a_board_is_not_the_board(
+def test_distances_to_a_board_ignore_the_wall_behind_it(
     known: tuple[Project, Survey], truth: SimulatedSurvey, tmp_path: Path
 ) -> None:
-    """T2 leans by 45 deg before the wall, 62 cm off in its middle, and lines see both."""
+    """T2 leans by 45 deg, 62 cm in front of the wall at its middle; lines see both."""
     expected = true_offsets(truth, known[1], "T2", 50)
     path = tmp_path / "board.csv"
     corners = on_plane("T2", np.array([-0.4, 0.4, 0.4, -0.4]), np.array([-0.4, -0.4, 0.4, 0.4]))
@@ -43,19 +43,19 @@ def test_a_wall_behind_a_board_is_not_the_board(
     assert check is not None
     assert len(check.lines) >= 4
     for line in check.lines:
-        # Of the board's edge the truth has some points more.
+        # The true offset includes some more points at the edge of the board.
         assert line.after.signed.mean == pytest.approx(expected[line.line], abs=0.003)
         assert line.after.distances.p99 < abs(expected[line.line]) + 0.02
         assert line.before.distances.rms < 0.2
     assert check.other_surfaces
     assert all(0.2 < other.distance < 1.0 for other in check.other_surfaces)
     texts = map(english_text, AbsoluteCheckValues.of(check).messages)
-    (said,) = (each for each in texts if "Another surface" in each)
-    assert all(other.line in said for other in check.other_surfaces)
+    (message,) = (each for each in texts if "Another surface" in each)
+    assert all(other.line in message for other in check.other_surfaces)
 
 
-def test_a_line_nearer_to_the_wall_than_to_the_board_before_is_found() -> None:
-    """A board of 1 m, a wall 0.4 m behind it, and before all of it 0.3 m towards the vessel."""
+def test_the_board_is_found_after_a_large_shift() -> None:
+    """Before the calibration the points are shifted by up to 0.9 m; a wall is 0.4 m behind."""
     rng = np.random.default_rng(2)
 
     def sheet(off: float, side: float, n: int) -> np.ndarray:
@@ -76,15 +76,15 @@ def test_a_line_nearer_to_the_wall_than_to_the_board_before_is_found() -> None:
         assert found.to_other_surface == pytest.approx(0.38, abs=0.02)
 
 
-def test_outliers_before_a_surface_are_no_surface() -> None:
-    """Of a hundred points at a place five hang in the air before it, and at one place thirty."""
+def test_outliers_in_front_of_a_surface_are_ignored() -> None:
+    """A few outliers are in front of the wall everywhere, and a cluster of them at one place."""
     rng = np.random.default_rng(3)
     wall = np.column_stack([rng.uniform(-1, 1, (40_000, 2)), rng.normal(-0.2, 0.004, 40_000)])
-    stray = np.column_stack([rng.uniform(-1, 1, (1500, 2)), rng.uniform(-0.1, 0.1, 1500)])
+    outliers = np.column_stack([rng.uniform(-1, 1, (1500, 2)), rng.uniform(-0.1, 0.1, 1500)])
     bird = rng.normal((0.3, 0.3, 0.0), 0.01, (200, 3))
     reference = np.column_stack([rng.uniform(-1, 1, (20_000, 2)), np.zeros(20_000)])
     cores = np.concatenate([reference[:80] * 0.8, [[0.3, 0.3, 0.0]]])
-    points = np.concatenate([wall, stray, bird])
+    points = np.concatenate([wall, outliers, bird])
     found = measure_to_surface(
         points, points, reference, cores, facing=np.tile([0.0, 0.0, 1.0], (81, 1)),
         diameters=np.full(81, 0.15), reach=0.5, roughest=0.01,

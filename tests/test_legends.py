@@ -1,4 +1,4 @@
-"""Legends of histograms lie on no bar, wherever the bars are high and however one zooms."""
+"""Tests that legends of histograms do not overlap the bars."""
 
 from dataclasses import replace
 
@@ -18,14 +18,14 @@ from tests.test_absolute_warnings import check
 
 
 def covered(axes: Axes) -> list[float]:
-    """By how many pixels the bars reach into the texts of the legend."""
+    """Return by how many pixels bars overlap the texts of the legend."""
     legend = axes.get_legend()
     assert legend is not None
     boxes = [text.get_window_extent() for text in legend.get_texts()]
     boxes += [handle.get_window_extent() for handle in legend.get_patches()]
     left, low = min(box.x0 for box in boxes), min(box.y0 for box in boxes)
     right = min(max(box.x1 for box in boxes), axes.bbox.x1)
-    left = max(left, axes.bbox.x0)  # bars are cut where the axes end
+    left = max(left, axes.bbox.x0)  # bars are clipped at the end of the axes
     assert low < axes.bbox.y1
     found = []
     for patch in (p for p in axes.patches if isinstance(p, StepPatch)):
@@ -38,7 +38,7 @@ def covered(axes: Axes) -> list[float]:
 
 
 @pytest.mark.parametrize("peak", [5, 30, 45, 59])
-def test_against_a_reference(peak: int) -> None:
+def test_the_legend_of_reference_distances_covers_no_bar(peak: int) -> None:
     counts = np.full(60, 20)
     counts[peak] = 4000
     found = replace(
@@ -57,7 +57,7 @@ def comparison(tmp_path_factory: pytest.TempPathFactory) -> PlaneComparison:
 
 @pytest.mark.parametrize("size", [(6.3, 2.5), (4.5, 2.6)])
 @pytest.mark.parametrize("share", [False, True])
-def test_zoomed_in_the_window(
+def test_the_legend_covers_no_bar_after_zooming(
     comparison: PlaneComparison, size: tuple[float, float], share: bool
 ) -> None:
     figure = Figure(size, layout="constrained")
@@ -67,7 +67,7 @@ def test_zoomed_in_the_window(
     axes = figure.axes[0]
     top = 1000 * float(comparison.bin_edges[-1])
     for low, high in ((0.0, top), (0.0, top / 4), (top / 8, top / 2), (0.0, top / 30)):
-        canvas.draw()  # laid out, as on the screen when the wheel turns
+        canvas.draw()  # computes the layout, as in the window
         axes.set_xlim(low, high)
         canvas.draw()
         assert covered(axes) == []

@@ -1,4 +1,4 @@
-"""Every line is screened and audited, whichever format it has and whichever way it is read."""
+"""Tests of the audit of lines, for each format: unusable points, times, duplicates, splits."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -24,8 +24,8 @@ from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.input_file_samples import LEVER, START, fan, write_line, write_survey
 
-COUNT = 3000
-TIMES = START + np.linspace(2, 12, COUNT)
+POINT_COUNT = 3000
+TIMES = START + np.linspace(2, 12, POINT_COUNT)
 
 
 @pytest.fixture
@@ -80,17 +80,17 @@ def by_code(survey: Survey) -> dict[str, Message]:
     return {message.code: message for message in survey.messages}
 
 
-# -- a sound line ---------------------------------------------------------------------------------
+# -- valid lines ----------------------------------------------------------------------------------
 
 
 @every_format
-def test_a_sound_line_has_no_message(folder: Path, name: str) -> None:
-    survey = opened(folder, WRITERS[name](folder / name, TIMES, fan(COUNT)))
+def test_a_valid_line_has_no_message(folder: Path, name: str) -> None:
+    survey = opened(folder, WRITERS[name](folder / name, TIMES, fan(POINT_COUNT)))
     assert survey.messages == ()
-    assert len(survey.scans["L1"]) == COUNT
+    assert len(survey.scans["L1"]) == POINT_COUNT
 
 
-# -- steps of the times ---------------------------------------------------------------------------
+# -- resolution of the times ----------------------------------------------------------------------
 
 
 @every_format
@@ -110,10 +110,8 @@ def test_rounded_times_are_reported_with_their_effect(folder: Path, name: str, s
 
 
 @pytest.mark.parametrize("step", [0.01, 1.0])
-def test_times_of_few_points_seen_once_a_turn_have_the_step_of_their_grid(
-    folder: Path, step: float
-) -> None:
-    """A board is crossed for 2 ms of each turn of 53 ms."""
+def test_the_time_resolution_of_points_in_short_bursts(folder: Path, step: float) -> None:
+    """A board is scanned for 2 ms in each turn of 53 ms."""
     turns = START + 2 + 0.053 * np.arange(180)
     times = (turns[:, None] + np.linspace(0, 0.002, 20)).ravel()
     rounded = np.round(times / step) * step
@@ -121,7 +119,7 @@ def test_times_of_few_points_seen_once_a_turn_have_the_step_of_their_grid(
     assert by_code(survey)["audit.time_resolution"].params["step"] == pytest.approx(step)
 
 
-def test_multiple_returns_and_lasers_that_fire_at_once_are_no_coarse_times(folder: Path) -> None:
+def test_simultaneous_returns_and_lasers_are_not_reported_as_coarse_times(folder: Path) -> None:
     shots = np.repeat(START + np.arange(2, 12, 0.002), 2)
     returns = np.tile([1, 2], len(shots) // 2)
     path = las(
@@ -134,27 +132,27 @@ def test_multiple_returns_and_lasers_that_fire_at_once_are_no_coarse_times(folde
     assert opened(folder, path, fast).messages == ()
 
 
-# -- copies ---------------------------------------------------------------------------------------
+# -- duplicate points and lines -------------------------------------------------------------------
 
 
 @every_format
 @pytest.mark.parametrize("how", ["each twice", "appended", "packet again"])
-def test_copies_are_excluded_and_counted(folder: Path, name: str, how: str) -> None:
+def test_duplicate_points_are_excluded_and_counted(folder: Path, name: str, how: str) -> None:
     order = {
-        "each twice": np.repeat(np.arange(COUNT), 2),
-        "appended": np.tile(np.arange(COUNT), 2),
-        "packet again": np.concatenate([np.arange(2000), np.arange(1500, COUNT)]),
+        "each twice": np.repeat(np.arange(POINT_COUNT), 2),
+        "appended": np.tile(np.arange(POINT_COUNT), 2),
+        "packet again": np.concatenate([np.arange(2000), np.arange(1500, POINT_COUNT)]),
     }[how]
-    points = fan(COUNT)
+    points = fan(POINT_COUNT)
     survey = opened(folder, WRITERS[name](folder / name, TIMES[order], points[order]))
-    assert by_code(survey)["audit.duplicates"].params["count"] == len(order) - COUNT
-    points_lidar, times = survey.scans["L1"].take(np.arange(COUNT))
+    assert by_code(survey)["audit.duplicates"].params["count"] == len(order) - POINT_COUNT
+    points_lidar, times = survey.scans["L1"].take(np.arange(POINT_COUNT))
     np.testing.assert_allclose(times, TIMES, atol=1e-6)
     np.testing.assert_allclose(points_lidar, points, atol=1e-4)
 
 
-def test_copies_far_apart_are_excluded_from_a_line_of_any_length(folder: Path) -> None:
-    """More points between a point and its copy than the table of recent points holds."""
+def test_distant_duplicates_are_excluded(folder: Path) -> None:
+    """A duplicate follows after more points than the table of recent points holds."""
     count = 200_000
     times = START + np.linspace(2, 12, count)
     points = fan(count) + np.arange(count)[:, None] * 1e-4
@@ -168,18 +166,18 @@ def test_copies_far_apart_are_excluded_from_a_line_of_any_length(folder: Path) -
 
 
 def stored_survey(folder: Path) -> Survey:
-    """The survey of the project with its lines imported into the store."""
+    """Import the lines of the project and return its survey."""
     project = open_project(folder.parent / "project")
     import_lines(project)
     return load_survey(project)
 
 
 def test_lines_with_points_in_common_are_named(folder: Path) -> None:
-    points = fan(COUNT)
+    points = fan(POINT_COUNT)
     one = las(folder / "one.laz", TIMES, points)
-    copy = text(folder / "copy.csv", TIMES[: COUNT // 2], points[: COUNT // 2])
+    copy = text(folder / "copy.csv", TIMES[: POINT_COUNT // 2], points[: POINT_COUNT // 2])
     same = las(folder / "same.laz", TIMES, points)
-    half = las(folder / "half.laz", TIMES[: COUNT // 3], points[: COUNT // 3])
+    half = las(folder / "half.laz", TIMES[: POINT_COUNT // 3], points[: POINT_COUNT // 3])
     survey = opened(folder, one, same, half)
     found = [each.params for each in survey.messages if each.code == "audit.shared_points"]
     pairs = {frozenset((str(each["line"]), str(each["other"]))) for each in found}
@@ -192,9 +190,9 @@ def test_lines_with_points_in_common_are_named(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["copy.laz", "copy.csv", "copy.ply"])
-def test_lines_of_the_same_time_are_named(folder: Path, name: str) -> None:
-    """A copy with rounded coordinates, or another scanner; the next line is neither."""
-    points = fan(COUNT)
+def test_lines_that_overlap_in_time_are_named(folder: Path, name: str) -> None:
+    """A line with rounded coordinates overlaps in time; a later line does not."""
+    points = fan(POINT_COUNT)
     one = las(folder / "one.laz", TIMES, points)
     copy = WRITERS[f"L1{Path(name).suffix}"](
         folder / name, TIMES[1000:] + 1e-6, np.round(points[1000:], 2)
@@ -208,13 +206,13 @@ def test_lines_of_the_same_time_are_named(folder: Path, name: str) -> None:
     assert stored_survey(folder).messages == survey.messages
 
 
-def test_a_file_that_is_split_by_its_scanners_has_lines_of_the_same_time(folder: Path) -> None:
-    values = (np.arange(COUNT) % 2).astype(np.uint8)
-    path = las(folder / "L1.laz", TIMES, fan(COUNT), point_source_id=values)
+def test_lines_split_by_scanner_overlap_in_time(folder: Path) -> None:
+    values = (np.arange(POINT_COUNT) % 2).astype(np.uint8)
+    path = las(folder / "L1.laz", TIMES, fan(POINT_COUNT), point_source_id=values)
     assert "audit.same_time" in by_code(split(folder, path, "point_source_id"))
 
 
-def test_the_share_of_common_points_is_estimated_well() -> None:
+def test_the_estimated_fraction_of_shared_points_is_accurate() -> None:
     rng = np.random.default_rng(3)
     points = rng.normal(size=(300_000, 3))
     times = np.sort(rng.uniform(0, 100, len(points)))
@@ -233,14 +231,12 @@ def test_the_share_of_common_points_is_estimated_well() -> None:
 
 
 @every_format
-def test_points_without_range_not_numbers_and_absurd_ones_are_excluded(
-    folder: Path, name: str
-) -> None:
-    points = fan(COUNT)
+def test_points_without_range_not_finite_or_too_far_are_excluded(folder: Path, name: str) -> None:
+    points = fan(POINT_COUNT)
     points[::7] = 0.0
-    points[3] = [0.0, 2e5, 0.0]  # does not make a map of it
+    points[3] = [0.0, 2e5, 0.0]  # one such point does not make the frame georeferenced
     expected = {"no_range": len(points[::7]), "too_far": 1}
-    if name != "L1.laz":  # LAS has no such coordinates
+    if name != "L1.laz":  # LAS cannot store such coordinates
         points[5, 1], points[6, 2] = np.nan, np.inf
         expected["not_finite"] = 2
     survey = opened(folder, WRITERS[name](folder / name, TIMES, points))
@@ -249,16 +245,16 @@ def test_points_without_range_not_numbers_and_absurd_ones_are_excluded(
     for code, count in expected.items():
         assert found[f"audit.{code}"].params["count"] == count
         assert found[f"audit.{code}"].level is Level.NOTE
-    assert len(survey.scans["L1"]) == COUNT - sum(expected.values())
+    assert len(survey.scans["L1"]) == POINT_COUNT - sum(expected.values())
 
 
 @every_format
 @pytest.mark.parametrize("value", [-9999.0, -999.0, 655.35])
-def test_one_value_in_place_of_coordinates_is_no_point(
+def test_points_with_one_value_for_all_coordinates_are_excluded(
     folder: Path, name: str, value: float
 ) -> None:
-    """Seven in a hundred: more than a few absurd points, and no map."""
-    points = fan(COUNT)
+    """Seven per cent of the points; the frame of the file remains that of the scanner."""
+    points = fan(POINT_COUNT)
     points[::14] = value
     path = WRITERS[name](folder / name, TIMES, points)
     (check, *_) = check_file(path)
@@ -271,8 +267,8 @@ def test_one_value_in_place_of_coordinates_is_no_point(
     assert found["audit.no_range"].params["count"] == len(points[::14])
 
 
-def test_one_absurd_point_on_the_map_spoils_no_line(folder: Path) -> None:
-    survey = opened(folder, las(folder / "L1.laz", TIMES, fan(COUNT)))
+def test_distant_points_on_the_map_are_excluded(folder: Path) -> None:
+    survey = opened(folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT)))
     project = open_project(folder.parent / "project")
     (written,) = georeference_project(project, folder / "out", "prior", system="EPSG:32618")
     cloud = laspy.read(written.path)
@@ -284,22 +280,22 @@ def test_one_absurd_point_on_the_map_spoils_no_line(folder: Path) -> None:
     again.folder.mkdir()
     read = load_survey(again)
     assert by_code(read)["audit.too_far"].params["count"] == 3
-    assert len(read.scans["map"]) == COUNT - 3
-    points, _ = read.scans["map"].take(np.arange(COUNT - 3))
-    raw, _ = survey.scans["L1"].take(np.setdiff1d(np.arange(COUNT), [7, 8, 9]))
+    assert len(read.scans["map"]) == POINT_COUNT - 3
+    points, _ = read.scans["map"].take(np.arange(POINT_COUNT - 3))
+    raw, _ = survey.scans["L1"].take(np.setdiff1d(np.arange(POINT_COUNT), [7, 8, 9]))
     np.testing.assert_allclose(points, raw, atol=3e-4)
     (back,) = georeference_project(again, folder / "back", "prior", system="EPSG:32618")
-    assert (back.points, back.excluded) == (COUNT - 3, 3)
+    assert (back.points, back.excluded) == (POINT_COUNT - 3, 3)
 
 
-def test_a_range_offset_does_no_harm_to_points_without_range(folder: Path) -> None:
-    points = fan(COUNT)
+def test_points_without_range_are_excluded_with_a_range_offset(folder: Path) -> None:
+    points = fan(POINT_COUNT)
     points[::10] = 0.0
     opened(folder, las(folder / "L1.laz", TIMES, points))
     project = open_project(folder.parent / "project")
     project = project.with_settings(replace(project.settings, range_offset=0.03))
     (written,) = georeference_project(project, folder / "out", "prior", system="EPSG:32618")
-    assert written.points == COUNT - len(points[::10])
+    assert written.points == POINT_COUNT - len(points[::10])
     assert np.isfinite(laspy.read(written.path).xyz).all()
 
 
@@ -307,18 +303,18 @@ def test_a_range_offset_does_no_harm_to_points_without_range(folder: Path) -> No
 
 
 def test_withheld_points_are_excluded_unless_they_are_kept(folder: Path) -> None:
-    withheld = (np.arange(COUNT) % 5 == 0).astype(np.uint8)
-    path = las(folder / "L1.laz", TIMES, fan(COUNT), withheld=withheld)
+    withheld = (np.arange(POINT_COUNT) % 5 == 0).astype(np.uint8)
+    path = las(folder / "L1.laz", TIMES, fan(POINT_COUNT), withheld=withheld)
     survey = opened(folder, path)
     assert by_code(survey)["audit.withheld"].params["count"] == withheld.sum()
-    assert len(survey.scans["L1"]) == COUNT - withheld.sum()
+    assert len(survey.scans["L1"]) == POINT_COUNT - withheld.sum()
     kept = load_survey(with_options(folder, ("withheld", "keep")))
     assert kept.messages == ()
-    assert len(kept.scans["L1"]) == COUNT
+    assert len(kept.scans["L1"]) == POINT_COUNT
 
 
 def with_options(folder: Path, *options: tuple[str, str]) -> Project:
-    """The project with options for its first line."""
+    """Return the project with options for its first line."""
     project = open_project(folder.parent / "project")
     first = project.lines[0]
     format = first.reading.format or "las"
@@ -327,9 +323,9 @@ def with_options(folder: Path, *options: tuple[str, str]) -> Project:
 
 
 def test_noise_classes_are_a_warning_and_can_be_excluded(folder: Path) -> None:
-    classes = np.where(np.arange(COUNT) % 100 == 0, 7, 2).astype(np.uint8)
+    classes = np.where(np.arange(POINT_COUNT) % 100 == 0, 7, 2).astype(np.uint8)
     classes[:10] = 18
-    survey = opened(folder, las(folder / "L1.laz", TIMES, fan(COUNT), classification=classes))
+    survey = opened(folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT), classification=classes))
     message = by_code(survey)["audit.noise_classes"]
     noise = np.isin(classes, (7, 18))
     assert message.level is Level.WARNING
@@ -338,20 +334,20 @@ def test_noise_classes_are_a_warning_and_can_be_excluded(folder: Path) -> None:
     option = (action.params["name"], action.params["value"])
     excluded = load_survey(with_options(folder, option))
     assert by_code(excluded)["audit.of_classes"].params["count"] == noise.sum()
-    assert len(excluded.scans["L1"]) == COUNT - noise.sum()
+    assert len(excluded.scans["L1"]) == POINT_COUNT - noise.sum()
 
 
 @every_format
-def test_a_selection_by_attribute_or_time_is_used(folder: Path, name: str) -> None:
-    ring = (np.arange(COUNT) % 4).astype(np.uint8)
+def test_points_are_selected_by_attribute_and_time(folder: Path, name: str) -> None:
+    ring = (np.arange(POINT_COUNT) % 4).astype(np.uint8)
     key = "user_data" if name == "L1.laz" else "ring"
-    path = WRITERS[name](folder / name, TIMES, fan(COUNT), **{key: ring})
+    path = WRITERS[name](folder / name, TIMES, fan(POINT_COUNT), **{key: ring})
     middle = START + 7
     only = f"{key}=1:2 time={middle!r}:1e9"
     survey = opened(folder, path, options=(("only", only),))
     chosen = np.isin(ring, (1, 2)) & (middle <= TIMES)
     assert len(survey.scans["L1"]) == chosen.sum()
-    assert by_code(survey)["audit.not_selected"].params["count"] == COUNT - chosen.sum()
+    assert by_code(survey)["audit.not_selected"].params["count"] == POINT_COUNT - chosen.sum()
 
 
 # -- several scanners or passes -------------------------------------------------------------------
@@ -370,23 +366,28 @@ def test_a_selection_by_attribute_or_time_is_used(folder: Path, name: str) -> No
 def test_several_scanners_in_one_file_are_named(
     folder: Path, name: str, attribute: str, code: str
 ) -> None:
-    values = (np.arange(COUNT) % 2).astype(np.uint8)
-    survey = opened(folder, WRITERS[name](folder / name, TIMES, fan(COUNT), **{attribute: values}))
+    values = (np.arange(POINT_COUNT) % 2).astype(np.uint8)
+    survey = opened(
+        folder, WRITERS[name](folder / name, TIMES, fan(POINT_COUNT), **{attribute: values})
+    )
     message = by_code(survey)[f"audit.{code}"]
     assert message.params["attribute"] == attribute
     assert message.params["values"] == ("0", "1")
     assert message.level is Level.WARNING
 
 
-def test_rings_of_one_scanner_are_not_several_scanners(folder: Path) -> None:
-    rings = (np.arange(COUNT) % 32).astype(np.uint8)
-    assert opened(folder, las(folder / "L1.laz", TIMES, fan(COUNT), user_data=rings)).messages == ()
+def test_rings_are_not_reported_as_several_scanners(folder: Path) -> None:
+    rings = (np.arange(POINT_COUNT) % 32).astype(np.uint8)
+    assert (
+        opened(folder, las(folder / "L1.laz", TIMES, fan(POINT_COUNT), user_data=rings)).messages
+        == ()
+    )
 
 
 def test_imported_lines_have_the_same_messages(folder: Path) -> None:
-    points = fan(COUNT)
+    points = fan(POINT_COUNT)
     points[::7] = 0.0
-    channel = (np.arange(COUNT) % 2).astype(np.uint8)
+    channel = (np.arange(POINT_COUNT) % 2).astype(np.uint8)
     path = las(
         folder / "L1.laz", np.round(TIMES, 1), points, scanner_channel=channel, user_data=channel
     )
@@ -409,7 +410,7 @@ def test_imported_lines_have_the_same_messages(folder: Path) -> None:
 )
 def test_a_file_is_split_into_lines_by_an_attribute(folder: Path, name: str, by: str) -> None:
     values = np.where(TIMES < START + 7, 1, 2).astype(np.uint8)
-    path = WRITERS[name](folder / name, TIMES, fan(COUNT), **{by: values})
+    path = WRITERS[name](folder / name, TIMES, fan(POINT_COUNT), **{by: values})
     survey = split(folder, path, by)
     assert survey.lines == ("L1_1", "L1_2")
     assert [len(survey.scans[line]) for line in survey.lines] == [
@@ -441,10 +442,10 @@ def test_a_file_is_split_into_lines_at_pauses(folder: Path, name: str) -> None:
 
 @pytest.mark.parametrize("period", [3600.0, 86_400.0, 604_800.0])
 @pytest.mark.parametrize(("pause", "passes"), [(0.0, 0), (200.0, 2)])
-def test_a_rollover_of_the_times_is_no_pause(
+def test_a_time_rollover_is_not_a_pause(
     folder: Path, period: float, pause: float, passes: int
 ) -> None:
-    """A pause that is there besides is counted all the same."""
+    """A pause after the rollover is detected."""
     before, after = np.linspace(-30, -0.01, 1500), np.linspace(0.01, 20, 1000)
     later = after[-1] + pause + np.linspace(0.02, 15, 500)
     times = np.mod(np.concatenate([before, after, later]), period)
@@ -454,7 +455,7 @@ def test_a_rollover_of_the_times_is_no_pause(
     assert counts == [passes] * bool(passes)
 
 
-def test_lines_with_a_turn_between_them_are_named(folder: Path) -> None:
+def test_several_passes_with_a_turn_between_them_are_reported(folder: Path) -> None:
     records = np.fromfile(folder / "pos.sbet").reshape(-1, 17)
     turned = records[:, 0] > START + 15
     records[turned, 9] += np.pi * np.minimum(1, (records[turned, 0] - START - 15) / 3)
@@ -466,10 +467,10 @@ def test_lines_with_a_turn_between_them_are_named(folder: Path) -> None:
 
 @pytest.mark.parametrize("states_between", [True, False])
 @pytest.mark.parametrize(("way", "passes"), [("on", 0), ("round", 2), ("back to the start", 2)])
-def test_a_long_pause_is_another_pass_where_the_vessel_did_not_go_on(
+def test_a_long_pause_ends_a_pass_if_the_vessel_turned_or_went_back(
     states_between: bool, way: str, passes: int
 ) -> None:
-    """As where a line is cut to objects; with a trajectory all along, or at the points alone."""
+    """With trajectory states during the pause, or without them."""
     time = np.arange(0.0, 120.0, 0.05)
     north, heading = 2.0 * time, np.zeros(len(time))
     if way == "round":

@@ -1,4 +1,4 @@
-"""Differences between lines on what is flat: a shift put in comes out, along the normal."""
+"""Tests of the differences between lines on flat surfaces."""
 
 import csv
 from dataclasses import replace
@@ -22,7 +22,7 @@ VESSEL = np.array([0.0, 0.0, 3.0])
 
 
 def scene(rng: np.random.Generator, shift: np.ndarray) -> np.ndarray:
-    """A wall 20 m north of the vessel, the ground before it and a ramp, with 3 mm of noise."""
+    """Return points of a wall 20 m to the north, the ground and a ramp, with 3 mm of noise."""
     west, up = rng.uniform(-10, 10, 60_000), rng.uniform(0, 8, 60_000)
     wall = np.stack([np.full_like(west, 20.0), west, up], axis=1)
     ground = np.stack([rng.uniform(12, 20, 60_000), west, np.zeros_like(west)], axis=1)
@@ -32,13 +32,13 @@ def scene(rng: np.random.Generator, shift: np.ndarray) -> np.ndarray:
     return everything + shift + rng.normal(0.0, 0.003, everything.shape)
 
 
-def test_a_shift_is_seen_along_each_normal() -> None:
+def test_a_shift_is_measured_along_each_normal() -> None:
     rng = np.random.default_rng(5)
     still, moved = scene(rng, np.zeros(3)), scene(rng, np.array([-0.05, 0.0, 0.03]))
     found = compare_lines(("L1", still), ("L2", moved), VESSEL, noise=0.003, reach=0.5)
     wall, ground, ramp = (found.facing(way) for way in ("upright", "level", "sloped"))
     assert len(wall.distance) + len(ground.distance) + len(ramp.distance) == len(found.distance)
-    # Nearer to the vessel: 5 cm to the south, and 3 cm up.
+    # Towards the vessel: 5 cm to the south, and 3 cm up.
     assert np.median(wall.distance) == pytest.approx(0.05, abs=5e-4)
     assert np.median(ground.distance) == pytest.approx(0.03, abs=5e-4)
     normal = np.array([-0.5, 0.0, 1.0]) / np.hypot(0.5, 1.0)  # the ramp rises to the north
@@ -52,7 +52,7 @@ def test_a_shift_is_seen_along_each_normal() -> None:
     assert 0.02 < figures.significant < 0.10, "95 % intervals, where nothing differs"
 
 
-def test_the_figures_are_those_of_the_differences() -> None:
+def test_statistics_of_given_differences() -> None:
     distance = np.array([-0.01, 0.0, 0.01, 0.02, 0.08])
     found = DifferenceStatistics.of(distance, np.full(5, 0.015))
     assert found.places == 5
@@ -63,15 +63,17 @@ def test_the_figures_are_those_of_the_differences() -> None:
     assert found.p95 == pytest.approx(np.percentile(np.abs(distance), 95))
 
 
-def test_the_demo_before_and_after(calibrated: tuple[Project, Survey]) -> None:
-    """What the calibration mends is seen, and what the trajectory leaves too."""
+def test_differences_of_the_demo_before_and_after_the_calibration(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    """The calibration reduces the differences to the POS errors of the simulation."""
     project, survey = calibrated
     survey = replace(survey, clouds=dict(list(survey.clouds.items())[:2]))
     found = line_quality(project, survey)
     assert len(found.pairs) == 1
     again = line_quality(project, survey, which="estimated")
-    before, after = (each.figures_of_pair(each.pairs[0]) for each in (found, again))
-    together = found.pooled_figures()
+    before, after = (each.statistics_of_pair(each.pairs[0]) for each in (found, again))
+    together = found.pooled_statistics()
     assert together is not None
     assert together.median is None, "which line comes second says nothing of several pairs"
     assert before is not None
@@ -81,7 +83,7 @@ def test_the_demo_before_and_after(calibrated: tuple[Project, Survey]) -> None:
     assert after.robust_sigma < 0.005, "nothing is bent"
 
 
-def test_lines_that_share_nothing_are_reported() -> None:
+def test_lines_without_common_or_flat_places_are_refused() -> None:
     rng = np.random.default_rng(6)
     one = scene(rng, np.zeros(3))
     with pytest.raises(
@@ -94,7 +96,7 @@ def test_lines_that_share_nothing_are_reported() -> None:
         compare_lines(("A", rubble), ("B", rubble), VESSEL, noise=0.003, reach=0.5)
 
 
-def test_the_command_prints_draws_and_lists(
+def test_the_quality_command_writes_map_and_table(
     capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
 ) -> None:
     project = replace(
@@ -125,7 +127,9 @@ def test_the_command_prints_draws_and_lists(
     assert refusal.code == "check.search_distance"
 
 
-def test_what_is_not_there_is_refused(calibrated: tuple[Project, Survey]) -> None:
+def test_a_zero_distance_and_a_missing_result_are_refused(
+    calibrated: tuple[Project, Survey],
+) -> None:
     project, survey = calibrated
     with pytest.raises(InputError) as raised:
         line_quality(project, survey, reach=0.0)
@@ -135,7 +139,7 @@ def test_what_is_not_there_is_refused(calibrated: tuple[Project, Survey]) -> Non
         line_quality(bare, survey, which="estimated")
 
 
-def test_of_one_pair_no_joint_test_is_reported() -> None:
+def test_one_pair_has_no_row_for_all_pairs() -> None:
     project, survey = picked()
     found = line_quality(project, survey, reach=0.5)
     assert {(one, other) for one, other, _, _ in found.rows()} >= {("L1", "L2"), ("all", "all")}
@@ -144,7 +148,7 @@ def test_of_one_pair_no_joint_test_is_reported() -> None:
     assert {(one, other) for one, other, _, _ in pair.rows()} == {("L1", "L2")}
 
 
-def test_lines_that_are_nowhere_near_each_other_are_refused() -> None:
+def test_a_single_line_is_refused() -> None:
     project, survey = picked()
     alone = replace(survey, clouds={"L1": survey.clouds["L1"]})
     with pytest.raises(NotComparable) as caught:

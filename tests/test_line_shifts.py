@@ -1,9 +1,9 @@
-"""Lines whose position is shifted as a whole."""
+"""Tests of the detection of lines whose position is shifted as a whole."""
 
 import numpy as np
 import pytest
 
-from lispac.adjustment.diagnostics.line_shifts import AXES, LineShiftScores
+from lispac.adjustment.diagnostics.line_shifts import AXIS_COUNT, LineShiftScores
 from lispac.adjustment.diagnostics.solved_equations import SolvedEquations
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.stochastic_model import StochasticModel
@@ -14,16 +14,16 @@ from lispac.workflow.project.survey import load_survey
 from tests.test_robustness import PRIOR, survey
 from tests.test_targetless import few_surfaces
 
-SIGMAS = 6.0
-"""A shift, over the prior's sigma of it."""
+SHIFT = 6.0
+"""Shift of a line in units of its prior sigma."""
 
 
 def seen(*shifts: float) -> LineShiftScores:
-    """Lines seen against each other without noise, shifted northwards by so many sigmas."""
+    """Return noise-free scores of lines shifted northwards by these multiples of the sigma."""
     count = len(shifts)
-    differences = np.kron(np.eye(count) - 1.0 / count, np.eye(AXES))
-    off = np.zeros(count * AXES)
-    off[::AXES] = shifts
+    differences = np.kron(np.eye(count) - 1.0 / count, np.eye(AXIS_COUNT))
+    off = np.zeros(count * AXIS_COUNT)
+    off[::AXIS_COUNT] = shifts
     return LineShiftScores(tuple("ABCDEF"[:count]), differences @ off, differences)
 
 
@@ -31,29 +31,27 @@ def seen(*shifts: float) -> LineShiftScores:
     ("shifts", "named"),
     [
         ((1.0, -1.0, 0.5, -0.5, 1.2, -1.2), ""),
-        ((SIGMAS, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
-        ((SIGMAS, 0.0, 0.0, -SIGMAS, 0.0, 0.0), "AD"),
-        # It has pushed the others by four sigmas each, which is none of their doing
-        ((4 * SIGMAS, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
-        # As many against as for it: the rest is not called wrong, too
+        ((SHIFT, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
+        ((SHIFT, 0.0, 0.0, -SHIFT, 0.0, 0.0), "AD"),
+        # The shift moves the other lines by four sigmas each; they must not be named.
+        ((4 * SHIFT, 0.0, 0.0, 0.0, 0.0, 0.0), "A"),
+        # As many lines disagree as agree: only the largest shifts are named.
         ((9.0, -9.0, 9.0, -9.0, 20.0, -20.0), "EF"),
-        ((SIGMAS, 0.0, 0.0), "A"),
-        ((SIGMAS, 0.0), "AB"),
+        ((SHIFT, 0.0, 0.0), "A"),
+        ((SHIFT, 0.0), "AB"),
         ((0.0, 0.0), ""),
     ],
 )
-def test_who_is_shifted_is_named_and_nobody_that_it_pushed(
-    shifts: tuple[float, ...], named: str
-) -> None:
+def test_only_shifted_lines_are_named(shifts: tuple[float, ...], named: str) -> None:
     assert "".join(seen(*shifts).shifted_lines()) == named
 
 
-def test_what_is_given_adds_no_message() -> None:
-    after = seen(SIGMAS, 1.0, 0.0, 0.0).without_line_shift(0)
-    np.testing.assert_allclose(after.score[:AXES], 0.0, atol=1e-12)
-    np.testing.assert_allclose(after.variance[:AXES], 0.0, atol=1e-12)
-    # As if there were three lines: with the mean of the three taken off
-    np.testing.assert_allclose(after.score[AXES::AXES], np.array([2.0, -1.0, -1.0]) / 3)
+def test_the_scores_without_a_line_are_those_of_the_other_lines() -> None:
+    after = seen(SHIFT, 1.0, 0.0, 0.0).without_line_shift(0)
+    np.testing.assert_allclose(after.score[:AXIS_COUNT], 0.0, atol=1e-12)
+    np.testing.assert_allclose(after.variance[:AXIS_COUNT], 0.0, atol=1e-12)
+    # The scores of the three other lines, relative to their mean.
+    np.testing.assert_allclose(after.score[AXIS_COUNT::AXIS_COUNT], np.array([2.0, -1.0, -1.0]) / 3)
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +62,7 @@ def here(sparse_project: Project, tmp_path_factory: pytest.TempPathFactory) -> L
     observations = observations_of(found, survey, mounting=found.mounting("estimated"))
     solved = SolvedEquations.of(adjust(observations, prior, model), observations, prior)
     assert solved is not None
-    return solved.here
+    return solved.linearised
 
 
 def test_scores_are_those_of_dense_matrices(here: LinearisedProblem) -> None:
@@ -77,7 +75,7 @@ def test_scores_of_a_few_boards_are_those_of_dense_matrices() -> None:
         adjust(data, PRIOR, StochasticModel(), diagnostics=False), data, PRIOR
     )
     assert solved is not None
-    _compare_with_dense_matrices(solved.here)
+    _compare_with_dense_matrices(solved.linearised)
 
 
 def _compare_with_dense_matrices(here: LinearisedProblem) -> None:
@@ -100,7 +98,7 @@ def _compare_with_dense_matrices(here: LinearisedProblem) -> None:
     shifts = []
     for line in scores.lines:
         first = knots.left[lines == line]
-        for axis in range(AXES):
+        for axis in range(AXIS_COUNT):
             shift = np.zeros((len(knots.time), 6))
             shift[np.union1d(first, first + 1), axis] = 1.0
             shifts.append(shift.reshape(-1))
@@ -108,11 +106,11 @@ def _compare_with_dense_matrices(here: LinearisedProblem) -> None:
     prior = moved.T @ weights @ moved
     root = np.sqrt(np.diag(prior))
     variance = (prior - moved.T @ weights @ after @ weights @ moved) / np.outer(root, root)
-    score = moved.T @ weights @ here.state.effects.reshape(-1) / root
+    score = moved.T @ weights @ here.state.pos_errors.reshape(-1) / root
     np.testing.assert_allclose(scores.variance, variance, rtol=0, atol=1e-7)
     np.testing.assert_allclose(scores.score, score, rtol=0, atol=1e-7)
     for k in range(len(scores.lines)):
-        own = slice(AXES * k, AXES * (k + 1))
+        own = slice(AXIS_COUNT * k, AXIS_COUNT * (k + 1))
         shares = np.linalg.eigvalsh(variance[own, own])
-        assert (shares > -1e-9).all()  # a direction that no surface faces is not told
+        assert (shares > -1e-9).all()  # zero for a direction that no surface faces
         assert (shares < 1).all()

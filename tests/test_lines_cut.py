@@ -1,4 +1,4 @@
-"""Lines that hold fewer points than they say, or say too little, and the times of such lines."""
+"""Tests of files that are cut or incomplete, and of the times of such lines."""
 
 import os
 import struct
@@ -27,12 +27,12 @@ from tests.error_codes import has_code
 LAS = format_of("las")
 
 
-def written(path: Path, count: int, about: Sequence[float] = (0, 0, 0)) -> tuple[Path, int, int]:
-    """A LAS file of points about a place, its first byte of points, and the bytes of each."""
+def written(path: Path, count: int, centre: Sequence[float] = (0, 0, 0)) -> tuple[Path, int, int]:
+    """Write points around a centre; return path, offset of the points and bytes of a point."""
     header = laspy.LasHeader(point_format=6, version="1.4")
-    header.scales, header.offsets = np.full(3, 1e-4), np.array(about)
+    header.scales, header.offsets = np.full(3, 1e-4), np.array(centre)
     data = laspy.LasData(header)
-    xyz = np.random.default_rng(0).normal(0, 10, (count, 3)) + about
+    xyz = np.random.default_rng(0).normal(0, 10, (count, 3)) + centre
     data.x, data.y, data.z = xyz.T
     data.gps_time = np.linspace(400_000, 400_100, count)
     data.write(path)
@@ -41,11 +41,11 @@ def written(path: Path, count: int, about: Sequence[float] = (0, 0, 0)) -> tuple
 
 
 @pytest.mark.parametrize("kept", [10_000, 10_500])
-def test_a_file_cut_between_two_points_while_it_is_read(
+def test_a_file_cut_between_two_points_while_read_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kept: int
 ) -> None:
-    """What is left is sound by itself; only the count tells."""
-    monkeypatch.setattr("lispac.io.las.las_chunks.CHUNK", 1000)
+    """The remaining points are valid; only the count shows the cut."""
+    monkeypatch.setattr("lispac.io.las.las_chunks.POINTS_PER_CHUNK", 1000)
     path, start, size = written(tmp_path / "a.las", 20_000)
     chunks = LAS.read(path, {})
     next(chunks)
@@ -58,7 +58,7 @@ def test_a_file_cut_between_two_points_while_it_is_read(
 
 
 @pytest.mark.parametrize("kept", [150, 100])
-def test_a_file_cut_after_its_header_was_checked(
+def test_a_file_cut_after_the_header_check_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kept: int
 ) -> None:
     path, start, size = written(tmp_path / "a.las", 200)
@@ -69,7 +69,7 @@ def test_a_file_cut_after_its_header_was_checked(
         return counts
 
     monkeypatch.setattr(las_chunks, "require_sound_header", checked_and_cut)
-    monkeypatch.setattr(las_chunks, "CHUNK", 100)
+    monkeypatch.setattr(las_chunks, "POINTS_PER_CHUNK", 100)
     with pytest.raises(InputError) as refused:
         las.read_scan(path)
     assert refused.value.message == error(
@@ -77,8 +77,8 @@ def test_a_file_cut_after_its_header_was_checked(
     )
 
 
-def test_laz_that_was_written_to_a_stream(tmp_path: Path) -> None:
-    """Its writer could not go back, so where the table of chunks lies stands at the very end."""
+def test_streamed_laz_is_read(tmp_path: Path) -> None:
+    """The offset of the chunk table is at the end of the file."""
     path = files.las(tmp_path / "a.laz")
     content = bytearray(path.read_bytes())
     (start,) = struct.unpack_from("<I", content, 96)
@@ -93,8 +93,8 @@ def test_laz_that_was_written_to_a_stream(tmp_path: Path) -> None:
     assert refused.value.code == "las.header"
 
 
-def test_points_too_far_from_the_others_to_be_stored(tmp_path: Path) -> None:
-    """LAS counts steps of its resolution in 32 bits from one place."""
+def test_points_outside_the_range_of_las_are_refused(tmp_path: Path) -> None:
+    """LAS stores coordinates as 32-bit multiples of the resolution."""
     path = tmp_path / "a.las"
     points, time = np.zeros((2, 3)), np.arange(2.0)
     pattern = layout_of_columns(PointChunk(points, time, {}))
@@ -110,8 +110,10 @@ def test_points_too_far_from_the_others_to_be_stored(tmp_path: Path) -> None:
     assert refused.value.message == error("las.too_far", file="a.las", limit=round(reach))
 
 
-def test_text_that_ends_where_a_block_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(point_records, "LARGEST", 32)  # one point of four numbers
+def test_missing_points_at_the_end_of_a_block_are_reported(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(point_records, "BYTES_PER_READ", 32)  # one point of four numbers
     path = tmp_path / "a.ply"
     fields = "".join(f"property double {name}\n" for name in ("x", "y", "z", "time"))
     path.write_text(
@@ -122,10 +124,10 @@ def test_text_that_ends_where_a_block_does(tmp_path: Path, monkeypatch: pytest.M
     assert refused.value.message == error("file.points_missing", file=str(path), header=2, held=1)
 
 
-def test_a_record_of_cidco_that_does_not_hold_together(tmp_path: Path) -> None:
+def test_an_inconsistent_cidco_record_is_refused(tmp_path: Path) -> None:
     path = files.cidco(tmp_path / "line")
     rows = np.fromfile(path).reshape(-1, 22)
-    rows[6, 0] += 500  # a point that the scanner would see from half a kilometre off
+    rows[6, 0] += 500  # the local point is 500 m off the one of the scanner
     rows.tofile(path)
     with pytest.raises(InputError) as refused:
         list(format_of("cidco").read(path, {}))
@@ -136,10 +138,10 @@ def test_a_record_of_cidco_that_does_not_hold_together(tmp_path: Path) -> None:
 def test_times_of_a_line_on_the_map(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, most: int
 ) -> None:
-    """Read whole in chunks, or looked at here and there: places far off are no fault there."""
-    monkeypatch.setattr(line_times, "READ_WHOLE", most)
-    monkeypatch.setattr(line_times, "BLOCK", 30)
-    monkeypatch.setattr("lispac.io.las.las_chunks.CHUNK", 16)
+    """Distant points are an error in the scanner frame only, in whole and in sampled files."""
+    monkeypatch.setattr(line_times, "MAX_POINTS_READ_WHOLE", most)
+    monkeypatch.setattr(line_times, "POINTS_PER_BLOCK", 30)
+    monkeypatch.setattr("lispac.io.las.las_chunks.POINTS_PER_CHUNK", 16)
     path, _, _ = written(tmp_path / "a.las", 60, [350_000, 5e6, 0])
     found = line_times.read_line_times(path, LAS, {"frame": "georeferenced"})
     assert (found.start, found.end, found.count) == (400_000, 400_100, 60)
@@ -148,9 +150,11 @@ def test_times_of_a_line_on_the_map(
         line_times.read_line_times(path, LAS, {"frame": "scanner"})
 
 
-def test_a_long_line_without_a_usable_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(line_times, "READ_WHOLE", 10)
-    monkeypatch.setattr(line_times, "BLOCK", 30)
+def test_a_long_line_without_usable_times_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(line_times, "MAX_POINTS_READ_WHOLE", 10)
+    monkeypatch.setattr(line_times, "POINTS_PER_BLOCK", 30)
     path = files.las(tmp_path / "a.las")
     data = laspy.read(path)
     data.gps_time = np.full(files.COUNT, np.nan)
@@ -160,7 +164,7 @@ def test_a_long_line_without_a_usable_time(tmp_path: Path, monkeypatch: pytest.M
     assert refused.value.message == error("line.no_usable_time", file=str(path))
 
 
-def test_times_of_a_line_without_a_valid_point(tmp_path: Path) -> None:
+def test_a_line_without_valid_points_is_refused(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", invalid=True, none_valid_of=files.COUNT)
     with pytest.raises(InputError) as refused:
         line_times.read_line_times(path, format_of("e57"), {})

@@ -1,4 +1,4 @@
-"""Links inside a project folder: nothing is written or deleted behind them."""
+"""Tests that nothing is written or deleted through links inside a project folder."""
 
 import os
 from dataclasses import replace
@@ -9,20 +9,20 @@ import pytest
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.las.las_format import write_points
-from lispac.io.project.project_file import SIGHTINGS, read_project, write_project
+from lispac.io.project.project_file import SIGHTINGS_FOLDER, read_project, write_project
 from lispac.io.project.project_lock import LOCK_NAME
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import is_link
-from lispac.workflow.importing.line_import import LINES, import_lines, line_folder
-from lispac.workflow.planning.demo import MARKER, make_demo
-from lispac.workflow.project.project_copy import MARK, save_project_as
+from lispac.workflow.importing.line_import import LINES_FOLDER, import_lines, line_folder
+from lispac.workflow.planning.demo import MARKER_FILE, make_demo
+from lispac.workflow.project.project_copy import UNFINISHED_MARK, save_project_as
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.error_codes import has_code
 
 
 @pytest.fixture
 def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
-    """Saved with its targets, one imported line of few points."""
+    """Return a saved project with one line of few points, without targets."""
     source, survey = calibrated
     points, times = survey.scans[survey.lines[0]].take(np.arange(3000))
     path = tmp_path / "one.laz"
@@ -45,7 +45,7 @@ def contents(folder: Path) -> dict[str, bytes]:
 
 
 def linked(folder: Path, elsewhere: Path) -> dict[str, bytes]:
-    """Put a link to a folder with files of somebody else in the place of ``folder``."""
+    """Replace ``folder`` by a link to a folder with files of another owner."""
     elsewhere.mkdir()
     for name in ("T1-0123456789abcdef.npz", "other.npz", "store.json", "columns-1"):
         (elsewhere / name).write_bytes(b"not of this project")
@@ -60,11 +60,11 @@ def with_target(project: Project, calibrated: tuple[Project, Survey]) -> Project
     return replace(project, targets=(replace(target, sightings=sightings),))
 
 
-def test_a_linked_folder_of_points_is_left_alone(
+def test_a_linked_folder_of_sightings_is_not_changed(
     project: Project, calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
-    before = linked(project.folder / SIGHTINGS, tmp_path / "elsewhere")
-    write_project(project)  # nothing to write there, and nothing is deleted
+    before = linked(project.folder / SIGHTINGS_FOLDER, tmp_path / "elsewhere")
+    write_project(project)  # there are no sightings to write, and nothing is deleted
     assert contents(tmp_path / "elsewhere") == before
     saved = (project.folder / "project.json").read_bytes()
     with pytest.raises(ProjectError, match="link"):
@@ -73,11 +73,11 @@ def test_a_linked_folder_of_points_is_left_alone(
     assert (project.folder / "project.json").read_bytes() == saved
 
 
-def test_only_own_files_of_points_are_removed(
+def test_only_sightings_of_the_project_are_removed(
     project: Project, calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     write_project(with_target(project, calibrated))
-    folder = project.folder / SIGHTINGS
+    folder = project.folder / SIGHTINGS_FOLDER
     (own,) = folder.glob("T1-*.npz")
     outside = tmp_path / "outside.npz"
     outside.write_bytes(own.read_bytes())
@@ -94,9 +94,9 @@ def test_only_own_files_of_points_are_removed(
 
 
 @pytest.mark.parametrize("place", ["line", "lines"])
-def test_no_line_is_imported_behind_a_link(project: Project, tmp_path: Path, place: str) -> None:
+def test_no_line_is_imported_through_a_link(project: Project, tmp_path: Path, place: str) -> None:
     store = line_folder(project, project.lines[0])
-    folder = store if place == "line" else project.folder / LINES
+    folder = store if place == "line" else project.folder / LINES_FOLDER
     before = linked(folder, tmp_path / "elsewhere")
     with pytest.raises(ProjectError, match="link"):
         import_lines(project)
@@ -104,10 +104,10 @@ def test_no_line_is_imported_behind_a_link(project: Project, tmp_path: Path, pla
     assert is_link(folder)
 
 
-def test_a_simulation_writes_nothing_behind_a_link(tmp_path: Path) -> None:
+def test_a_simulation_writes_nothing_through_a_link(tmp_path: Path) -> None:
     folder, elsewhere = tmp_path / "demo", tmp_path / "elsewhere"
     elsewhere.mkdir()
-    (elsewhere / MARKER).write_text("an earlier demo, moved away")
+    (elsewhere / MARKER_FILE).write_text("an earlier demo, moved away")
     folder.mkdir()
     (folder / "raw").symlink_to(elsewhere, target_is_directory=True)
     before = contents(elsewhere)
@@ -116,7 +116,7 @@ def test_a_simulation_writes_nothing_behind_a_link(tmp_path: Path) -> None:
     assert contents(elsewhere) == before
 
 
-def test_reading_writes_nothing_behind_a_link(project: Project, tmp_path: Path) -> None:
+def test_reading_writes_nothing_through_a_link(project: Project, tmp_path: Path) -> None:
     import_lines(project)
     store = line_folder(project, project.lines[0])
     elsewhere = tmp_path / "elsewhere"
@@ -141,7 +141,9 @@ def test_an_import_removes_only_files_that_imports_write(project: Project) -> No
 
 
 @pytest.mark.parametrize("kind", ["link", "folder"])
-def test_a_lock_file_that_is_none_is_named(project: Project, tmp_path: Path, kind: str) -> None:
+def test_a_lock_that_is_a_link_or_folder_is_refused(
+    project: Project, tmp_path: Path, kind: str
+) -> None:
     lock = project.folder / LOCK_NAME
     if kind == "link":
         lock.symlink_to(tmp_path / "elsewhere")
@@ -166,7 +168,7 @@ def test_a_manifest_is_not_written_through_a_link(project: Project, tmp_path: Pa
     assert not victim.is_symlink()
 
 
-def test_no_columns_are_written_or_removed_behind_a_link(project: Project, tmp_path: Path) -> None:
+def test_no_columns_are_written_or_removed_through_a_link(project: Project, tmp_path: Path) -> None:
     store = line_folder(project, project.lines[0])
     elsewhere = tmp_path / "elsewhere"
     store.mkdir(parents=True)
@@ -177,7 +179,7 @@ def test_no_columns_are_written_or_removed_behind_a_link(project: Project, tmp_p
     assert contents(elsewhere) == before | {"xyz.npy": b"mine"}
 
 
-def test_an_import_leaves_files_of_the_user_among_columns(project: Project) -> None:
+def test_an_import_keeps_files_of_the_user_among_columns(project: Project) -> None:
     folder = line_folder(project, project.lines[0]) / "columns-1"
     folder.mkdir(parents=True)
     for name in ("mine.npy", "notes.txt"):
@@ -187,7 +189,7 @@ def test_an_import_leaves_files_of_the_user_among_columns(project: Project) -> N
     assert len(load_survey(project).scans["one"]) > 0
 
 
-def test_a_file_beside_columns_is_named_as_one_of_them(project: Project) -> None:
+def test_a_file_with_the_name_of_a_columns_folder_is_kept(project: Project) -> None:
     store = line_folder(project, project.lines[0])
     store.mkdir(parents=True)
     (store / "columns-1").write_bytes(b"mine")
@@ -198,23 +200,23 @@ def test_a_file_beside_columns_is_named_as_one_of_them(project: Project) -> None
 def test_a_failed_save_removes_only_what_the_program_wrote(
     project: Project, tmp_path: Path
 ) -> None:
-    store = tmp_path / "copy" / LINES / "old"
+    store = tmp_path / "copy" / LINES_FOLDER / "old"
     for name in ("columns-backup", "columns-3"):
         (store / name).mkdir(parents=True)
         (store / name / "mine.npy").write_bytes(b"mine")
     (store / "columns-3" / "xyz.npy").write_bytes(b"of a save that was killed")
-    (store / MARK).touch()
+    (store / UNFINISHED_MARK).touch()
     import_lines(project)
     save_project_as(project, load_survey(project), tmp_path / "copy")
     assert contents(store) == {"columns-backup/mine.npy": b"mine", "columns-3/mine.npy": b"mine"}
 
 
-def test_no_line_is_copied_behind_a_link(project: Project, tmp_path: Path) -> None:
+def test_no_line_is_copied_through_a_link(project: Project, tmp_path: Path) -> None:
     import_lines(project)
     survey = load_survey(project)
     (tmp_path / "elsewhere").mkdir()
-    (tmp_path / "copy" / LINES).mkdir(parents=True)
-    there = tmp_path / "copy" / LINES / line_folder(project, project.lines[0]).name
+    (tmp_path / "copy" / LINES_FOLDER).mkdir(parents=True)
+    there = tmp_path / "copy" / LINES_FOLDER / line_folder(project, project.lines[0]).name
     there.symlink_to(tmp_path / "elsewhere", target_is_directory=True)
     with pytest.raises(ProjectError, check=has_code("store.link")):
         save_project_as(project, survey, tmp_path / "copy")
@@ -222,7 +224,7 @@ def test_no_line_is_copied_behind_a_link(project: Project, tmp_path: Path) -> No
     assert not (tmp_path / "copy" / "project.json").exists()
 
 
-def test_a_new_demo_leaves_the_files_of_the_user(tmp_path: Path) -> None:
+def test_a_new_demo_keeps_the_files_of_the_user(tmp_path: Path) -> None:
     folder = tmp_path / "demo"
     make_demo(folder, points_per_second=1000.0)
     mine = {

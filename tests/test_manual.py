@@ -1,4 +1,4 @@
-"""The manual: built without a warning, whole, and without anything from elsewhere."""
+"""Tests of the manual: links, both languages, building and caching."""
 
 import re
 import shutil
@@ -16,13 +16,13 @@ from lispac.installation_paths import resource_path
 from lispac.progress import Step
 from lispac.workflow.output import manual
 
-LOADED = {("script", "src"), ("link", "href"), ("img", "src"), ("iframe", "src")}
-"""What a browser fetches by itself."""
+LOADED_ATTRIBUTES = {("script", "src"), ("link", "href"), ("img", "src"), ("iframe", "src")}
+"""Elements and attributes whose addresses a browser loads by itself."""
 
 
 @pytest.fixture(scope="session")
 def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The whole manual; any warning of the builder fails."""
+    """Return the folder of the built manual; any warning of the builder is an error."""
     folder = tmp_path_factory.mktemp("manual")
     manual.build_manual(resource_path("manual"), folder, strict=True)
     return folder
@@ -30,7 +30,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def small(tmp_path: Path) -> Path:
-    """A manual of one page in each language."""
+    """Return the sources of a manual of one page in each language."""
     sources = tmp_path / "sources"
     shutil.copytree(
         resource_path("manual"), sources, ignore=shutil.ignore_patterns("*.md", "*.png")
@@ -43,13 +43,13 @@ def small(tmp_path: Path) -> Path:
 
 
 class _Reader(HTMLParser):
-    """Places that a page refers to, and its own that can be referred to."""
+    """Collect the links, loaded files and anchors of a page."""
 
     def __init__(self, file: Path) -> None:
         super().__init__()
         self.links: list[str] = []
         self.loads: list[str] = []
-        self.own: set[str] = set()
+        self.anchors: set[str] = set()
         self.feed(file.read_text(encoding="utf-8"))
 
     def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
@@ -57,14 +57,14 @@ class _Reader(HTMLParser):
             if value is None:
                 continue
             if name == "id":
-                self.own.add(value)
+                self.anchors.add(value)
             elif tag == "a" and name == "href":
                 self.links.append(value)
-            elif (tag, name) in LOADED:
+            elif (tag, name) in LOADED_ATTRIBUTES:
                 self.loads.append(value)
 
 
-def test_every_link_leads_somewhere_and_nothing_comes_from_elsewhere(pages: Path) -> None:
+def test_links_have_targets_and_no_external_files_are_loaded(pages: Path) -> None:
     read = {file: _Reader(file) for file in pages.rglob("*.html")}
     for source in resource_path("manual").glob("*/*.md"):
         assert pages / source.relative_to(resource_path("manual")).with_suffix(".html") in read
@@ -77,21 +77,21 @@ def test_every_link_leads_somewhere_and_nothing_comes_from_elsewhere(pages: Path
             target = (file.parent / unquote(parts.path)).resolve() if parts.path else file
             assert target.is_file(), f"{file.name} leads to {link}"
             if parts.fragment and target in read:
-                known = read[target].own
+                known = read[target].anchors
                 assert unquote(parts.fragment) in known, f"{file.name} leads to {link}"
 
 
-def test_formulas_are_drawn_by_the_browser(pages: Path) -> None:
+def test_formulas_are_mathml(pages: Path) -> None:
     assert "<math " in (pages / "en" / "mathematics.html").read_text("utf-8")
 
 
-def test_french_signs_stay_with_their_words_and_pictures_open_in_full(pages: Path) -> None:
+def test_french_colons_have_no_break_spaces_and_pictures_are_links(pages: Path) -> None:
     text = (pages / "fr" / "tutorial.html").read_text("utf-8")
     assert "à la lettre\N{NO-BREAK SPACE}: noms" in " ".join(text.split("\n"))
     assert '<a class="reference internal" href="_images/start.png"><img ' in text
 
 
-def test_the_frame_of_a_french_page_is_french(pages: Path) -> None:
+def test_the_navigation_of_a_french_page_is_french(pages: Path) -> None:
     text = (pages / "fr" / "report.html").read_text("utf-8")
     for french, english in (
         ("Suivant", "Next"),
@@ -102,7 +102,7 @@ def test_the_frame_of_a_french_page_is_french(pages: Path) -> None:
         assert f">{english}<" not in text
 
 
-def test_every_page_is_there_in_both_languages() -> None:
+def test_every_page_exists_in_both_languages() -> None:
     names = {
         language: {path.name for path in (resource_path("manual") / language).glob("*.md")}
         for language in ("en", "fr")
@@ -110,14 +110,14 @@ def test_every_page_is_there_in_both_languages() -> None:
     assert names["fr"] == names["en"]
 
 
-def test_a_page_has_as_many_headings_items_and_rows_in_both_languages() -> None:
+def test_pages_have_the_same_structure_in_both_languages() -> None:
     for english in sorted((resource_path("manual") / "en").glob("*.md")):
         french = english.parents[1] / "fr" / english.name
         assert _parts(french) == _parts(english), english.name
 
 
 def _parts(page: Path) -> Counter[str]:
-    """How many headings of each level, items of lists and rows of tables a page has."""
+    """Count the headings of each level, list items and table rows of a page."""
     found: Counter[str] = Counter()
     fenced = False
     for row in page.read_text("utf-8").splitlines():
@@ -137,7 +137,7 @@ def test_the_page_of_the_command_line_names_every_command(language: str) -> None
     )
 
 
-def test_it_is_built_once_and_again_when_a_text_changes(small: Path, tmp_path: Path) -> None:
+def test_the_manual_is_rebuilt_only_after_changes(small: Path, tmp_path: Path) -> None:
     place = tmp_path / "cache"
     first = manual.manual_page("fr", sources=small, place=place)
     assert first.is_file()
@@ -145,7 +145,7 @@ def test_it_is_built_once_and_again_when_a_text_changes(small: Path, tmp_path: P
     when = first.stat().st_mtime_ns
     assert manual.manual_page("fr", sources=small, place=place) == first
     assert first.stat().st_mtime_ns == when
-    # A page that there is in English only
+    # A page that exists in English only
     english = manual.manual_page("fr", "mathematics", sources=small, place=place)
     assert english.parent.name == "en"
     (small / "fr" / "index.md").write_text("# Another\n")
@@ -155,7 +155,7 @@ def test_it_is_built_once_and_again_when_a_text_changes(small: Path, tmp_path: P
     assert {each.name for each in place.iterdir()} == {"made-by-lispac", second.parents[1].name}
 
 
-def test_pages_that_were_shipped_are_not_built(small: Path, tmp_path: Path) -> None:
+def test_bundled_pages_are_not_built(small: Path, tmp_path: Path) -> None:
     (small / "html" / "en").mkdir(parents=True)
     (small / "html" / "en" / "index.html").write_text("shipped")
     page = manual.manual_page("en", sources=small, place=tmp_path / "cache")
@@ -163,10 +163,10 @@ def test_pages_that_were_shipped_are_not_built(small: Path, tmp_path: Path) -> N
     assert not (tmp_path / "cache").exists()
 
 
-def test_where_the_builder_is_missing_a_sentence_says_what_to_do(
+def test_a_missing_builder_is_reported(
     small: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(manual.BUILDERS, "no_such_module", "Sphinx of tomorrow")
+    monkeypatch.setitem(manual.BUILD_PACKAGES, "no_such_module", "Sphinx of tomorrow")
     with pytest.raises(InputError) as refused:
         manual.manual_page("en", sources=small, place=tmp_path / "cache")
     assert refused.value.code == "manual.not_installed"
@@ -177,9 +177,7 @@ def test_where_the_builder_is_missing_a_sentence_says_what_to_do(
     assert [each.name for each in (tmp_path / "cache").iterdir()] == ["made-by-lispac"]
 
 
-def test_what_the_builder_refuses_is_reported_and_leaves_nothing(
-    small: Path, tmp_path: Path
-) -> None:
+def test_errors_of_the_builder_are_reported_and_leave_no_pages(small: Path, tmp_path: Path) -> None:
     (small / "en" / "index.md").write_text("# One\n\n![gone](gone.png)\n")
     with pytest.raises(InputError, match=r"gone\.png"):
         manual.build_manual(small, tmp_path / "out", strict=True)
@@ -189,7 +187,7 @@ def test_what_the_builder_refuses_is_reported_and_leaves_nothing(
     assert [each.name for each in (tmp_path / "cache").iterdir()] == ["made-by-lispac"]
 
 
-def test_cancelled_it_leaves_nothing(small: Path, tmp_path: Path) -> None:
+def test_a_cancelled_build_leaves_no_pages(small: Path, tmp_path: Path) -> None:
     def stop(fraction: float, step: Step | None = None) -> None:
         if fraction == 0.5:
             raise Cancelled
@@ -200,7 +198,7 @@ def test_cancelled_it_leaves_nothing(small: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a folder below a file is another error there")
-def test_a_place_that_cannot_be_written_is_named(small: Path, tmp_path: Path) -> None:
+def test_a_folder_that_is_not_writable_is_reported(small: Path, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError) as raised:
         manual.manual_page("en", sources=small, place=tmp_path / "file" / "manual")

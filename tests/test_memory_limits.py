@@ -1,4 +1,4 @@
-"""Small files that claim to be large: refused before the memory is taken."""
+"""Tests that small files with large counts are refused before memory is allocated."""
 
 import struct
 from pathlib import Path
@@ -10,13 +10,13 @@ import pytest
 from lispac.errors import InputError, ProjectError
 from lispac.io.las.las_header_check import require_sound_header
 from lispac.io.points.mesh_file import MeshReader, read_mesh
-from lispac.io.project.project_file import SIGHTINGS, read_project
+from lispac.io.project.project_file import SIGHTINGS_FOLDER, read_project
 from lispac.project import Project
 from lispac.simulation.meshes import Mesh
 from tests.test_meshes import write_mesh
 
-LAYERS = 9
-"""Of point format 6."""
+LAYER_COUNT = 9
+"""Number of layers of point format 6."""
 
 
 def compressed(path: Path, points: int) -> None:
@@ -28,14 +28,14 @@ def compressed(path: Path, points: int) -> None:
     las.write(str(path))
 
 
-def test_layers_of_a_laz_chunk_that_claim_more_than_the_file(tmp_path: Path) -> None:
+def test_laz_layers_larger_than_the_file_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.laz"
     compressed(path, 200)
     assert require_sound_header(path).stored == 200
     content = bytearray(path.read_bytes())
     (start,) = struct.unpack_from("<I", content, 96)
-    sizes = start + 8 + 30 + 4  # the offset of the table, the first point, and the count
-    for layer in range(LAYERS):
+    sizes = start + 8 + 30 + 4  # chunk table offset, first point and point count come before
+    for layer in range(LAYER_COUNT):
         changed = bytearray(content)
         struct.pack_into("<I", changed, sizes + 4 * layer, 2**31)
         path.write_bytes(changed)
@@ -43,7 +43,7 @@ def test_layers_of_a_laz_chunk_that_claim_more_than_the_file(tmp_path: Path) -> 
             require_sound_header(path)
 
 
-def test_laz_chunks_of_more_bytes_than_their_points_take(tmp_path: Path) -> None:
+def test_laz_chunks_larger_than_their_points_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.laz"
     compressed(path, 2000)
     content = bytearray(path.read_bytes())
@@ -55,7 +55,7 @@ def test_laz_chunks_of_more_bytes_than_their_points_take(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("scale", [0.0, -1.0, 1e308, 1e-320, float("nan")])
-def test_scale_factors_that_cannot_be_are_refused(tmp_path: Path, scale: float) -> None:
+def test_invalid_scale_factors_are_refused(tmp_path: Path, scale: float) -> None:
     path = tmp_path / "a.laz"
     compressed(path, 200)
     content = bytearray(path.read_bytes())
@@ -66,7 +66,7 @@ def test_scale_factors_that_cannot_be_are_refused(tmp_path: Path, scale: float) 
     assert refused.value.code == "las.scale"
 
 
-def test_a_mesh_that_ends_its_reader_ends_nothing_else(tmp_path: Path) -> None:
+def test_a_mesh_that_crashes_its_reader_is_refused(tmp_path: Path) -> None:
     corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0]], dtype=float)
     good, bad = tmp_path / "good.ply", tmp_path / "bad.ply"
     write_mesh(good, Mesh("m", corners, np.array([[0, 1, 2]])))
@@ -79,8 +79,8 @@ def test_a_mesh_that_ends_its_reader_ends_nothing_else(tmp_path: Path) -> None:
             assert len(read_mesh(good, "m", 0.4, reader=reader).triangles) == 1
 
 
-def test_points_of_a_target_that_unpack_to_more_than_the_project_states(copy: Project) -> None:
-    path = next((copy.folder / SIGHTINGS).glob("*.npz"))
+def test_sightings_of_a_wrong_size_are_refused(copy: Project) -> None:
+    path = next((copy.folder / SIGHTINGS_FOLDER).glob("*.npz"))
     with np.load(path) as arrays:
         found = dict(arrays)
     name = sorted(found)[0]

@@ -1,4 +1,4 @@
-"""Meshes in a scene: ranged as exactly as surfaces with a formula, hiding and being hidden."""
+"""Tests of meshes in a simulated scene: ranges, occlusion, and reading of mesh files."""
 
 from pathlib import Path
 
@@ -11,12 +11,12 @@ from lispac.messages import error
 from lispac.simulation.meshes import Mesh, MeshCaster
 from lispac.simulation.scene import Rectangle, Scene, Sphere, tilted_rectangle
 
-FAR_OFF = np.array([4_000.0, -7_000.0, 60.0])
-"""Where single precision steps by 0.5 mm."""
+DISTANT_PLACE = np.array([4_000.0, -7_000.0, 60.0])
+"""A place where single precision has steps of 0.5 mm."""
 
 
 def as_mesh(rectangle: Rectangle, pieces: int = 6) -> Mesh:
-    """The same rectangle in triangles."""
+    """Return a rectangle as triangles."""
     along = np.cross(rectangle.normal, rectangle.across)
     u, v = (
         np.linspace(-side / 2, side / 2, pieces + 1) for side in (rectangle.width, rectangle.height)
@@ -30,7 +30,7 @@ def as_mesh(rectangle: Rectangle, pieces: int = 6) -> Mesh:
 
 
 def write_mesh(path: Path, mesh: Mesh) -> None:
-    """As another program would."""
+    """Write a mesh with Open3D."""
     import open3d
 
     written = open3d.geometry.TriangleMesh(
@@ -42,7 +42,7 @@ def write_mesh(path: Path, mesh: Mesh) -> None:
 
 
 def rays(target: np.ndarray, count: int, seed: int = 5) -> tuple[np.ndarray, np.ndarray]:
-    """Rays from about 15 to 80 m off towards the neighbourhood of a place."""
+    """Return rays from 15 to 80 m away to the neighbourhood of a point."""
     generator = np.random.default_rng(seed)
     away = generator.standard_normal((count, 3))
     away /= np.linalg.norm(away, axis=1, keepdims=True)
@@ -51,25 +51,25 @@ def rays(target: np.ndarray, count: int, seed: int = 5) -> tuple[np.ndarray, np.
     return origins, directions / np.linalg.norm(directions, axis=1, keepdims=True)
 
 
-@pytest.mark.parametrize("middle", [np.zeros(3), FAR_OFF], ids=["near", "far"])
-def test_a_mesh_is_ranged_as_the_rectangle_it_is_made_of(middle: np.ndarray) -> None:
+@pytest.mark.parametrize("middle", [np.zeros(3), DISTANT_PLACE], ids=["near", "far"])
+def test_ranges_to_a_mesh_equal_those_to_its_rectangle(middle: np.ndarray) -> None:
     board = tilted_rectangle("board", tuple(middle), 2.0, 2.0, 70, 30)
     origins, directions = rays(middle, 40_000)
     exact, label, cosine = Scene.of([board]).intersect(origins, directions)
     ranges, mesh_label, mesh_cosine = Scene.of([as_mesh(board)]).intersect(origins, directions)
     both = (label == 0) & (mesh_label == 0)
-    # Single precision decides at the rim alone: how many beams may fall there by chance
+    # Single precision only decides at the edge, where few rays fall
     assert np.count_nonzero(label != mesh_label) < 5
     assert np.count_nonzero(both) > 5_000
-    # A grazing beam turns the vertices' own rounding into range: 1e-12 m over the cosine
+    # At grazing incidence rounding of the vertices changes the range by 1e-12 m over the cosine
     error = np.abs(ranges[both] - exact[both])
     assert (error * cosine[both]).max() < 1e-11
     assert error[cosine[both] > 0.05].max() < 1e-9
     np.testing.assert_allclose(mesh_cosine[both], cosine[both], atol=1e-9)
 
 
-def test_single_precision_alone_would_not_do() -> None:
-    """What Open3D itself says is off by more than the 1e-6 m that are promised."""
+def test_ranges_of_open3d_alone_are_less_accurate() -> None:
+    """The ranges of Open3D have errors above the 1e-6 m that are required."""
     board = tilted_rectangle("board", (0.0, 60.0, 5.0), 2.0, 2.0, 90, 30)
     origins, directions = rays(board.centre, 40_000)
     exact, label, cosine = Scene.of([board]).intersect(origins, directions)
@@ -81,7 +81,7 @@ def test_single_precision_alone_would_not_do() -> None:
     assert 1e-6 < np.abs(single[good] - exact[good]).max() < 1e-4
 
 
-def test_the_nearest_of_mesh_and_formula_wins() -> None:
+def test_the_nearest_surface_is_hit() -> None:
     near, far = (
         tilted_rectangle(name, (0.0, west, 0.0), 4.0, 4.0, 90, 0)
         for name, west in (("a", 5), ("b", 9))
@@ -137,8 +137,8 @@ def area(mesh: Mesh) -> float:
     return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
 
 
-def test_faces_of_more_than_three_corners_are_not_lost(tmp_path: Path) -> None:
-    """Areas by hand: 4 m by the root of 2**2 + 3**2, and half of 4 m by 2."""
+def test_faces_with_more_than_three_corners_are_read(tmp_path: Path) -> None:
+    """Areas computed by hand: 4 m by the root of 2**2 + 3**2, and half of 4 m by 2 m."""
     path = tmp_path / "house.obj"
     path.write_text(OBJ)
     assert area(read_mesh(path, "house", 0.5)) == pytest.approx(4 * np.sqrt(13) + 4, abs=1e-12)
@@ -154,7 +154,7 @@ def test_faces_of_more_than_three_corners_are_not_lost(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "wrong", ["v 1 2", "v 1 2 x", "f 1 2 9", "f 0 1 2", "f 1 2 -7", "f", "f 1 2"]
 )
-def test_an_obj_that_is_cut_is_refused_with_its_line(wrong: str, tmp_path: Path) -> None:
+def test_an_invalid_obj_row_is_named(wrong: str, tmp_path: Path) -> None:
     path = tmp_path / "cut.obj"
     path.write_text(f"v 0 0 0\nv 1 0 0\nv 1 1 0\n{wrong}\n")
     with pytest.raises(InputError) as refused:
@@ -164,7 +164,7 @@ def test_an_obj_that_is_cut_is_refused_with_its_line(wrong: str, tmp_path: Path)
 
 
 def stl_text(mesh: Mesh) -> bytes:
-    """STL as text, which Open3D does not write."""
+    """Return a mesh as ASCII STL, which Open3D does not write."""
     corners = mesh.vertices[mesh.triangles]
     facets = "".join(
         "facet normal 0 0 1\nouter loop\n"
@@ -177,7 +177,7 @@ def stl_text(mesh: Mesh) -> bytes:
 
 @pytest.mark.parametrize("kind", ["text.ply", "binary.ply", "text.stl", "binary.stl"])
 def test_a_mesh_that_is_cut_short_is_refused(kind: str, tmp_path: Path) -> None:
-    """Wherever it is cut; Open3D gives the faces before the cut."""
+    """Open3D alone would return the faces before the cut."""
     mesh = as_mesh(tilted_rectangle("board", (3.0, 2.0, 1.0), 2.0, 1.0, 70, 30))
     path, cut = tmp_path / f"whole.{kind[-3:]}", tmp_path / f"cut.{kind[-3:]}"
     write_mesh(path, mesh)
@@ -203,7 +203,7 @@ def test_a_mesh_that_is_cut_short_is_refused(kind: str, tmp_path: Path) -> None:
             assert refused.value.code in codes
 
 
-def test_what_is_no_mesh_is_refused(tmp_path: Path) -> None:
+def test_files_without_a_valid_mesh_are_refused(tmp_path: Path) -> None:
     def of_triangle(first: str, last: str) -> Path:
         path = tmp_path / f"{first}.obj"
         path.write_text(f"v {first}\nv 1 0 0\nv {last}\nf 1 2 3\n")

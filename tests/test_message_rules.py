@@ -1,4 +1,4 @@
-"""Rules for messages, read from the syntax trees: errors have codes, and no code reads words."""
+"""Tests by syntax trees: errors have codes, and no code tests the text of a message."""
 
 import ast
 from collections.abc import Iterator
@@ -10,7 +10,7 @@ from lispac import errors
 
 ROOT = Path(__file__).resolve().parents[1] / "lispac"
 MODULES = sorted(ROOT.rglob("*.py"))
-TYPED = {
+ERROR_CLASSES = {
     name for name, kind in vars(errors).items()
     if isinstance(kind, type) and issubclass(kind, errors.LispacError)
 }  # fmt: skip
@@ -18,15 +18,15 @@ TEXT_METHODS = {
     "startswith", "endswith", "find", "rfind", "index", "rindex", "count", "partition",
     "rpartition", "removeprefix", "removesuffix",
 }  # fmt: skip
-"""Methods of text by which code would look at the words of a message."""
-READERS = {"search", "match", "fullmatch", "findall", "finditer"}
-"""Functions of ``re`` that do."""
-TEXT_MAKERS = {"message_text", "english_text"}
-TRANSLATORS = {"gettext", "ngettext", "N_", "format_text", *TEXT_MAKERS}
+"""Methods of text that test or search its words."""
+SEARCH_FUNCTIONS = {"search", "match", "fullmatch", "findall", "finditer"}
+"""Functions of ``re`` that search a text."""
+TEXT_FUNCTIONS = {"message_text", "english_text"}
+TRANSLATION_FUNCTIONS = {"gettext", "ngettext", "N_", "format_text", *TEXT_FUNCTIONS}
 
 
 def raised_with_text(tree: ast.Module) -> Iterator[int]:
-    """Lines that raise an error of the program with a text."""
+    """Yield the lines that raise an error of the program with a text."""
     texts = {
         target.id
         for node in tree.body
@@ -39,7 +39,7 @@ def raised_with_text(tree: ast.Module) -> Iterator[int]:
             isinstance(node, ast.Raise)
             and isinstance(node.exc, ast.Call)
             and isinstance(node.exc.func, ast.Name)
-            and node.exc.func.id in TYPED
+            and node.exc.func.id in ERROR_CLASSES
             and node.exc.args
             and is_text(node.exc.args[0], texts)
         ):
@@ -51,14 +51,14 @@ def is_text(node: ast.expr, texts: set[str]) -> bool:
     if isinstance(node, ast.Name):
         return node.id in texts
     if isinstance(node, ast.Call):
-        return is_call_of(node, TRANSLATORS)
+        return is_call_of(node, TRANSLATION_FUNCTIONS)
     return isinstance(node, ast.JoinedStr) or (
         isinstance(node, ast.Constant) and isinstance(node.value, str)
     )
 
 
 def words_read(tree: ast.Module) -> Iterator[int]:
-    """Lines that test the text of a message or of an error that was caught."""
+    """Yield the lines that test the text of a message or of a caught error."""
     scopes = [each for each in ast.walk(tree) if isinstance(each, ast.FunctionDef)]
     nested = {each for scope in scopes for each in ast.walk(scope)}
     outside = [each for each in ast.walk(tree) if each not in nested]
@@ -85,7 +85,7 @@ def _read(nodes: list[ast.AST]) -> Iterator[int]:
             tested = [node.left, *node.comparators]
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
             is_re = isinstance(node.func.value, ast.Name) and node.func.value.id == "re"
-            if node.func.attr in READERS:  # of a compiled expression, too
+            if node.func.attr in SEARCH_FUNCTIONS:  # also methods of a compiled expression
                 tested = node.args
             if node.func.attr in TEXT_METHODS and not is_re:
                 tested = [*tested, node.func.value]
@@ -94,7 +94,7 @@ def _read(nodes: list[ast.AST]) -> Iterator[int]:
 
 
 def is_message_text(node: ast.expr, errors_caught: set[str], names: set[str]) -> bool:
-    """Whether an expression is a message's text, perhaps in other letters, or a name of one."""
+    """Whether an expression is the text of a message, in any case, or a variable of one."""
     if isinstance(node, ast.Name):
         return node.id in names
     if not isinstance(node, ast.Call):
@@ -102,16 +102,16 @@ def is_message_text(node: ast.expr, errors_caught: set[str], names: set[str]) ->
     if isinstance(node.func, ast.Attribute) and node.func.attr in ("lower", "upper", "casefold"):
         return is_message_text(node.func.value, errors_caught, names)
     is_error = [ast.unparse(each) in errors_caught for each in node.args] == [True]
-    return is_call_of(node, TEXT_MAKERS) or (is_error and is_call_of(node, {"str"}))
+    return is_call_of(node, TEXT_FUNCTIONS) or (is_error and is_call_of(node, {"str"}))
 
 
 def is_call_of(node: ast.Call, functions: set[str]) -> bool:
-    """Whether a call is one of functions with these names."""
+    """Whether a call calls one of the functions with these names."""
     return getattr(node.func, "id", getattr(node.func, "attr", "")) in functions
 
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: path.relative_to(ROOT).as_posix())
-def test_errors_have_codes_and_no_code_reads_their_words(path: Path) -> None:
+def test_errors_have_codes_and_no_code_tests_their_texts(path: Path) -> None:
     tree = ast.parse(path.read_text(encoding="utf-8"))
     assert list(raised_with_text(tree)) == []
     assert list(words_read(tree)) == []
@@ -133,7 +133,7 @@ def test_errors_have_codes_and_no_code_reads_their_words(path: Path) -> None:
         ),
     ],
 )  # fmt: skip
-def test_reading_the_words_of_a_message_is_found(probe: str) -> None:
+def test_a_test_of_the_text_of_a_message_is_found(probe: str) -> None:
     assert len(list(words_read(ast.parse(probe)))) == 1
 
 
@@ -149,7 +149,7 @@ def test_an_error_with_a_text_is_found(probe: str) -> None:
     assert len(list(raised_with_text(ast.parse(probe)))) == 1
 
 
-def test_what_shows_a_text_is_allowed() -> None:
+def test_showing_a_text_is_allowed() -> None:
     source = (
         "try:\n    raise InputError(error('a.b'))\nexcept InputError as e:\n    print(str(e))\n"
         "label.setText(message_text(m))\nb = e.code == 'a.b'\n"

@@ -1,4 +1,4 @@
-"""Messages: every code has a text, and messages come back from a project file as they were."""
+"""Tests of messages: texts, translations, codes, levels and storage."""
 
 import ast
 import json
@@ -12,17 +12,17 @@ import catalogues
 import numpy as np
 import pytest
 
-from lispac.cli.messages import OPTIONS, option_hint
+from lispac.cli.messages import OPTION_HINTS, option_hint
 from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import LANGUAGES, Plural, Template, format_text, in_language
-from lispac.message_texts import ACTIONS, TEXTS, TOPICS, message_text
-from lispac.message_texts.former_codes import CODES, former_code
+from lispac.message_texts import ACTIONS, TEXTS, TOPIC_MODULES, message_text
+from lispac.message_texts.former_codes import FORMER_CODES, former_code
 from lispac.message_texts.occasions import OCCASIONS
 from lispac.messages import (
-    MAX_LISTED,
+    MAX_LISTED_ITEMS,
     Action,
     Level,
     Message,
@@ -38,12 +38,12 @@ from tests.message_calls import calls, is_part, message_levels
 from tests.report_sample import sample_project
 
 ROOT = Path(__file__).resolve().parents[1]
-SAMPLES = {
+SAMPLE_VALUES = {
     "": "L1", "n": 3, "names": ("L1", "L2"), "choices": ("L1", "L2"), "sentences": ("L1.", "L2."),
     "title": "Line",
 }  # fmt: skip
-"""A value for each format specification; 0.25 for those of a quantity."""
-SAME_IN_ALL = [
+"""A value for each format specification; quantities get 0.25."""
+UNTRANSLATED_TEXTS = [
     TEXTS[code]
     for code in (
         "project.former_text", "axis.latitude", "axis.longitude", "unit.date", "unit.milliradians",
@@ -54,15 +54,17 @@ SAME_IN_ALL = [
 
 
 def sample_params(template: Template) -> dict[str, object]:
-    """Values for all placeholders of a text."""
+    """Return values for all placeholders of a text."""
     text = template if isinstance(template, str) else template.plural
     found = {
-        name: SAMPLES.get(spec or "", 0.25) for _, name, spec, _ in Formatter().parse(text) if name
+        name: SAMPLE_VALUES.get(spec or "", 0.25)
+        for _, name, spec, _ in Formatter().parse(text)
+        if name
     }
     return found if isinstance(template, str) else {"count": 3, **found}
 
 
-def test_si_values_are_formatted_in_the_units_and_signs_of_the_language() -> None:
+def test_values_are_formatted_by_unit_and_language() -> None:
     text = (
         "{name}: {count:n} points, {step:ms} ms, {turn:deg.2+} deg, {share:percent} %, "
         "{lines:names}, {ways:choices}"
@@ -89,11 +91,11 @@ def test_si_values_are_formatted_in_the_units_and_signs_of_the_language() -> Non
         (float("inf"), "s+", "+inf"),
     ],
 )  # fmt: skip
-def test_numbers_of_any_size_are_shown(value: float, spec: str, shown: str) -> None:
+def test_formats_of_very_large_and_small_numbers(value: float, spec: str, shown: str) -> None:
     assert format_text(f"{{value:{spec}}}", {"value": value}) == shown
 
 
-def test_a_count_chooses_singular_or_plural_by_the_rules_of_the_language() -> None:
+def test_a_count_selects_singular_or_plural() -> None:
     text = Plural("{count:n} point", "{count:n} points")
     shown = [format_text(text, {"count": count}) for count in (0, 1, 2)]
     assert shown == ["0 points", "1 point", "2 points"]
@@ -107,7 +109,7 @@ def test_every_message_can_be_shown_in_every_language(language: str) -> None:
             assert text
             assert not set("{}") & set(text)
             same = text == text_of_english(template)
-            assert same == (language == "en" or template in SAME_IN_ALL), text
+            assert same == (language == "en" or template in UNTRANSLATED_TEXTS), text
 
 
 def text_of_english(template: Template) -> str:
@@ -116,7 +118,7 @@ def text_of_english(template: Template) -> str:
 
 
 def sentences(text: str) -> list[str]:
-    """Sentences of an English text; a placeholder in the place of a sentence counts as one."""
+    """Split an English text into sentences; a placeholder for a sentence counts as one."""
     ended = re.sub(r"((?:^|[.!?:] ){\w+(?::sentences)?})(?= [A-Z]| {action})", r"\1.", text)
     return re.split(r"(?<=[.!?])[\")]?\s+(?=[A-Z{\d])", ended)
 
@@ -142,14 +144,14 @@ def test_a_text_has_at_most_two_sentences() -> None:
 
 
 def test_no_code_is_in_two_topics() -> None:
-    assert len(TEXTS) == sum(len(topic.TEXTS) for topic in TOPICS)
+    assert len(TEXTS) == sum(len(topic.TEXTS) for topic in TOPIC_MODULES)
 
 
 def test_catalogues_are_complete_and_up_to_date() -> None:
     assert catalogues.main(["check"]) == 0
 
 
-def test_every_first_word_of_a_code_has_a_phrase_on_when_it_appears() -> None:
+def test_every_topic_has_a_phrase_on_its_occasion() -> None:
     assert set(OCCASIONS) == {code.partition(".")[0] for code in TEXTS}
     assert all(OCCASIONS.values())
 
@@ -159,7 +161,7 @@ def test_messages_are_made_with_the_parameters_of_their_texts() -> None:
         code = cast(ast.Constant, call.args[0]).value
         assert code in TEXTS, place
         given = {each.arg for each in call.keywords} - {"subject", "actions"}
-        if None not in given:  # no ** among them
+        if None not in given:  # a call with ** is not checked
             assert given >= set(sample_params(TEXTS[code])), (place, code)
 
 
@@ -175,7 +177,7 @@ def test_every_code_is_used() -> None:
 
 
 def made_from_parts(code: str) -> bool:
-    """Whether a code is made of its topic and a name: ``recovery.lever_arm_x``."""
+    """Whether a code is composed at run time, for example ``recovery.lever_arm_x``."""
     return code.startswith(
         (
             "audit.", "identity_field.", "recovery.", "quantity.", "amount.", "change.",
@@ -194,7 +196,7 @@ def test_an_error_shows_its_message_in_the_language_in_use() -> None:
     assert str(pickle.loads(pickle.dumps(raised))) == english
 
 
-def test_messages_are_kept_with_the_project(tmp_path: Path) -> None:
+def test_messages_are_stored_in_the_project_file(tmp_path: Path) -> None:
     message = Message(
         "settings.parameter_twice",
         Level.WARNING,
@@ -206,7 +208,7 @@ def test_messages_are_kept_with_the_project(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p").with_data_messages((message,))
     write_project(project)
     assert read_project(project.folder).data_messages == (message,)
-    path = project.folder / FILE_NAME  # a project of an older version has none
+    path = project.folder / PROJECT_FILE_NAME  # a project file of an older version has no messages
     content = json.loads(path.read_text())
     del content["data_messages"]
     path.write_text(json.dumps(content))
@@ -233,8 +235,8 @@ def test_lines_with_the_same_warning_are_named_together(tmp_path: Path) -> None:
 
 def test_a_long_list_is_shortened_and_the_rest_counted() -> None:
     names = list("ABCDEFGH")
-    assert shortened_list(names[:MAX_LISTED]) == tuple(names[:MAX_LISTED])
-    assert shortened_list(names) == (*names[:MAX_LISTED], note("item.more", count=4))
+    assert shortened_list(names[:MAX_LISTED_ITEMS]) == tuple(names[:MAX_LISTED_ITEMS])
+    assert shortened_list(names) == (*names[:MAX_LISTED_ITEMS], note("item.more", count=4))
     found = note("adjustment.target_excluded", targets=shortened_list(names))
     assert "A, B, C, D and 4 more." in message_text(found)
     with in_language("fr"):
@@ -248,7 +250,7 @@ def test_errors_come_before_warnings_and_these_before_notes() -> None:
     assert [each.is_serious for each in (one, bad, worse)] == [False, True, True]
 
 
-def test_parameters_are_plain_in_json() -> None:
+def test_parameters_are_converted_to_json() -> None:
     angle = note("quantity.roll")
     found = warning(
         "adjustment.large_sigma",
@@ -266,15 +268,15 @@ def test_parameters_are_plain_in_json() -> None:
     }
 
 
-def test_former_codes_are_those_of_messages_that_exist() -> None:
+def test_former_codes_belong_to_existing_messages() -> None:
     names = {code.partition(".")[2] for code in TEXTS}
-    assert set(CODES) <= names
+    assert set(FORMER_CODES) <= names
     assert former_code(note("adjustment.contradicted_latency_alone")) == "contradicted_latency"
     assert former_code(note("report.simulated")) == "simulated"
     assert former_code(note("audit.no_range")) == "audit.no_range"
 
 
-def test_numbers_of_numpy_become_those_of_python() -> None:
+def test_numpy_numbers_are_converted_to_python() -> None:
     made = note(
         "audit.noise_classes", line="L1", count=np.int64(3), classes=[np.int32(7)],
         share=np.float32(0.5),
@@ -285,35 +287,35 @@ def test_numbers_of_numpy_become_those_of_python() -> None:
 
 
 def test_the_level_of_every_code_is_known() -> None:
-    """The manual's table of messages has it; parts of other messages need none."""
+    """The table of messages in the manual contains it; parts of messages have no level."""
     levels = message_levels()
     assert [code for code in TEXTS if not is_part(code) and not levels[code]] == []
-    assert levels["quality.rough"] == {"note"}  # by way of a variable
-    assert levels["patch_test.no_roll"] == {"error"}  # of a table
-    assert levels["audit.several_scanners"] == {"warning"}  # of a formatted string
+    assert levels["quality.rough"] == {"note"}  # passed as a variable
+    assert levels["patch_test.no_roll"] == {"error"}  # from a table
+    assert levels["audit.several_scanners"] == {"warning"}  # with a formatted code
 
 
-COMMAND_LINE = re.compile(r"(?<![\w-])--\w|\blispac \w|`")
-"""An option or a command in a text."""
-OF_OTHER_PROGRAMS = {"cluster"}
-"""First words of codes whose messages name commands of other programs (dask)."""
+COMMAND_LINE_PATTERN = re.compile(r"(?<![\w-])--\w|\blispac \w|`")
+"""Matches an option or a command in a text."""
+TOPICS_OF_OTHER_PROGRAMS = {"cluster"}
+"""Topics whose messages name commands of other programs (dask)."""
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_no_text_of_window_and_command_line_names_an_option(language: str) -> None:
-    """The command line adds the options."""
+def test_texts_name_no_command_line_options(language: str) -> None:
+    """The command line adds the options to the messages."""
     with in_language(language):
         naming = {
             code
             for code, template in (TEXTS | ACTIONS).items()
-            if COMMAND_LINE.search(format_text(template, sample_params(template)))
+            if COMMAND_LINE_PATTERN.search(format_text(template, sample_params(template)))
         }
-    assert [code for code in naming if code.partition(".")[0] not in OF_OTHER_PROGRAMS] == []
+    assert [code for code in naming if code.partition(".")[0] not in TOPICS_OF_OTHER_PROGRAMS] == []
 
 
 def test_the_command_line_adds_options_to_messages() -> None:
-    assert OPTIONS.keys() <= TEXTS.keys()
-    assert [code for code in OPTIONS if COMMAND_LINE.search(str(TEXTS[code]))] == []
+    assert OPTION_HINTS.keys() <= TEXTS.keys()
+    assert [code for code in OPTION_HINTS if COMMAND_LINE_PATTERN.search(str(TEXTS[code]))] == []
     refused = error("project.refused", reason=error("adjustment.parallel_planes"))
     assert option_hint(refused) == "--accept-single-orientation"
     assert option_hint(note("history.no_date", project="May")) == "lispac identity May --dates"

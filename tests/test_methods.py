@@ -1,4 +1,4 @@
-"""Results of alternative methods: kept, dropped with their basis, compared with targets."""
+"""Tests of the results of alternative methods: storage and comparison with the targets."""
 
 import json
 from collections.abc import Callable
@@ -11,7 +11,7 @@ import pytest
 from lispac.adjustment.model.parameters import mounting_value_names
 from lispac.alternative_methods import AlternativeResult, Method
 from lispac.errors import AdjustmentError, ProjectError
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note
 from lispac.method_comparison import comparison_messages, method_results, missing_methods
@@ -24,13 +24,13 @@ from tests.test_cli import answer, refused, run
 
 
 def alternative(
-    project: Project, method: Method, off_deg: tuple[float, float, float]
+    project: Project, method: Method, difference_deg: tuple[float, float, float]
 ) -> AlternativeResult:
-    """Off the targets' answer by so much, and as certain."""
+    """Return a result that differs from the targets' result and has the same covariance."""
     assert project.result is not None
     return AlternativeResult(
         method,
-        project.result.boresight + np.radians(off_deg),
+        project.result.boresight + np.radians(difference_deg),
         np.array(project.result.covariance),
         ("L1", "L2"),
         30,
@@ -38,7 +38,7 @@ def alternative(
     )
 
 
-def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
+def test_each_method_is_compared_with_the_targets(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     assert project.result is not None
     project = project.with_alternative_result(alternative(project, "targetless", (0.3, 0.0, 0.0)))
@@ -66,13 +66,13 @@ def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
     assert shared == note("methods.same_lines")
     assert missing_methods(project) == ("patch test",)
     assert comparison_messages(found[:1]) == ()
-    # Without targets the first of the others takes their place.
+    # Without targets the first of the other methods is the reference.
     alone = method_results(replace(project, result=None))
     assert [each.method for each in alone] == ["natural planes", "targetless"]
     assert alone[0].against is None
 
 
-def test_one_of_each_method_is_kept_and_dropped_with_what_it_rests_on(tmp_path: Path) -> None:
+def test_one_result_per_method_is_kept_until_its_basis_changes(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     for method, off in (("targetless", 1.0), ("natural planes", 0.0), ("targetless", 0.0)):
         project = project.with_alternative_result(alternative(project, method, (off, 0.0, 0.0)))  # type: ignore[arg-type]
@@ -87,7 +87,7 @@ def test_one_of_each_method_is_kept_and_dropped_with_what_it_rests_on(tmp_path: 
     assert project.with_settings(Settings((0.0, 0.0, 1.0))).alternative_results == ()
 
 
-def test_they_come_back_as_they_were_and_what_cannot_be_one_is_refused(tmp_path: Path) -> None:
+def test_results_are_saved_and_invalid_ones_are_refused(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     project = project.with_alternative_result(
         alternative(project, "patch test", (0.01, 0.02, 0.03))
@@ -101,10 +101,10 @@ def test_they_come_back_as_they_were_and_what_cannot_be_one_is_refused(tmp_path:
         kept.method, kept.lines, kept.surfaces, kept.messages,
     )  # fmt: skip
     np.testing.assert_array_equal(again.sigma, np.sqrt(np.diag(kept.covariance)))
-    path = tmp_path / FILE_NAME
+    path = tmp_path / PROJECT_FILE_NAME
     sound = json.loads(path.read_text())
 
-    def spoilt(change: Callable[[dict[str, object]], None]) -> Message:
+    def refusal_reason(change: Callable[[dict[str, object]], None]) -> Message:
         content = json.loads(json.dumps(sound))
         change(content["alternative_results"][0])
         path.write_text(json.dumps(content))
@@ -114,13 +114,13 @@ def test_they_come_back_as_they_were_and_what_cannot_be_one_is_refused(tmp_path:
         return caught.value.message.params["reason"]
 
     invalid = error("content.invalid_angles", method="patch test")
-    assert spoilt(lambda one: one.update(covariance=[[0.0] * 3] * 3)) == invalid
-    assert spoilt(lambda one: one.update(boresight=[0.0, 1.0])) == invalid
-    assert spoilt(lambda one: one.update(method="guess")).code == "content.wrong_form"
+    assert refusal_reason(lambda one: one.update(covariance=[[0.0] * 3] * 3)) == invalid
+    assert refusal_reason(lambda one: one.update(boresight=[0.0, 1.0])) == invalid
+    assert refusal_reason(lambda one: one.update(method="guess")).code == "content.wrong_form"
 
 
-def test_natural_planes_are_the_validation_planes(calibrated: tuple[Project, Survey]) -> None:
-    """An answer without any target, as near the truth as it says."""
+def test_natural_planes_use_the_validation_planes(calibrated: tuple[Project, Survey]) -> None:
+    """The result without boards agrees with the truth within its sigmas."""
     project, survey = calibrated
     assert project.truth_deg is not None
     found = adjust_natural_planes(project, survey)
@@ -143,9 +143,7 @@ def test_natural_planes_are_the_validation_planes(calibrated: tuple[Project, Sur
     assert raised.value.code == "estimate.few_validation_planes"
 
 
-def test_the_command_shows_them_side_by_side(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+def test_compare_command(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_project(project)
     code, out, err = run(capsys, "compare", tmp_path / "p")
@@ -171,7 +169,7 @@ def test_the_command_shows_them_side_by_side(
     assert "(lispac estimate p, or --compute)" in refused(capsys, "compare", tmp_path / "p")
 
 
-def test_compute_runs_keeps_and_reports_methods_that_cannot_run(
+def test_compare_with_compute_runs_and_saves_the_methods(
     capsys: pytest.CaptureFixture[str], sparse_project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip

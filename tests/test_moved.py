@@ -1,4 +1,4 @@
-"""A project on another disk than before: its files are found, or asked for; no other is taken."""
+"""Tests of finding the files of a project that was moved to another disk."""
 
 import shutil
 from dataclasses import replace
@@ -34,7 +34,7 @@ from tests.command_errors import command_error
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Files in ``survey/nav`` and ``survey/lines``, and their project in ``projects/quay``."""
+    """Return a folder with files in ``survey`` and their project in ``projects/quay``."""
     root = tmp_path_factory.mktemp("made")
     simulated = demo.make_demo(root / "simulated", points_per_second=4000.0)
     for sub, paths in (
@@ -68,15 +68,15 @@ def files(project: Project) -> set[Path]:
     return {project.trajectory, project.accuracy, *(line.path for line in project.lines)}
 
 
-def test_moved_together_nothing_is_missing(disk: Path) -> None:
+def test_no_file_is_missing_after_moving_project_and_files(disk: Path) -> None:
     moved = disk.rename(disk.with_name("other"))
     project, notes = open_project_with_notes(moved / "projects" / "quay")
     assert (missing_files(project), notes) == ((), ())
 
 
 @pytest.mark.parametrize("place", [".", "raw", "..", "../survey"])
-def test_files_in_the_projects_folder_and_beside_it_are_found(disk: Path, place: str) -> None:
-    """With the names of the folders they were in, or without."""
+def test_files_in_or_beside_the_project_folder_are_found(disk: Path, place: str) -> None:
+    """The files are in folders of the same names, or directly in the folder."""
     home = disk / "projects" / "quay"
     other = home / "survey" if place == "raw" else home / place
     if place == "raw":
@@ -87,7 +87,7 @@ def test_files_in_the_projects_folder_and_beside_it_are_found(disk: Path, place:
             shutil.move(path, other / path.name)
         shutil.rmtree(disk / "survey")
     if place == "../survey":
-        assert missing_files(open_project(home))  # beside it, and in a folder it was not in
+        assert missing_files(open_project(home))  # not searched by default
         project = with_files_in(open_project(home), home.parent)
     else:
         project, notes = open_project_with_notes(home)
@@ -100,7 +100,7 @@ def test_files_in_the_projects_folder_and_beside_it_are_found(disk: Path, place:
     assert len(load_survey(project).lines) == len(project.lines)
 
 
-def test_a_folder_above_them_is_enough(disk: Path, tmp_path: Path) -> None:
+def test_files_are_found_below_a_given_folder(disk: Path, tmp_path: Path) -> None:
     project = read_project(disk / "projects" / "quay")
     (tmp_path / "usb" / "2026").mkdir(parents=True)
     shutil.move(disk / "survey", tmp_path / "usb" / "2026" / "harbour")
@@ -111,7 +111,7 @@ def test_a_folder_above_them_is_enough(disk: Path, tmp_path: Path) -> None:
     assert files(with_files_of(project, found)) == files(found)
 
 
-def test_of_two_files_of_one_name_none_is_taken(disk: Path, tmp_path: Path) -> None:
+def test_ambiguous_files_are_not_used(disk: Path, tmp_path: Path) -> None:
     project = read_project(disk / "projects" / "quay")
     for day in ("monday", "tuesday"):
         shutil.copytree(disk / "survey" / "lines", tmp_path / "usb" / day)
@@ -124,7 +124,7 @@ def test_of_two_files_of_one_name_none_is_taken(disk: Path, tmp_path: Path) -> N
     assert {line.path.parent.name for line in again.lines} == {"tuesday"}
 
 
-def test_a_folder_without_them_is_refused(disk: Path, tmp_path: Path) -> None:
+def test_a_folder_without_the_files_is_refused(disk: Path, tmp_path: Path) -> None:
     project = read_project(disk / "projects" / "quay")
     shutil.rmtree(disk / "survey")
     (tmp_path / "empty").mkdir()
@@ -136,7 +136,7 @@ def test_a_folder_without_them_is_refused(disk: Path, tmp_path: Path) -> None:
     assert raised.value.code == "project_files.many_missing"
 
 
-def test_unsaved_work_is_found_its_files_too(disk: Path) -> None:
+def test_files_of_unsaved_work_are_found(disk: Path) -> None:
     home = disk / "projects" / "quay"
     project = read_project(home)
     write_unsaved(replace(project, settings=replace(project.settings, subsample=0.2)))
@@ -147,7 +147,7 @@ def test_unsaved_work_is_found_its_files_too(disk: Path) -> None:
     assert with_files_beside(found.project) == (found.project, ())
 
 
-def test_at_the_command_line_and_in_a_script(
+def test_files_are_located_by_command_and_script(
     disk: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     home, usb = disk / "projects" / "quay", tmp_path / "usb"
@@ -165,8 +165,8 @@ def test_at_the_command_line_and_in_a_script(
     assert np.isfinite(load_survey(open_project(home)).trajectory.time).all()
 
 
-def test_another_state_of_a_project_takes_the_files_that_were_found(disk: Path) -> None:
-    """As an undo does: the older state still points at where the files were."""
+def test_an_older_state_of_a_project_gets_the_found_files(disk: Path) -> None:
+    """After an undo the paths of the older state are obsolete."""
     opened = read_project(disk / "projects" / "quay")
     assert with_files_of(opened, opened) is opened
     bare = replace(opened, accuracy=None)
@@ -180,15 +180,17 @@ def test_another_state_of_a_project_takes_the_files_that_were_found(disk: Path) 
     assert missing_files(with_files_of(bare, fewer)) == (bare.lines[0].path,)
 
 
-def test_a_whole_disk_is_not_searched(
+def test_the_search_for_files_is_limited(
     disk: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Each file in a folder of another name: it is found by its own, as far as is looked."""
+    """Each file is in a folder of another name and found by its own name, up to the limit."""
     opened = read_project(disk / "projects" / "quay")
     usb = tmp_path / "usb"
     for k, path in enumerate(files(opened)):
         (usb / f"{k}").mkdir(parents=True)
         shutil.move(path, usb / f"{k}" / path.name)
     assert missing_files(with_files_in(opened, usb)) == ()
-    monkeypatch.setattr(moved_files, "MAX_SEARCHED", len(files(opened)) + 1)  # the folders, and two
+    monkeypatch.setattr(
+        moved_files, "MAX_SEARCHED_FILES", len(files(opened)) + 1
+    )  # folders, two files
     assert len(missing_files(with_files_in(opened, usb))) == len(files(opened)) - 2

@@ -1,4 +1,4 @@
-"""Proposals on random scenes without boards: targets that check each other, sigmas that hold."""
+"""Tests of proposed targets on random scenes without boards."""
 
 from dataclasses import replace
 from itertools import combinations, product
@@ -7,27 +7,37 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.diagnostics.warnings import result_warnings
-from lispac.duplicate_targets import SIGMA_MARGIN, prediction_warnings
+from lispac.duplicate_targets import MAX_SIGMA_DIFFERENCE, prediction_warnings
 from lispac.errors import RankDeficient, TargetNotFound
 from lispac.messages import error, note
 from lispac.workflow.calibration.estimation import estimate
-from lispac.workflow.calibration.proposal_acceptance import with_accepted
-from lispac.workflow.calibration.proposals import MAX_POOR, UNCHECKED, propose_targets
+from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
+from lispac.workflow.calibration.proposals import (
+    MAX_POOR_SHARE,
+    UNCHECKED_TARGET_CODES,
+    propose_targets,
+)
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.calibration.target_choice import MIN_TARGETS
 from lispac.workflow.calibration.targetless import targetless
 from lispac.workflow.checking.validation import validate
 from tests.natural_scenes import form_factors, natural_site, opened, study
 
-GOOD, NO_MORE, TENT, TWO, OPPOSITE = 6, 5, 7, 10, 11
-"""Scenes on six lines with many flat surfaces, and with three; one on four lines whose surfaces are
-not flat but for one; one with two; and one on two opposite lines whose flat surfaces do not
-determine yaw."""
+SCENE_GOOD = 6
+"""Six lines and many flat surfaces."""
+SCENE_THREE_SURFACES = 5
+"""Six lines and three flat surfaces."""
+SCENE_NOT_FLAT = 7
+"""Four lines and one flat surface."""
+SCENE_TWO_SURFACES = 10
+"""Two flat surfaces."""
+SCENE_OPPOSITE_LINES = 11
+"""Two opposite lines whose flat surfaces do not determine yaw."""
 
 
-def test_the_proposal_is_checked_and_predicts_its_sigmas() -> None:
-    seen = natural_site(GOOD)
-    project, survey = opened(seen, np.array([1.0, -1.0, 1.0]))
+def test_proposed_targets_are_controlled_and_have_the_predicted_sigmas() -> None:
+    site = natural_site(SCENE_GOOD)
+    project, survey = opened(site, np.array([1.0, -1.0, 1.0]))
     proposal = propose_targets(project, survey)
     targets = [target for target in proposal.targets if target.role == "target"]
     planes = [target for target in proposal.targets if target.role == "validation"]
@@ -40,16 +50,16 @@ def test_the_proposal_is_checked_and_predicts_its_sigmas() -> None:
     qualities = sighting_qualities(replace(project, targets=planes), survey)
     for plane in planes:
         uneven = [qualities[plane.name, s.line].flatness != "good" for s in plane.sightings]
-        assert np.mean(uneven) < MAX_POOR
-    accepted, _ = with_accepted(project, proposal, [each.name for each in proposal.targets])
+        assert np.mean(uneven) < MAX_POOR_SHARE
+    accepted, _ = with_accepted_targets(project, proposal, [each.name for each in proposal.targets])
     solved = estimate(accepted, survey, cross_check=False)
     result = solved.result
     assert result is not None
-    assert result.sigma == pytest.approx(proposal.sigma, rel=SIGMA_MARGIN)
+    assert result.sigma == pytest.approx(proposal.sigma, rel=MAX_SIGMA_DIFFERENCE)
     assert prediction_warnings(solved) == ()
     assert validate(solved, survey).not_compared == {}
-    assert (np.abs(result.boresight - seen.boresight) < 3.3 * result.sigma).all()
-    # Each angle is determined without any one of the targets.
+    assert (np.abs(result.boresight - site.boresight) < 3.3 * result.sigma).all()
+    # Each angle is determined without any single target.
     one_way = project.with_settings(replace(project.settings, accept_single_orientation=True))
     for kept in combinations(targets, len(targets) - 1):
         part = estimate(replace(one_way, targets=kept), survey, cross_check=False).result
@@ -58,32 +68,32 @@ def test_the_proposal_is_checked_and_predicts_its_sigmas() -> None:
 
 
 def test_missing_validation_planes_are_reported() -> None:
-    project, survey = opened(natural_site(NO_MORE), np.array([1.0, -1.0, 1.0]))
+    project, survey = opened(natural_site(SCENE_THREE_SURFACES), np.array([1.0, -1.0, 1.0]))
     proposal = propose_targets(project, survey)
     assert [target.role for target in proposal.targets] == ["target"] * 3
     assert [message.code for message in proposal.warnings] == ["targets.no_validation_plane"]
 
 
-def test_the_simulated_surface_decides_what_is_flat() -> None:
-    """In the first scene all surfaces that are chosen are flat, in the other one T3 is rough."""
+def test_form_factors_of_simulated_surfaces() -> None:
+    """In scene 37 all proposed surfaces are flat, in scene 36 T3 is rough."""
     for scene, rough in ((37, set()), (36, {"T3"})):
-        seen = natural_site(scene)
-        project, survey = opened(seen, np.random.default_rng([35, scene]).normal(0, 1.0, 3))
+        site = natural_site(scene)
+        project, survey = opened(site, np.random.default_rng([35, scene]).normal(0, 1.0, 3))
         targets = propose_targets(project, survey).targets
-        factors = form_factors(seen, replace(project, targets=targets))
+        factors = form_factors(site, replace(project, targets=targets))
         assert {name for name, factor in factors.items() if factor >= 1} == rough
 
 
 def test_a_scene_without_flat_surfaces_is_refused() -> None:
-    project, survey = opened(natural_site(TENT), np.zeros(3))
+    project, survey = opened(natural_site(SCENE_NOT_FLAT), np.zeros(3))
     with pytest.raises(TargetNotFound, match="targetless"):
         propose_targets(project, survey)
 
 
-def test_parallel_lines_that_leave_an_angle_are_refused_with_a_way_out() -> None:
-    """And the targetless method, which is offered, gives a result there."""
-    seen = natural_site(OPPOSITE)
-    project, survey = opened(seen, np.array([1.0, -1.0, 1.0]))
+def test_parallel_lines_are_refused_and_the_targetless_method_works() -> None:
+    """The targetless method, which the message suggests, gives a result."""
+    site = natural_site(SCENE_OPPOSITE_LINES)
+    project, survey = opened(site, np.array([1.0, -1.0, 1.0]))
     with pytest.raises(RankDeficient) as raised:
         propose_targets(project, survey)
     assert raised.value.message == error(
@@ -94,22 +104,22 @@ def test_parallel_lines_that_leave_an_angle_are_refused_with_a_way_out() -> None
     )
     assert "targetless method" in str(raised.value)
     found = targetless(project, survey).result
-    assert (np.abs(found.boresight - seen.boresight) < 3 * found.sigma).all()
+    assert (np.abs(found.boresight - site.boresight) < 3 * found.sigma).all()
 
 
-def test_targets_that_do_not_check_each_other_are_named() -> None:
-    """The scene has two flat surfaces only, and one of them alone does not give the angles."""
-    project, survey = opened(natural_site(TWO), np.zeros(3))
+def test_targets_without_mutual_control_are_reported() -> None:
+    """The scene has two flat surfaces only, and neither alone determines the angles."""
+    project, survey = opened(natural_site(SCENE_TWO_SURFACES), np.zeros(3))
     proposal = propose_targets(project, survey)
     assert [target.role for target in proposal.targets].count("target") == 2
     codes = [warning.code for warning in proposal.warnings]
-    assert UNCHECKED & set(codes)
+    assert UNCHECKED_TARGET_CODES & set(codes)
     assert "targets.proposal_unchecked" in codes
 
 
 @pytest.mark.parametrize(("scene", "bent"), [(64, ()), (73, ("T1", "T3"))])
-def test_only_true_form_errors_are_called_so(scene: int, bent: tuple[str, ...]) -> None:
-    """Two lines each; in the first one the POS errors make a flat target look bent."""
+def test_only_true_form_errors_are_reported(scene: int, bent: tuple[str, ...]) -> None:
+    """Both scenes have two lines; in scene 64 POS errors make a flat target look bent."""
     project, survey = opened(
         natural_site(scene), np.random.default_rng([35, scene]).normal(0, 1.0, 3)
     )
@@ -125,7 +135,7 @@ def test_only_true_form_errors_are_called_so(scene: int, bent: tuple[str, ...]) 
 
 @pytest.mark.long
 @pytest.mark.timeout(3600)
-def test_intervals_hold_on_two_hundred_scenes() -> None:
+def test_intervals_have_the_stated_coverage_on_two_hundred_scenes() -> None:
     answers = [each for each in study(200) if each.error is not None]
     assert len(answers) >= 150
     calm = [each for each in answers if not each.serious]
@@ -139,4 +149,4 @@ def test_intervals_hold_on_two_hundred_scenes() -> None:
     assert ((covered_calm >= 0.90) & (covered_calm <= 0.98)).all(), covered_calm
     ratio = np.array([each.sigma / each.predicted for each in answers])
     print(f"stated over predicted, median {np.median(ratio, axis=0)}")
-    assert (np.abs(np.median(ratio, axis=0) - 1) < SIGMA_MARGIN).all()
+    assert (np.abs(np.median(ratio, axis=0) - 1) < MAX_SIGMA_DIFFERENCE).all()

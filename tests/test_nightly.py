@@ -1,4 +1,4 @@
-"""The nightly set names tests and modules that are there."""
+"""Tests of the nightly checks and of the evaluation of mutants."""
 
 import re
 import subprocess
@@ -21,14 +21,14 @@ from tests.extras.nightly import (
 from tests.extras.quick import SLOW
 
 
-def test_what_it_names_is_there() -> None:
+def test_named_packages_modules_and_tests_exist() -> None:
     assert all((CHECKOUT / "lispac" / package).is_dir() for package in PACKAGES)
     assert all((CHECKOUT / module).is_file() for module in COMPILED)
     for tests in PACKAGES.values():
         assert [each for each in tests if not (CHECKOUT / f"tests/test_{each}.py").is_file()] == []
 
 
-def test_a_step_that_is_not_there_is_refused(
+def test_an_unknown_step_is_refused(
     tmp_path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("sys.argv", ["nightly", str(tmp_path), "everything"])
@@ -37,7 +37,7 @@ def test_a_step_that_is_not_there_is_refused(
     assert "there is no step everything" in capsys.readouterr().err
 
 
-def test_a_step_that_fails_is_reported_and_the_next_is_taken(
+def test_a_failed_step_is_reported_and_the_next_one_runs(
     tmp_path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def fails(_folder, log) -> str:
@@ -53,7 +53,7 @@ def test_a_step_that_fails_is_reported_and_the_next_is_taken(
     assert second.endswith("all is well")
 
 
-def test_of_each_module_the_same_changes_are_drawn() -> None:
+def test_the_sample_of_mutants_is_reproducible() -> None:
     found = {f"a.{m}.x_f__mutmut_{k}": "not checked" for m in ("one", "two") for k in range(30)}
     found["a.few.x_g__mutmut_1"] = "not checked"
     some = drawn(found, 5)
@@ -77,7 +77,7 @@ def test_of_each_module_the_same_changes_are_drawn() -> None:
         ("zip(a, b, strict=True)", "zip(b, strict=True)", False),
     ],
 )
-def test_a_survivor_is_justified_by_its_kind_a_family_or_its_texts(ours, theirs, expected) -> None:
+def test_survivors_are_justified_by_kind_family_or_text(ours, theirs, expected) -> None:
     reasons = Justifications.of(
         {"functions": {"frames.f": {"20 -> 21": "enough"}}, "families": {"strict=False": "guard"}}
     )
@@ -88,7 +88,7 @@ def test_a_survivor_is_justified_by_its_kind_a_family_or_its_texts(ours, theirs,
 
 
 def changed(function: str, number: int, ours: str, theirs: str) -> dict[str, str]:
-    """Difference of one change, as mutmut shows it."""
+    """Return one mutant with its difference in the format of mutmut."""
     name = f"lispac.geometry.frames.x_{function}__mutmut_{number}"
     return {
         name: f"# {name}: survived\n--- a/b.py\n+++ a/b.py\n@@ -1,2 +1,2 @@\n"
@@ -96,7 +96,7 @@ def changed(function: str, number: int, ours: str, theirs: str) -> dict[str, str
     }
 
 
-def test_each_survivor_of_a_kind_needs_a_reason_of_its_own() -> None:
+def test_each_survivor_of_a_kind_needs_its_own_reason() -> None:
     less, more = changed("f", 1, "a < b", "a <= b"), changed("f", 2, "c = d < e", "c = d <= e")
     one = Justifications({"frames.f": {"< -> <=": ["the very number"]}}, {})
     assert one.missing_for(less) == one.missing_for(more) == []
@@ -105,7 +105,7 @@ def test_each_survivor_of_a_kind_needs_a_reason_of_its_own() -> None:
     assert two.missing_for(less | more) == []
 
 
-def test_entries_that_match_nothing_are_named() -> None:
+def test_unmatched_entries_are_named() -> None:
     (known, *_) = functions_of_packages()
     reasons = Justifications({known: {"1 -> 2": ["why"]}, "frames.gone": {"1 -> 2": ["why"]}}, {})
     assert reasons.unmatched(whole=False) == ["frames.gone: 1 -> 2"]
@@ -121,15 +121,15 @@ def test_entries_that_match_nothing_are_named() -> None:
         ("lispac.geometry.planes.xǁPlaneǁ__init____mutmut_2", "planes.Plane.__init__"),
     ],
 )
-def test_the_function_of_a_change_has_no_package(name: str, function: str) -> None:
+def test_the_function_of_a_mutant_is_named_without_its_package(name: str, function: str) -> None:
     assert function_of(name) == function
 
 
-def test_a_change_that_shows_only_where_it_is_imported_is_noticed_afresh(
+def test_mutants_with_effects_at_import_are_tested_in_a_new_process(
     tmp_path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
-    (tmp_path / "pytest.ini").write_text("[pytest]\n")  # the folder may lie in the checkout
+    (tmp_path / "pytest.ini").write_text("[pytest]\n")  # tmp_path may lie in the checkout
     tests = tmp_path / "test_table.py"
     tests.write_text(
         "import os\n"
@@ -146,7 +146,7 @@ def test_a_change_that_shows_only_where_it_is_imported_is_noticed_afresh(
     assert noticed_afresh([], tmp_path, []) == set()
 
 
-def test_every_justification_is_a_text_and_every_family_an_expression() -> None:
+def test_justifications_are_valid() -> None:
     content = tomllib.loads(nightly.JUSTIFICATIONS.read_text(encoding="utf-8"))
     assert set(content) == {"functions", "families"}
     reasons = Justifications.of(content)
@@ -155,7 +155,7 @@ def test_every_justification_is_a_text_and_every_family_an_expression() -> None:
         re.compile(each)
 
 
-LAZ_IN_A_COPY = """
+LAZ_AFTER_FORK_SCRIPT = """
 import os, signal, sys
 import laspy
 from tests.extras.quick import pytest_configure
@@ -172,9 +172,9 @@ sys.exit(os.waitstatus_to_exitcode(os.waitpid(copy, 0)[1]))
 """
 
 
-def test_a_copy_of_a_process_that_has_read_laz_reads_it_too(tmp_path) -> None:
+def test_laz_is_read_after_a_fork(tmp_path) -> None:
     done = subprocess.run(
-        [sys.executable, "-c", LAZ_IN_A_COPY, str(tmp_path / "cloud.laz")],
+        [sys.executable, "-c", LAZ_AFTER_FORK_SCRIPT, str(tmp_path / "cloud.laz")],
         cwd=CHECKOUT, check=False,
     )  # fmt: skip
     assert done.returncode == 0

@@ -1,4 +1,4 @@
-"""Signed distances and plane offsets: what was put in comes back within its stated confidence."""
+"""Tests of signed distances along the normal and of plane offsets with their intervals."""
 
 from itertools import product
 
@@ -9,14 +9,18 @@ from numpy.typing import NDArray
 from lispac.errors import InputError, NotComparable
 from lispac.geometry.rotations import rotation_matrix
 from lispac.io.value_conversion import decode_value, encode_value
-from lispac.validation.normal_distance import FEWEST, NormalDistances, distances_along_normal
+from lispac.validation.normal_distance import (
+    MIN_CYLINDER_POINTS,
+    NormalDistances,
+    distances_along_normal,
+)
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
 from tests.error_codes import has_code
 
 Array = NDArray[np.float64]
 
 EAST = np.array([0.0, -1.0, 0.0])
-OFFSETS = [0.0, 0.002, 0.005, 0.020]
+OFFSETS_M = [0.0, 0.002, 0.005, 0.020]
 TURNS_DEG = [0.0, 0.01, 0.1]
 
 
@@ -24,10 +28,10 @@ def wall(
     rng: np.random.Generator, n: int, *, noise: float = 0.003, offset: float = 0.0,
     tilt: float = 0.0, turn: float = 0.0,
 ) -> Array:  # fmt: skip
-    """Points of a wall 15 m to the west, 2 m long and 3 m high, moved east, then turned.
+    """Return points of a wall 15 m to the west, 2 m long and 3 m high, moved and turned.
 
-    ``tilt`` is about the level axis, its top to the east; ``turn`` about the upright one, its north
-    end to the east; both about the middle, radians.
+    The wall is moved east by ``offset``. ``tilt`` turns it about the horizontal axis, top to the
+    east, and ``turn`` about the vertical axis, north end to the east; both in radians.
     """
     along, height = rng.uniform(-1.0, 1.0, n), rng.uniform(-1.5, 1.5, n)
     off = rng.normal(offset, noise, n) + np.tan(tilt) * height + np.tan(turn) * along
@@ -39,11 +43,11 @@ def measured(compared: Array, reference: Array, cores: Array, **how: float) -> N
     return distances_along_normal(compared, reference, cores, facing=EAST, **scales)
 
 
-@pytest.mark.parametrize("offset", OFFSETS)
-def test_a_known_offset_comes_back_with_its_sign(offset: float) -> None:
+@pytest.mark.parametrize("offset", OFFSETS_M)
+def test_a_known_offset_is_recovered_with_its_sign(offset: float) -> None:
     rng = np.random.default_rng(1)
     found = measured(wall(rng, 3000, offset=offset), (ref := wall(rng, 3000)), ref[::30])
-    # 100 places that share no more than some of their points.
+    # The 100 places have few points in common.
     assert found.distance.mean() == pytest.approx(offset, abs=0.0004)
     assert np.median(found.half_width) == pytest.approx(1.97 * 0.003 * np.sqrt(2 / 63), rel=0.1)
     back = measured(ref, wall(rng, 3000, offset=offset), ref[::30])
@@ -51,32 +55,38 @@ def test_a_known_offset_comes_back_with_its_sign(offset: float) -> None:
 
 
 @pytest.mark.parametrize(("n", "noise"), [(3000, (0.003, 0.003)), (400, (0.002, 0.008))])
-def test_intervals_hold_what_they_say(n: int, noise: tuple[float, float]) -> None:
-    """One place in each of 1,000 pairs of clouds, at 60 and at 8 points in a cylinder.
+def test_intervals_have_the_stated_coverage(n: int, noise: tuple[float, float]) -> None:
+    """Coverage at one place in 1,000 pairs of clouds, with 60 and 8 points in a cylinder.
 
-    93 to 97 % is what is promised; by chance alone 1,000 draws of 95 % leave it once in 270.
+    The coverage must be 93 to 97 %; 1,000 draws at 95 % leave this range once in 270 times.
     """
     rng, held = np.random.default_rng(7), []
     core = np.array([[0.0, 15.0, 4.0]])
     for k in range(1000):
-        offset = OFFSETS[k % len(OFFSETS)]
+        offset = OFFSETS_M[k % len(OFFSETS_M)]
         moved, still = wall(rng, n, noise=noise[0], offset=offset), wall(rng, n, noise=noise[1])
         try:
             found = measured(moved, still, core)
         except NotComparable:
-            assert n == 400  # fewer than four points in the cylinder: no distance is stated
+            assert n == 400  # fewer than four points in the cylinder: no distance
             continue
         held.append(abs(found.distance[0] - offset) <= found.half_width[0])
     assert len(held) > 900
     assert 0.93 <= np.mean(held) <= 0.97
 
 
-def test_the_distance_of_an_oblique_surface_is_across_it() -> None:
+def test_the_distance_is_along_the_normal_of_an_oblique_surface() -> None:
     rng = np.random.default_rng(3)
     turned = rotation_matrix(*np.radians([20.0, -30.0, 40.0]))
     ref, moved = wall(rng, 3000) @ turned.T, wall(rng, 3000, offset=0.02) @ turned.T
     found = distances_along_normal(
-        moved, ref, ref[::50], facing=turned @ EAST, normal_scale=1.0, diameter=0.4, depth=0.3
+        moved,
+        ref,
+        ref[::50],
+        facing=turned @ EAST,
+        normal_scale=1.0,
+        diameter=0.4,
+        depth=0.3,
     )
     assert found.distance.mean() == pytest.approx(0.02, abs=0.0005)
 
@@ -90,12 +100,12 @@ def test_places_without_points_have_no_distance_and_are_counted() -> None:
     assert found.no_distance >= beyond
     assert len(found.distance) == len(ref[::20]) - found.no_distance
     with pytest.raises(
-        NotComparable, check=has_code("validation.cylinder_too_narrow", needed=FEWEST)
+        NotComparable, check=has_code("validation.cylinder_too_narrow", needed=MIN_CYLINDER_POINTS)
     ):
         measured(half + [0.0, 5.0, 0.0], ref, ref[::20])
 
 
-def test_points_without_noise_are_sure() -> None:
+def test_differences_of_points_without_noise_are_significant() -> None:
     rng = np.random.default_rng(5)
     found = measured(
         wall(rng, 500, noise=0.0, offset=0.01), (ref := wall(rng, 500, noise=0.0)), ref
@@ -112,16 +122,16 @@ def test_points_without_noise_are_sure() -> None:
         ("depth", "validation.cylinder_depth"),
     ],
 )
-def test_refuses_a_size_that_is_none(name: str, code: str) -> None:
+def test_a_size_of_zero_is_refused(name: str, code: str) -> None:
     cloud = wall(np.random.default_rng(0), 50)
     with pytest.raises(InputError, check=has_code(code, value=0.0)):
         measured(cloud, cloud, cloud, **{name: 0.0})
 
 
-def test_plane_offsets_and_turns_come_back_within_their_intervals() -> None:
-    """Each of the three intervals holds its value in 93 to 97 % of 600 pairs of clouds."""
+def test_intervals_of_plane_offsets_and_turns_have_the_stated_coverage() -> None:
+    """The coverage of the three intervals is 93 to 97 % in 600 pairs of clouds."""
     rng, held = np.random.default_rng(11), []
-    for offset, turn_deg in list(product(OFFSETS, TURNS_DEG)) * 50:
+    for offset, turn_deg in list(product(OFFSETS_M, TURNS_DEG)) * 50:
         angle = np.radians(turn_deg)
         moved = wall(rng, 500, offset=offset, tilt=angle, turn=-angle)
         found = plane_offset(moved, wall(rng, 700, noise=0.005), EAST)
@@ -152,14 +162,14 @@ def test_outliers_are_rejected_and_counted() -> None:
     assert abs(found.offset - 0.005) < 2 * found.offset_95
 
 
-def test_lines_far_apart_do_not_tilt_the_frame() -> None:
+def test_a_large_offset_does_not_change_the_turn() -> None:
     rng = np.random.default_rng(9)
     moved = wall(rng, 2000, offset=0.8, tilt=np.radians(0.5)) + [0.7, 0.0, 0.6]
     found = plane_offset(moved, wall(rng, 2000), EAST)
     assert np.degrees(found.rotation_horizontal_axis) == pytest.approx(0.5, abs=0.01)
 
 
-def test_too_few_points_make_no_plane() -> None:
+def test_too_few_or_collinear_points_are_refused() -> None:
     cloud = wall(np.random.default_rng(0), 50)
     with pytest.raises(NotComparable, check=has_code("validation.plane_few_points")):
         plane_offset(cloud[:3], cloud, EAST)
@@ -168,7 +178,7 @@ def test_too_few_points_make_no_plane() -> None:
         plane_offset(row, cloud, EAST)
 
 
-def test_round_trip_through_json() -> None:
+def test_plane_offset_round_trip_through_json() -> None:
     rng = np.random.default_rng(1)
     found = plane_offset(wall(rng, 100), wall(rng, 100), EAST)
     assert decode_value(encode_value(found), PlaneOffset) == found

@@ -1,4 +1,4 @@
-"""What the geometry sees: refusals with their reason, weak directions, a further line."""
+"""Tests of observability: undetermined geometries, weak directions, advice on further lines."""
 
 from dataclasses import replace
 
@@ -10,7 +10,7 @@ from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.model.point_averaging import average_points_in_cells
-from lispac.adjustment.model.stochastic_model import POS_ERRORS, StochasticModel
+from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, StochasticModel
 from lispac.adjustment.model.target_shapes import points_local
 from lispac.adjustment.result import UncontrolledObservations
 from lispac.adjustment.solve.normal_equations import scaled_inverse
@@ -35,7 +35,7 @@ from tests.message_codes import codes
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
-UPRIGHT, LEANING = THESIS_BOARDS
+UPRIGHT_BOARD, LEANING_BOARD = THESIS_BOARDS
 
 
 def survey(targets=THESIS_BOARDS, courses=None, seed: int = 0, still: bool = False) -> Observations:
@@ -49,20 +49,20 @@ def survey(targets=THESIS_BOARDS, courses=None, seed: int = 0, still: bool = Fal
 
 
 @pytest.mark.parametrize("accepted", [False, True])
-@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+@pytest.mark.parametrize("pos_errors", POS_ERROR_MODELS)
 @pytest.mark.parametrize(
     ("targets", "lines", "reason"),
     [
         (THESIS_BOARDS, (0,), "adjustment.one_line"),
-        ((UPRIGHT,), (0, 1), "adjustment.parallel_lines_one_target"),
+        ((UPRIGHT_BOARD,), (0, 1), "adjustment.parallel_lines_one_target"),
         (
-            (UPRIGHT, replace(UPRIGHT, name="T3", centre=(-3.0, 15.0, 4.0))),
+            (UPRIGHT_BOARD, replace(UPRIGHT_BOARD, name="T3", centre=(-3.0, 15.0, 4.0))),
             (0, 1),
             "adjustment.parallel_lines_one_orientation",
         ),
     ],
 )
-def test_a_geometry_that_fails_is_refused_with_its_reason(
+def test_an_undetermined_geometry_is_refused_with_its_reason(
     pos_errors, targets, lines, reason, accepted
 ) -> None:
     courses = tuple(six_courses()[k] for k in lines)
@@ -73,7 +73,7 @@ def test_a_geometry_that_fails_is_refused_with_its_reason(
 
 
 def reason_of(error: RankDeficient) -> str:
-    """Code of the reason that an undetermined boresight has; of the error itself without one."""
+    """Return the code of the reason, or of the error itself if it has no reason."""
     assert error.message is not None
     reason = error.message.params.get("reason")
     if reason is None:
@@ -84,7 +84,7 @@ def reason_of(error: RankDeficient) -> str:
 
 
 def there_and_back(times: int) -> tuple[Course, ...]:
-    """Lines past both boards, all parallel: what pitch and yaw do to them can hardly be told."""
+    """Return parallel lines past both boards, which hardly determine pitch and yaw."""
     pair = six_courses()[:2]
     return tuple(
         replace(course, name=f"{course.name}{k}", time=course.time + 180 * k)
@@ -96,31 +96,31 @@ def there_and_back(times: int) -> tuple[Course, ...]:
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("loss", ["none", "tukey"])
 def test_the_classical_model_refuses_what_the_correlated_model_refuses(seed, loss) -> None:
-    """Its own information grows with the points, and any angle seems known."""
+    """The information of its own covariance grows with the points and seems sufficient."""
     points = survey(courses=there_and_back(2), seed=seed)
-    for pos_errors in POS_ERRORS:
+    for pos_errors in POS_ERROR_MODELS:
         with pytest.raises(RankDeficient) as refused:
             adjust(points, PRIOR, StochasticModel(pos_errors, loss=loss), diagnostics=False)
         assert reason_of(refused.value) == "adjustment.parallel_lines"
 
 
 def facing(degrees: float) -> Board:
-    """A board beside the upright one that faces another way by so much."""
+    """Return a board beside the upright one, turned by an angle."""
     angle = np.radians(degrees)
     normal = (np.sin(angle), -np.cos(angle), 0.0)
-    return replace(UPRIGHT, name="T3", centre=(-3.0, 15.0, 4.0), normal=normal)
+    return replace(UPRIGHT_BOARD, name="T3", centre=(-3.0, 15.0, 4.0), normal=normal)
 
 
-@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+@pytest.mark.parametrize("pos_errors", POS_ERROR_MODELS)
 @pytest.mark.parametrize(
     ("targets", "code"),
     [
-        ((UPRIGHT,), "adjustment.only_plane"),
-        ((UPRIGHT, facing(0)), "adjustment.parallel_planes"),
-        ((UPRIGHT, facing(8)), "adjustment.parallel_planes"),
+        ((UPRIGHT_BOARD,), "adjustment.only_plane"),
+        ((UPRIGHT_BOARD, facing(0)), "adjustment.parallel_planes"),
+        ((UPRIGHT_BOARD, facing(8)), "adjustment.parallel_planes"),
     ],
 )
-def test_targets_that_face_one_way_are_refused_on_any_headings(pos_errors, targets, code) -> None:
+def test_parallel_targets_are_refused_for_any_headings(pos_errors, targets, code) -> None:
     with pytest.raises(RankDeficient, check=has_code(code)):
         adjust(survey(targets), PRIOR, StochasticModel(pos_errors), diagnostics=False)
 
@@ -128,27 +128,27 @@ def test_targets_that_face_one_way_are_refused_on_any_headings(pos_errors, targe
 @pytest.mark.parametrize(
     "targets",
     [
-        (UPRIGHT, facing(12)),
-        (UPRIGHT, facing(7), replace(facing(-7), name="T4", centre=(3.0, 15.0, 4.0))),
-        (UPRIGHT, Ball("B1", (-3.0, 15.0, 4.0), 0.3)),
+        (UPRIGHT_BOARD, facing(12)),
+        (UPRIGHT_BOARD, facing(7), replace(facing(-7), name="T4", centre=(3.0, 15.0, 4.0))),
+        (UPRIGHT_BOARD, Ball("B1", (-3.0, 15.0, 4.0), 0.3)),
     ],
 )
-def test_targets_that_face_two_ways_are_not(targets) -> None:
-    """In any order: planes 7 deg to each side of a third are 14 deg apart."""
+def test_targets_with_two_orientations_are_accepted(targets) -> None:
+    """The order does not matter; planes at 7 deg to either side of a third differ by 14 deg."""
     for some in (targets, targets[::-1]):
         adjust(survey(some), PRIOR, StochasticModel(), diagnostics=False)
 
 
-def test_parts_of_a_survey_may_face_one_way() -> None:
-    """Without one of two boards the other is left; that is what a cross-check asks."""
+def test_cross_checks_may_have_one_orientation() -> None:
+    """A cross-check without one of two boards is left with a single target."""
     points = survey()
     checks = cross_checks(points, PRIOR, adjust(points, PRIOR, StochasticModel()))
     assert all(c.boresight is not None for c in checks.parts if c.kind == "target")
 
 
-def test_one_board_on_six_lines_answers_with_the_sigmas_it_deserves() -> None:
-    """Where that is accepted: the data can tell, and the sigmas say how well."""
-    one = adjust(survey((UPRIGHT,)), PRIOR, StochasticModel(), accept_single_orientation=True)
+def test_one_accepted_board_has_larger_sigmas_and_a_correct_result() -> None:
+    """A single orientation is accepted by the setting."""
+    one = adjust(survey((UPRIGHT_BOARD,)), PRIOR, StochasticModel(), accept_single_orientation=True)
     two = adjust(survey(), PRIOR, StochasticModel())
     assert (one.sigma > two.sigma).all()
     assert one.observability.messages[-1] == note("adjustment.one_target", target="T1")
@@ -167,14 +167,14 @@ def test_the_inclination_of_a_sphere_is_not_reported() -> None:
         adjust(survey((ball,), twice, still=True), PRIOR, StochasticModel())
 
 
-def test_boards_that_face_one_way_are_reported() -> None:
-    points = survey((UPRIGHT, facing(0)))
+def test_parallel_boards_are_reported() -> None:
+    points = survey((UPRIGHT_BOARD, facing(0)))
     result = adjust(points, PRIOR, StochasticModel(), accept_single_orientation=True)
     assert result.observability.messages[-1] == note("adjustment.one_facing")
     assert (np.abs(result.boresight - TRUTH.boresight) < 3.5 * result.sigma).all()
 
 
-def test_directions_and_condition_are_those_of_the_covariance() -> None:
+def test_directions_and_condition_agree_with_the_covariance() -> None:
     result = adjust(survey(), PRIOR, StochasticModel())
     seen = result.observability
     assert seen is not None
@@ -188,7 +188,7 @@ def test_directions_and_condition_are_those_of_the_covariance() -> None:
     assert english_text(seen.messages[0]).startswith(f"Least precisely determined: {weakest}")
 
 
-def test_sigmas_without_a_line_are_those_of_the_adjustment_without_it() -> None:
+def test_sigmas_without_a_line_agree_with_an_adjustment_without_it() -> None:
     courses = six_courses()[:2] + six_courses()[4:]
     data = survey(courses=courses)
     model = StochasticModel(surface=0.0005)
@@ -200,16 +200,16 @@ def test_sigmas_without_a_line_are_those_of_the_adjustment_without_it() -> None:
         np.testing.assert_allclose(seen.sigma_without_line[line], without.sigma, rtol=0.05)
 
 
-def test_a_line_that_alone_sees_an_angle_is_named() -> None:
-    """Along the wall and one oblique line: pitch and yaw hang on it."""
+def test_a_line_that_alone_determines_an_angle_is_named() -> None:
+    """Of two lines along the wall and an oblique one, pitch and yaw depend on the oblique one."""
     courses = six_courses()[:2] + six_courses()[4:5]
     seen = adjust(survey(courses=courses), PRIOR, StochasticModel()).observability
     assert seen is not None
     assert UncontrolledObservations("line", line="L5") in seen.unchecked
 
 
-def test_a_further_line_brings_what_was_predicted() -> None:
-    """The sigma predicted for a line, and that of the survey in which it was sailed."""
+def test_predicted_sigmas_of_a_further_line_are_obtained() -> None:
+    """The predicted sigmas agree with those of a survey that has the line."""
     courses = six_courses()[:2] + six_courses()[4:5]
     data = survey(courses=courses)
     model = StochasticModel(surface=0.0)
@@ -224,8 +224,8 @@ def test_a_further_line_brings_what_was_predicted() -> None:
     assert found.params["target"] == "T1"
 
 
-def test_what_was_predicted_holds_with_a_latency_too() -> None:
-    """A latency is seen by how the platform moves, and the further line moves another way."""
+def test_predicted_sigmas_of_a_further_line_with_a_latency() -> None:
+    """A latency depends on the motion of the platform, which differs on the further line."""
     courses, wanted = six_courses()[:2] + six_courses()[4:5], (Parameter("latency"),)
     data, model = survey(courses=courses), StochasticModel(surface=0.0)
     result = adjust(data, PRIOR, model, parameters=wanted)
@@ -235,8 +235,8 @@ def test_what_was_predicted_holds_with_a_latency_too() -> None:
     np.testing.assert_allclose(lines[45].sigma, sailed.sigma, rtol=0.05)
 
 
-def test_a_sighting_that_was_rejected_promises_nothing() -> None:
-    """The further line is foretold from the sightings that the answer rests on."""
+def test_a_rejected_sighting_does_not_affect_the_prediction() -> None:
+    """Further lines are predicted from the sightings that are used."""
     from tests.test_robustness import shifted
 
     clean = survey(courses=six_courses()[:5])
@@ -245,24 +245,26 @@ def test_a_sighting_that_was_rejected_promises_nothing() -> None:
     assert result.rejected_sightings == (data.sightings[9],)
     without = data.of_sightings(np.arange(len(data.sightings)) != 9)
     plain = adjust(without, PRIOR, model)
-    told = {line.heading: line.sigma for line in further_lines(data, result)}
-    same = {line.heading: line.sigma for line in further_lines(without, plain)}
-    assert told.keys() == same.keys()
-    for heading, sigma in told.items():
-        np.testing.assert_allclose(sigma, same[heading], rtol=0.005)
+    predicted = {line.heading: line.sigma for line in further_lines(data, result)}
+    expected = {line.heading: line.sigma for line in further_lines(without, plain)}
+    assert predicted.keys() == expected.keys()
+    for heading, sigma in predicted.items():
+        np.testing.assert_allclose(sigma, expected[heading], rtol=0.005)
 
 
-def test_where_no_line_helps_the_advice_says_so() -> None:
+def test_the_advice_says_if_no_line_helps() -> None:
     twice = six_courses() + tuple(
         replace(c, name=f"{c.name}b", time=c.time + 600) for c in six_courses()
     )
-    data = survey((UPRIGHT, LEANING, Board("T3", (0.0, -15.0, 5.0), (0.0, 1.0, 0.3))), twice)
+    data = survey(
+        (UPRIGHT_BOARD, LEANING_BOARD, Board("T3", (0.0, -15.0, 5.0), (0.0, 1.0, 0.3))), twice
+    )
     (found,) = further_line_advice(data, adjust(data, PRIOR, StochasticModel()))
     assert found.code == "further_line.insufficient"
 
 
-def test_no_line_is_promised_to_bring_what_no_line_can() -> None:
-    """A scan-angle offset known to half a degree leaves roll at half a degree, whoever sails."""
+def test_the_prediction_of_further_lines_respects_the_prior() -> None:
+    """A scan-angle offset with a prior sigma of 0.5 deg limits roll on any line."""
     points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
     result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
     assert result.sigma[0] > 0.9 * np.radians(0.5)
@@ -276,8 +278,8 @@ def test_no_line_is_promised_to_bring_what_no_line_can() -> None:
     assert "further_line.insufficient" not in [each.code for each in found]
 
 
-def test_the_advice_goes_on_to_the_angle_that_data_can_help() -> None:
-    """What is known as well as a stated value, and no better, is named; a line is for the next."""
+def test_the_advice_skips_an_angle_limited_by_a_prior() -> None:
+    """An angle limited by a prior is named; the advised line is for the next angle."""
     courses = six_courses()[:2] + six_courses()[4:5]
     points, model = survey(courses=courses), StochasticModel(surface=0.0)
     held = Parameter("scan_angle_offset", np.radians(0.5))
@@ -289,14 +291,14 @@ def test_the_advice_goes_on_to_the_angle_that_data_can_help() -> None:
     assert list(map(english_text, rest)) == list(map(english_text, plain))
 
 
-def test_a_given_value_that_matters_little_leaves_the_advice_as_it_is() -> None:
+def test_a_prior_of_small_effect_does_not_change_the_advice() -> None:
     points, held = survey(), Parameter("scan_angle_offset", np.radians(0.002))
     result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
     assert [each.value for each in result.parameters] == [None]
     assert "further_line.prior" not in [each.code for each in further_line_advice(points, result)]
 
 
-def test_the_classical_model_is_advised_without_what_it_does_not_estimate() -> None:
+def test_the_advice_of_the_classical_model_ignores_other_parameters() -> None:
     points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
     model = StochasticModel("independent")
     plain = adjust(points, PRIOR, model)
@@ -305,13 +307,13 @@ def test_the_classical_model_is_advised_without_what_it_does_not_estimate() -> N
     ) == further_line_advice(points, plain)
 
 
-def test_a_further_line_says_on_which_side_and_how_far_off_the_targets_are() -> None:
-    """The boards lie west of where the vessel passes, 11 to 15 m from the lines."""
+def test_a_further_line_has_side_and_distance_of_the_targets() -> None:
+    """The boards are to the west of the lines, at 11 to 15 m."""
     courses = six_courses()[:2] + six_courses()[4:5]
     points = survey(courses=courses)
     result = adjust(points, PRIOR, StochasticModel(surface=0.0))
     lines = {round(np.degrees(line.heading)): line for line in further_lines(points, result)}
-    assert not lines[0].to_starboard  # northward, west is to port
+    assert not lines[0].to_starboard  # on a northward line, west is to port
     assert lines[180].to_starboard
     assert all(10.5 < line.distance < 15.5 for line in lines.values())
     (found,) = further_line_advice(points, result)
@@ -321,7 +323,7 @@ def test_a_further_line_says_on_which_side_and_how_far_off_the_targets_are() -> 
     assert found.params["distance"] == best.distance
 
 
-def test_parts_are_compared_without_what_none_of_them_sees() -> None:
+def test_cross_checks_ignore_the_prior_of_a_common_parameter() -> None:
     points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
     plain = adjust(points, PRIOR, StochasticModel())
     result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
@@ -332,7 +334,7 @@ def test_parts_are_compared_without_what_none_of_them_sees() -> None:
 
 
 @pytest.mark.parametrize("weight", [-1e-9, 0.0, np.nan])
-def test_an_unknown_without_weight_is_refused(weight: float) -> None:
-    """Also one whose weight rounding has made negative, beside large ones that it goes with."""
+def test_a_matrix_with_an_unknown_without_weight_is_refused(weight: float) -> None:
+    """Rounding can make the weight negative beside large correlated ones."""
     with pytest.raises(RankDeficient, check=has_code("adjustment.singular")):
         scaled_inverse(np.array([[weight, 1e3], [1e3, 1e10]]))

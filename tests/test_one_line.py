@@ -1,4 +1,4 @@
-"""Targets searched for, cut, compared and accepted line by line, on a few passes."""
+"""Tests of surveys with few lines, in which targets, objects or plans have missing parts."""
 
 from dataclasses import replace
 from math import radians
@@ -16,7 +16,10 @@ from lispac.targets.expected_target import ExpectedTarget
 from lispac.workflow.calibration.estimation import complete_result
 from lispac.workflow.calibration.patch_test import propose_objects
 from lispac.workflow.calibration.picking import find_target, pick_target
-from lispac.workflow.calibration.proposal_acceptance import with_accepted, without_picked
+from lispac.workflow.calibration.proposal_acceptance import (
+    with_accepted_targets,
+    without_picked_surfaces,
+)
 from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.checking.survey_sections import section_at_target
 from lispac.workflow.checking.validation import validate
@@ -26,7 +29,7 @@ from tests.few_lines import answered, on_board, picked
 
 
 def only(survey: Survey, *lines: str) -> Survey:
-    """The survey with some of its lines."""
+    """Return the survey with some of its lines."""
     return replace(
         survey,
         scans={name: survey.scans[name] for name in lines},
@@ -35,7 +38,7 @@ def only(survey: Survey, *lines: str) -> Survey:
     )
 
 
-def test_what_is_expected_of_a_target_is_kept_with_its_other_lines() -> None:
+def test_a_new_pick_on_one_line_keeps_the_other_lines_of_a_target() -> None:
     project, survey = picked()
     before = project.target("T2")
     seed = survey.clouds["L2"][before.sightings[1].indices].mean(axis=0)
@@ -47,12 +50,12 @@ def test_what_is_expected_of_a_target_is_kept_with_its_other_lines() -> None:
     assert [each.line for each in after.sightings] == ["L1", "L2", "L3"]
     assert after.sightings[0] is before.sightings[0]
     assert after.sightings[2] is before.sightings[2]
-    # Where nothing is said of it the next time, it is kept.
+    # A further pick without expected values keeps them.
     assert pick_target(edited, survey, seed, name="T2", line="L2").target("T2").expected == expected
 
 
-def test_of_radii_that_no_second_line_answers_to_the_smallest_is_kept() -> None:
-    """Of a validation plane 4, 10 and 20 m are tried."""
+def test_the_smallest_radius_is_used_if_no_second_line_has_points() -> None:
+    """Radii of 4, 10 and 20 m are tried for a validation plane."""
     project, survey = picked()
     alone = only(survey, "L1")
     place = on_board("T1", 0.0, 0.0)
@@ -61,8 +64,8 @@ def test_of_radii_that_no_second_line_answers_to_the_smallest_is_kept() -> None:
     assert [each.line for each in found.sightings] == ["L1"]
 
 
-def test_a_section_of_a_ball_does_not_say_how_far_lines_are_apart() -> None:
-    """Along which direction that would be is not known of it, as it is of a plane."""
+def test_a_section_of_a_sphere_has_no_separation_of_lines() -> None:
+    """Unlike a plane, a sphere has no single normal to measure the separation along."""
     project, survey = answered()
     for cut in section_at_target(project, survey, "T1", level=True, size=2.0, thickness=0.2):
         assert cut.separation is not None
@@ -72,7 +75,7 @@ def test_a_section_of_a_ball_does_not_say_how_far_lines_are_apart() -> None:
         assert cut.separation is None
 
 
-def test_planes_on_single_lines_are_each_refused_with_their_reason() -> None:
+def test_planes_on_single_lines_are_refused_by_name() -> None:
     project, survey = answered()
     planes = tuple(
         replace(each, role="validation", sightings=each.sightings[:1]) for each in project.targets
@@ -83,15 +86,15 @@ def test_planes_on_single_lines_are_each_refused_with_their_reason() -> None:
         assert name in str(caught.value)
 
 
-def test_one_line_shares_no_objects() -> None:
+def test_objects_of_a_single_line_are_refused() -> None:
     project, survey = picked()
     with pytest.raises(AdjustmentError) as caught:
         propose_objects(project, only(survey, "L2"))
     assert caught.value.code == "patch_test.single_line"
 
 
-def test_lines_in_the_clouds_share_no_objects() -> None:
-    """As over water: points of each line anywhere, and none beside those of another."""
+def test_lines_without_common_surfaces_have_no_objects() -> None:
+    """The points of each line are anywhere, as over water, without neighbours in other lines."""
     project, survey = picked()
     rng = np.random.default_rng(4)
     scans = {
@@ -107,22 +110,24 @@ def test_lines_in_the_clouds_share_no_objects() -> None:
     assert caught.value.code == "patch_test.nothing_shared"
 
 
-def test_an_answer_without_observability_gets_no_advice() -> None:
+def test_a_result_without_observability_gets_no_advice() -> None:
     project, survey = answered()
     assert project.result is not None
     bare = project.with_result(replace(project.result, observability=None))
     advised = complete_result(bare, bare, survey, cross_check=False)
     assert advised.result is bare.result
-    told = complete_result(project, project, survey, cross_check=False)
-    assert told.result is not None
-    assert told.result.observability is not None
+    with_advice = complete_result(project, project, survey, cross_check=False)
+    assert with_advice.result is not None
+    assert with_advice.result.observability is not None
     assert project.result.observability is not None
-    more = len(told.result.observability.messages) - len(project.result.observability.messages)
+    more = len(with_advice.result.observability.messages) - len(
+        project.result.observability.messages
+    )
     assert more in (0, 1)
 
 
-def test_what_is_picked_already_is_not_proposed_again() -> None:
-    """The same boards found another time: those for the adjustment are named."""
+def test_picked_targets_are_not_proposed_again() -> None:
+    """The same boards are proposed under other names; those used as targets are listed."""
     project, survey = picked()
     seeds = {each.name: on_board(each.name, 0.0, 0.0) for each in project.targets}
     found = tuple(
@@ -132,34 +137,34 @@ def test_what_is_picked_already_is_not_proposed_again() -> None:
     plane = replace(found[1], role="validation")
     reasons = {each.name: note("propose.target_needed", lines=3) for each in found}
     proposal = Proposal((found[0], plane), reasons, np.zeros(3))
-    left = without_picked(project, proposal)
+    left = without_picked_surfaces(project, proposal)
     assert (left.targets, left.picked) == ((), ("T1",))
     bare = replace(project, targets=project.targets[:1])
-    left = without_picked(bare, proposal)
+    left = without_picked_surfaces(bare, proposal)
     assert [(each.name, each.role) for each in left.targets] == [("V1", "validation")]
     assert left.reasons == {"V1": note("propose.target_needed", lines=3)}
-    accepted, names = with_accepted(bare, left, ["V1", "no such name"])
+    accepted, names = with_accepted_targets(bare, left, ["V1", "no such name"])
     assert names == ("V1",)
     assert [each.name for each in accepted.targets] == ["T1", "V1"]
 
 
 @pytest.fixture
 def planned() -> TitledPlan:
-    """Boards T1 and T2 at the quay of the passes, and six lines past it."""
+    """Return a plan of boards T1 and T2 at the quay and six lines."""
     wall = Wall((0.0, -15.0, 7.5), 270.0)
     plan = thesis_plan(Site(wall.middle, 270.0))
     named = [replace(each, name=f"T{k}") for k, each in enumerate(plan.targets, start=1)]
     return TitledPlan("Quay", plan.with_targets(named), wall)
 
 
-def test_a_plan_is_compared_with_an_answer_only(planned: TitledPlan) -> None:
+def test_comparing_a_plan_needs_an_estimated_boresight(planned: TitledPlan) -> None:
     with pytest.raises(ProjectError) as caught:
         compare_with_plan(*picked(), planned)
     assert caught.value.code == "estimate.needed"
 
 
-def test_what_was_sailed_of_a_plan_may_leave_the_boresight_open(planned: TitledPlan) -> None:
-    """One board and two opposite lines: what is missing is said, and what it would have done."""
+def test_a_partly_surveyed_plan_may_not_determine_the_boresight(planned: TitledPlan) -> None:
+    """Of the plan, one board and two opposite lines exist; the costs of the rest are listed."""
     project, survey = answered()
     one = project.target("T1")
     few = replace(project, targets=(replace(one, sightings=one.sightings[:2]),))

@@ -1,4 +1,4 @@
-"""Targets, plane files and trajectories that the program exports are read back as they are."""
+"""Tests that exported targets, plane files and trajectories can be read back."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -15,8 +15,8 @@ from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.importing.file_reading import (
     check_file,
+    default_or_detected_reading,
     read_trajectory,
-    usual_or_detected_reading,
 )
 from lispac.workflow.importing.line_points import read_chunks
 from lispac.workflow.output.data_export import export_planes, export_targets, export_trajectory
@@ -27,15 +27,15 @@ from tests.cloud_files import states, track, two_lines
 from tests.message_codes import codes
 
 UTM = "EPSG:32619"
-UNKNOWN = Settings((0.0, 0.0, 0.0))
-"""Of a user who knows neither boresight nor lever arm."""
+UNKNOWN_MOUNTING = Settings((0.0, 0.0, 0.0))
+"""Settings of a user who knows neither boresight nor lever arm."""
 
 
 def read_back(
-    project: Project, path: Path, folder: Path, settings: Settings = UNKNOWN,
+    project: Project, path: Path, folder: Path, settings: Settings = UNKNOWN_MOUNTING,
     reading: Reading | None = None,
 ) -> tuple[Project, Survey]:  # fmt: skip
-    """A new project with a written cloud as its only line, with no more said of it."""
+    """Create a project with an exported cloud as its only line, without further options."""
     return new_project(
         folder, trajectory=project.trajectory, trajectory_reading=project.trajectory_reading,
         lines=[LineSource("again", path, (), reading or Reading())], settings=settings,
@@ -43,7 +43,7 @@ def read_back(
 
 
 def require_same_points(survey: Survey, points: np.ndarray, time: np.ndarray) -> None:
-    """Points and times of a line that is read back are those of the scanner, in any order."""
+    """Check that points and times of the line are those of the scanner, in any order."""
     scan = survey.scans["again"]
     found, times = scan.take(np.arange(len(scan)))
     own, order = np.argsort(times, kind="stable"), np.argsort(time, kind="stable")
@@ -53,10 +53,10 @@ def require_same_points(survey: Survey, points: np.ndarray, time: np.ndarray) ->
 
 @pytest.mark.parametrize("ending", ["laz", "las"])
 @pytest.mark.parametrize("system", ["local", UTM])
-def test_targets_come_back(
+def test_exported_targets_are_read_back_from_las(
     calibrated: tuple[Project, Survey], tmp_path: Path, ending: Any, system: str
 ) -> None:
-    """As a line: the points of all sightings, with the line they are from."""
+    """The line has the points of all sightings, each with the number of its line."""
     project, survey = calibrated
     from lispac.workflow.output.export_request import output_system_of
 
@@ -75,10 +75,10 @@ def test_targets_come_back(
 
 
 @pytest.mark.parametrize("system", ["local", UTM, "EPSG:4979", "EPSG:4978"])
-def test_targets_come_back_from_csv(
+def test_exported_targets_are_read_back_from_csv(
     calibrated: tuple[Project, Survey], tmp_path: Path, system: str
 ) -> None:
-    """By the scanner's coordinates in them, whatever system the others are in."""
+    """Scanner coordinates are read, for any system of the other coordinates."""
     project, survey = calibrated
     (path,) = export_targets(
         project, survey, tmp_path / "out", "estimated", ending="csv", names=["T1"],
@@ -97,7 +97,7 @@ def test_targets_come_back_from_csv(
     np.testing.assert_allclose(chunk.extra["intensity"], np.concatenate(intensities), rtol=1e-5)
 
 
-def test_a_target_that_is_cut_is_refused_with_its_row(
+def test_a_cut_target_file_is_refused_with_its_row(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     project, survey = calibrated
@@ -109,7 +109,7 @@ def test_a_target_that_is_cut_is_refused_with_its_row(
 
 
 @pytest.mark.parametrize("which", ["prior", "estimated"])
-def test_plane_files_come_back_as_a_line(
+def test_exported_plane_files_are_read_back_as_a_line(
     calibrated: tuple[Project, Survey], tmp_path: Path, which: Any
 ) -> None:
     project, survey = calibrated
@@ -123,8 +123,10 @@ def test_plane_files_come_back_as_a_line(
 
 @pytest.mark.parametrize("form", ["sbet", "text"])
 @pytest.mark.parametrize("place_deg", [(46.8, -71.2), (0.02, 0.03), (-33.9, 179.999)])
-def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[float, float]) -> None:
-    """Near the equator and the prime meridian degrees look like radians."""
+def test_exported_trajectories_are_read_back(
+    tmp_path: Path, form: Any, place_deg: tuple[float, float]
+) -> None:
+    """Near the equator and the prime meridian degrees could be mistaken for radians."""
     local = track(place_deg)
     latitude, longitude, height = local.frame.to_geodetic(local.position)
     known = Trajectory(local.time, latitude, longitude, height, local.attitude)
@@ -140,7 +142,7 @@ def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[floa
         assert not any(
             "_down" in code or "_up" in code for code in codes(check.finding.file_warnings)
         )
-    reading, _ = usual_or_detected_reading(path, "trajectory", Reading())
+    reading, _ = default_or_detected_reading(path, "trajectory", Reading())
     found = read_trajectory(path, reading)
     np.testing.assert_allclose(found.time, known.time, rtol=0, atol=1e-8)
     for name, limit in (("latitude", 1e-12), ("longitude", 1e-12), ("height", 1e-5)):
@@ -151,7 +153,7 @@ def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[floa
     assert np.abs(turned).max() < 1e-10
 
 
-def test_a_text_trajectory_names_its_time_base(tmp_path: Path) -> None:
+def test_a_text_trajectory_specifies_its_time_base(tmp_path: Path) -> None:
     write_trajectory_text(tmp_path / "t.txt", states(), "utc-day")
-    reading, _ = usual_or_detected_reading(tmp_path / "t.txt", "trajectory", Reading())
+    reading, _ = default_or_detected_reading(tmp_path / "t.txt", "trajectory", Reading())
     assert dict(reading.options)["time"] == "utc-day"

@@ -1,4 +1,4 @@
-"""Lever arm, offsets and latency: found where the geometry sees them, held where it does not."""
+"""Tests of estimated lever arm, offsets and latency, and of parameters that are kept."""
 
 from dataclasses import replace
 
@@ -22,14 +22,14 @@ from lispac.simulation.closed_form_survey import (
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
-KNOWN = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
-PRIOR = KNOWN.with_boresight(np.zeros(3))
+TRUE_MOUNTING = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
+PRIOR = TRUE_MOUNTING.with_boresight(np.zeros(3))
 MODEL = StochasticModel(loss="tukey")
-INSERTED = {
-    "lever_x": replace(KNOWN, lever_arm=KNOWN.lever_arm + [0.1, 0, 0]),
-    "lever_y": replace(KNOWN, lever_arm=KNOWN.lever_arm + [0, 0.1, 0]),
-    "range_offset": replace(KNOWN, range_offset=0.1),
-    "latency": replace(KNOWN, latency=0.005),
+MOUNTINGS_WITH_ERROR = {
+    "lever_x": replace(TRUE_MOUNTING, lever_arm=TRUE_MOUNTING.lever_arm + [0.1, 0, 0]),
+    "lever_y": replace(TRUE_MOUNTING, lever_arm=TRUE_MOUNTING.lever_arm + [0, 0.1, 0]),
+    "range_offset": replace(TRUE_MOUNTING, range_offset=0.1),
+    "latency": replace(TRUE_MOUNTING, latency=0.005),
 }
 
 
@@ -41,24 +41,24 @@ def survey(truth: Mounting, seed: int, **changes: object) -> Observations:
 
 
 @pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("name", list(INSERTED))
+@pytest.mark.parametrize("name", list(MOUNTINGS_WITH_ERROR))
 def test_an_inserted_error_is_found_within_three_sigma(name, seed) -> None:
-    truth = INSERTED[name]
+    truth = MOUNTINGS_WITH_ERROR[name]
     result = adjust(survey(truth, seed), PRIOR, MODEL, parameters=(Parameter(name),))
     (found,) = result.parameters
     assert found.value is not None, found.reason
     value = truth.values[Parameter(name).index]
     assert abs(found.value - value) < 3 * found.sigma
-    assert (np.abs(result.boresight - KNOWN.boresight) < 3.5 * result.sigma).all()
+    assert (np.abs(result.boresight - TRUE_MOUNTING.boresight) < 3.5 * result.sigma).all()
     assert result.mounting.values[Parameter(name).index] == found.value
 
 
-def test_errors_are_unbiased_and_their_sigmas_hold() -> None:
-    """A range offset is seen by the bend of a flat board: a tenth of a millimetre of bias shows."""
+def test_an_estimated_range_offset_is_unbiased_with_correct_sigmas() -> None:
+    """The curvature of a flat board determines the range offset, so small biases matter."""
     ratios = []
     for seed in range(24):
         result = adjust(
-            survey(INSERTED["range_offset"], 100 + seed), PRIOR, MODEL,
+            survey(MOUNTINGS_WITH_ERROR["range_offset"], 100 + seed), PRIOR, MODEL,
             parameters=(Parameter("range_offset"),), diagnostics=False,
         )  # fmt: skip
         (found,) = result.parameters
@@ -69,7 +69,7 @@ def test_errors_are_unbiased_and_their_sigmas_hold() -> None:
 
 @pytest.mark.parametrize("sigma", [None, np.radians(0.5)])
 def test_a_scan_angle_offset_cannot_be_separated_from_roll(sigma) -> None:
-    truth = replace(KNOWN, scan_angle_offset=np.radians(1.0))
+    truth = replace(TRUE_MOUNTING, scan_angle_offset=np.radians(1.0))
     result = adjust(
         survey(truth, 0), PRIOR, MODEL, parameters=(Parameter("scan_angle_offset", sigma),)
     )
@@ -84,13 +84,15 @@ def test_a_scan_angle_offset_cannot_be_separated_from_roll(sigma) -> None:
     assert "scan_angle_offset" not in result.estimated
     if sigma is None:
         assert result.mounting.scan_angle_offset == 0
-    else:  # what is not known of it is not known of roll either
+    else:  # the uncertainty of the offset is that of roll
         assert result.sigma[0] > 0.9 * sigma
 
 
-def test_the_height_of_the_lever_arm_is_not_seen_on_level_lines() -> None:
-    """Thesis C.2.5: it lifts all lines alike, and the targets with them."""
-    exact = error_free_survey(KNOWN, THESIS_BOARDS, six_courses(), 0.1, np.random.default_rng(1))
+def test_level_lines_do_not_determine_the_height_of_the_lever_arm() -> None:
+    """It raises all lines and targets alike (thesis, C.2.5)."""
+    exact = error_free_survey(
+        TRUE_MOUNTING, THESIS_BOARDS, six_courses(), 0.1, np.random.default_rng(1)
+    )
     attitude = exact.attitude.copy()
     middle = exact.mean_by_sighting(attitude)
     attitude[:] = middle[exact.sighting] * [0, 0, 1]
@@ -98,14 +100,14 @@ def test_the_height_of_the_lever_arm_is_not_seen_on_level_lines() -> None:
     from lispac.survey.georeferencing import to_lidar
     from lispac.survey.trajectory import Poses
 
-    places = points_local(exact, KNOWN)
+    places = points_local(exact, TRUE_MOUNTING)
     level = replace(
         exact,
         attitude=attitude,
-        points_lidar=to_lidar(places, Poses(exact.position, attitude), KNOWN),
+        points_lidar=to_lidar(places, Poses(exact.position, attitude), TRUE_MOUNTING),
     )
-    both = (Parameter("lever_x"), Parameter("lever_z"))
-    result = adjust(level, PRIOR, MODEL, parameters=both)
+    parameters = (Parameter("lever_x"), Parameter("lever_z"))
+    result = adjust(level, PRIOR, MODEL, parameters=parameters)
     x, z = result.parameters
     assert x.value == pytest.approx(-0.2, abs=1e-6)
     assert z.value is None
@@ -115,8 +117,8 @@ def test_the_height_of_the_lever_arm_is_not_seen_on_level_lines() -> None:
 
 
 def test_a_known_lever_arm_keeps_its_prior() -> None:
-    """A prior of 1 mm against 10 cm of error: the answer stays near the prior."""
-    truth = INSERTED["lever_x"]
+    """With a prior sigma of 0.5 mm and an error of 10 cm the result stays near the prior."""
+    truth = MOUNTINGS_WITH_ERROR["lever_x"]
     loose = adjust(survey(truth, 1), PRIOR, MODEL, parameters=(Parameter("lever_x", 0.5),))
     tight = adjust(survey(truth, 1), PRIOR, MODEL, parameters=(Parameter("lever_x", 0.0005),))
     assert loose.parameters[0].value == pytest.approx(-0.1, abs=0.02)
@@ -124,18 +126,22 @@ def test_a_known_lever_arm_keeps_its_prior() -> None:
     assert abs(loose.parameters[0].significance) > 10
 
 
-def test_what_is_not_there_is_not_significant() -> None:
+def test_an_absent_error_is_not_significant() -> None:
     values = [
         adjust(
-            survey(KNOWN, seed), PRIOR, MODEL, parameters=(Parameter("lever_x"),), diagnostics=False
+            survey(TRUE_MOUNTING, seed),
+            PRIOR,
+            MODEL,
+            parameters=(Parameter("lever_x"),),
+            diagnostics=False,
         ).parameters[0]
         for seed in range(6)
     ]
     assert sum(abs(value.significance) > 1.96 for value in values) <= 1
 
 
-def test_no_latency_without_rates() -> None:
-    blind = replace(survey(KNOWN, 0), pose_rate=None)
+def test_latency_is_not_estimated_without_rates() -> None:
+    blind = replace(survey(TRUE_MOUNTING, 0), pose_rate=None)
     (found,) = adjust(blind, PRIOR, MODEL, parameters=(Parameter("latency"),)).parameters
     assert found.value is None
 
@@ -144,16 +150,16 @@ def test_no_latency_without_rates() -> None:
     "parameters",
     [(Parameter("roll"),), (Parameter("lever_x", -1.0),), (Parameter("lever_x"),) * 2],
 )
-def test_parameters_that_make_no_sense_are_refused(parameters) -> None:
+def test_invalid_parameters_are_refused(parameters) -> None:
     with pytest.raises(InputError):
         Settings(lever_arm=(0.0, 0.0, 0.0), parameters=parameters).require_sound()
 
 
 @pytest.mark.parametrize("name", ["latency", "lever_z", "range_offset"])
 @pytest.mark.parametrize("sigma", [None, 0.01])
-def test_the_classical_model_estimates_the_boresight_alone(name, sigma) -> None:
-    """On harbour the height of the lever arm came out 7 sigma off."""
-    model, points = StochasticModel("independent"), survey(KNOWN, 0)
+def test_the_classical_model_estimates_only_the_boresight(name, sigma) -> None:
+    """On the harbour survey its height of the lever arm was wrong by 7 sigma."""
+    model, points = StochasticModel("independent"), survey(TRUE_MOUNTING, 0)
     result = adjust(points, PRIOR, model, parameters=(Parameter(name, sigma),))
     (found,) = result.parameters
     assert found.value is None

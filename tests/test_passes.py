@@ -1,9 +1,9 @@
-"""Passes over many points in parts."""
+"""Tests of processing many points in chunks."""
 
 import numpy as np
 import pytest
 
-from lispac.adjustment.model.threads import CHUNKS, MIN_PARALLEL_POINTS, run_in_chunks
+from lispac.adjustment.model.threads import CHUNK_COUNT, MIN_PARALLEL_POINTS, run_in_chunks
 
 
 @pytest.mark.parametrize(
@@ -20,12 +20,12 @@ from lispac.adjustment.model.threads import CHUNKS, MIN_PARALLEL_POINTS, run_in_
     ],
     ids=lambda counts: f"{len(counts)} of {sum(counts)}",
 )
-def test_each_element_is_dealt_with_once_and_in_one_part(counts: list[int]) -> None:
+def test_each_element_is_processed_once_in_one_chunk(counts: list[int]) -> None:
     taken: list[tuple[int, int]] = []
     run_in_chunks(
         lambda first, last: taken.append((first, last)), np.cumsum(counts, dtype=np.int64)
     )
-    assert len(taken) <= CHUNKS
+    assert len(taken) <= CHUNK_COUNT
     elements = [k for first, last in sorted(taken) for k in range(first, last)]
     assert elements == list(range(len(counts)))
     assert (len(taken) > 1) == (sum(counts) >= MIN_PARALLEL_POINTS and len(counts) > 1)

@@ -1,4 +1,4 @@
-"""What is said of the answer of a patch test, by what it says in numbers."""
+"""Tests of the messages of a patch test result."""
 
 from dataclasses import replace
 
@@ -11,7 +11,7 @@ from lispac.patchtest.bootstrap_precision import MIN_OBJECTS
 from lispac.patchtest.line_mismatch import LOSS_SCALE
 from lispac.patchtest.patch_test_result import PatchTestResult
 
-SOUND = PatchTestResult(
+GOOD_RESULT = PatchTestResult(
     boresight=np.radians([1.0, 2.0, -1.0]),
     one_by_one=np.radians([1.0, 2.0, -1.0]),
     covariance=np.diag([1e-8, 4e-8, 9e-8]),
@@ -23,17 +23,17 @@ SOUND = PatchTestResult(
     rounds=4,
     converged=True,
 )
-FIRST = note("patch_test.basis", count=0, lines=2)
-FALL = note("patch_test.mismatch_reduced", limit=LOSS_SCALE, before=0.2041, after=0.0123)
+BASIS_NOTE = note("patch_test.basis", count=0, lines=2)
+REDUCTION_NOTE = note("patch_test.mismatch_reduced", limit=LOSS_SCALE, before=0.2041, after=0.0123)
 
 
-def test_a_sound_result_has_no_further_notes() -> None:
-    assert SOUND.messages == (FIRST, FALL)
-    np.testing.assert_allclose(SOUND.sigma, [1e-4, 2e-4, 3e-4])
+def test_a_good_result_has_no_further_notes() -> None:
+    assert GOOD_RESULT.messages == (BASIS_NOTE, REDUCTION_NOTE)
+    np.testing.assert_allclose(GOOD_RESULT.sigma, [1e-4, 2e-4, 3e-4])
 
 
 @pytest.mark.parametrize(
-    ("change", "remark"),
+    ("change", "expected"),
     [
         ({"covariance": None}, note("patch_test.no_sigma", count=0, needed=MIN_OBJECTS)),
         ({"converged": False}, note("patch_test.not_converged")),
@@ -47,16 +47,16 @@ def test_a_sound_result_has_no_further_notes() -> None:
         ({"without_pairs": ("mast", "wall")}, note("patch_test.not_met", objects=("mast", "wall"))),
     ],
 )  # fmt: skip
-def test_each_limit_is_a_note(change: dict[str, object], remark: Message) -> None:
-    *first, last = replace(SOUND, **change).messages
-    assert first == [FIRST, FALL]
-    assert (last.code, dict(last.params)) == (remark.code, dict(remark.params))
+def test_each_limitation_adds_a_note(change: dict[str, object], expected: Message) -> None:
+    *first, last = replace(GOOD_RESULT, **change).messages
+    assert first == [BASIS_NOTE, REDUCTION_NOTE]
+    assert (last.code, dict(last.params)) == (expected.code, dict(expected.params))
 
 
 def test_without_a_covariance_there_is_no_sigma() -> None:
-    assert replace(SOUND, covariance=None).sigma is None
+    assert replace(GOOD_RESULT, covariance=None).sigma is None
 
 
-def test_lines_that_do_not_meet_with_the_prior_boresight_have_no_fall() -> None:
+def test_without_a_mismatch_before_no_reduction_is_reported() -> None:
     mismatch = note("patch_test.mismatch", limit=LOSS_SCALE, after=0.0123)
-    assert replace(SOUND, mismatch_before=float("nan")).messages == (FIRST, mismatch)
+    assert replace(GOOD_RESULT, mismatch_before=float("nan")).messages == (BASIS_NOTE, mismatch)

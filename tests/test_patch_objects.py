@@ -1,4 +1,4 @@
-"""What one object of a patch test says, where it says nothing."""
+"""Tests of the agreement of a single object with the result of a patch test."""
 
 from types import SimpleNamespace
 
@@ -13,7 +13,7 @@ from lispac.patchtest.bootstrap_precision import (
 
 
 def judged(stiff: float, gradient: float) -> ObjectAgreement:
-    """An object that one pair of lines sees, with so much to say of every angle."""
+    """Return the agreement of an object on one pair of lines, with equal stiffness per angle."""
     part = _ObjectEquations(
         "deck", [0], stiff * np.eye(3), np.full(3, gradient), {0: np.zeros((3, 6))}, np.full(3, 1.0)
     )
@@ -25,14 +25,14 @@ def judged(stiff: float, gradient: float) -> ObjectAgreement:
 
 
 def test_an_object_that_determines_no_angle_is_not_judged() -> None:
-    """What it hardly depends on it would be off by any amount in."""
+    """An object with little effect on the angles would seem to disagree by any amount."""
     found = judged(stiff=1.0, gradient=50.0)
     assert found.angle is None
     assert not found.disagrees
     assert found.mismatch == pytest.approx(0.2)
 
 
-def test_one_that_determines_angles_is_judged_by_what_would_be_usual() -> None:
+def test_an_object_that_determines_angles_is_judged_by_its_disagreement() -> None:
     assert judged(stiff=1000.0, gradient=1.0).angle == 0
     assert not judged(stiff=1000.0, gradient=1.0).disagrees
     assert judged(stiff=1000.0, gradient=50.0).disagrees

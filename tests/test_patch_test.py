@@ -1,4 +1,4 @@
-"""The LiDAR patch test, against surveys whose truth others have set."""
+"""Tests of the LiDAR patch test on surveys with known boresight."""
 
 import json
 import shutil
@@ -33,7 +33,7 @@ from lispac.workflow.calibration.patch_test import (
     place_objects,
     propose_objects,
 )
-from lispac.workflow.planning.simulate import RAW, as_triple, write_lines, write_trajectory
+from lispac.workflow.planning.simulate import RAW_FOLDER, as_triple, write_lines, write_trajectory
 from lispac.workflow.project.projects import create_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import refused_with
@@ -44,26 +44,26 @@ from tests.test_reference_surveys import angles, make
 
 Opened = tuple[Project, Survey]
 
-FEW = 12
-"""Objects, of which each takes its time; the usual number tells a tenth more."""
+OBJECT_COUNT = 12
+"""Number of objects; fewer than the default to save time."""
 MAST = PatchObject("mast", ObjectBox(np.array([9.0, -17.0, 15.5]), np.array([1.6, 1.6, 10.0])))
-"""Of the built-in scene: a pole 12 cm thick that stands on the pier."""
+"""A pole 12 cm thick on the pier of the built-in scene."""
 
 
 @pytest.fixture(scope="module")
 def thinned(demo_project: Project) -> Opened:
-    """The built-in survey with a third of its points, and nothing picked."""
+    """Return the built-in survey with a third of its points, without targets."""
     return demo_project, load_survey(demo_project)
 
 
 @pytest.fixture(scope="module")
-def laid(thinned: Opened) -> PlacedObjects:
-    return propose_objects(*thinned, count=FEW)
+def placed_objects(thinned: Opened) -> PlacedObjects:
+    return propose_objects(*thinned, count=OBJECT_COUNT)
 
 
 @pytest.fixture(scope="module")
-def clean(thinned: Opened, laid: PlacedObjects) -> PatchTestResult:
-    return find_boresight(*thinned, laid)
+def clean(thinned: Opened, placed_objects: PlacedObjects) -> PatchTestResult:
+    return find_boresight(*thinned, placed_objects)
 
 
 def truth(project: Project) -> np.ndarray:
@@ -71,7 +71,7 @@ def truth(project: Project) -> np.ndarray:
 
 
 def error(found: PatchTestResult, project: Project) -> np.ndarray:
-    """Over the stated sigma."""
+    """Return the error of the boresight over its sigma."""
     assert found.sigma is not None
     return np.abs(found.boresight - truth(project)) / found.sigma
 
@@ -86,36 +86,38 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
     assert clean.disagreeing == ()
     assert clean.lines == thinned[1].lines
     assert clean.mismatch < 0.5 * clean.mismatch_before
-    # Both ways go down the same valley: they end at its bottom.
+    # Both methods find the same minimum.
     assert np.degrees(np.abs(clean.one_by_one - clean.boresight)).max() < 1e-3
 
 
 @pytest.mark.long
-def test_a_prior_two_degrees_off_gives_the_same_answer(
+def test_a_prior_with_errors_of_two_degrees_gives_the_same_result(
     thinned: Opened, clean: PatchTestResult
 ) -> None:
     project, survey = thinned
     wrong = tuple(float(v) for v in np.array(project.truth_deg) + [2.0, -2.0, 2.0])
     project = project.with_settings(replace(project.settings, boresight_deg=wrong))
     survey = survey.with_prior(project.mounting("prior"))
-    found = find_boresight(project, survey, propose_objects(project, survey, count=FEW))
+    found = find_boresight(project, survey, propose_objects(project, survey, count=OBJECT_COUNT))
     assert (error(found, project) < 3).all()
     assert clean.sigma is not None
     assert (np.abs(found.boresight - clean.boresight) < clean.sigma).all()
 
 
-@pytest.mark.long  # with a prior two degrees off they are cut again as well
-def test_objects_laid_with_lines_apart_are_cut_again(
-    thinned: Opened, laid: PlacedObjects, clean: PatchTestResult
+@pytest.mark.long  # a prior that is wrong by two degrees cuts them again too
+def test_objects_placed_with_a_wrong_boresight_are_cut_again(
+    thinned: Opened, placed_objects: PlacedObjects, clean: PatchTestResult
 ) -> None:
-    off = laid.boresight + np.radians([0.3, -0.3, 0.3])
-    found = find_boresight(*thinned, place_objects(*thinned, laid.objects, off))
+    off = placed_objects.boresight + np.radians([0.3, -0.3, 0.3])
+    found = find_boresight(*thinned, place_objects(*thinned, placed_objects.objects, off))
     assert clean.sigma is not None
     assert (np.abs(found.boresight - clean.boresight) < clean.sigma).all()
 
 
-def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: PlacedObjects) -> None:
-    """With a prior two degrees off a line sees the mast a metre from where it is."""
+def test_a_box_placed_with_a_wrong_boresight_is_moved(
+    thinned: Opened, placed_objects: PlacedObjects
+) -> None:
+    """With a prior that is wrong by two degrees the mast appears a metre from its place."""
     project, survey = thinned
     right = truth(project)
     off = right + np.radians([2.0, -2.0, 2.0])
@@ -125,13 +127,13 @@ def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: Place
     move = (sample.placed_points(off) - sample.placed_points(right))[inside].mean(axis=0)
     assert np.linalg.norm(move) > 0.8
     there = replace(MAST, box=replace(MAST.box, centre=MAST.box.centre + move))
-    both = laid.joined_with(place_objects(project, survey, [there], off))
+    both = placed_objects.joined_with(place_objects(project, survey, [there], off))
     assert np.isnan(both.boresight).all()
     *others, mast = both.moved_to_boresight(right)
     assert np.linalg.norm(mast.box.centre - MAST.box.centre) < 0.1
-    for each, before in zip(others, laid.objects, strict=True):
+    for each, before in zip(others, placed_objects.objects, strict=True):
         assert np.linalg.norm(each.box.centre - before.box.centre) < 0.1
-    found = find_boresight(project, survey, both, start=laid.boresight)
+    found = find_boresight(project, survey, both, start=placed_objects.boresight)
     assert MAST.name not in found.without_pairs
     assert (error(found, project) < 3).all()
 
@@ -142,14 +144,14 @@ def test_one_pole_determines_the_pitch_of_reciprocal_lines(thinned: Opened) -> N
     pole = place_objects(project, survey, [MAST], start)
     pairs = line_pairs(survey, {"reciprocal"})
     found = find_angle(pole, pole.blocks({"mast"}, pairs), start, 1)
-    # Three pairs of lines of 12 mm each, 14 m below what they see of the mast
+    # Three pairs of lines with 12 mm each; the visible part of the mast is 14 m above the lines
     sigma = np.degrees(0.012 / np.sqrt(2 * 3) / 14.0)
     assert abs(np.degrees(found.boresight[1] - truth(project)[1])) < 3 * sigma
     assert (found.boresight[[0, 2]] == start[[0, 2]]).all()
 
 
-def test_reciprocal_lines_do_not_show_the_yaw_of_a_pole(thinned: Opened) -> None:
-    """Both see it on the same side from as far off: a yaw turns it the same way for both."""
+def test_a_pole_on_reciprocal_lines_does_not_determine_yaw(thinned: Opened) -> None:
+    """A yaw moves the pole alike on both lines, as they pass it at the same side and distance."""
     project, survey = thinned
     pole = place_objects(project, survey, [MAST], truth(project))
     pairs = line_pairs(survey, {"reciprocal"})
@@ -158,7 +160,7 @@ def test_reciprocal_lines_do_not_show_the_yaw_of_a_pole(thinned: Opened) -> None
 
 
 def flat(tilt: np.ndarray, off: float, place_: np.ndarray) -> np.ndarray:
-    """A plane through a grid of points, moved along its normal."""
+    """Return a plane grid of points, moved along its normal."""
     u, v = np.meshgrid(np.linspace(-1, 1, 21), np.linspace(-1, 1, 21))
     normal = tilt / np.linalg.norm(tilt)
     first = np.cross(normal, [0.3, 0.5, 0.8])
@@ -168,7 +170,7 @@ def flat(tilt: np.ndarray, off: float, place_: np.ndarray) -> np.ndarray:
 
 
 def sample_of(thinned: Opened, groups: dict[str, np.ndarray], box: ObjectBox) -> ObjectSample:
-    """Points given in the local frame, as if lines had scanned them with the true boresight."""
+    """Return a sample of local points, scanned by lines with the true boresight."""
     project, survey = thinned
     mounting = project.mounting("prior").with_boresight(truth(project))
     scans, clouds = {}, {}
@@ -181,10 +183,10 @@ def sample_of(thinned: Opened, groups: dict[str, np.ndarray], box: ObjectBox) ->
     return ObjectSample.of([PatchObject("plane", box)], clouds, scans)
 
 
-LEANING = np.array([0.2, 1.0, 0.3])
+LEANING_NORMAL = np.array([0.2, 1.0, 0.3])
 
 
-def two_planes(thinned: Opened, off: float, tilt: np.ndarray = LEANING) -> Mismatch:
+def two_planes(thinned: Opened, off: float, tilt: np.ndarray = LEANING_NORMAL) -> Mismatch:
     names = list(thinned[1].scans)[:2]
     middle = np.array([5.0, -16.0, 6.0])
     groups = {n: flat(tilt, k * off, middle) for k, n in enumerate(names)}
@@ -195,16 +197,16 @@ def two_planes(thinned: Opened, off: float, tilt: np.ndarray = LEANING) -> Misma
 
 
 @pytest.mark.parametrize("off", [0.0, 0.004, 0.05])
-def test_two_planes_are_as_far_apart_as_they_were_put(thinned: Opened, off: float) -> None:
+def test_the_mismatch_of_two_planes_is_their_distance(thinned: Opened, off: float) -> None:
     assert two_planes(thinned, off)(truth(thinned[0])) == pytest.approx(off, abs=1e-6)
 
 
-def test_far_apart_counts_as_much_as_the_scale(thinned: Opened) -> None:
+def test_the_mismatch_of_distant_planes_is_limited_by_the_scale(thinned: Opened) -> None:
     mismatch = two_planes(thinned, 0.05).with_scale(0.05)
     assert mismatch(truth(thinned[0])) == pytest.approx(0.05 / np.sqrt(2), rel=1e-3)
 
 
-def test_the_gradient_is_that_of_the_mean_square(thinned: Opened) -> None:
+def test_the_gradient_agrees_with_differences_of_the_mean_square(thinned: Opened) -> None:
     mismatch = two_planes(thinned, 0.02).with_scale(0.05)
     at, step = truth(thinned[0]), 1e-5
     found = linearise_blocks(mismatch, at)
@@ -226,15 +228,15 @@ def test_pos_errors_change_the_gradient_as_predicted(thinned: Opened) -> None:
     moved = replace(sample, poses=Poses(position, attitude))
     other = Mismatch(moved, mismatch.blocks, 100.0)
     change = linearise_blocks(other, at).gradient[0] - found.gradient[0]
-    # Beyond first order, the derivatives turn with the attitude a little.
+    # Terms of second order: the derivatives change with the attitude.
     np.testing.assert_allclose(change, found.pos_derivatives[0, 1] @ error, rtol=0.05, atol=2e-4)
 
 
-def test_an_object_that_one_line_sees_elsewhere_is_named(
-    thinned: Opened, laid: PlacedObjects, clean: PatchTestResult
+def test_an_object_shifted_on_one_line_is_named(
+    thinned: Opened, placed_objects: PlacedObjects, clean: PatchTestResult
 ) -> None:
     project, survey = thinned
-    sample = laid.sample
+    sample = placed_objects.sample
     moved = max(sample.observed, key=lambda each: each.end - each.begin)
     mounting = project.mounting("prior").with_boresight(truth(project))
     rows = moved.points
@@ -243,28 +245,28 @@ def test_an_object_that_one_line_sees_elsewhere_is_named(
     shifted = place_points(points[rows], poses, mounting) + [0.2, 0.2, 0.2]
     points[rows] = to_lidar(shifted, poses, mounting)
     found = find_boresight(
-        project, survey, replace(laid, sample=replace(sample, points_lidar=points))
+        project, survey, replace(placed_objects, sample=replace(sample, points_lidar=points))
     )
     assert [each.name for each in found.disagreeing] == [moved.object.name]
-    (remark,) = (each for each in found.messages if each.code == "patch_test.object_disagrees")
-    assert remark.params["object"] == moved.object.name
+    (message,) = (each for each in found.messages if each.code == "patch_test.object_disagrees")
+    assert message.params["object"] == moved.object.name
     assert (error(found, project) < 3).all()
 
 
-def test_few_objects_have_no_sigma(thinned: Opened, laid: PlacedObjects) -> None:
-    few = place_objects(*thinned, laid.objects[:4], laid.boresight)
+def test_few_objects_have_no_sigma(thinned: Opened, placed_objects: PlacedObjects) -> None:
+    few = place_objects(*thinned, placed_objects.objects[:4], placed_objects.boresight)
     found = find_boresight(*thinned, few)
     assert found.sigma is None
     assert "patch_test.no_sigma" in codes(found.messages)
 
 
-def test_level_ground_alone_leaves_the_yaw_open(thinned: Opened) -> None:
+def test_level_ground_alone_does_not_determine_yaw(thinned: Opened) -> None:
     ground = two_planes(thinned, 0.02, np.array([0.0, 0.0, 1.0]))
     with pytest.raises(AdjustmentError, match="do not determine yaw"):
         minimise_mismatch(ground.sample, ground.blocks, truth(thinned[0]), (2,))
 
 
-def test_a_curve_has_a_minimum_where_it_dips_and_none_where_it_ripples() -> None:
+def test_a_clear_minimum_of_a_curve_is_found_and_ripples_are_ignored() -> None:
     values = np.radians(np.linspace(-0.5, 0.5, 21))
     dip = 0.02 + 5.0 * np.abs(values - 0.002) ** 2 * 1e3
     assert curve_minimum(values, dip) == pytest.approx(0.002, abs=1e-5)
@@ -276,7 +278,7 @@ def test_a_curve_has_a_minimum_where_it_dips_and_none_where_it_ripples() -> None
     assert curve_minimum(values, np.where(values > 0.004, np.nan, dip)) is None
 
 
-def test_lines_that_do_not_meet_are_refused(thinned: Opened) -> None:
+def test_objects_without_pairs_of_lines_are_refused(thinned: Opened) -> None:
     nowhere = PatchObject("air", ObjectBox(np.array([0.0, 0.0, 100.0]), np.array([2.0, 2.0, 2.0])))
     with pytest.raises(AdjustmentError, check=has_code("patch_test.no_pairs")):
         find_boresight(*thinned, place_objects(*thinned, [nowhere], truth(thinned[0])))
@@ -297,7 +299,7 @@ def test_kinds_of_pairs(first: float, second: float, kind: str) -> None:
 
 def test_a_box_turns_clockwise() -> None:
     box = ObjectBox(np.zeros(3), np.array([4.0, 1.0, 2.0]), np.radians(30.0))
-    ahead = np.array([np.cos(np.radians(30.0)), -np.sin(np.radians(30.0)), 0.0])  # east is -west
+    ahead = np.array([np.cos(np.radians(30.0)), -np.sin(np.radians(30.0)), 0.0])  # y is west
     points = np.array([1.9 * ahead, 1.9 * ahead * [1, -1, 1], [0, 0, 1.1], 2.1 * ahead])
     assert box.inside(points).tolist() == [True, False, False, False]
     assert box.inside(points, 0.2)[2:].all()
@@ -310,17 +312,17 @@ def test_a_box_without_a_size_is_refused() -> None:
         object_of_box("pole", ObjectBox(np.array([np.nan, 0, 0]), np.ones(3)))
 
 
-def test_the_command_line_says_the_same(
+def test_the_patchtest_command_gives_the_same_result(
     capsys: pytest.CaptureFixture[str], thinned: Opened, clean: PatchTestResult
 ) -> None:
     folder = thinned[0].folder
-    numbers = answer(capsys, "patchtest", folder, "--count", FEW)
+    numbers = answer(capsys, "patchtest", folder, "--count", OBJECT_COUNT)
     np.testing.assert_allclose(
         angles(numbers, "boresight_deg"), np.degrees(clean.boresight), atol=1e-9
     )
     assert numbers["messages"] == list(map(english_text, clean.messages))
     assert open_project(folder).alternative_results == ()
-    # One more object, of five numbers: no box.
+    # An object of five numbers is not a box.
     assert main(["patchtest", str(folder), "--object", "pole=1,2,3,4,5"]) == 2
     assert "is not NAME=N,W,U,A,L,H" in capsys.readouterr().err
     assert main(["patchtest", str(folder), "--lines", "nobody"]) == 2
@@ -330,8 +332,11 @@ def test_the_command_line_says_the_same(
     )
 
 
-def test_the_answer_is_kept_where_it_has_a_sigma(
-    capsys: pytest.CaptureFixture[str], thinned: Opened, laid: PlacedObjects, tmp_path: Path
+def test_a_result_with_sigmas_is_saved(
+    capsys: pytest.CaptureFixture[str],
+    thinned: Opened,
+    placed_objects: PlacedObjects,
+    tmp_path: Path,
 ) -> None:
     folder = tmp_path / "copy"
     shutil.copytree(thinned[0].folder, folder)
@@ -342,21 +347,23 @@ def test_the_answer_is_kept_where_it_has_a_sigma(
     np.testing.assert_allclose(np.degrees(kept.sigma), angles(numbers, "sigma_deg"))
     assert kept.surfaces == len(numbers["objects"])
     assert list(map(english_text, kept.messages)) == numbers["messages"]
-    few = find_boresight(*thinned, laid.select_objects({each.name for each in laid.objects[:4]}))
+    few = find_boresight(
+        *thinned, placed_objects.select_objects({each.name for each in placed_objects.objects[:4]})
+    )
     with pytest.raises(AdjustmentError) as raised:
         patch_test_result(few)
     assert raised.value.code == "estimate.patch_test_without_sigma"
 
 
 @pytest.mark.long
-def test_sigmas_hold_over_simulated_surveys(tmp_path: Path) -> None:
-    """Of sixty surveys the root mean square of error over sigma was 1.0 to 1.1."""
+def test_sigmas_agree_with_errors_of_simulated_surveys(tmp_path: Path) -> None:
+    """In sixty surveys the root mean square of error over sigma was 1.0 to 1.1."""
     found = []
     for seed in range(201, 217):
         simulated = port_survey(points_per_second=20_000.0, seed=seed)
         folder = tmp_path / str(seed)
-        trajectory, accuracy = write_trajectory(simulated, folder / RAW)
-        lines = write_lines(simulated, folder / RAW)
+        trajectory, accuracy = write_trajectory(simulated, folder / RAW_FOLDER)
+        lines = write_lines(simulated, folder / RAW_FOLDER)
         latitude, longitude, height = simulated.origin
         base = port_settings(simulated.lever_arm, latitude, longitude, height)
         project = create_project(
@@ -367,7 +374,7 @@ def test_sigmas_hold_over_simulated_surveys(tmp_path: Path) -> None:
         result = find_boresight(project, survey, propose_objects(project, survey))
         found.append((result.boresight - truth(project)) / result.sigma)
     rms = np.sqrt((np.array(found) ** 2).mean(axis=0))
-    # 48 numbers of unit variance, in the square mean: the interval of 99.9 % for 16 of them
+    # Limits of 99.9 % for the root mean square of 16 values of unit variance
     assert ((rms > 0.5) & (rms < 1.6)).all(), rms
 
 
@@ -379,7 +386,7 @@ def port_settings(lever_arm: np.ndarray, latitude: float, longitude: float, heig
 
 
 @pytest.mark.long
-def test_harbour_from_the_command_line(
+def test_harbour_patch_test_by_command(
     capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path
 ) -> None:
     data, project = shared_data / "harbour", tmp_path / "harbour"

@@ -1,4 +1,4 @@
-"""Patches of the scene's surfaces: lines on disk give the points that those in memory give."""
+"""Tests that patches of lines on disk have the same points as those of lines in memory."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -24,7 +24,7 @@ TRACK = LocalTrajectory(
 
 
 def _scan(seed: int) -> Scan:
-    """A wall 6 m long and 4 m high, and as many points again of a bush beside it."""
+    """Return a scan of a wall, 6 m by 4 m, a quarter of whose points are of a bush beside it."""
     rng, count = np.random.default_rng(seed), 4000
     local = np.column_stack(
         [rng.uniform(0, 6, count), -15 + rng.normal(0, 0.002, count), rng.uniform(2, 6, count)]
@@ -35,7 +35,7 @@ def _scan(seed: int) -> Scan:
 
 
 def _points(found: Patches, clouds: dict[str, Cloud]) -> dict[str, set[int]]:
-    """Numbers of the points of each line on the patches, of which none is thinned."""
+    """Return the point indices of each line on the patches, none of which is thinned."""
     assert len(found)
     names, numbers = list(clouds), {name: set() for name in clouds}
     for row, line in enumerate(found.planes.line):
@@ -62,5 +62,5 @@ def test_a_line_on_disk_has_the_points_of_the_same_line_in_memory(tmp_path: Path
         assert len(one) > 0.8 * len(wall)
         assert one <= wall
         assert other <= wall
-        # By the region's voxels and not by the sample's own plane: a few at its rim may differ.
+        # Regions on disk are selected by voxels, so a few points at the edge may differ.
         assert len(one & other) > 0.9 * len(one)

@@ -1,4 +1,4 @@
-"""The same survey anywhere on Earth: the trajectory in the local frame is the same."""
+"""Tests that a survey has the same local trajectory anywhere on Earth."""
 
 from pathlib import Path
 
@@ -9,7 +9,7 @@ from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.io.formats import recognise_formats
 from lispac.io.trajectory.sbet import read_sbet, write_sbet
-from lispac.survey.trajectory import LONGEST_GAP, LocalTrajectory, Trajectory
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S, LocalTrajectory, Trajectory
 
 PLACES = [
     (0.0, 0.0), (48.0, -69.0), (-17.0, 180.0), (-17.0, -180.0), (-60.0, -179.9999),
@@ -19,7 +19,7 @@ TIME = 1000.0 + np.arange(0, 60, 0.05)
 
 
 def motion() -> tuple[np.ndarray, np.ndarray]:
-    """Positions (n, 3), metres, and attitudes (n, 3), radians, of a loop of 60 m."""
+    """Return positions (n, 3), metres, and attitudes (n, 3), radians, of a loop of 60 m."""
     turn = 2 * np.pi * (TIME - TIME[0]) / 60
     position = 30 * np.stack([np.sin(turn), 1 - np.cos(turn), 0.01 * np.sin(5 * turn)], axis=1)
     heading = -turn
@@ -28,7 +28,7 @@ def motion() -> tuple[np.ndarray, np.ndarray]:
 
 
 def at_place(latitude: float, longitude: float, turn: float = 0.0) -> Trajectory:
-    """The motion at a place, with longitudes as a receiver writes them; ``turn`` is added."""
+    """Return the motion at a place, with longitudes within +-pi, or from 0 to ``turn``."""
     frame = LocalFrame(*np.radians([latitude, longitude]), 20.0)
     position, attitude = motion()
     lat, lon, height = frame.to_geodetic(position)
@@ -40,15 +40,17 @@ def at_place(latitude: float, longitude: float, turn: float = 0.0) -> Trajectory
 
 @pytest.mark.parametrize("turn", [0.0, 2 * np.pi])
 @pytest.mark.parametrize(("latitude", "longitude"), PLACES)
-def test_the_same_survey_at_ten_places(latitude: float, longitude: float, turn: float) -> None:
+def test_the_local_trajectory_is_the_same_at_ten_places(
+    latitude: float, longitude: float, turn: float
+) -> None:
     trajectory = at_place(latitude, longitude, turn)
     frame = trajectory.mean_frame()
-    local = LocalTrajectory.of(trajectory, frame, LONGEST_GAP)
+    local = LocalTrajectory.of(trajectory, frame, DEFAULT_LONGEST_GAP_S)
     position, attitude = motion()
-    # The mean of latitude and longitude is not quite the mean of the positions.
+    # The mean of latitude and longitude differs a little from the mean position.
     assert np.linalg.norm(local.position.mean(axis=0)) < 0.02
     meridian = (frame.longitude - np.radians(longitude) + np.pi) % (2 * np.pi) - np.pi
-    turned = meridian * np.sin(frame.latitude)  # what north turns by between the two origins
+    turned = meridian * np.sin(frame.latitude)  # convergence of the meridians of both origins
     np.testing.assert_allclose(
         local.position - local.position.mean(axis=0), position, rtol=0, atol=1e-3
     )
@@ -59,7 +61,7 @@ def test_the_same_survey_at_ten_places(latitude: float, longitude: float, turn: 
 
 
 @pytest.mark.parametrize(("latitude", "longitude"), PLACES)
-def test_what_is_written_is_read_back(tmp_path: Path, latitude: float, longitude: float) -> None:
+def test_sbet_round_trip_at_ten_places(tmp_path: Path, latitude: float, longitude: float) -> None:
     trajectory = at_place(latitude, longitude)
     write_sbet(tmp_path / "a.sbet", trajectory)
     again = read_sbet(tmp_path / "a.sbet")
@@ -69,7 +71,7 @@ def test_what_is_written_is_read_back(tmp_path: Path, latitude: float, longitude
 
 
 @pytest.mark.parametrize("whole", [False, True])
-def test_text_with_longitudes_across_the_antimeridian_or_from_0_to_360(
+def test_text_longitudes_across_the_antimeridian_or_from_0_to_360(
     tmp_path: Path, whole: bool
 ) -> None:
     trajectory = at_place(-17.0, 180.0 if not whole else -69.0, 2 * np.pi if whole else 0.0)

@@ -1,4 +1,4 @@
-"""Plans and sites as TOML: what is written is read again, and what is wrong is said."""
+"""Tests of plans and sites as TOML: round trip and errors."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -32,7 +32,7 @@ site_on = "starboard"
 
 
 @pytest.mark.parametrize("facing", [270.0, 33.0])
-def test_what_is_written_is_read(tmp_path: Path, facing: float) -> None:
+def test_plan_round_trip(tmp_path: Path, facing: float) -> None:
     wall = Wall((0.0, 0.0, 0.0), facing)
     plan = thesis_plan(Site(wall.middle, facing))
     targets = (
@@ -65,7 +65,7 @@ def test_what_is_written_is_read(tmp_path: Path, facing: float) -> None:
 
 
 @pytest.mark.parametrize("path", sorted(SITES.glob("*.toml")), ids=lambda path: path.stem)
-def test_the_sites_that_come_along_are_read(path: Path) -> None:
+def test_bundled_sites_are_read(path: Path) -> None:
     title, site = read_site(path)
     assert title
     assert site.allowed_lines
@@ -88,7 +88,7 @@ def test_the_sites_that_come_along_are_read(path: Path) -> None:
         ),
     ],
 )  # fmt: skip
-def test_a_wrong_plan_is_refused(
+def test_an_invalid_plan_is_refused(
     tmp_path: Path, change: tuple[str, str], code: str, key: str | None
 ) -> None:
     path = tmp_path / "plan.toml"
@@ -123,7 +123,7 @@ def test_a_site_with_unequal_sizes_is_refused(tmp_path: Path) -> None:
     assert refusal.value.message.params["widths"] == 2
 
 
-def test_whole_numbers_are_whole(tmp_path: Path) -> None:
+def test_a_fractional_count_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "site.toml"
     path.write_text("[board_choices]\nboards = 2.7\n")
     with pytest.raises(InputError) as refusal:

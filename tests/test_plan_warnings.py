@@ -1,4 +1,4 @@
-"""Warnings about a plan: too near to the wall, boards in one place."""
+"""Tests of the warnings about a plan: distance to the wall, overlapping boards."""
 
 from dataclasses import replace
 
@@ -10,7 +10,7 @@ from lispac.design.site import Site, Wall
 from lispac.errors import RankDeficient
 from lispac.io.config.plan_file import TitledPlan
 from lispac.workflow.planning.plan_checks import (
-    ONE_WAY,
+    ONE_ORIENTATION_ERROR,
     observability_messages,
     plan_warnings,
     simulate_surveys,
@@ -24,19 +24,19 @@ def plan() -> Plan:
     return thesis_plan(Site(WALL.middle, 270.0))
 
 
-def test_the_usual_plan_can_be_done(plan: Plan) -> None:
+def test_the_default_plan_has_no_warnings(plan: Plan) -> None:
     assert plan_warnings(TitledPlan("Quay", plan, WALL)) == ()
 
 
 @pytest.mark.parametrize(
     ("line", "code", "distance"),
     [
-        # 2 m off, the closest distance; 45 deg: the line goes on beyond the last target.
+        # At 2 m, the closest distance; at 45 deg the line continues beyond the last target.
         (Line(0.0, 2.0, True), "plan.line_near_wall", pytest.approx(2.0)),
         (Line(45.0, 5.0, True), "plan.line_through_wall", None),
     ],
 )
-def test_lines_that_a_vessel_cannot_sail(
+def test_lines_near_or_through_the_wall_are_reported(
     plan: Plan, line: Line, code: str, distance: float | None
 ) -> None:
     (found,) = plan_warnings(TitledPlan("Quay", replace(plan, lines=(line,)), WALL))
@@ -46,7 +46,7 @@ def test_lines_that_a_vessel_cannot_sail(
         assert found.params["distance"] == distance
 
 
-def test_boards_in_one_place_are_reported(plan: Plan) -> None:
+def test_overlapping_boards_are_reported(plan: Plan) -> None:
     one = plan.targets[0]
     duplicates = replace(plan, targets=(one, replace(one, name="duplicate"), *plan.targets[1:]))
     found = plan_warnings(TitledPlan("Quay", duplicates, WALL))
@@ -54,10 +54,10 @@ def test_boards_in_one_place_are_reported(plan: Plan) -> None:
     assert dict(found[0].params) == {"first": one.name, "second": "duplicate"}
 
 
-def test_boards_that_face_one_way_are_not_simulated(plan: Plan) -> None:
+def test_parallel_boards_are_not_simulated(plan: Plan) -> None:
     one = plan.targets[0]
     alike = replace(plan, targets=(one, replace(one, name="duplicate")))
-    assert observability_messages(alike) == (ONE_WAY,)
+    assert observability_messages(alike) == (ONE_ORIENTATION_ERROR,)
     with pytest.raises(RankDeficient) as caught:
         simulate_surveys(alike, 3, seed=1)
-    assert caught.value.message == ONE_WAY
+    assert caught.value.message == ONE_ORIENTATION_ERROR

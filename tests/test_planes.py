@@ -1,4 +1,4 @@
-"""The plane value, its fit, and directions and sizes in it; points in a sphere."""
+"""Tests of planes: fit, axes, extent; and of neighbours in a sphere."""
 
 import numpy as np
 import pytest
@@ -41,7 +41,7 @@ def test_three_points_determine_a_plane():
 @pytest.mark.parametrize(
     ("width", "fits"), [(0.99 * MIN_SPREAD_RATIO, False), (1.01 * MIN_SPREAD_RATIO, True)]
 )
-def test_a_strip_narrower_than_a_share_of_its_length_is_a_line(width, fits):
+def test_a_narrow_strip_does_not_determine_a_plane(width, fits):
     strip = np.array([[a, b * width, 0.0] for a in (-1, 1) for b in (-1, 1)])
     if fits:
         np.testing.assert_allclose(fit_plane(strip).normal, [0, 0, 1], atol=1e-12)
@@ -50,7 +50,7 @@ def test_a_strip_narrower_than_a_share_of_its_length_is_a_line(width, fits):
         fit_plane(strip)
 
 
-def test_fit_is_least_squares_and_weights_count():
+def test_fit_is_weighted_least_squares():
     rng = np.random.default_rng(4)
     points = rng.uniform(-1, 1, (300, 3)) * [1, 1, 0.05]
     plane = fit_plane(points)
@@ -75,13 +75,13 @@ def test_fit_is_least_squares_and_weights_count():
         (np.full((5, 3), np.nan), "target.plane_not_finite"),
     ],
 )
-def test_fit_refuses_what_determines_no_plane(points, code):
+def test_fit_refuses_points_that_determine_no_plane(points, code):
     with pytest.raises(PlaneNotFound, check=has_code(code)):
         fit_plane(points)
 
 
 @pytest.mark.parametrize("normal", NORMALS)
-def test_axes_are_level_and_up_the_slope(normal):
+def test_axes_are_horizontal_and_along_the_slope(normal):
     unit = np.array(normal, float) / np.linalg.norm(normal)
     level, slope = plane_axes(unit)
     np.testing.assert_allclose(
@@ -108,20 +108,20 @@ def test_extent_gives_width_and_height_of_an_inclined_board():
     np.testing.assert_allclose(extent_in_plane(fit_plane(points), points), [1.23, 0.76], atol=1e-9)
 
 
-def test_outliers_on_one_side_hardly_move_the_resisting_plane():
+def test_outliers_on_one_side_hardly_move_the_robust_plane():
     rng = np.random.default_rng(8)
     points = np.column_stack([rng.uniform(-1, 1, (900, 2)), rng.normal(0, 0.003, 900)])
-    points[:270, 0] = np.abs(points[:270, 0])  # all on one half, where they also turn it
+    points[:270, 0] = np.abs(points[:270, 0])  # outliers on one half also tilt the plane
     points[:270, 2] += 0.3
     level = np.array([0.0, 0.0, 1.0])
-    usual, resisting = fit_plane(points), fit_plane_robustly(points, 0.003)
+    usual, robust = fit_plane(points), fit_plane_robustly(points, 0.003)
     assert abs(usual.d) > 0.05
-    assert abs(resisting.d) < 0.01
-    assert np.degrees(np.arccos(resisting.facing(level).normal @ level)) < 1.0
-    assert resisting.tilt_to(usual) > 0.05
+    assert abs(robust.d) < 0.01
+    assert np.degrees(np.arccos(robust.facing(level).normal @ level)) < 1.0
+    assert robust.tilt_to(usual) > 0.05
 
 
-def test_a_plane_flipped_is_the_same_plane():
+def test_a_flipped_plane_is_the_same_plane():
     plane = Plane(np.array([0.0, 0.6, 0.8]), -2.0)
     assert plane.flipped().tilt_to(plane) == 0.0
     assert plane.facing(np.array([0.0, 0.0, -1.0])).normal[2] < 0
@@ -131,7 +131,7 @@ def test_a_plane_flipped_is_the_same_plane():
 
 
 @pytest.mark.parametrize("cell", [0.3, 1.0, 50.0])
-def test_grid_and_scan_agree_with_the_definition(cell):
+def test_grid_and_direct_search_agree_with_the_definition(cell):
     rng = np.random.default_rng(5)
     points = rng.uniform(-3, 3, (5000, 3))
     points[::50] = np.nan
@@ -145,14 +145,14 @@ def test_grid_and_scan_agree_with_the_definition(cell):
             np.testing.assert_array_equal(grid.within(centre, radius), wanted)
 
 
-def test_scan_in_threads_agrees_with_the_definition(monkeypatch):
-    monkeypatch.setattr("os.cpu_count", lambda: 8)  # more than there are parts
+def test_direct_search_in_threads_agrees_with_the_definition(monkeypatch):
+    monkeypatch.setattr("os.cpu_count", lambda: 8)  # more than there are chunks
     points = np.random.default_rng(6).uniform(-3, 3, (600_000, 3))
     wanted = np.flatnonzero((points**2).sum(axis=1) <= 1.0)
     np.testing.assert_array_equal(points_within(points, np.zeros(3), 1.0), wanted)
 
 
-def test_a_far_outlier_does_not_burst_the_grid():
+def test_a_distant_outlier_does_not_exhaust_the_memory_of_the_grid():
     points = np.concatenate([np.random.default_rng(7).normal(size=(1000, 3)), [[1e7, -1e7, 1e6]]])
     grid = PointGrid(points, 0.5)
     np.testing.assert_array_equal(
@@ -161,7 +161,7 @@ def test_a_far_outlier_does_not_burst_the_grid():
 
 
 @pytest.mark.parametrize("points", [np.empty((0, 3)), np.full((4, 3), np.nan)])
-def test_no_points_is_no_neighbours(points):
+def test_neighbours_without_points(points):
     assert len(points_within(points, np.zeros(3), 1.0)) == 0
     assert len(PointGrid(points).within(np.zeros(3), 1.0)) == 0
     assert nearest_point(points, np.zeros(3)) == (-1, np.inf)

@@ -1,4 +1,4 @@
-"""A plan sailed in the simulator keeps what it promised: foretold, simulated, picked, estimated."""
+"""Tests of the simulation of a plan: its survey has the predicted precision."""
 
 from pathlib import Path
 
@@ -10,14 +10,16 @@ from lispac.workflow.planning.plan_simulation import is_plan, simulation_of_plan
 from lispac.workflow.project.projects import open_project
 from tests.test_cli import answer, refused, run
 
-PORT = Path(__file__).parent / "data" / "port-plan.toml"
+PORT_PLAN = Path(__file__).parent / "data" / "port-plan.toml"
 
 
-def test_a_plan_keeps_its_promise(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_a_simulated_plan_has_the_predicted_sigmas(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
     folder = tmp_path / "sailed"
     made = answer(
-        capsys, "simulate", PORT, "--output", folder, "--points-per-second", 60_000, "--seed", 4,
-        "--boresight", 0.5, -0.8, 0.4,
+        capsys, "simulate", PORT_PLAN, "--output", folder, "--points-per-second", 60_000,
+        "--seed", 4, "--boresight", 0.5, -0.8, 0.4,
     )  # fmt: skip
     assert len(made["points"]) == 6
     assert run(capsys, "pick", folder, "--seeds", made["seeds"])[0] == 0
@@ -27,15 +29,15 @@ def test_a_plan_keeps_its_promise(capsys: pytest.CaptureFixture[str], tmp_path: 
     assert project.truth_deg == pytest.approx((0.5, -0.8, 0.4))
     off = np.degrees(project.result.boresight) - project.truth_deg
     assert (np.abs(off) < 3.5 * np.degrees(project.result.sigma)).all(), off
-    found = answer(capsys, "compare-plan", folder, "--plan", PORT)
+    found = answer(capsys, "compare-plan", folder, "--plan", PORT_PLAN)
     assert found["missing_lines"] == []
-    # The plan has two and a half times as many points, which matters little
+    # The plan has two and a half times as many points, which has little effect
     ratio = np.array(found["obtained_sigma_deg"]) / found["surveyed_with_form_error_sigma_deg"]
     assert ((ratio > 0.9) & (ratio < 1.35)).all(), ratio
 
 
-def test_the_boards_stand_as_planned() -> None:
-    simulation = simulation_of_plan(PORT)
+def test_simulated_boards_and_lines_are_those_of_the_plan() -> None:
+    simulation = simulation_of_plan(PORT_PLAN)
     setup = simulation.setup
     assert setup.targets == ("T1", "T2")
     leaning = setup.scene["T2"]
@@ -45,23 +47,25 @@ def test_the_boards_stand_as_planned() -> None:
     assert simulation.lever_arm == pytest.approx((-0.242, 0.061, 2.173))
 
 
-def test_what_is_no_plan_is_reported(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    assert is_plan(PORT)
+def test_files_that_are_not_plans_and_wrong_options_are_reported(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert is_plan(PORT_PLAN)
     assert not is_plan(tmp_path / "none.toml")
     assert not is_plan(Path("port"))
-    said = run(capsys, "simulate", PORT, "--output", tmp_path / "a", "--scanner", "zf-9012")
-    assert said[0] == 2
-    assert "a survey plan contains its scanner and lines" in said[2]
+    outcome = run(capsys, "simulate", PORT_PLAN, "--output", tmp_path / "a", "--scanner", "zf-9012")
+    assert outcome[0] == 2
+    assert "a survey plan contains its scanner and lines" in outcome[2]
     assert "no vessel named" in refused(
-        capsys, "simulate", PORT, "--output", tmp_path / "a", "--vessel", "raft"
+        capsys, "simulate", PORT_PLAN, "--output", tmp_path / "a", "--vessel", "raft"
     )
 
 
-def test_a_planned_ball_is_sailed_past_as_a_ball(tmp_path: Path) -> None:
-    """At the place, seen from the water, that a board of these numbers would have."""
+def test_a_planned_ball_is_simulated_as_a_sphere(tmp_path: Path) -> None:
+    """Its centre is that of a board with the same numbers."""
     ball = '[[balls]]\nname = "B1"\nalong_m = 1.1\noff_m = 0.62\nup_m = 6.4\nradius_m = 0.145\n'
     path = tmp_path / "plan.toml"
-    path.write_text(PORT.read_text().replace("[[lines]]", f"{ball}[[lines]]", 1))
+    path.write_text(PORT_PLAN.read_text().replace("[[lines]]", f"{ball}[[lines]]", 1))
     setup = simulation_of_plan(path).setup
     assert setup.targets == ("T1", "T2", "B1")
     found = setup.scene["B1"]

@@ -1,4 +1,4 @@
-"""Plans, sites and sites' limits at their edges: what is not allowed, seen, or adjusted."""
+"""Tests of edge cases of plans: plans outside the site, no sightings, failed adjustments."""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -21,32 +21,35 @@ from tests.test_design import SMALL
 
 SPACE = DesignSpace(SMALL, PlanObjective())
 CHOICE = PlanChoice((0, 5), (0, 1, 2))
-MADE = SPACE.plan(CHOICE)
-AWAY = Board("away", (0.0, -15.0, 5.0), (0.0, -1.0, 0.0))
+CHOSEN_PLAN = SPACE.plan(CHOICE)
+HIDDEN_BOARD = Board("away", (0.0, -15.0, 5.0), (0.0, -1.0, 0.0))
 
 
-def test_the_choice_that_a_plan_is_is_found_again() -> None:
-    assert SPACE.nearest(MADE) == CHOICE
+def test_the_choice_of_a_plan_is_recovered() -> None:
+    assert SPACE.nearest(CHOSEN_PLAN) == CHOICE
     assert SPACE.choice(SPACE.genes(CHOICE)) == CHOICE
 
 
 @pytest.mark.parametrize(
     "other",
     [
-        replace(MADE, lines=MADE.lines[:2]),
-        replace(MADE, targets=MADE.targets[:1]),
-        replace(MADE, lines=(*MADE.lines[:2], Line(12.0))),
-        replace(MADE, targets=(MADE.targets[0], BOARDS[0])),
-        replace(MADE, targets=(MADE.targets[0], Ball("S1", MADE.targets[1].centre, 0.3, True))),
+        replace(CHOSEN_PLAN, lines=CHOSEN_PLAN.lines[:2]),
+        replace(CHOSEN_PLAN, targets=CHOSEN_PLAN.targets[:1]),
+        replace(CHOSEN_PLAN, lines=(*CHOSEN_PLAN.lines[:2], Line(12.0))),
+        replace(CHOSEN_PLAN, targets=(CHOSEN_PLAN.targets[0], BOARDS[0])),
+        replace(
+            CHOSEN_PLAN,
+            targets=(CHOSEN_PLAN.targets[0], Ball("S1", CHOSEN_PLAN.targets[1].centre, 0.3, True)),
+        ),
     ],
 )
-def test_a_plan_that_the_site_does_not_allow_is_no_choice(other: Plan) -> None:
+def test_a_plan_outside_the_site_has_no_choice(other: Plan) -> None:
     assert SPACE.nearest(other) is None
 
 
-def test_lines_past_nothing_come_near_no_wall() -> None:
-    assert clearance_from_wall(replace(MADE, targets=()), SMALL.wall) == ()
-    assert len(clearance_from_wall(MADE, SMALL.wall)) == 3
+def test_lines_without_targets_have_no_clearance() -> None:
+    assert clearance_from_wall(replace(CHOSEN_PLAN, targets=()), SMALL.wall) == ()
+    assert len(clearance_from_wall(CHOSEN_PLAN, SMALL.wall)) == 3
 
 
 @pytest.mark.parametrize(
@@ -61,16 +64,16 @@ def test_steps_end_at_the_given_bounds(given: tuple, values: tuple) -> None:
     assert evenly_spaced(*given) == pytest.approx(values)
 
 
-def test_what_no_line_sees_is_no_sighting() -> None:
-    """A board that looks away from all lines beside those that do not."""
-    both = simulate_plan(replace(PLAN, targets=(*BOARDS, AWAY)), np.random.default_rng(1))
+def test_a_board_that_no_line_sees_has_no_sightings() -> None:
+    """A board that faces away from all lines, beside visible boards."""
+    both = simulate_plan(replace(PLAN, targets=(*BOARDS, HIDDEN_BOARD)), np.random.default_rng(1))
     assert set(both.targets) == {"T1", "T2"}
     assert len(both.sightings) == 2 * len(PLAN.lines)
     with pytest.raises(RankDeficient, check=has_code("design.no_sightings")):
-        simulate_plan(replace(PLAN, targets=(AWAY,)), np.random.default_rng(1))
+        simulate_plan(replace(PLAN, targets=(HIDDEN_BOARD,)), np.random.default_rng(1))
 
 
-def test_where_no_survey_can_be_adjusted_there_is_no_scatter() -> None:
+def test_monte_carlo_without_adjusted_surveys_is_refused() -> None:
     def failing(trial, numbers):
         return (np.full((2, 3), np.nan) for _ in numbers)
 
@@ -78,7 +81,7 @@ def test_where_no_survey_can_be_adjusted_there_is_no_scatter() -> None:
         run_monte_carlo(PLAN, 3, mapper=failing)
 
 
-def test_surveys_that_could_not_be_adjusted_are_counted() -> None:
+def test_failed_adjustments_are_counted() -> None:
     errors = iter([1.0, np.nan, -1.0])
 
     def made(trial, numbers):
@@ -90,8 +93,8 @@ def test_surveys_that_could_not_be_adjusted_are_counted() -> None:
     assert "1 survey could not be adjusted and is excluded." in found.summary_texts
 
 
-def test_seeds_lie_on_what_can_be_picked() -> None:
-    """In the middle of a board, on the ball where it faces the vessel, and on no mast."""
+def test_seeds_lie_on_boards_and_spheres() -> None:
+    """At the middle of a board, on the side of a sphere towards the vessel, on no mast."""
     board = upright_rectangle("T1", (0.0, -12.0), 4.0, 5.0, 1.0, 270)
     ball = Sphere("S1", np.array([3.0, -10.0, 2.0]), 0.5)
     mast = Cylinder("mast", 6.0, -10.0, 0.0, 9.0, 0.3)

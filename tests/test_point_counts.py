@@ -1,4 +1,4 @@
-"""Files whose headers count other points than the files hold."""
+"""Tests of files whose header has another number of points than the file."""
 
 import struct
 from collections.abc import Iterator
@@ -18,12 +18,12 @@ from lispac.messages import Level, Message, error
 from tests import point_files as files
 from tests.test_points_damaged_headers import crc32c
 
-COUNT_AT, LEGACY_AT = 247, 107
-"""Bytes of the two counts of a LAS 1.4 header; before 1.4 the second is the only one."""
+COUNT_OFFSET, LEGACY_COUNT_OFFSET = 247, 107
+"""Byte offsets of both counts in a LAS 1.4 header; before 1.4 only the second exists."""
 
 
 def las(path: Path, count: int, point_format: int = 6, version: str = "1.4") -> Path:
-    """Points at regular times, as laspy writes them."""
+    """Write points at regular times with laspy."""
     header = laspy.LasHeader(point_format=point_format, version=version)
     header.scales = np.full(3, 1e-4)
     data = laspy.LasData(header)
@@ -43,20 +43,20 @@ def times(count: int) -> np.ndarray:
 
 
 def counting(path: Path, count: int, legacy: int | None = None) -> Path:
-    """The file with other counts in its header."""
+    """Change the counts in the header of a file."""
     content = bytearray(path.read_bytes())
     if content[24:26] == b"\x01\x04":
-        struct.pack_into("<Q", content, COUNT_AT, count)
+        struct.pack_into("<Q", content, COUNT_OFFSET, count)
         if legacy is not None:
-            struct.pack_into("<I", content, LEGACY_AT, legacy)
+            struct.pack_into("<I", content, LEGACY_COUNT_OFFSET, legacy)
     else:
-        struct.pack_into("<I", content, LEGACY_AT, count)
+        struct.pack_into("<I", content, LEGACY_COUNT_OFFSET, count)
     path.write_bytes(content)
     return path
 
 
 def extended(path: Path, after: bytes, records: int = 0) -> Path:
-    """The file with bytes after its points, extended records where their number is given."""
+    """Append bytes after the points; as extended records if their number is given."""
     content = bytearray(path.read_bytes())
     if records:
         struct.pack_into("<QI", content, 235, len(content), records)
@@ -65,7 +65,7 @@ def extended(path: Path, after: bytes, records: int = 0) -> Path:
 
 
 def read(path: Path, key: str = "las") -> tuple[np.ndarray, np.ndarray]:
-    """Coordinates and times of all points."""
+    """Return coordinates and times of all points."""
     chunks = list(format_of(key).read(path, {}))
     return np.concatenate([c.xyz for c in chunks]), np.concatenate([c.time for c in chunks])
 
@@ -74,8 +74,8 @@ def messages(path: Path, key: str = "las") -> list[Message]:
     return list(format_of(key).preview(path, {}).messages)
 
 
-def all_are_read(path: Path, count: int) -> None:
-    """By every way that points and their number are read."""
+def require_all_read(path: Path, count: int) -> None:
+    """Check all functions that read points or their number."""
     xyz, time = read(path)
     np.testing.assert_allclose(xyz, places(count), atol=1e-6)
     np.testing.assert_array_equal(time, times(count))
@@ -88,30 +88,30 @@ def all_are_read(path: Path, count: int) -> None:
     assert (found.count, found.end) == (count, times(count)[-1])
 
 
-KINDS = [(1, "1.2"), (3, "1.3"), (1, "1.4"), (6, "1.4"), (7, "1.4")]
+FORMATS_AND_VERSIONS = [(1, "1.2"), (3, "1.3"), (1, "1.4"), (6, "1.4"), (7, "1.4")]
 
 
-@pytest.mark.parametrize(("point_format", "version"), KINDS)
+@pytest.mark.parametrize(("point_format", "version"), FORMATS_AND_VERSIONS)
 @pytest.mark.parametrize("ending", ["las", "laz"])
 @pytest.mark.parametrize("counted", [0, 1, 700, 1499])
-def test_all_points_are_read_where_the_header_counts_fewer(
+def test_all_points_are_read_if_the_header_counts_fewer(
     tmp_path: Path, ending: str, point_format: int, version: str, counted: int
 ) -> None:
     path = las(tmp_path / f"a.{ending}", 1500, point_format, version)
     counting(path, counted, legacy=counted)
-    all_are_read(path, 1500)
+    require_all_read(path, 1500)
     (message,) = messages(path)
     assert (message.code, message.level) == ("file.header_count", Level.WARNING)
     assert (message.params["header"], message.params["held"]) == (counted, 1500)
 
 
-@pytest.mark.parametrize(("point_format", "version"), KINDS)
+@pytest.mark.parametrize(("point_format", "version"), FORMATS_AND_VERSIONS)
 @pytest.mark.parametrize("ending", ["las", "laz"])
 @pytest.mark.parametrize("count", [1, 2, 1500, 50_000, 50_001])
-def test_right_counts_have_no_message(
+def test_correct_counts_have_no_message(
     tmp_path: Path, ending: str, point_format: int, version: str, count: int
 ) -> None:
-    """Also where a LAZ file ends with a full chunk of 50,000 points, or with one of one point."""
+    """Includes LAZ files whose last chunk has 50,000 points or one point."""
     path = las(tmp_path / f"a.{ending}", count, point_format, version)
     assert las_chunks.point_count(path) == count
     assert messages(path) == []
@@ -119,7 +119,7 @@ def test_right_counts_have_no_message(
 
 @pytest.mark.parametrize(("counted", "held"), [(50_000, 100_000), (99_999, 100_000), (7, 50_001)])
 @pytest.mark.parametrize("point_format", [1, 6])
-def test_counts_over_several_chunks(
+def test_laz_points_are_counted_over_several_chunks(
     tmp_path: Path, point_format: int, counted: int, held: int
 ) -> None:
     path = counting(las(tmp_path / "a.laz", held, point_format), counted, legacy=0)
@@ -130,8 +130,10 @@ def test_counts_over_several_chunks(
 
 @pytest.mark.parametrize("counted", [0, 900, 1500])
 @pytest.mark.parametrize("point_format", [1, 6])
-def test_chunks_of_variable_size(tmp_path: Path, point_format: int, counted: int) -> None:
-    """Their table counts the points of each."""
+def test_laz_chunks_of_variable_size_are_counted(
+    tmp_path: Path, point_format: int, counted: int
+) -> None:
+    """The chunk table has the number of points of each chunk."""
     plain = las(tmp_path / "a.las", 1500, point_format)
     content = plain.read_bytes()
     start, size = (
@@ -153,22 +155,22 @@ def test_chunks_of_variable_size(tmp_path: Path, point_format: int, counted: int
             compressor.finish_current_chunk()
         compressor.done()
     counting(path, counted, legacy=0)
-    all_are_read(path, 1500)
+    require_all_read(path, 1500)
     assert len(messages(path)) == (counted != 1500)
 
 
-def test_the_legacy_count_alone_is_right(tmp_path: Path) -> None:
-    """LAS 1.4 whose count of 64 bits was left at zero, or is wrong: a note, and all points."""
+def test_a_correct_legacy_count_is_a_note(tmp_path: Path) -> None:
+    """LAS 1.4 whose 64-bit count is zero or wrong: all points are read, with a note."""
     for counted in (0, 2000):
         path = counting(las(tmp_path / "a.las", 1500, 1), counted, legacy=1500)
-        all_are_read(path, 1500)
+        require_all_read(path, 1500)
         (message,) = messages(path)
         assert (message.code, message.level) == ("file.legacy_count", Level.NOTE)
 
 
 def test_a_legacy_count_that_differs_is_a_note(tmp_path: Path) -> None:
     path = counting(las(tmp_path / "a.las", 1500, 1), 1500, legacy=40)
-    all_are_read(path, 1500)
+    require_all_read(path, 1500)
     (message,) = messages(path)
     assert (message.code, message.params["legacy"]) == ("file.legacy_count", 40)
 
@@ -178,28 +180,28 @@ def test_extended_records_are_not_points(tmp_path: Path, counted: int) -> None:
     path = las(tmp_path / "a.las", 1500)
     record = struct.pack("<H16sHQ32s", 0, b"own", 1, 3000, b"") + bytes(range(1, 251)) * 12
     counting(extended(path, record, 1), counted)
-    all_are_read(path, 1500)
+    require_all_read(path, 1500)
     assert [m.params["held"] for m in messages(path)] == [1500] * (counted != 1500)
 
 
-def test_space_reserved_for_points_is_not_points(tmp_path: Path) -> None:
-    """A recorder reserves space, and writes the count at the end or not at all."""
+def test_reserved_space_is_not_read_as_points(tmp_path: Path) -> None:
+    """Recorders reserve space for points, and may stop before they write the count."""
     for counted in (1500, 0):
         path = counting(extended(las(tmp_path / "a.las", 1500), bytes(30 * 5000)), counted)
-        all_are_read(path, 1500)
+        require_all_read(path, 1500)
         assert [m.code for m in messages(path)] == ["file.header_count"] * (counted == 0)
 
 
-def test_bytes_that_are_no_points_are_reported(tmp_path: Path) -> None:
+def test_other_bytes_after_the_points_are_reported(tmp_path: Path) -> None:
     noise = np.random.default_rng(0).integers(1, 255, 3000, dtype=np.uint8).tobytes()
     path = extended(las(tmp_path / "a.las", 1500), noise)
-    all_are_read(path, 1500)
+    require_all_read(path, 1500)
     (message,) = messages(path)
     assert (message.code, message.params["bytes"]) == ("file.unread_bytes", 3000)
 
 
-def test_points_after_a_stop_in_the_middle_of_a_record(tmp_path: Path) -> None:
-    """The recorder stopped: no count, and the last record is not complete."""
+def test_an_incomplete_last_record_is_ignored(tmp_path: Path) -> None:
+    """The recorder stopped: the count is zero and the last record is incomplete."""
     path = counting(las(tmp_path / "a.las", 1500), 0)
     path.write_bytes(path.read_bytes()[:-11])
     assert las_chunks.point_count(path) == 1499
@@ -219,7 +221,7 @@ def test_missing_points_are_refused(tmp_path: Path, ending: str, point_format: i
         )
 
 
-def test_a_reference_without_time_has_all_its_points(tmp_path: Path) -> None:
+def test_all_points_of_a_reference_without_times_are_read(tmp_path: Path) -> None:
     for ending in ("las", "laz"):
         path = counting(las(tmp_path / f"a.{ending}", 600, 0, "1.2"), 200)
         np.testing.assert_allclose(
@@ -257,7 +259,7 @@ def test_all_points_of_ply_and_pcd_are_read(tmp_path: Path, name: str, counted: 
 
 
 def faces(text: bool) -> Iterator[bytes]:
-    """A PLY file of three points and two faces, up to the points, and after them."""
+    """Yield parts of a PLY file of three points and two faces."""
     kind = "ascii" if text else "binary_little_endian"
     yield (
         f"ply\nformat {kind} 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
@@ -280,7 +282,7 @@ def test_faces_of_ply_are_not_points(tmp_path: Path, text: bool) -> None:
 
 
 def test_e57_that_counts_fewer_points_than_it_holds_is_refused(tmp_path: Path) -> None:
-    """libE57 reads no more than are counted; each page of 1,020 bytes has a checksum."""
+    """libE57 reads only the counted points; pages of 1,020 bytes have a checksum each."""
     path = files.e57(tmp_path / "a.e57", scans=1)
     paged = path.read_bytes()
     plain = b"".join(paged[k : k + 1020] for k in range(0, len(paged), 1024))

@@ -1,4 +1,4 @@
-"""Every format of points reads what independent writers made, and says what it assumed."""
+"""Tests of the readers of points, on files of independent writers."""
 
 import gzip
 from pathlib import Path
@@ -13,7 +13,7 @@ from lispac.io.format_types import FileFormat, FilePreview, PointChunk
 from lispac.io.las import las_chunks
 from lispac.io.las.las_format import read_scan
 from lispac.io.points import pcd, point_records
-from lispac.io.points.point_formats import POINTS
+from lispac.io.points.point_formats import POINT_FORMATS
 from lispac.io.points.point_reader_common import crs_of_options
 from lispac.io.text import text_chunks
 from lispac.message_texts import fact_text
@@ -21,12 +21,12 @@ from tests import point_files as files
 from tests.error_codes import has_code
 from tests.message_codes import codes
 
-FORMATS = {format_.key: format_ for format_ in POINTS}
+FORMATS = {format_.key: format_ for format_ in POINT_FORMATS}
 RNG = np.random.default_rng(8)
 
 
 def whole(format_: FileFormat, path: Path, choice: dict[str, Any] | None = None) -> PointChunk:
-    """All chunks of a file, with the options that a look proposes."""
+    """Read a file completely, with the options of its preview."""
     found = format_.preview(path, choice or {})
     chunks = list(format_.read(path, {**found.choice, **(choice or {})}))
     assert all(isinstance(chunk, PointChunk) for chunk in chunks)
@@ -45,7 +45,7 @@ def valid(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[FileFormat, P
 
 
 def expected(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Coordinates, times and rings that the writer was given."""
+    """Return the coordinates, times and rings given to the writer."""
     kept = np.arange(files.COUNT)
     if path.name == "a.e57":
         kept = kept[kept % 2 == 0]
@@ -59,11 +59,11 @@ def expected(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return files.XYZ[kept], time[kept], files.RING[kept]
 
 
-def test_points_come_as_written(valid: tuple[FileFormat, Path]) -> None:
+def test_points_are_read_as_written(valid: tuple[FileFormat, Path]) -> None:
     format_, path = valid
     read = whole(format_, path)
     xyz, time, ring = expected(path)
-    # Six digits of open3d's text; the others store what they were given.
+    # Open3D writes six digits; the other writers store exact values.
     coarse = 6e-5 if path.name in ("b.ply",) else 1e-7
     np.testing.assert_allclose(read.xyz, xyz, rtol=0, atol=coarse)
     np.testing.assert_allclose(read.time, time, rtol=0, atol=2e-6)
@@ -75,9 +75,9 @@ def test_points_come_as_written(valid: tuple[FileFormat, Path]) -> None:
     assert read.total in (None, files.COUNT)
 
 
-def test_every_format_knows_its_own(valid: tuple[FileFormat, Path]) -> None:
+def test_every_format_recognises_its_own_files(valid: tuple[FileFormat, Path]) -> None:
     format_, path = valid
-    scores = {other.key: other.sniff(path) for other in POINTS}
+    scores = {other.key: other.sniff(path) for other in POINT_FORMATS}
     assert max(scores, key=lambda key: scores[key]) == format_.key
     assert sorted(scores.values())[-2] <= 0.3 < scores[format_.key]
 
@@ -96,13 +96,13 @@ def test_an_examination_reports_frame_unit_time_base_and_assumptions(
     assert all(fact_text(fact) for fact in found.facts.values())
 
 
-def test_no_format_takes_the_others_files(shared_data: Path) -> None:
+def test_no_format_of_points_recognises_other_files(shared_data: Path) -> None:
     for name in ("harbour/trajectory.sbet", "harbour/smrmsg.out", "harbour/site.json"):
-        assert {format_.sniff(shared_data / name) for format_ in POINTS} == {0.0}
+        assert {format_.sniff(shared_data / name) for format_ in POINT_FORMATS} == {0.0}
 
 
 @pytest.mark.parametrize("point_format", [1, 3, 4, 5, 6, 7, 8, 9, 10])
-def test_every_las_point_format_with_time(tmp_path: Path, point_format: int) -> None:
+def test_every_las_point_format_with_time_is_read(tmp_path: Path, point_format: int) -> None:
     version = "1.2" if point_format < 4 else "1.3" if point_format < 6 else "1.4"
     path = files.las(tmp_path / "a.las", point_format, version)
     read = whole(FORMATS["las"], path)
@@ -117,10 +117,8 @@ def test_every_las_point_format_with_time(tmp_path: Path, point_format: int) -> 
 
 @pytest.mark.parametrize("ending", ["las", "laz"])
 @pytest.mark.parametrize("point_format", [4, 5, 9, 10])
-def test_points_with_waveforms_are_read_without_them(
-    tmp_path: Path, point_format: int, ending: str
-) -> None:
-    """Of several scanner channels LAZ mixes up what points say of waveforms, but nothing else."""
+def test_points_with_waveforms_are_read(tmp_path: Path, point_format: int, ending: str) -> None:
+    """LAZ with several scanner channels mixes up waveform attributes, but no others."""
     version = "1.3" if point_format < 6 else "1.4"
     header = laspy.LasHeader(point_format=point_format, version=version)
     header.scales = np.full(3, 1e-4)
@@ -148,8 +146,8 @@ def test_points_with_waveforms_are_read_without_them(
 
 
 @pytest.mark.parametrize("name", ["a.las", "a.laz"])
-def test_las_is_read_from_any_point_on(tmp_path: Path, name: str) -> None:
-    """LAZ in chunks of 50,000 points: from within one, at the border of two, at both ends."""
+def test_las_is_read_from_any_point(tmp_path: Path, name: str) -> None:
+    """LAZ has chunks of 50,000 points: starts inside chunks, at their borders and ends."""
     count = 120_000
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales = np.full(3, 1e-4)
@@ -172,8 +170,8 @@ def test_las_is_read_from_any_point_on(tmp_path: Path, name: str) -> None:
     assert list(read_from(tmp_path / name, {}, count)) == []
 
 
-def test_reading_from_a_point_on_does_not_decode_what_is_before(tmp_path: Path) -> None:
-    """Bytes of the first chunk of LAZ are destroyed; the others come back all the same."""
+def test_reading_from_a_point_does_not_decode_previous_chunks(tmp_path: Path) -> None:
+    """Bytes of the first LAZ chunk are destroyed; the others are read."""
     path = files.las(tmp_path / "a.laz")
     las = laspy.read(path)
     las.points = laspy.ScaleAwarePointRecord(
@@ -201,17 +199,17 @@ def test_las_without_time_is_refused(tmp_path: Path, point_format: int) -> None:
             attempt()
 
 
-def test_las_states_its_time_base_and_system(tmp_path: Path) -> None:
+def test_time_base_and_system_of_a_las_header(tmp_path: Path) -> None:
     path = files.las(tmp_path / "a.las", crs="EPSG:2949+6647", adjusted=True)
     found = FORMATS["las"].preview(path, {})
     assert found.choice["time_base"] == "gps-adjusted"
     assert "CGVD2013" in found.facts["coordinate system"]
-    assert "times.base_contradicted" in codes(found.file_warnings)  # they are of the week
+    assert "times.base_contradicted" in codes(found.file_warnings)  # seconds of the week
     assert "points.small_coordinates" in codes(found.file_warnings)
-    with pytest.raises(InputError, check=has_code("crs.grid_missing_geoid")):  # its geoid
+    with pytest.raises(InputError, check=has_code("crs.grid_missing_geoid")):  # of CGVD2013
         crs_of_options(FORMATS["las"].resolved(found.choice))
-    settled = FORMATS["las"].resolved({**found.choice, "height": "ellipsoid"})
-    system = crs_of_options(settled)
+    resolved = FORMATS["las"].resolved({**found.choice, "height": "ellipsoid"})
+    system = crs_of_options(resolved)
     assert system is not None
     assert "MTM" in system.name
 
@@ -224,10 +222,10 @@ def test_las_is_read_as_the_scan_reader_does(shared_data: Path) -> None:
 
 
 def test_chunks_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The last chunk is the rest, and nothing is lost between two of them."""
+    """The last chunk has the remaining points, and no point is lost."""
     for module in (las_chunks, pcd, text_chunks):
-        monkeypatch.setattr(module, "CHUNK", 16)
-    monkeypatch.setattr(text_chunks, "BLOCK", 300)
+        monkeypatch.setattr(module, "POINTS_PER_CHUNK", 16)
+    monkeypatch.setattr(text_chunks, "BYTES_PER_BLOCK", 300)
     for name in ("a.las", "b.laz", "a.pcd", "b.pcd", "c.pcd", "a.csv", "b.csv.gz"):
         key, write = files.VALID[name]
         chunks = list(FORMATS[key].read(write(tmp_path / name), {}))
@@ -235,7 +233,7 @@ def test_chunks_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
         np.testing.assert_allclose(np.concatenate([c.xyz for c in chunks]), files.XYZ, atol=1e-7)
 
 
-def test_other_units_of_a_scanner_become_metres(valid: tuple[FileFormat, Path]) -> None:
+def test_other_units_of_a_scanner_are_converted_to_metres(valid: tuple[FileFormat, Path]) -> None:
     format_, path = valid
     scanner = {"frame": "scanner"}
     metres, feet = whole(format_, path, scanner), whole(format_, path, scanner | {"unit": "foot"})
@@ -255,7 +253,7 @@ def test_other_units_of_a_scanner_become_metres(valid: tuple[FileFormat, Path]) 
         ("{t:.6f}, {x:.4f}, {y:.4f}, {z:.4f}", "# time, x, y, z", {}),
     ],
 )
-def test_text_of_many_kinds(tmp_path: Path, row: str, head: str, choice: dict[str, str]) -> None:
+def test_text_layouts(tmp_path: Path, row: str, head: str, choice: dict[str, str]) -> None:
     read = whole(FORMATS["text"], files.text(tmp_path / "a.txt", row, head), choice)
     np.testing.assert_array_equal(read.xyz, files.XYZ)
     np.testing.assert_array_equal(read.time, files.TIME)
@@ -276,7 +274,7 @@ def test_time_in_other_units(tmp_path: Path) -> None:
     np.testing.assert_allclose(read.time, np.arange(5) / 1000)
 
 
-def test_e57_poses_and_starts(tmp_path: Path) -> None:
+def test_e57_poses_are_applied_in_georeferenced_frames(tmp_path: Path) -> None:
     half = np.sqrt(0.5)
     path = files.e57(
         tmp_path / "a.e57", quaternion=(half, 0, 0, half), translation=(1, 2, 3), spherical=True
@@ -289,7 +287,7 @@ def test_e57_poses_and_starts(tmp_path: Path) -> None:
     assert "e57.poses" in codes(FORMATS["e57"].preview(path, {}).file_warnings)
 
 
-def test_e57_with_stamps_that_are_no_time_since_the_start(tmp_path: Path) -> None:
+def test_absolute_time_stamps_of_e57(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", stamps=files.TIME)
     found = FORMATS["e57"].preview(path, {})
     assert found.choice["time_from"] == "zero"
@@ -320,7 +318,7 @@ def test_real_cidco_files(shared_data: Path) -> None:
         assert 5 < np.median(np.linalg.norm(read.xyz, axis=1)) < 50
 
 
-def test_options_that_are_not_there_are_refused(tmp_path: Path) -> None:
+def test_unknown_options_are_refused(tmp_path: Path) -> None:
     path = files.las(tmp_path / "a.las")
     with pytest.raises(InputError, match="colour") as refused:
         list(FORMATS["las"].read(path, {"colour": "red"}))
@@ -330,7 +328,7 @@ def test_options_that_are_not_there_are_refused(tmp_path: Path) -> None:
     assert refused.value.code == "formats.invalid_choice"
 
 
-def test_gzip_is_seen_by_its_bytes(tmp_path: Path) -> None:
+def test_gzip_is_recognised_by_its_bytes(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     path.write_bytes(gzip.compress(b"time x y z\n1 2 3 4\n2 3 4 5\n"))
     assert len(whole(FORMATS["text"], path).time) == 2
@@ -339,7 +337,7 @@ def test_gzip_is_seen_by_its_bytes(tmp_path: Path) -> None:
 def test_records_are_read_in_bounded_pieces(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(point_records, "LARGEST", 100)
+    monkeypatch.setattr(point_records, "BYTES_PER_READ", 100)
     sizes = [len(c.time) for c in FORMATS["ply"].read(files.cloud(tmp_path / "a.ply"), {})]
     assert sum(sizes) == files.COUNT
     assert max(sizes) < 10

@@ -1,4 +1,4 @@
-"""Units in the names of columns of points on the map."""
+"""Tests of units in the column names of georeferenced points."""
 
 from pathlib import Path
 
@@ -24,15 +24,15 @@ SURVEY_FOOT = 1200 / 3937
         ("[ft]", "[m]", "EPSG:32618", 1.0, True),
     ],
 )
-def test_names_state_units(
+def test_column_names_specify_units(
     tmp_path: Path, across: str, up: str, crs: str, height: float, has_warning: bool
 ) -> None:
     path = tmp_path / "a.csv"
     rows = [f"{300 + k / 10},{6e5 + k},{6.4e5},{10 + k}" for k in range(20)]
     path.write_text("\n".join([f"time,Easting{across},Northing{across},Height{up}", *rows]))
     finding = TEXT.preview(path, {"crs": crs, "frame": "georeferenced"})
-    settled = TEXT.resolved({**finding.choice, "crs": crs, "frame": "georeferenced"})
-    system = crs_of_options(settled)
+    resolved = TEXT.resolved({**finding.choice, "crs": crs, "frame": "georeferenced"})
+    system = crs_of_options(resolved)
     assert system is not None
     assert system.metres[2] == pytest.approx(height, rel=1e-12)
     assert ("points.unit_of_column" in codes(finding.file_warnings)) == has_warning

@@ -1,4 +1,4 @@
-"""Bad files of points: one clear sentence each, nothing but the program's own errors."""
+"""Tests that bad files of points are refused with one sentence, by the program's errors."""
 
 import os
 import re
@@ -14,7 +14,7 @@ from pyproj import CRS
 
 from lispac.errors import InputError
 from lispac.io.points.line_times import read_line_times
-from lispac.io.points.point_formats import POINTS
+from lispac.io.points.point_formats import POINT_FORMATS
 from lispac.io.points.point_reader_common import crs_of_options
 from lispac.messages import error
 from lispac.survey.point_screening import PointScreen, PointSelection
@@ -22,20 +22,20 @@ from tests import point_files as files
 from tests.error_codes import has_code
 from tests.message_codes import codes
 
-FORMATS = {format_.key: format_ for format_ in POINTS}
+FORMATS = {format_.key: format_ for format_ in POINT_FORMATS}
 NAMES = list(files.VALID)
-MAGIC = (".las", ".laz", ".e57", ".ply", ".pcd")
+ENDINGS_WITH_SIGNATURE = (".las", ".laz", ".e57", ".ply", ".pcd")
 
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    """Each valid file, not to be changed."""
+    """Write each valid file; tests must not change them."""
     folder = tmp_path_factory.mktemp("valid")
     return {name: write(folder / name) for name, (_, write) in files.VALID.items()}
 
 
 def refusal_text(path: Path, name: str, choice: dict[str, Any] | None = None) -> str:
-    """Code and text of the error that a reader raises for a bad file; it names the file."""
+    """Return code and text of the error for a bad file; the text must name the file."""
     format_ = FORMATS[files.VALID[name][0]]
     with pytest.raises(InputError) as refused:
         for _ in format_.read(path, choice or {}):
@@ -54,7 +54,7 @@ def damaged(tmp_path: Path, name: str, data: bytes) -> Path:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_missing_folder_and_empty(tmp_path: Path, name: str) -> None:
+def test_missing_files_folders_and_empty_files_are_refused(tmp_path: Path, name: str) -> None:
     assert "file.not_found" in refusal_text(tmp_path / "absent" / name, name)
     assert "file.folder" in refusal_text(tmp_path, name)
     assert re.search("is empty", refusal_text(damaged(tmp_path, name, b""), name))
@@ -65,18 +65,22 @@ def test_missing_folder_and_empty(tmp_path: Path, name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("share", [0.05, 0.5, 0.97])
-def test_truncated(tmp_path: Path, made: dict[str, Path], name: str, share: float) -> None:
+def test_truncated_files_are_refused(
+    tmp_path: Path, made: dict[str, Path], name: str, share: float
+) -> None:
     data = made[name].read_bytes()
     kept = data[: int(len(data) * share) - 3]  # not at the end of a record
     if made[name].suffix in (".csv", ".txt"):
-        # Text cut within its last number is good text; cut within a row it is not.
+        # Text cut within its last number remains valid, so it is cut within a row.
         row = kept.rfind(b"\n") + 1
         kept = kept[: row or None].rstrip() + b"\n1.5 2.5"
     refusal_text(damaged(tmp_path, name, kept), name)
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if name[1:] in MAGIC])
-def test_wrong_magic(tmp_path: Path, made: dict[str, Path], name: str) -> None:
+@pytest.mark.parametrize("name", [name for name in NAMES if name[1:] in ENDINGS_WITH_SIGNATURE])
+def test_files_with_a_wrong_signature_are_refused(
+    tmp_path: Path, made: dict[str, Path], name: str
+) -> None:
     path = damaged(tmp_path, name, b"XXXX" * 40 + made[name].read_bytes()[160:])
     assert FORMATS[files.VALID[name][0]].sniff(path) == 0
     assert re.match(
@@ -84,7 +88,7 @@ def test_wrong_magic(tmp_path: Path, made: dict[str, Path], name: str) -> None:
     )
 
 
-def test_wrong_byte_order(tmp_path: Path, made: dict[str, Path]) -> None:
+def test_a_wrong_byte_order_is_refused(tmp_path: Path, made: dict[str, Path]) -> None:
     swapped = np.fromfile(made["cidco"], "<f8").astype(">f8").tobytes()
     path = damaged(tmp_path, "cidco", swapped)
     assert FORMATS["cidco"].sniff(path) == 0
@@ -95,7 +99,7 @@ def test_wrong_byte_order(tmp_path: Path, made: dict[str, Path]) -> None:
 
 
 def unusable(path: Path, name: str) -> list[int]:
-    """Points of a file that are excluded because they are not numbers."""
+    """Return the indices of points that are excluded as not finite."""
     format = FORMATS[files.VALID[name][0]]
     screen = PointScreen(PointSelection(), ranged=True)
     used = [screen(c.time, c.xyz, c.extra) for c in format.read(path, {})]
@@ -106,7 +110,7 @@ def unusable(path: Path, name: str) -> list[int]:
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, 1e200])
 @pytest.mark.parametrize("column", ["x", "time"])
-def test_values_that_are_no_numbers(tmp_path: Path, value: float, column: str) -> None:
+def test_points_that_are_not_finite_are_excluded(tmp_path: Path, value: float, column: str) -> None:
     xyz, time = files.XYZ.copy(), files.TIME.copy()
     if column == "x":
         xyz[6, 0] = value
@@ -132,22 +136,22 @@ def test_values_that_are_no_numbers(tmp_path: Path, value: float, column: str) -
         assert unusable(tmp_path / "b.las", "a.las") == [6]
 
 
-def test_no_time(tmp_path: Path) -> None:
+def test_points_without_time_are_refused(tmp_path: Path) -> None:
     for name in ("a.ply", "a.pcd"):
         path = files.cloud(tmp_path / name, time=False)
-        told = refusal_text(path, name)
-        assert "file.no_time" in told
-        assert "(fields: x, y, z and ring)" in told
+        refusal = refusal_text(path, name)
+        assert "file.no_time" in refusal
+        assert "(fields: x, y, z and ring)" in refusal
         files.cloud(path)
-        told = refusal_text(path, name, {"time_field": "when"})
-        assert "file.no_such_field" in told
-        assert "when" in told
+        refusal = refusal_text(path, name, {"time_field": "when"})
+        assert "file.no_such_field" in refusal
+        assert "when" in refusal
     path = files.text(tmp_path / "a.csv", "{x} {y} {z} {ring}")
     assert "column names: time" in refusal_text(path, "a.csv", {"columns": "x y z ring"})
     assert "has no column names" in refusal_text(path, "a.csv")
 
 
-def test_times_never_written(tmp_path: Path) -> None:
+def test_times_that_are_all_zero_are_refused(tmp_path: Path) -> None:
     header = laspy.LasHeader(point_format=1, version="1.2")
     las = laspy.LasData(header)
     las.x = np.arange(2000.0)
@@ -159,7 +163,7 @@ def test_times_never_written(tmp_path: Path) -> None:
     )
 
 
-def test_time_of_32_bits(tmp_path: Path) -> None:
+def test_times_of_32_bits_are_refused_or_reported(tmp_path: Path) -> None:
     head = (
         "ply\nformat binary_little_endian 1.0\nelement vertex 60\nproperty float x\n"
         "property float y\nproperty float z\nproperty float time\nend_header\n"
@@ -202,7 +206,7 @@ def test_warnings_about_place_and_unit(tmp_path: Path) -> None:
     assert "points.degrees" in warnings_of(tmp_path, near * [1e-5, 1e-5, 1] + [7, 50, 0])
 
 
-def test_unknown_coordinate_system(tmp_path: Path) -> None:
+def test_unknown_coordinate_systems_are_reported(tmp_path: Path) -> None:
     near = np.random.default_rng(0).normal(0, 10, (500, 3)) + [350_000, 5e6, 0]
     warnings_of(tmp_path, near)
     las = FORMATS["las"]
@@ -220,8 +224,10 @@ def test_unknown_coordinate_system(tmp_path: Path) -> None:
     assert "las.unknown_wkt" in codes(file_warnings)
 
 
-def test_laz_that_claims_billions_of_chunks(tmp_path: Path, made: dict[str, Path]) -> None:
-    """The library ends the program where it cannot allocate them."""
+def test_laz_with_a_wrong_number_of_chunks_is_refused(
+    tmp_path: Path, made: dict[str, Path]
+) -> None:
+    """Without the check, the library aborts the process when it allocates them."""
     data = bytearray(made["b.laz"].read_bytes())
     start = int.from_bytes(data[96:100], "little")
     table = int.from_bytes(data[start : start + 8], "little")
@@ -235,7 +241,9 @@ def test_laz_that_claims_billions_of_chunks(tmp_path: Path, made: dict[str, Path
     assert "las.header" in refusal_text(path, "b.laz")
 
 
-def test_ply_of_a_mesh_and_text_of_utf16(tmp_path: Path, made: dict[str, Path]) -> None:
+def test_ply_lists_utf16_text_and_empty_fields_are_refused(
+    tmp_path: Path, made: dict[str, Path]
+) -> None:
     data = made["a.ply"].read_bytes().replace(b"property double z", b"property list uchar int z")
     assert "ply.property_type" in refusal_text(damaged(tmp_path, "a.ply", data), "a.ply")
     text = damaged(tmp_path, "a.csv", made["a.csv"].read_text().encode("utf-16"))
@@ -247,10 +255,10 @@ def test_ply_of_a_mesh_and_text_of_utf16(tmp_path: Path, made: dict[str, Path]) 
 
 
 @pytest.mark.parametrize("name", ["a.las", "a.laz", "a.ply"])
-def test_file_cut_while_it_is_read(
+def test_a_file_cut_while_it_is_read_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
-    """After the first chunk, as by a copy made anew or a drive that is lost."""
+    """The file is cut after the first chunk, for example by a lost drive."""
     xyz = np.random.default_rng(0).normal(0, 10, (200_000, 3))
     time = np.linspace(400_000, 400_100, len(xyz))
     path = tmp_path / name
@@ -279,11 +287,11 @@ def test_file_cut_while_it_is_read(
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows keeps files from being removed while open")
-def test_file_removed_while_it_is_read(
+def test_a_file_removed_while_it_is_read_is_read_to_its_end(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: dict[str, Path]
 ) -> None:
-    """Its content stays until it is closed; the next reading says that it is gone."""
-    monkeypatch.setattr("lispac.io.points.ply.CHUNK", 10)
+    """An open file keeps its content; the next reading reports that it is missing."""
+    monkeypatch.setattr("lispac.io.points.ply.POINTS_PER_CHUNK", 10)
     path = damaged(tmp_path, "a.ply", made["a.ply"].read_bytes())
     chunks = FORMATS["ply"].read(path, {})
     held = len(next(chunks).time)
@@ -294,8 +302,10 @@ def test_file_removed_while_it_is_read(
 
 @settings(max_examples=100, deadline=None, suppress_health_check=list(HealthCheck))
 @given(data=st.binary(max_size=3000))
-def test_no_sniff_fails_on_any_bytes(tmp_path_factory: pytest.TempPathFactory, data: bytes) -> None:
+def test_recognition_of_formats_accepts_any_bytes(
+    tmp_path_factory: pytest.TempPathFactory, data: bytes
+) -> None:
     path = tmp_path_factory.getbasetemp() / "any.bin"
     path.write_bytes(data)
-    for format_ in POINTS:
+    for format_ in POINT_FORMATS:
         assert 0 <= format_.sniff(path) <= 1

@@ -1,4 +1,4 @@
-"""Points of text whose times are as hh:mm:ss."""
+"""Tests of text points with times of the form hh:mm:ss."""
 
 import gzip
 from pathlib import Path
@@ -19,10 +19,10 @@ from tests.trajectory_files import vessel, write_records
 
 
 def clocked(seconds: np.ndarray) -> list[str]:
-    told = []
+    texts = []
     for t in np.mod(seconds, DAY):
-        told.append(f"{int(t // 3600):02d}:{int(t % 3600 // 60):02d}:{t % 60:09.6f}")
-    return told
+        texts.append(f"{int(t // 3600):02d}:{int(t % 3600 // 60):02d}:{t % 60:09.6f}")
+    return texts
 
 
 @pytest.fixture
@@ -55,7 +55,7 @@ def test_the_reader_gives_seconds_of_the_day(times, tmp_path) -> None:
 
 
 @pytest.mark.parametrize("named", [(), ("time", "x", "y", "z")])
-def test_a_project_takes_them(named, times, track, tmp_path, capsys) -> None:
+def test_a_project_reads_clock_times(named, times, track, tmp_path, capsys) -> None:
     (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + rows_of(times))
     day = START - START % DAY
     _, survey = new_project(
@@ -68,7 +68,7 @@ def test_a_project_takes_them(named, times, track, tmp_path, capsys) -> None:
     )
 
 
-def test_a_row_that_is_no_clock_time_is_named(times, tmp_path) -> None:
+def test_a_row_with_an_invalid_clock_time_is_named(times, tmp_path) -> None:
     rows = rows_of(times).split("\n")
     rows[1200] = "13:61:00.0,1,2,3"
     (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + "\n".join(rows))
@@ -77,7 +77,7 @@ def test_a_row_that_is_no_clock_time_is_named(times, tmp_path) -> None:
     assert refused.value.code == "text.not_a_clock_time"
 
 
-def test_times_that_are_neither_are_reported(track, times, tmp_path, capsys) -> None:
+def test_times_of_another_form_are_refused(track, times, tmp_path, capsys) -> None:
     rows = [f"2023-05-09T{c}Z,1,2,3" for c in clocked(times)]
     (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + "\n".join(rows))
     command = ["new", str(tmp_path / "p"), str(tmp_path / "L.csv"), "--trajectory", str(track)]

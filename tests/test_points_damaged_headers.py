@@ -1,4 +1,4 @@
-"""Headers of PCD, PLY and E57 that contradict themselves or promise what is not there."""
+"""Tests of PCD, PLY and E57 files with contradictory or incomplete headers."""
 
 import struct
 from pathlib import Path
@@ -9,12 +9,12 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.io.points import e57, pcd
-from lispac.io.points.point_formats import POINTS
+from lispac.io.points.point_formats import POINT_FORMATS
 from lispac.messages import error, note, warning
 from tests import point_files as files
 from tests.message_codes import codes
 
-FORMATS = {format_.key: format_ for format_ in POINTS}
+FORMATS = {format_.key: format_ for format_ in POINT_FORMATS}
 PCD = """VERSION 0.7
 FIELDS x y z timestamp
 SIZE 8 8 8 8
@@ -43,7 +43,7 @@ end_header
 1 2 3 10
 4 5 6 11
 """
-SOUND = {"pcd": PCD, "ply": PLY}
+VALID_FILES = {"pcd": PCD, "ply": PLY}
 
 
 def refused_with(path: Path, key: str, code: str, **params: Any) -> None:
@@ -55,22 +55,22 @@ def refused_with(path: Path, key: str, code: str, **params: Any) -> None:
 
 
 def written(folder: Path, key: str, old: str = "", new: str = "") -> Path:
-    """The sound file of text, with one thing changed."""
-    assert old in SOUND[key], "the test changes nothing"
+    """Write the valid text file with one replacement."""
+    assert old in VALID_FILES[key], "the test changes nothing"
     path = folder / f"a.{key}"
-    path.write_text(SOUND[key].replace(old, new, 1), newline="\n")
+    path.write_text(VALID_FILES[key].replace(old, new, 1), newline="\n")
     return path
 
 
-@pytest.mark.parametrize("key", SOUND)
-def test_the_files_these_are_made_from_are_sound(tmp_path: Path, key: str) -> None:
-    """In PLY the points come after the rows of another element."""
+@pytest.mark.parametrize("key", VALID_FILES)
+def test_the_unchanged_files_are_read(tmp_path: Path, key: str) -> None:
+    """The PLY file has another element before the points."""
     (chunk,) = FORMATS[key].read(written(tmp_path, key), {})
     np.testing.assert_array_equal(chunk.xyz, [[1, 2, 3], [4, 5, 6]])
     np.testing.assert_array_equal(chunk.time, [10, 11])
 
 
-FIELD = {"field": "timestamp", "size": "8"}
+FIELD_PARAMS = {"field": "timestamp", "size": "8"}
 
 
 @pytest.mark.parametrize(
@@ -81,9 +81,9 @@ FIELD = {"field": "timestamp", "size": "8"}
         ("pcd", "DATA ascii", "DATA", "pcd.header_incomplete", {"entries": ("DATA",)}),
         ("pcd", "SIZE 8 8 8 8\n", "", "pcd.header_incomplete", {"entries": ("SIZE",)}),
         ("pcd", "TYPE F F F F", "TYPE F F F X",
-         "pcd.field_type", {**FIELD, "type": "X", "number": "1"}),
+         "pcd.field_type", {**FIELD_PARAMS, "type": "X", "number": "1"}),
         ("pcd", "COUNT 1 1 1 1", "COUNT 1 1 1 0",
-         "pcd.field_type", {**FIELD, "type": "F", "number": "0"}),
+         "pcd.field_type", {**FIELD_PARAMS, "type": "F", "number": "0"}),
         ("pcd", "SIZE 8 8 8 8", "SIZE 8 8 8 x", "pcd.header_damaged",
          {"reason": "x"}),
         ("pcd", "x y z timestamp", "x y y timestamp", "pcd.duplicate_field", {}),
@@ -114,7 +114,7 @@ FIELD = {"field": "timestamp", "size": "8"}
          {"point": 2, "text": "4 5 6", "values": 4}),
     ],
 )  # fmt: skip
-def test_a_header_that_cannot_be_is_refused(
+def test_an_invalid_header_is_refused(
     tmp_path: Path, key: str, old: str, new: str, code: str, params: dict[str, Any]
 ) -> None:
     refused_with(written(tmp_path, key, old, new), key, code, **params)
@@ -135,8 +135,8 @@ def test_a_viewpoint_is_reported_and_not_applied(tmp_path: Path) -> None:
     np.testing.assert_array_equal(chunk.xyz[0], [1, 2, 3])
 
 
-def test_warnings_about_what_is_stored_too_coarsely(tmp_path: Path) -> None:
-    """A float of 32 bits near 20,000 has steps of 2 mm, near 5,000 s of 0.5 ms (IEEE 754)."""
+def test_coarse_coordinates_and_times_are_reported(tmp_path: Path) -> None:
+    """A 32-bit float has steps of 2 mm near 20,000 m and of 0.5 ms near 5,000 s (IEEE 754)."""
     path = written(tmp_path, "ply", "property double x", "property float x")
     path.write_text(path.read_text().replace("4 5 6", "20000 5 6"))
     (coarse,) = (
@@ -165,12 +165,12 @@ def compressed(folder: Path, count: int, packed: bytes, whole: int | None = None
     return path
 
 
-def test_compressed_points_that_make_no_sense(tmp_path: Path) -> None:
+def test_damaged_compressed_points_are_refused(tmp_path: Path) -> None:
     numbers = np.array([[1, 4], [2, 5], [3, 6], [10, 11]], dtype="<f8").tobytes()
-    plain = b"\x1f" + numbers[:32] + b"\x1f" + numbers[32:]  # two runs of bytes as they are
+    plain = b"\x1f" + numbers[:32] + b"\x1f" + numbers[32:]  # two runs of literal bytes
     (chunk,) = FORMATS["pcd"].read(compressed(tmp_path, 2, plain), {})
     np.testing.assert_array_equal(chunk.xyz, [[1, 2, 3], [4, 5, 6]])
-    # Bytes again that were never written; runs beyond the end; too few; and a bomb.
+    # References to bytes not yet written; runs beyond the end; too few bytes; a decompression bomb.
     for packed in (b"\x20\x05" + plain, plain[:-1], plain[:33], b"\xe0", b"\xe0\x01", b"\x20"):
         refused_with(compressed(tmp_path, 2, packed), "pcd", "pcd.compressed_damaged")
     refused_with(compressed(tmp_path, 1_000_000, plain), "pcd", "pcd.compressed_damaged")
@@ -179,17 +179,17 @@ def test_compressed_points_that_make_no_sense(tmp_path: Path) -> None:
     refused_with(compressed(tmp_path, 0, b""), "pcd", "file.no_points")
 
 
-def test_a_chunk_without_a_return_is_passed_over(
+def test_a_chunk_without_returns_is_skipped(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(pcd, "CHUNK", 1)
+    monkeypatch.setattr(pcd, "POINTS_PER_CHUNK", 1)
     path = written(tmp_path, "pcd", "1 2 3 10", "nan nan nan 10")
     (chunk,) = FORMATS["pcd"].read(path, {})
     np.testing.assert_array_equal(chunk.xyz, [[4, 5, 6]])
     np.testing.assert_array_equal(chunk.time, [11])
 
 
-def test_e57_without_points_times_or_coordinates(tmp_path: Path) -> None:
+def test_e57_without_points_times_or_coordinates_is_refused(tmp_path: Path) -> None:
     none = files.e57(tmp_path / "none.e57", count=0, scans=1)
     refused_with(none, "e57", "file.no_points")
     timeless = files.e57(tmp_path / "timeless.e57", timed=False)
@@ -199,7 +199,7 @@ def test_e57_without_points_times_or_coordinates(tmp_path: Path) -> None:
     refused_with(flat, "e57", "e57.no_coordinates")
 
 
-def test_e57_scans_of_different_fields(tmp_path: Path) -> None:
+def test_e57_scans_of_different_fields_are_refused(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", first_without=("rowIndex",))
     refused_with(path, "e57", "e57.different_fields")
 
@@ -216,7 +216,7 @@ def test_e57_scans_of_different_fields(tmp_path: Path) -> None:
 def test_e57_poses_with_missing_parts(
     tmp_path: Path, parts: tuple[str, ...] | None, expected: Any
 ) -> None:
-    """A part left out is none; the quaternion turns by 90 deg about z."""
+    """A missing part is the identity; the quaternion turns by 90 deg about z."""
     half = np.sqrt(0.5)
     path = files.e57(
         tmp_path / "a.e57", quaternion=(half, 0, 0, half), translation=(1, 2, 3), pose_parts=parts
@@ -225,13 +225,13 @@ def test_e57_poses_with_missing_parts(
     np.testing.assert_allclose(read, expected(files.XYZ), atol=1e-12)
 
 
-def test_e57_with_a_quaternion_that_is_no_rotation(tmp_path: Path) -> None:
+def test_e57_with_an_invalid_quaternion_is_refused(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", quaternion=(0.5, 0, 0, 0))
     refused_with(path, "e57", "e57.pose", norm=0.5)
 
 
-def test_e57_whose_first_scan_has_no_valid_point(tmp_path: Path) -> None:
-    """Such a scan is passed over, by the look at the file too."""
+def test_an_e57_scan_without_valid_points_is_skipped(tmp_path: Path) -> None:
+    """The preview skips such a scan too."""
     path = files.e57(tmp_path / "a.e57", invalid=True, none_valid_of=30)
     found = FORMATS["e57"].preview(path, {})
     assert found.facts["points"] == note("fact.points_in_scans", points=60, scans=2)
@@ -244,7 +244,7 @@ def test_e57_whose_first_scan_has_no_valid_point(tmp_path: Path) -> None:
 
 
 def crc32c(data: bytes) -> int:
-    """Castagnoli's checksum (RFC 3720, appendix B.4), bit by bit."""
+    """Return the CRC-32C of bytes (RFC 3720, appendix B.4)."""
     crc = 0xFFFFFFFF
     for byte in data:
         crc ^= byte
@@ -253,8 +253,8 @@ def crc32c(data: bytes) -> int:
     return crc ^ 0xFFFFFFFF
 
 
-def test_e57_that_promises_more_points_than_it_holds(tmp_path: Path) -> None:
-    """With checksums that hold: each page of 1,020 bytes is followed by its own."""
+def test_e57_that_counts_more_points_than_it_holds_is_refused(tmp_path: Path) -> None:
+    """The checksums are valid: one after each page of 1,020 bytes."""
     path = files.e57(tmp_path / "a.e57", scans=1)
     paged = path.read_bytes()
     plain = b"".join(paged[k : k + 1020] for k in range(0, len(paged), 1024))

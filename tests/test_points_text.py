@@ -1,4 +1,4 @@
-"""Points as text: rows that do not fit, units that names state, and what first points tell."""
+"""Tests of points as text: invalid rows, units of columns, warnings about first points."""
 
 import gzip
 from pathlib import Path
@@ -14,14 +14,14 @@ from lispac.io.text import text_chunks
 from lispac.io.text.text_export import write_table
 from lispac.io.text.text_layout import RowLayout, guess_layout
 from lispac.io.text.text_table import clock_seconds, find_coordinates, last_lines
-from lispac.io.text.text_units import height_unit_of, unit_warnings
+from lispac.io.text.text_units import easting_unit_warnings, height_unit_of
 from lispac.messages import Message, error, note, warning
 from lispac.survey.crs import coordinate_system
 from tests import point_files as files
 from tests.message_codes import codes
 
 TEXT = format_of("text")
-HEAD = "time x y z\n1 2 3 4\n"
+HEADER = "time x y z\n1 2 3 4\n"
 
 
 def refused(path: Path, choice: dict[str, str] | None = None) -> str:
@@ -29,9 +29,9 @@ def refused(path: Path, choice: dict[str, str] | None = None) -> str:
 
 
 def error_of(path: Path, choice: dict[str, str] | None = None) -> InputError:
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         list(TEXT.read(path, choice or {}))
-    return told.value
+    return caught.value
 
 
 @pytest.mark.parametrize(
@@ -45,39 +45,39 @@ def error_of(path: Path, choice: dict[str, str] | None = None) -> InputError:
          {"row": 4, "found": 3, "needed": 4, "names": ("time", "x", "y", "z")}),
     ],
 )  # fmt: skip
-def test_the_row_at_fault_is_named(
+def test_the_invalid_row_is_named(
     tmp_path: Path, rows: str, code: str, params: dict[str, object]
 ) -> None:
-    """As an editor counts the rows, with those that are empty."""
+    """Rows are counted as in an editor, with empty rows."""
     path = tmp_path / "a.txt"
-    path.write_text(f"{HEAD}{rows}\n", encoding="utf-8")
+    path.write_text(f"{HEADER}{rows}\n", encoding="utf-8")
     message = error_of(path).message
     assert message is not None
     assert message.code == code
     assert message.params == {"file": str(path), **params}
 
 
-def test_a_separator_by_which_no_row_has_numbers(tmp_path: Path) -> None:
+def test_a_wrong_separator_is_refused(tmp_path: Path) -> None:
     path = files.text(tmp_path / "a.csv", head=files.CSV_HEAD)
     choice = {"separator": "semicolon"}
     assert error_of(path, choice).message == error("line.no_points", file=str(path))
-    with pytest.raises(InputError, match=r"a\.csv") as told:
+    with pytest.raises(InputError, match=r"a\.csv") as caught:
         TEXT.preview(path, choice)
-    assert told.value.code == "line.no_points"
+    assert caught.value.code == "line.no_points"
 
 
 @pytest.mark.parametrize("chunk", [15, 60])
-def test_a_file_that_ends_with_a_chunk(
+def test_a_file_that_ends_with_a_full_chunk_is_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, chunk: int
 ) -> None:
-    monkeypatch.setattr(text_chunks, "CHUNK", chunk)
+    monkeypatch.setattr(text_chunks, "POINTS_PER_CHUNK", chunk)
     chunks = list(TEXT.read(files.text(tmp_path / "a.csv", head=files.CSV_HEAD), {}))
     assert [len(each.time) for each in chunks] == [chunk] * (files.COUNT // chunk)
     np.testing.assert_array_equal(np.concatenate([each.xyz for each in chunks]), files.XYZ)
 
 
-def test_a_packed_file_whose_checksum_is_wrong(tmp_path: Path) -> None:
-    content = bytearray(gzip.compress(f"{HEAD}2 3 4 5\n".encode()))
+def test_a_compressed_file_with_a_wrong_checksum_is_refused(tmp_path: Path) -> None:
+    content = bytearray(gzip.compress(f"{HEADER}2 3 4 5\n".encode()))
     content[-8] ^= 1
     path = tmp_path / "a.csv.gz"
     path.write_bytes(content)
@@ -86,18 +86,18 @@ def test_a_packed_file_whose_checksum_is_wrong(tmp_path: Path) -> None:
     assert raised.value.code == "file.damaged"
 
 
-def test_an_epoch_that_is_no_year() -> None:
+def test_an_invalid_epoch_is_refused() -> None:
     choice = TEXT.resolved({"frame": "georeferenced", "crs": "EPSG:32619", "epoch": "May"})
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         crs_of_options(choice)
-    assert told.value.message == error("file.epoch", epoch="May")
+    assert caught.value.message == error("file.epoch", epoch="May")
 
 
-def test_units_in_the_names_of_columns() -> None:
+def test_units_are_read_from_column_names() -> None:
     lines = ["Quay of May [m]", "time,Easting[ftUS],Northing[ftUS],Height[m],ring[x]", "1,2,3,4,5"]
     units = guess_layout(lines).units()
     assert {axis: units[axis] for axis in "xyz"} == {"x": "us-ft", "y": "us-ft", "z": "m"}
-    assert guess_layout(lines[2:]).units() == {}  # the names lie above what was looked at
+    assert guess_layout(lines[2:]).units() == {}  # the row of names is not part of the preview
     assert RowLayout("comma", False).units() == {}
     assert height_unit_of(units, "EPSG:2229") == "metre"
     assert height_unit_of({"z": "ft"}, "EPSG:2229") == ""
@@ -108,17 +108,17 @@ def test_units_in_the_names_of_columns() -> None:
     [
         ({"x": "m"}, "EPSG:2229", True),
         ({"x": "us-ft"}, "EPSG:2229", False),
-        ({"x": "ft"}, "EPSG:2229", False),  # plain feet are those of the system
-        ({"x": "m"}, "EPSG:4326", False),  # degrees: the name is of no use
-        ({"x": "m"}, "EPSG:999999", False),  # unknown, which is said elsewhere
+        ({"x": "ft"}, "EPSG:2229", False),  # any foot matches the foot of the system
+        ({"x": "m"}, "EPSG:4326", False),  # degrees: the unit of the name is ignored
+        ({"x": "m"}, "EPSG:999999", False),  # an unknown system is reported elsewhere
         ({"x": "m"}, "", False),
         ({}, "EPSG:2229", False),
     ],
 )
-def test_eastings_in_another_unit_than_the_systems(
+def test_another_unit_than_that_of_the_system_is_reported(
     units: dict[str, str], crs: str, has_warning: bool
 ) -> None:
-    file_warnings = unit_warnings(units, crs, "a.txt")
+    file_warnings = easting_unit_warnings(units, crs, "a.txt")
     assert bool(file_warnings) == has_warning
     if has_warning:
         unit, system = note("unit.metres"), coordinate_system(crs)
@@ -129,7 +129,7 @@ def test_eastings_in_another_unit_than_the_systems(
         assert file_warnings == (expected,)
 
 
-NEAR = np.random.default_rng(4).normal(0, 10, (200, 3))
+NEAR_POINTS = np.random.default_rng(4).normal(0, 10, (200, 3))
 SECONDS = 5000 + np.arange(200) / 100
 
 
@@ -145,25 +145,27 @@ SECONDS = 5000 + np.arange(200) / 100
     ],
 )  # fmt: skip
 def test_warnings_about_times(time: np.ndarray, file_warnings: tuple[Message, ...]) -> None:
-    """Near 5,000 a float of 32 bits has steps of 2**-11."""
-    assert check_first_points(NEAR, time, file="a", crs="").file_warnings == file_warnings
+    """A 32-bit float has steps of 2**-11 s near 5,000 s."""
+    assert check_first_points(NEAR_POINTS, time, file="a", crs="").file_warnings == file_warnings
 
 
 @pytest.mark.parametrize(("crs", "has_warning"), [("EPSG:4326", False), ("EPSG:999999", True)])
-def test_small_coordinates_of_a_named_system(crs: str, has_warning: bool) -> None:
-    """Degrees are small as a scanner's coordinates are; of an unknown system nothing is known."""
-    found = check_first_points(NEAR, SECONDS, file="a", crs=crs)
+def test_small_coordinates_are_reported_unless_the_system_is_geographic(
+    crs: str, has_warning: bool
+) -> None:
+    """Degrees are small numbers; the axes of an unknown system are not known."""
+    found = check_first_points(NEAR_POINTS, SECONDS, file="a", crs=crs)
     assert found.frame == "georeferenced"
     assert codes(found.file_warnings) == (["points.small_coordinates"] if has_warning else [])
 
 
 @pytest.mark.parametrize("value", [1e300, -1e200, np.nan, np.inf])
 def test_unusable_points_do_not_determine_the_frame(value: float) -> None:
-    """One of them among others changes no warning, and alone causes no overflow."""
-    xyz = NEAR.copy()
+    """One such point among others changes no warning; alone it causes no overflow."""
+    xyz = NEAR_POINTS.copy()
     xyz[3, 1] = value
     assert check_first_points(xyz, SECONDS, file="a", crs="") == check_first_points(
-        np.delete(NEAR, 3, axis=0), np.delete(SECONDS, 3), file="a", crs=""
+        np.delete(NEAR_POINTS, 3, axis=0), np.delete(SECONDS, 3), file="a", crs=""
     )
     check_first_points(xyz[3:4], SECONDS[3:4], file="a", crs="")
 
@@ -178,31 +180,31 @@ def test_unusable_points_do_not_determine_the_frame(value: float) -> None:
         ("north west up", None),
     ],
 )
-def test_three_numbers_in_one_text(text: str, found: tuple[str, str, str] | None) -> None:
+def test_coordinates_are_found_in_a_text(text: str, found: tuple[str, str, str] | None) -> None:
     assert find_coordinates(text) == found
 
 
 @pytest.mark.parametrize("text", ["14h03", "25:00:00", "14:60:00", "14:03:61", ""])
-def test_what_is_no_time_of_day(text: str) -> None:
+def test_an_invalid_time_of_day_is_refused(text: str) -> None:
     assert clock_seconds("14:03:07.250") == 14 * 3600 + 3 * 60 + 7.25
     with pytest.raises(ValueError, match="is not a time as hh:mm:ss"):
         clock_seconds(text)
 
 
-def test_the_last_lines_of_a_file_that_is_gone(tmp_path: Path) -> None:
+def test_last_lines_of_a_file_and_of_a_missing_file(tmp_path: Path) -> None:
     (tmp_path / "a.txt").write_text("one\ntwo\nthree\n")
     assert last_lines(tmp_path / "a.txt", 12) == ["two", "three"]
     assert last_lines(tmp_path / "absent", 12) == []
 
 
-def test_a_name_that_would_fall_apart_in_csv(tmp_path: Path) -> None:
+def test_texts_that_need_quotes_in_csv_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     one = np.array([1.0])
     write_table(path, ["a"], [one], [".1f"])
     assert path.read_text() == "a\n1.0\n"
     for names, column in ((["a,b"], one), (["a"], np.array(['L"1']))):
-        with pytest.raises(InputError) as told:
+        with pytest.raises(InputError) as caught:
             write_table(path, names, [column], ["s"])
         wrong = names[0] if "," in names[0] else 'L"1'
-        assert told.value.message == error("text.not_for_csv", file="a.csv", text=wrong)
+        assert caught.value.message == error("text.not_for_csv", file="a.csv", text=wrong)
     assert path.read_text() == "a\n1.0\n"

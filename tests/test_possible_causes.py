@@ -1,4 +1,4 @@
-"""Errors put into simulated surveys are named as the cause of the residuals, and no others."""
+"""Tests that errors put into simulated surveys are named as the cause of the residuals."""
 
 from collections import Counter
 from dataclasses import replace
@@ -25,17 +25,17 @@ from lispac.simulation.closed_form_survey import (
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
-KNOWN = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
-PRIOR = KNOWN.with_boresight(np.zeros(3))
+TRUE_MOUNTING = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
+PRIOR = TRUE_MOUNTING.with_boresight(np.zeros(3))
 MODEL = StochasticModel(loss="tukey")
-WRONG = {
-    "lever_x": (replace(KNOWN, lever_arm=KNOWN.lever_arm + [0.1, 0, 0]), 0.1),
-    "lever_y": (replace(KNOWN, lever_arm=KNOWN.lever_arm + [0, 0.1, 0]), 0.1),
-    "lever_z": (replace(KNOWN, lever_arm=KNOWN.lever_arm + [0, 0, 0.3]), 0.3),
-    "range_offset": (replace(KNOWN, range_offset=0.15), 0.15),
-    "latency": (replace(KNOWN, latency=0.02), 0.02),
+WRONG_MOUNTINGS = {
+    "lever_x": (replace(TRUE_MOUNTING, lever_arm=TRUE_MOUNTING.lever_arm + [0.1, 0, 0]), 0.1),
+    "lever_y": (replace(TRUE_MOUNTING, lever_arm=TRUE_MOUNTING.lever_arm + [0, 0.1, 0]), 0.1),
+    "lever_z": (replace(TRUE_MOUNTING, lever_arm=TRUE_MOUNTING.lever_arm + [0, 0, 0.3]), 0.3),
+    "range_offset": (replace(TRUE_MOUNTING, range_offset=0.15), 0.15),
+    "latency": (replace(TRUE_MOUNTING, latency=0.02), 0.02),
 }
-"""Mountings that the prior has one value of wrong, and by how much."""
+"""True mountings that differ from the prior by one value, and the difference."""
 Place = tuple[str, str, str]
 
 
@@ -45,15 +45,17 @@ def exact(mounting: Mounting, seed: int) -> tuple[Observations, np.random.Genera
 
 
 def survey(kind: str, seed: int) -> tuple[Observations, Place]:
-    """A survey with one error, and the cause that should be named."""
-    data, generator = exact(WRONG[kind][0] if kind in WRONG else KNOWN, seed)
+    """Return a survey with one error, and the cause that should be named."""
+    data, generator = exact(
+        WRONG_MOUNTINGS[kind][0] if kind in WRONG_MOUNTINGS else TRUE_MOUNTING, seed
+    )
     chance = np.random.default_rng([77, seed])
     line = data.lines[chance.integers(len(data.lines))]
     on_line = np.array([each.line == line for each in data.sightings])[data.sighting]
     place = (kind, "", "")
     if kind == "line_boresight":
-        turned = KNOWN.boresight + np.radians(chance.choice([-0.3, 0.3], 3))
-        second, _ = exact(KNOWN.with_boresight(turned), seed)
+        turned = TRUE_MOUNTING.boresight + np.radians(chance.choice([-0.3, 0.3], 3))
+        second, _ = exact(TRUE_MOUNTING.with_boresight(turned), seed)
         points = np.where(on_line[:, None], second.points_lidar, data.points_lidar)
         data, place = replace(data, points_lidar=points), (kind, "", line)
     elif kind == "line_position":
@@ -81,14 +83,17 @@ def places(result: AdjustmentResult) -> list[list[Place]]:
 
 
 @pytest.mark.parametrize("seed", range(2))
-@pytest.mark.parametrize("kind", list(WRONG))
+@pytest.mark.parametrize("kind", list(WRONG_MOUNTINGS))
 def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> None:
     data, place = survey(kind, seed)
     result = adjust(data, PRIOR, MODEL)
     assert places(result) == [[place]]
     assert result.causes is not None
     ((cause,),) = result.causes
-    assert abs(cause.size[0] - WRONG[kind][1]) < 4 * cause.sigma[0] + 0.1 * WRONG[kind][1]
+    assert (
+        abs(cause.size[0] - WRONG_MOUNTINGS[kind][1])
+        < 4 * cause.sigma[0] + 0.1 * WRONG_MOUNTINGS[kind][1]
+    )
     wide = adjust(data, PRIOR, MODEL, parameters=(Parameter(kind),))
     moved = wide.boresight - result.boresight
     assert (
@@ -105,7 +110,7 @@ def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> N
 def test_an_error_in_one_place_is_named_or_listed(kind: str, seed: int) -> None:
     data, place = survey(kind, seed)
     result = adjust(data, PRIOR, MODEL)
-    (group,) = places(result) or [[place]]  # an error along the boards shows nowhere
+    (group,) = places(result) or [[place]]  # an error along the boards has no effect
     assert place in group
     assert not any(code.startswith("adjustment.contradicted_") for code in _codes(result))
     if len(group) > 1:
@@ -113,7 +118,9 @@ def test_an_error_in_one_place_is_named_or_listed(kind: str, seed: int) -> None:
 
 
 def test_two_components_of_the_lever_arm_are_both_named() -> None:
-    data, generator = exact(replace(KNOWN, lever_arm=KNOWN.lever_arm + [0.06, -0.05, 0]), 3)
+    data, generator = exact(
+        replace(TRUE_MOUNTING, lever_arm=TRUE_MOUNTING.lever_arm + [0.06, -0.05, 0]), 3
+    )
     result = adjust(
         average_points_in_cells(add_errors(data, HYDROGRAPHIC_INS, generator), PRIOR, 0.1),
         PRIOR,
@@ -122,24 +129,26 @@ def test_two_components_of_the_lever_arm_are_both_named() -> None:
     assert {group[0][0] for group in places(result)} == {"lever_x", "lever_y"}
     assert result.causes is not None
     mended = (
-        result.boresight + sum(group[0].angle_change for group in result.causes) - KNOWN.boresight
+        result.boresight
+        + sum(group[0].angle_change for group in result.causes)
+        - TRUE_MOUNTING.boresight
     )
     assert (np.abs(mended) < 4 * result.sigma).all()
 
 
 @pytest.mark.parametrize("rough", [0.0, 0.003])
-def test_a_right_survey_has_no_cause(rough: float) -> None:
+def test_a_survey_without_errors_has_no_cause(rough: float) -> None:
     assert _false_alarms(range(1000, 1008), rough) == 0
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("rough", [0.0, 0.003])
-def test_a_hundred_right_surveys_have_at_most_one_cause(rough: float) -> None:
+def test_at_most_one_of_a_hundred_surveys_without_errors_has_a_cause(rough: float) -> None:
     assert _false_alarms(range(2000, 2100), rough) <= 1
 
 
 def _false_alarms(seeds: range, rough: float) -> int:
-    """Surveys with a cause though only the surfaces differ from line to line, by ``rough``."""
+    """Count surveys with a cause that have form errors of size ``rough`` only."""
     found = 0
     for seed in seeds:
         data, _ = survey("", seed)
@@ -152,10 +161,10 @@ def _false_alarms(seeds: range, rough: float) -> int:
 
 @pytest.mark.long
 @pytest.mark.parametrize(
-    "kind", [*WRONG, "line_boresight", "line_position", "line_time", "sighting_shift"]
+    "kind", [*WRONG_MOUNTINGS, "line_boresight", "line_position", "line_time", "sighting_shift"]
 )
 def test_the_right_cause_is_named_in_nearly_every_survey(kind: str) -> None:
-    """Of 20 surveys: named first or listed; another cause alone in at most one."""
+    """Of 20 surveys, another cause is named alone in at most one."""
     counts: Counter[str] = Counter()
     for seed in range(100, 120):
         data, place = survey(kind, seed)
@@ -166,7 +175,7 @@ def test_the_right_cause_is_named_in_nearly_every_survey(kind: str) -> None:
             counts["listed" if place in found[0] else "wrong"] += 1
     print(f"{kind}: {dict(counts)}")
     assert counts["wrong"] <= 1
-    assert counts["listed"] >= (20 if kind in WRONG else 12)
+    assert counts["listed"] >= (20 if kind in WRONG_MOUNTINGS else 12)
 
 
 @pytest.mark.parametrize(
@@ -178,10 +187,10 @@ def test_the_right_cause_is_named_in_nearly_every_survey(kind: str) -> None:
         ("audit.noise_classes", None, False),
     ],
 )
-def test_an_error_known_from_the_data_goes_before_a_lever_arm(
+def test_an_error_known_from_the_data_replaces_a_contradicted_value(
     code: str, effect: float | None, explained: bool
 ) -> None:
-    """Where it is large enough; it makes a lever arm fit that is right."""
+    """If its effect is large enough, it would make a correct lever arm look wrong."""
     data, _ = survey("lever_y", 1)
     result = adjust(data, PRIOR, MODEL)
     also = warning(code) if effect is None else warning(code, shift=effect)
@@ -191,20 +200,18 @@ def test_an_error_known_from_the_data_goes_before_a_lever_arm(
     assert ("contradicted_lever_y" in codes) != explained
 
 
-def test_the_classical_model_and_surfaces_held_have_no_cause() -> None:
+def test_the_classical_model_and_fixed_surfaces_have_no_cause() -> None:
     data, _ = survey("lever_x", 0)
     assert places(adjust(data, PRIOR, StochasticModel("independent"))) == []
     assert places(adjust(data, PRIOR, StochasticModel(surface=0.0))) == []
 
 
-def test_of_equal_causes_on_too_few_lines_none_is_named() -> None:
-    """The POS error of a line, which no other line checks, acts like a wrong lever arm."""
+def test_no_cause_is_named_if_too_few_lines_distinguish_them() -> None:
+    """The POS error of an uncontrolled line has the effect of a wrong lever arm."""
     data, _ = survey("lever_x", 0)
     result = adjust(data, PRIOR, MODEL)
     assert result.observability is not None
-    unchecked = (
-        UncontrolledObservations("line", line=data.lines[0]),
-    )  # as where there are two lines
+    unchecked = (UncontrolledObservations("line", line=data.lines[0]),)  # as with two lines
     result = replace(result, observability=replace(result.observability, unchecked=unchecked))
 
     def cause(kind: str, line: str = "") -> PossibleCause:
@@ -230,7 +237,7 @@ def test_causes_are_kept_with_the_result() -> None:
     kept = decode_value(encode_value(result), AdjustmentResult)
     assert places(kept) == places(result) != []
     content = encode_value(result)
-    del content["causes"]  # of an earlier version
+    del content["causes"]  # a result of an earlier version
     assert decode_value(content, AdjustmentResult).causes is None
 
 

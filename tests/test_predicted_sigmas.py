@@ -1,4 +1,4 @@
-"""The prediction of a proposal: kept with the project, and compared with the stated sigmas."""
+"""Tests of the predicted sigmas of a proposal: storage and comparison with the result."""
 
 import json
 from dataclasses import replace
@@ -13,15 +13,15 @@ from lispac.io.project.project_file import read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Level, note
 from lispac.project import Project, ProposalPrediction
-from lispac.workflow.calibration.proposal_acceptance import with_accepted
+from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
 from lispac.workflow.calibration.proposals import Proposal
 from lispac.workflow.project.survey import Survey
 
-ABOVE, BELOW = "targets.sigma_above_prediction", "targets.sigma_below_prediction"
+ABOVE_CODE, BELOW_CODE = "targets.sigma_above_prediction", "targets.sigma_below_prediction"
 
 
 def predicted(project: Project, factors: tuple[float, float, float]) -> Project:
-    """The project with a prediction that the stated sigmas are so many times."""
+    """Return the project with a prediction; sigmas are its values times ``factors``."""
     assert project.result is not None
     names = tuple(target.name for target in project.targets_of_role("target"))
     return project.with_prediction(ProposalPrediction(names, project.result.sigma / factors))
@@ -45,7 +45,7 @@ def test_sigmas_that_differ_by_a_fifth_are_named(
     project = predicted(calibrated[0], factors)
     assert project.result is not None
     messages = all_warnings(project)
-    for code, level, named in ((ABOVE, Level.NOTE, above), (BELOW, Level.WARNING, below)):
+    for code, level, named in ((ABOVE_CODE, Level.NOTE, above), (BELOW_CODE, Level.WARNING, below)):
         found = [message for message in messages if message.code == code]
         assert [message.level for message in found] == [level] * bool(named)
         for message in found:
@@ -56,7 +56,7 @@ def test_sigmas_that_differ_by_a_fifth_are_named(
                 assert f"{stated:.4f} instead of {stated / factors[k]:.4f} deg" in text
 
 
-def test_edits_of_the_targets_and_settings_end_the_prediction(
+def test_edits_of_targets_or_settings_discard_the_prediction(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project = predicted(calibrated[0], (1, 1, 1))
@@ -71,8 +71,10 @@ def test_edits_of_the_targets_and_settings_end_the_prediction(
     assert project.without_target(plane.name).prediction is project.prediction
 
 
-def test_the_prediction_is_kept_where_it_holds(calibrated: tuple[Project, Survey]) -> None:
-    """With all proposed targets, and with those that were picked before; not with some of them."""
+def test_the_prediction_is_kept_if_all_proposed_targets_are_accepted(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    """Targets picked before count too; with some of the targets there is no prediction."""
     project, _ = calibrated
     sigma = np.array([1e-4, 2e-4, 3e-4])
     reasons = {target.name: note("propose.target_needed", lines=2) for target in project.targets}
@@ -80,22 +82,22 @@ def test_the_prediction_is_kept_where_it_holds(calibrated: tuple[Project, Survey
     bare = replace(project, targets=(), result=None)
     names = [target.name for target in project.targets]
     targets = {target.name for target in project.targets_of_role("target")}
-    accepted, _ = with_accepted(bare, proposal, names)
+    accepted, _ = with_accepted_targets(bare, proposal, names)
     assert accepted.prediction is not None
     assert set(accepted.prediction.targets) == targets
     assert (accepted.prediction.sigma == sigma).all()
     assert prediction_warnings(accepted) == ()
-    without_planes, _ = with_accepted(bare, proposal, targets)
+    without_planes, _ = with_accepted_targets(bare, proposal, targets)
     assert without_planes.prediction is not None
-    assert with_accepted(bare, proposal, names[1:])[0].prediction is None
+    assert with_accepted_targets(bare, proposal, names[1:])[0].prediction is None
     own = bare.with_target(replace(project.targets_of_role("target")[0], name="own"))
-    assert with_accepted(own, proposal, names)[0].prediction is None
-    also, _ = with_accepted(own, replace(proposal, picked=("own",)), names)
+    assert with_accepted_targets(own, proposal, names)[0].prediction is None
+    also, _ = with_accepted_targets(own, replace(proposal, picked=("own",)), names)
     assert also.prediction is not None
     assert set(also.prediction.targets) == targets | {"own"}
 
 
-def test_a_project_file_keeps_it_and_older_ones_have_none(
+def test_the_prediction_is_saved_and_absent_in_older_files(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     project = replace(predicted(calibrated[0], (1.5, 1, 1)), folder=tmp_path / "kept")
@@ -105,7 +107,7 @@ def test_a_project_file_keeps_it_and_older_ones_have_none(
     assert project.prediction is not None
     assert read.prediction.targets == project.prediction.targets
     assert (read.prediction.sigma == project.prediction.sigma).all()
-    assert [message.code for message in prediction_warnings(read)] == [ABOVE]
+    assert [message.code for message in prediction_warnings(read)] == [ABOVE_CODE]
     (file,) = (
         path for path in project.folder.iterdir() if path.suffix == ".json" and path.is_file()
     )

@@ -1,4 +1,4 @@
-"""The foretold sigmas against the adjustment of surveys, and against the scanner itself."""
+"""Tests of the predicted sigmas and point counts of a plan, against simulated surveys."""
 
 from dataclasses import replace
 
@@ -8,7 +8,7 @@ import scipy.stats
 
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.stochastic_model import PosErrors, StochasticModel
-from lispac.adjustment.solve.normal_equations import MAX_SURFACES
+from lispac.adjustment.solve.normal_equations import MAX_UNELIMINATED_SURFACES
 from lispac.cli.planning.campaign import scatter_table
 from lispac.design.monte_carlo import simulate_plan
 from lispac.design.plan import Line, Plan, System, line_pattern
@@ -23,7 +23,7 @@ from tests.prediction_study import PLAN, compared
 
 @pytest.mark.parametrize(("model", "perfect"), [("correlated", False), ("independent", True)])
 def test_the_adjustment_has_the_predicted_sigmas(model: PosErrors, perfect: bool) -> None:
-    """One survey with all its points, on a calm sea: a rolling vessel changes pitch by 1 to 3 %.
+    """One survey with all points and no waves; rolling changes the sigma of pitch by 1 to 3 %.
 
     With errors in the data the sigmas of uncorrelated POS errors (classical) are up to 3 % smaller,
     because the derivatives share the noise of the points. Without errors, the correlated model
@@ -32,13 +32,15 @@ def test_the_adjustment_has_the_predicted_sigmas(model: PosErrors, perfect: bool
     observations = simulate_plan(PLAN, np.random.default_rng(5), perfect=perfect, calm=True)
     pos = PLAN.system.pos
     plan = replace(PLAN, system=System(pos_errors=model))
-    told = StochasticModel(model, pos.time_position, pos.time_attitude, surface=plan.flatness)
-    result = adjust(observations, plan.system.mounting, told, diagnostics=False)
+    stochastic_model = StochasticModel(
+        model, pos.time_position, pos.time_attitude, surface=plan.flatness
+    )
+    result = adjust(observations, plan.system.mounting, stochastic_model, diagnostics=False)
     assert predict(plan).sigma == pytest.approx(result.sigma, rel=0.01)
 
 
-def test_as_many_points_as_the_scanner_measures() -> None:
-    """The beams of a profiler that passes on a calm sea, against the count."""
+def test_the_expected_point_count_agrees_with_a_simulated_scan() -> None:
+    """A profiler passes on a calm sea."""
     system = System(scanner=Scanner(60_000.0))
     surface = upright_rectangle("T1", (0.0, -12.0), 4.0, 5.5, 1.8, 270)
     board = Board("T1", (0.0, -12.0, 4.75), (0.0, 1.0, 0.0), 1.8, 1.5)
@@ -57,12 +59,12 @@ def test_as_many_points_as_the_scanner_measures() -> None:
             system, board, course, scanner_position_abeam(system.mounting, board, course)
         )
         profiles = len(np.unique(np.round(echoes.time * system.scanner.turns_per_second)))
-        # Every profile meets the board with the same pulses: one more or less in each of them
+        # The number of points per profile may differ by one
         assert abs(count - len(echoes.time)) <= profiles + len(echoes.time) / profiles
         assert count > 0.9 * len(echoes.time)
 
 
-def test_what_faces_away_or_is_too_far_is_not_seen() -> None:
+def test_boards_that_face_away_or_are_too_far_have_no_points() -> None:
     away = Board("T3", (0.0, -15.0, 5.0), (0.0, -1.0, 0.0))
     assert predict(PLAN.with_targets([away])).points == {}
     assert not predict(PLAN.with_targets([away])).determined
@@ -73,7 +75,7 @@ def test_what_faces_away_or_is_too_far_is_not_seen() -> None:
     assert {line for _, line in predict(far).points} == {f"L{k}" for k in range(2, 8)}
 
 
-def test_one_line_or_one_way_determines_nothing() -> None:
+def test_one_line_or_one_heading_determines_no_angle() -> None:
     one = predict(PLAN.with_lines([Line(0.0)]))
     assert not one.determined
     assert np.isinf(one.sigma).all()
@@ -81,8 +83,8 @@ def test_one_line_or_one_way_determines_nothing() -> None:
     assert not predict(PLAN.with_lines([Line(0.0), Line(0.0)])).determined
 
 
-def test_more_never_harms() -> None:
-    """A further target, a further line, a better POS: no sigma grows."""
+def test_more_data_never_increase_a_sigma() -> None:
+    """A further target, a further line and a better POS are tested."""
     usual = predict(PLAN).sigma
     more = (*PLAN.targets, Board("T3", (3.0, -15.0, 9.0), (0.3, 1.0, 0.3)))
     assert (predict(PLAN.with_targets(more)).sigma <= usual * (1 + 1e-9)).all()
@@ -92,8 +94,8 @@ def test_more_never_harms() -> None:
     assert (predict(PLAN.with_lines(PLAN.lines[:5])).sigma >= usual).all()
 
 
-def test_turned_about_the_vertical_it_is_the_same_site() -> None:
-    """North has no say where the POS is equally good to north and west."""
+def test_the_prediction_does_not_depend_on_the_heading_of_the_site() -> None:
+    """The sigmas of the POS are the same to the north and to the west."""
     turn = np.radians(37.0)
     matrix = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
 
@@ -112,13 +114,15 @@ def test_turned_about_the_vertical_it_is_the_same_site() -> None:
 
 
 @pytest.mark.parametrize("lines", [1, 2])
-def test_many_sightings_are_eliminated_like_few(lines: int) -> None:
-    """All unknowns in one matrix, and its inverse: the order of elimination changes nothing."""
+def test_elimination_agrees_with_a_dense_matrix(lines: int) -> None:
+    """The inverse of one matrix of all unknowns does not depend on the order of elimination."""
     ball = Ball("S1", (0.0, -13.0, 6.0), 0.2, radius_known=False)
     plan = PLAN.with_targets((*PLAN.targets, ball)).with_lines(PLAN.lines * lines)
     normal = predicted_equations(plan).normal
     surfaces, knots = len(normal.layout.surfaces), len(normal.pull)
-    assert (len(normal.eliminate_surfaces.matrix) < len(normal.matrix)) == (surfaces > MAX_SURFACES)
+    assert (len(normal.eliminate_surfaces.matrix) < len(normal.matrix)) == (
+        surfaces > MAX_UNELIMINATED_SURFACES
+    )
     below = np.zeros((knots, knots))
     for k, diagonal in enumerate(normal.band):
         below += np.diag(diagonal[: knots - k], -k)
@@ -139,7 +143,7 @@ def test_many_sightings_are_eliminated_like_few(lines: int) -> None:
     assert correction == pytest.approx(answer, rel=1e-6)
 
 
-def test_balls_determine_the_boresight_too() -> None:
+def test_spheres_determine_the_boresight() -> None:
     balls = (
         Ball("S1", (0.0, -15.0, 5.0), 0.3),
         Ball("S2", (4.0, -14.0, 2.0), 0.3, radius_known=False),
@@ -150,7 +154,7 @@ def test_balls_determine_the_boresight_too() -> None:
 
 
 def test_forty_surveys_scatter_as_predicted() -> None:
-    """Bounds by the chi-square distribution, at one in a thousand for each angle."""
+    """The limits are those of the chi-square distribution at 0.1 % for each angle."""
     count = 40
     found = compared(PLAN, count, stated=True, workers=1)
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)

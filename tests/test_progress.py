@@ -1,4 +1,4 @@
-"""Steps of tasks: how many points, how fast, and the time left."""
+"""Tests of the steps of tasks: number of points, rate and remaining time."""
 
 import pytest
 
@@ -9,7 +9,7 @@ from lispac.progress import PointRate, count_text
 
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """The seconds that the clock shows."""
+    """Replace the clock by a list with its time in seconds."""
     now = [100.0]
     monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
     return now
@@ -23,7 +23,7 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
             4_000_000, 0, 1_000_000, 2.0,
             "Reading L1: 1.0 M of 4.0 M points, 0.50 M points/s, 6 s left",
         ),
-        # Only what has gone by since the clock started tells the rate.
+        # Points read before the start of the clock do not count for the rate.
         (
             4_000_000, 2_000_000, 3_000_000, 2.0,
             "Reading L1: 3.0 M of 4.0 M points, 0.50 M points/s, 2 s left",
@@ -33,18 +33,18 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
         (None, 0, 812, 0.1, "Reading L1: 812 points"),
     ],
 )  # fmt: skip
-def test_the_pace_shows_what_is_known(
+def test_the_text_of_a_step_has_points_rate_and_time_left(
     clock: list[float], total: int | None, done_before: int, done: int, seconds: float, words: str
 ) -> None:
-    pace = PointRate(gettext_lazy("Reading {line}", line="L1"), total, done_before)
+    rate = PointRate(gettext_lazy("Reading {line}", line="L1"), total, done_before)
     clock[0] += seconds
-    assert str(pace.step(done)) == words
+    assert str(rate.step(done)) == words
 
 
-def test_a_step_is_translated_where_it_is_shown(clock: list[float]) -> None:
-    pace = PointRate(gettext_lazy("Reading {line}", line="L1"), 4_000_000)
+def test_a_step_is_translated_when_it_is_shown(clock: list[float]) -> None:
+    rate = PointRate(gettext_lazy("Reading {line}", line="L1"), 4_000_000)
     clock[0] += 2.0
-    step = pace.step(1_000_000)
+    step = rate.step(1_000_000)
     with in_language("fr"):
         assert (
             step.without_time_left()
@@ -64,9 +64,9 @@ def test_a_step_is_translated_where_it_is_shown(clock: list[float]) -> None:
         (3900.0, "1 h 05 min"),
     ],
 )
-def test_durations_are_duration_text(seconds: float, words: str) -> None:
+def test_texts_of_durations(seconds: float, words: str) -> None:
     assert duration_text(seconds) == words
 
 
-def test_millions_begin_at_a_million() -> None:
+def test_counts_of_a_million_and_more_are_in_millions() -> None:
     assert (count_text(999_999), count_text(4_900_000)) == ("999,999", "4.9 M")

@@ -1,4 +1,4 @@
-"""PTS: as VTK reads it, as CloudCompare and Open3D write it, block after block, and refusals."""
+"""Tests of reading PTS files of CloudCompare, Open3D and other writers, and of refusals."""
 
 import os
 import shutil
@@ -24,15 +24,15 @@ def places(path: Path) -> np.ndarray:
 
 @pytest.fixture
 def cloudcompare() -> str:
-    """The program's path; the test is skipped where it is not installed."""
+    """Return the path of CloudCompare; skip the test if it is not installed."""
     program = shutil.which("CloudCompare") or shutil.which("cloudcompare.CloudCompare")
     if program is None:
         pytest.skip("CloudCompare is not installed")
     return program
 
 
-def test_what_cloudcompare_writes(cloudcompare: str, tmp_path: Path) -> None:
-    """With intensity and colour, and a row of names that it marks as a remark."""
+def test_pts_of_cloudcompare_is_read(cloudcompare: str, tmp_path: Path) -> None:
+    """The file has intensity, colour and a comment with the names of columns."""
     rows = np.column_stack([XYZ, RING, RING, RING, RING])
     np.savetxt(tmp_path / "scan.asc", rows, fmt="%.9g")
     subprocess.run(
@@ -48,18 +48,18 @@ def test_what_cloudcompare_writes(cloudcompare: str, tmp_path: Path) -> None:
     head = (tmp_path / "scan.pts").read_text().splitlines()[:3]
     assert str(len(XYZ)) in head
     assert len(head[-1].split()) == 7
-    # CloudCompare holds coordinates in single precision.
+    # CloudCompare stores coordinates in single precision.
     np.testing.assert_allclose(places(tmp_path / "scan.pts"), XYZ, atol=2e-6)
 
 
-def test_what_open3d_writes(tmp_path: Path) -> None:
+def test_pts_of_open3d_is_read(tmp_path: Path) -> None:
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(XYZ))
     assert o3d.io.write_point_cloud(str(tmp_path / "scan.pts"), cloud)
     np.testing.assert_allclose(places(tmp_path / "scan.pts"), XYZ, atol=1e-9)
 
 
 @pytest.mark.parametrize("more", [0, 1, 4])
-def test_as_vtk_reads_it(tmp_path: Path, more: int) -> None:
+def test_points_agree_with_the_reader_of_vtk(tmp_path: Path, more: int) -> None:
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkIOGeometry import vtkPTSReader
 
@@ -68,30 +68,28 @@ def test_as_vtk_reads_it(tmp_path: Path, more: int) -> None:
     reader.SetFileName(str(path))
     reader.Update()
     theirs = vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
-    assert len(theirs) >= len(XYZ) - 2  # VTK 9 passes the first two points over
+    assert len(theirs) >= len(XYZ) - 2  # VTK 9 skips the first two points
     np.testing.assert_allclose(places(path)[-len(theirs) :], theirs, atol=2e-6)
     np.testing.assert_allclose(places(path), XYZ, atol=1e-9)
 
 
-def test_blocks_of_any_size_one_after_another(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(pts, "CHUNK", 7)
+def test_blocks_of_any_size_are_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pts, "POINTS_PER_CHUNK", 7)
     path = write_pts(tmp_path / "SCAN.PTS", [XYZ[:14], XYZ[:0], XYZ[14:15], XYZ[15:]])
     chunks = list(open_static_scan(path).coordinate_chunks(local=True))
     assert max(map(len, chunks)) == 7
     np.testing.assert_allclose(np.concatenate(chunks), XYZ, atol=1e-9)
 
 
-def test_blanks_tabs_empty_rows_and_windows_line_ends(tmp_path: Path) -> None:
+def test_blanks_tabs_empty_rows_and_windows_line_ends_are_read(tmp_path: Path) -> None:
     path = tmp_path / "scan.pts"
     path.write_bytes(b"2   \r\n  1.5\t-2 3e1 -2048 \r\n\r\n4 5 6 2047\r\n1\r\n7 8 9\r\n\r\n")
     np.testing.assert_array_equal(places(path), [[1.5, -2, 30], [4, 5, 6], [7, 8, 9]])
 
 
-def test_without_its_number_of_points(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As meshing programs and scripts write it: all rows are points, however many."""
-    monkeypatch.setattr(pts, "CHUNK", 7)
+def test_pts_without_a_point_count_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All rows are points, as meshing programs and scripts write them."""
+    monkeypatch.setattr(pts, "POINTS_PER_CHUNK", 7)
     path = write_pts(tmp_path / "scan.pts", [XYZ], more=4)
     count, rows = path.read_text().split("\n", 1)
     assert count == str(len(XYZ))
@@ -99,7 +97,7 @@ def test_without_its_number_of_points(tmp_path: Path, monkeypatch: pytest.Monkey
     np.testing.assert_allclose(places(path), XYZ, atol=1e-9)
 
 
-def test_it_is_examined_as_a_cloud_without_time(tmp_path: Path) -> None:
+def test_pts_as_a_line_is_refused_without_times(tmp_path: Path) -> None:
     path = write_pts(tmp_path / "scan.pts", [XYZ], more=4)
     with pytest.raises(InputError) as raised:
         check_file(path)
@@ -118,7 +116,9 @@ def test_it_is_examined_as_a_cloud_without_time(tmp_path: Path) -> None:
         ("\0\1\2\3", "text.not_text", {"row": 1}),
     ],
 )
-def test_refusals(tmp_path: Path, text: str, code: str, params: dict[str, object]) -> None:
+def test_files_without_valid_points_are_refused(
+    tmp_path: Path, text: str, code: str, params: dict[str, object]
+) -> None:
     path = tmp_path / "scan.pts"
     path.write_text(text)
     with pytest.raises(InputError, check=has_code(code, **params)) as refused:
@@ -151,7 +151,7 @@ def test_refusals(tmp_path: Path, text: str, code: str, params: dict[str, object
         ("//X;Y;Z\n1\n1.5;2.5;3.5\n", "pts.separators", {"row": 3}),
     ],
 )  # fmt: skip
-def test_blocks_that_are_refused(
+def test_invalid_blocks_are_refused(
     tmp_path: Path, text: str, code: str, params: dict[str, object]
 ) -> None:
     path = tmp_path / "scan.pts"
@@ -163,8 +163,8 @@ def test_blocks_that_are_refused(
     assert refused.value.message.params == {"file": str(path), **params}
 
 
-def test_a_cut_within_a_block_is_noticed(tmp_path: Path) -> None:
-    """Anywhere but within the last number of its last row, which is then another number."""
+def test_a_file_cut_within_a_block_is_refused(tmp_path: Path) -> None:
+    """A cut within the last number would give another valid number and is not detected."""
     path = write_pts(tmp_path / "scan.pts", [XYZ[:5]])
     whole = path.read_bytes()
     for size in range(whole.index(b"\n"), whole.rstrip().rindex(b" ")):

@@ -9,7 +9,7 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.project import Project
-from lispac.targets.boresight_smear import PRIOR_OFF, remove_smear
+from lispac.targets.boresight_smear import PRIOR_BORESIGHT_SIGMA, remove_smear
 from lispac.targets.sighting_quality import plane_quality
 from lispac.workflow.calibration.sighting_assessment import assess_sightings, sighting_qualities
 from lispac.workflow.project.survey import Survey
@@ -103,7 +103,7 @@ def test_a_plane_seen_in_no_time_keeps_its_distances():
     off = 0.02 * placed[:, 0] ** 2
     off -= off.mean()
     moves = np.column_stack([placed @ [3.0, 1.0], placed @ [0.5, 9.0], np.full(2000, 20.0)])
-    left = remove_smear(placed, off, moves, NOISE, PRIOR_OFF)
+    left = remove_smear(placed, off, moves, NOISE, PRIOR_BORESIGHT_SIGMA)
     np.testing.assert_allclose(np.sqrt(np.mean(left**2)), np.std(off), rtol=0.02)
 
 

@@ -13,7 +13,7 @@ from pyproj import CRS
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.format_types import PointChunk
-from lispac.io.las.las_chunks import LAS
+from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.las.las_format import read_scan
 from lispac.io.points.point_reader_common import crs_of_options
 from lispac.io.trajectory.sbet import read_sbet
@@ -73,7 +73,7 @@ def written(
 
 def system_in(path: Path) -> CoordinateSystem:
     """By what the header states alone."""
-    system = crs_of_options(LAS.resolved(LAS.preview(path, {}).choice))
+    system = crs_of_options(LAS_FORMAT.resolved(LAS_FORMAT.preview(path, {}).choice))
     assert system is not None
     return system
 
@@ -103,8 +103,8 @@ def test_simulated_lines_come_back(
         cloud = system.from_local(local, trajectory.frame)
         path = written(tmp_path / f"{line.name}.laz", cloud, line.time, code, scales)
         recovery = RecoverySetup(system_in(path), trajectory, mounting)
-        choice = LAS.preview(path, {}).choice
-        chunks = list(recover_scanner_points(LAS.read(path, choice), recovery))
+        choice = LAS_FORMAT.preview(path, {}).choice
+        chunks = list(recover_scanner_points(LAS_FORMAT.read(path, choice), recovery))
         back = np.concatenate([chunk.xyz for chunk, _ in chunks])
         worst = max(worst, float(np.linalg.norm(back - line.points_lidar, axis=1).max()))
         assert sum(lost for _, lost in chunks) == 0
@@ -147,7 +147,7 @@ def test_real_drone_survey_comes_back(
             [
                 chunk.xyz
                 for chunk, _ in recover_scanner_points(
-                    LAS.read(path, {"frame": "georeferenced"}), recovery
+                    LAS_FORMAT.read(path, {"frame": "georeferenced"}), recovery
                 )
             ]
         )
@@ -225,7 +225,7 @@ def test_a_point_has_the_pose_of_when_it_was_measured(port: SimulatedSurvey) -> 
         trajectory=trajectory, mounting=Mounting(np.zeros(3), np.zeros(3), latency=0.5)
     )
     times = np.array([first - 0.6, first - 0.4, first + 0.1, last - 0.6, last - 0.4])
-    assert RecoverySetup.usable(late, times).tolist() == [False, True, True, True, False]
+    assert RecoverySetup.has_pose(late, times).tolist() == [False, True, True, True, False]
 
 
 @pytest.mark.parametrize(("near", "taken"), [(40, False), (60, True)])

@@ -63,7 +63,7 @@ def test_of_a_scan_with_too_many_points_a_fair_sample_is_kept(
     assert len(whole.surface) == 3000
     used = note("reference.points_used", file="scan.xyz", used=3000, total=3500, one_in=1)
     assert used in whole.notes
-    monkeypatch.setattr(references, "MAX_POINTS", 1000)
+    monkeypatch.setattr(references, "MAX_SCAN_POINTS", 1000)
     some = read_reference(path, *known, sigma=0.0, reach=1.0)
     assert 600 < len(some.surface) <= 1000
     assert {*map(tuple, some.surface)} < {*map(tuple, whole.surface)}

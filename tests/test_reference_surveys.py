@@ -14,7 +14,7 @@ from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.adjustment.model.point_averaging import average_points_in_cells
 from lispac.adjustment.model.robust_loss import LossName
-from lispac.adjustment.model.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
+from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, PosErrors, StochasticModel
 from lispac.geometry.planes import fit_plane
 from lispac.io.las.las_format import read_scan
 from lispac.io.trajectory.sbet import read_sbet
@@ -136,7 +136,7 @@ def joint_rms(clouds: Mapping[str, np.ndarray], labels: Mapping[str, np.ndarray]
 
 @pytest.mark.parametrize("name", ["lanl_truck", "lanl_tent"])
 @pytest.mark.parametrize("loss", ["none", "huber", "tukey"])
-@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+@pytest.mark.parametrize("pos_errors", POS_ERROR_MODELS)
 def test_drone_from_labelled_points(
     shared_data: Path,
     labelled_points: Callable[[Path], tuple[Observations, Mounting]],

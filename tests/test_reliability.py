@@ -133,7 +133,7 @@ def test_the_pos_error_of_a_sighting_is_that_of_the_nearest_knot(linearised) -> 
     for s, item in enumerate(compute_reliability(linearised)):
         own = observations.sighting == s
         nearest = np.argmin(np.abs(knots.time - observations.time[own].mean()))
-        np.testing.assert_array_equal(item.pos_error, linearised.state.effects[nearest])
+        np.testing.assert_array_equal(item.pos_error, linearised.state.pos_errors[nearest])
         np.testing.assert_allclose(item.pos_sigma_after, np.sqrt(variance[nearest]), rtol=1e-4)
         np.testing.assert_allclose(item.pos_sigma, sigma[own].mean(axis=0), rtol=1e-12)
 
@@ -231,7 +231,7 @@ def test_components_find_the_errors_that_were_put_in() -> None:
     logs = []
     for seed in range(6):
         data = survey(30 + seed, 0.08)
-        stated = data.with_sigmas(0.5, 2.0, 1.0)
+        stated = data.with_scaled_sigmas(0.5, 2.0, 1.0)
         result = adjust(
             stated, PRIOR, StochasticModel(surface=0.0), components=True, diagnostics=False
         )
@@ -257,7 +257,7 @@ def test_positions_worse_than_given_are_found_with_surfaces_unknown_too() -> Non
     model = StochasticModel(loss="tukey")
     plain, told, factors = [], [], []
     for seed in range(6):
-        stated = survey(60 + seed, 0.2).with_sigmas(1.0, 0.4, 1.0)
+        stated = survey(60 + seed, 0.2).with_scaled_sigmas(1.0, 0.4, 1.0)
         without = adjust(stated, PRIOR, model, diagnostics=False)
         result = adjust(stated, PRIOR, model, components=True, diagnostics=False)
         plain.append((without.boresight - TRUTH.boresight) / without.sigma)
@@ -288,7 +288,11 @@ def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
     pos = np.stack([knots.apply_prior_precision(unit).reshape(-1) for unit in flat])
     right = np.concatenate([normal.right, normal.pull])
     state = np.concatenate(
-        [np.zeros(fixed), linearised.departures.reshape(-1), linearised.state.effects.reshape(-1)]
+        [
+            np.zeros(fixed),
+            linearised.departures.reshape(-1),
+            linearised.state.pos_errors.reshape(-1),
+        ]
     )
     data_matrix = full - prior
     data_matrix[size:, size:] -= pos

@@ -17,7 +17,7 @@ from matplotlib.text import Text
 
 from lispac.adjustment.diagnostics.error_budget import error_budget
 from lispac.adjustment.model.stochastic_model import StochasticModel
-from lispac.alternative_methods import METHODS, AlternativeResult
+from lispac.alternative_methods import ALTERNATIVE_METHODS, AlternativeResult
 from lispac.language import in_language
 from lispac.messages import error, note
 from lispac.present.error_budget import ErrorBudgetValues
@@ -28,7 +28,7 @@ from lispac.report.csv_tables import write_tables
 from lispac.report.document import drawn_document, report_document, undrawn_document
 from lispac.report.document_blocks import Bullets, Paragraph, SignatureLines, Table, UndrawnPictures
 from lispac.report.html import html_text
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.targets.occlusion import ObservedExtent
@@ -88,8 +88,8 @@ def _qualities() -> Iterator[SightingQuality]:
         ObservedExtent(np.array([0.3, 0.5]), np.array([0.6, 1.0]), 0.25, False),
         ObservedExtent(np.array([0.6, 1.0]), np.array([0.3, 0.5]), 1.0, True),
     )
-    yield judged(board(), shown=hidden)
-    yield judged(board(), shown=alone)
+    yield judged(board(), observed_extent=hidden)
+    yield judged(board(), observed_extent=alone)
     yield replace(
         judged(board()),
         reasons=(
@@ -157,7 +157,7 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
 
 def test_alternative_methods_are_in_french(project: Project) -> None:
     assert project.result is not None
-    for k, (method, off) in enumerate(zip(METHODS, (0.0, 0.3, 0.004), strict=True)):
+    for k, (method, off) in enumerate(zip(ALTERNATIVE_METHODS, (0.0, 0.3, 0.004), strict=True)):
         angles = project.result.boresight + np.radians([off, off, 0.0])
         remarks = (note("targetless.basis", used=30, total=99, rounds=3),) * (k == 1)
         said = AlternativeResult(
@@ -165,7 +165,7 @@ def test_alternative_methods_are_in_french(project: Project) -> None:
         )
         project = project.with_alternative_result(said)
     content = content_of_sample(project)
-    assert [each.method for each in content.methods[1:]] == list(METHODS)
+    assert [each.method for each in content.methods[1:]] == list(ALTERNATIVE_METHODS)
     assert "report.methods_differ" in {each.code for each in content.warnings}
     assert _english_left(content) == ()
 
@@ -224,7 +224,7 @@ def test_numbers_and_names_are_those_of_the_english_report(project: Project) -> 
     content = content_of_sample(project)
     english, french = (
         [b for s in report_document(content, {}, options).sections for b in s.blocks]
-        for options in (USUAL, FRENCH)
+        for options in (DEFAULT_OPTIONS, FRENCH)
     )
     for block, said in zip(english, french, strict=True):
         if block.kind != "table":

@@ -15,14 +15,14 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError
-from lispac.identity import BLANK
+from lispac.identity import EMPTY_IDENTITY
 from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.csv_tables import write_tables
 from lispac.report.html import html_text
-from lispac.report.options import USUAL, Page, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, Page, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.survey.conventions.conversion import (
     ConventionSetup,
@@ -32,7 +32,7 @@ from lispac.survey.conventions.conversion import (
 from lispac.survey.conventions.mounting_texts import CHECK_FIRST, UNCORRELATED_WARNING
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
 from lispac.survey.georeferencing import Mounting
-from lispac.workflow.output.report_options import KEYS, report_options
+from lispac.workflow.output.report_options import TEMPLATE_KEYS, report_options
 from tests.command_errors import codes_of, is_refusal, refused_with
 from tests.report_sample import sample_content, sample_project
 from tests.test_identity import FULL
@@ -82,13 +82,13 @@ def test_a_template_holds_what_a_company_wants(template: Path) -> None:
         company="Levés du Fleuve inc.\n12, rue du Quai", heading="Order 4711",
         closing="Valid until an instrument is moved.",
     )  # fmt: skip
-    assert set(KEYS) == set(asdict(options))
+    assert set(TEMPLATE_KEYS) == set(asdict(options))
     chosen = report_options(template, "a4", "qinsy")
     assert (chosen.page, chosen.convention) == ("a4", "qinsy")
     template.write_text(TEMPLATE + 'language = "FR"', encoding="utf-8")
     assert report_options(template).language == "fr"
     assert report_options(template, language="en").language == "en"
-    assert report_options() == USUAL
+    assert report_options() == DEFAULT_OPTIONS
 
 
 @pytest.mark.parametrize("language", ["en", "fr"])
@@ -101,7 +101,7 @@ def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> Non
     (tmp_path / "own.toml").write_text(text, encoding="utf-8")
     options = report_options(tmp_path / "own.toml")
     assert all(asdict(options).values())
-    assert set(tomllib.loads(text)) == set(KEYS)
+    assert set(tomllib.loads(text)) == set(TEMPLATE_KEYS)
 
 
 @pytest.mark.parametrize(
@@ -183,7 +183,7 @@ def test_page_one_ends_with_the_signature(
     project: Project, template: Path, tmp_path: Path, page: Page, language: str, blank: bool
 ) -> None:
     options = report_options(template, page, language=language)
-    content = sample_content(project.with_identity(BLANK if blank else FULL))
+    content = sample_content(project.with_identity(EMPTY_IDENTITY if blank else FULL))
     remark = (
         "The angles were estimated once more with other targets, and the answer stayed as it was."
     )
@@ -212,7 +212,7 @@ def test_pages_have_the_size_that_is_chosen(project: Project, tmp_path: Path) ->
     content = sample_content(project)
     boxes = {}
     for page in ("a4", "letter"):
-        options = replace(USUAL, page=page)
+        options = replace(DEFAULT_OPTIONS, page=page)
         write_pdf(content, tmp_path / f"{page}.pdf", {}, options)
         data = (tmp_path / f"{page}.pdf").read_bytes()
         boxes[page] = {
@@ -240,7 +240,7 @@ def test_pages_are_numbered_wherever_the_contents_stand(
 ) -> None:
     if not finished:
         project = replace(project, result=None, validation=(), cross_checks=None, targets=())
-    said = BLANK.changed(remarks="\n".join(["word"] * remarks))
+    said = EMPTY_IDENTITY.changed(remarks="\n".join(["word"] * remarks))
     content = sample_content(project.with_identity(said))
     write_pdf(content, tmp_path / "r.pdf", {}, ReportOptions(page))
     text = _pdf_text(tmp_path / "r.pdf")

@@ -306,7 +306,7 @@ def test_pos_error_figure_marks_what_lies_beyond_the_prior(
     checks = changed(reliability=(replace(first, pos_error=error), *rest)).adjustment
     assert checks is not None
     (figure,) = figures.pos_error_figures_of(checks.sightings)
-    assert [axes.get_title() for axes in figure.axes] == list(figures.POS_COMPONENTS)
+    assert [axes.get_title() for axes in figure.axes] == list(figures.POS_COMPONENT_TITLES)
     red = [line for line in figure.axes[0].lines if line.get_color() == "#bb2222"]
     assert [list(np.asarray(line.get_xdata())) for line in red] == [[pytest.approx(30.0)]]
     assert len(figures.pos_error_figures_of(checks.sightings * 5)) == 3

@@ -8,7 +8,7 @@ import laspy
 import numpy as np
 import pytest
 
-from lispac.io.las.las_crs_writer import OWN_ID
+from lispac.io.las.las_crs_writer import OWN_USER_ID
 from lispac.messages import Level
 from lispac.project import LineSource, Project, Reading
 from lispac.workflow.output.georeferencing import georeference_project
@@ -46,7 +46,7 @@ def as_clouds(project: Project, folder: Path) -> Survey:
     lines = []
     for each in written:
         cloud = laspy.read(each.path)
-        cloud.header.vlrs[:] = [vlr for vlr in cloud.header.vlrs if vlr.user_id != OWN_ID]
+        cloud.header.vlrs[:] = [vlr for vlr in cloud.header.vlrs if vlr.user_id != OWN_USER_ID]
         cloud.write(each.path)
         options = (("frame", "georeferenced"), ("crs", UTM))
         lines.append(LineSource(each.path.stem, each.path, (), Reading("las", options)))

@@ -7,7 +7,7 @@ import pytest
 
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations
-from lispac.adjustment.model.robust_loss import LOSSES, Loss, loss_weight, robust_scale
+from lispac.adjustment.model.robust_loss import LOSS_NAMES, Loss, loss_weight, robust_scale
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.model.target_shapes import fit_shapes
 from lispac.adjustment.result import AdjustmentResult
@@ -67,7 +67,7 @@ def test_the_losses_are_needed_and_the_sigmas_include_outliers() -> None:
     """The same points with all weighted alike, with a bounded loss, and a redescending one."""
     dirty, _ = with_outliers(survey(0), 0)
     errors, sigmas = [], []
-    for loss in LOSSES:
+    for loss in LOSS_NAMES:
         result = adjust(dirty, PRIOR, StochasticModel(loss=loss), diagnostics=False)
         errors.append(np.abs(result.boresight - TRUTH.boresight)[1])
         sigmas.append(result.sigma[1])
@@ -213,7 +213,7 @@ def test_clean_surveys_have_no_suspects() -> None:
     assert sum(map(bool, named)) <= 1, named
 
 
-@pytest.mark.parametrize("name", LOSSES[1:])
+@pytest.mark.parametrize("name", LOSS_NAMES[1:])
 def test_weights_fall_from_one_and_never_rise(name) -> None:
     loss = Loss(name)
     sizes = np.linspace(0, 10, 200)
@@ -221,7 +221,7 @@ def test_weights_fall_from_one_and_never_rise(name) -> None:
     assert weights[0] == 1
     assert (np.diff(weights) <= 0).all()
     assert weights[-1] == (0 if name == "tukey" else pytest.approx(loss.tuning / 10))
-    assert 0.5 < loss.kept < 1
+    assert 0.5 < loss.expected_square_share < 1
 
 
 def test_the_scale_is_that_of_the_majority() -> None:

@@ -47,10 +47,10 @@ def test_the_equations_at_a_solution_have_its_covariance(
     solved = SolvedEquations.of(result, data, PRIOR)
     assert solved is not None
     np.testing.assert_allclose(
-        solved.here.normal.covariance[:3, :3], result.covariance, rtol=1e-3, atol=1e-12
+        solved.linearised.normal.covariance[:3, :3], result.covariance, rtol=1e-3, atol=1e-12
     )
     np.testing.assert_allclose(
-        solved.here.state.mounting.boresight, result.boresight, atol=1e-3 * result.sigma.min()
+        solved.linearised.state.mounting.boresight, result.boresight, atol=1e-3 * result.sigma.min()
     )
 
 
@@ -72,7 +72,7 @@ def test_cross_checks_take_the_noise_of_the_whole(
         if check.kind != "line":
             continue
         omitted = np.array([each.line == check.part for each in data.sightings])
-        expected = sigmas_without(solved.here, omitted)
+        expected = sigmas_without(solved.linearised, omitted)
         assert check.sigma == pytest.approx(expected, rel=0.05)
 
 

@@ -18,8 +18,8 @@ from lispac.progress import Progress
 from lispac.project import LineSource, Project
 from lispac.survey.store.import_lock import lock_folder
 from lispac.survey.store.stored_line import StoredLine
-from lispac.workflow.importing.line_import import LINES, import_lines, line_folder
-from lispac.workflow.project.project_copy import MARK, save_project_as
+from lispac.workflow.importing.line_import import LINES_FOLDER, import_lines, line_folder
+from lispac.workflow.project.project_copy import UNFINISHED_MARK, save_project_as
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.few_lines import picked
@@ -77,14 +77,14 @@ def test_what_a_killed_save_leaves_is_replaced(project: Project, tmp_path: Path,
     command = [sys.executable, "-c", KILLED, str(project.folder), str(there), when]
     assert subprocess.run(command, check=False).returncode == -9
     assert not (there / "project.json").exists()
-    assert (there / LINES / "one" / MARK).exists()
+    assert (there / LINES_FOLDER / "one" / UNFINISHED_MARK).exists()
     (there / "minutes.txt").write_text("not ours")
-    (there / LINES / "one" / "notes.txt").write_text("not ours either")
+    (there / LINES_FOLDER / "one" / "notes.txt").write_text("not ours either")
     with pytest.raises(ProjectError) as raised:
         save_project_as(project, load_survey(project), there)
     assert raised.value.code == "project_folder.has_files"
-    assert (there / LINES / "one" / "notes.txt").read_text() == "not ours either"
-    (there / LINES / "one" / "notes.txt").unlink()
+    assert (there / LINES_FOLDER / "one" / "notes.txt").read_text() == "not ours either"
+    (there / LINES_FOLDER / "one" / "notes.txt").unlink()
     moved, _ = save_project_as(project, load_survey(project), there)
     plain, _ = save_project_as(project, load_survey(project), tmp_path / "plain")
     assert names(moved.folder) - names(plain.folder) == {"minutes.txt"}
@@ -96,7 +96,7 @@ def test_what_a_killed_save_leaves_is_replaced(project: Project, tmp_path: Path,
 
 
 def test_a_save_under_way_is_left_alone(project: Project, tmp_path: Path) -> None:
-    lines = tmp_path / "office" / LINES
+    lines = tmp_path / "office" / LINES_FOLDER
     lines.mkdir(parents=True)
     with lock_folder(lines), pytest.raises(ProjectError) as raised:
         save_project_as(project, load_survey(project), tmp_path / "office")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.format_types import LIKELY, NOT, POSSIBLE, SURE, FilePreview
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, POSSIBLE, SURE, FilePreview
 from lispac.io.formats import format_of, recognise_formats
 from lispac.io.trajectory.sbet_detection import detect_sbet, sample_blocks
 from lispac.io.trajectory.sbet_motion import velocity_in_axes
@@ -229,7 +229,7 @@ def test_other_binaries_of_fitting_length_are_not_called_sbet(tmp_path: Path, na
     path = tmp_path / "a.out"
     path.write_bytes(OTHERS[name])
     assert path.stat().st_size % 136 == 0
-    assert SBET.sniff(path) == NOT
+    assert SBET.sniff(path) == IMPOSSIBLE
 
 
 def test_files_of_points_are_not_called_sbet(tmp_path: Path, shared_data: Path) -> None:
@@ -237,7 +237,7 @@ def test_files_of_points_are_not_called_sbet(tmp_path: Path, shared_data: Path) 
     whole = 17 * 176
     (tmp_path / "points").write_bytes(points[: len(points) // whole * whole])
     (tmp_path / "a.las").write_bytes((shared_data / "leeward/points.las").read_bytes()[: 136 * 500])
-    assert SBET.sniff(tmp_path / "points") == SBET.sniff(tmp_path / "a.las") == NOT
+    assert SBET.sniff(tmp_path / "points") == SBET.sniff(tmp_path / "a.las") == IMPOSSIBLE
 
 
 @pytest.mark.parametrize("change", ["degrees", "exchanged", "disorder", "end"])
@@ -256,7 +256,7 @@ def test_what_may_be_an_sbet_has_to_end_like_one(tmp_path: Path, change: str) ->
     assert SBET.sniff(path) == (LIKELY if change == "end" else POSSIBLE)
     if change != "end":
         records[-50:] = 1e9
-        assert SBET.sniff(write_records(path, records)) == NOT
+        assert SBET.sniff(write_records(path, records)) == IMPOSSIBLE
 
 
 @pytest.mark.parametrize("shift", [0.0, -400_000.0, 1e9, 315_964_800 + 1e9])

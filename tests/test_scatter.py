@@ -54,7 +54,7 @@ def solved(
 
 
 def parts_of(found: SolvedEquations) -> tuple[LinearisedProblem, np.ndarray]:
-    return found.here, found.origins
+    return found.linearised, found.origins
 
 
 def test_where_the_model_holds_the_sigmas_stay(thinned: Opened, clean: TargetlessResult) -> None:

@@ -32,7 +32,7 @@ from lispac.simulation.simulated_survey import (
 )
 from lispac.simulation.vessel_motion import SMALL_VESSEL
 from lispac.workflow.planning.simulate import _surveyor_settings, require_replaceable
-from lispac.workflow.planning.simulated_setup import KINDS, read_simulation, supplied_titles
+from lispac.workflow.planning.simulated_setup import PART_KINDS, read_simulation, supplied_titles
 from tests.error_codes import has_code
 from tests.test_meshes import as_mesh, write_mesh
 
@@ -73,7 +73,7 @@ def edited(folder: Path, text: str, old: str, new: str) -> Path:
     return path
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", PART_KINDS)
 def test_everything_supplied_is_sound(kind: str) -> None:
     titles = supplied_titles(kind)
     assert len(titles) >= 3

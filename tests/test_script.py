@@ -19,7 +19,12 @@ from lispac.project import Project
 from lispac.workflow.calibration.point_edits import without_points
 from lispac.workflow.calibration.point_numbers import numbers_text, point_numbers
 from lispac.workflow.output.script import Script, script_of
-from lispac.workflow.output.script_text import SHORT, call_text, python_literal, split_text_code
+from lispac.workflow.output.script_text import (
+    MAX_PIECE_LENGTH,
+    call_text,
+    python_literal,
+    split_text_code,
+)
 from lispac.workflow.planning.demo import demo_seeds
 from tests.script_runs import run, run_here, same_part
 
@@ -29,7 +34,7 @@ def test_numbers_of_points_come_back_in_their_order(numbers: list[int]) -> None:
     text = numbers_text(np.array(numbers, dtype=np.int64))
     assert point_numbers(text).tolist() == numbers
     assert "".join(map(eval, split_text_code(text).split("\n"))) == text
-    assert all(len(piece) <= SHORT + 24 for piece in split_text_code(text).split("\n"))
+    assert all(len(piece) <= MAX_PIECE_LENGTH + 24 for piece in split_text_code(text).split("\n"))
 
 
 def test_runs_of_numbers_are_short() -> None:

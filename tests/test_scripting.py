@@ -52,7 +52,7 @@ def test_every_name_is_there_and_type_checkers_know_it() -> None:
         alias.asname or alias.name: node.module
         for node in ast.walk(typed) if isinstance(node, ast.ImportFrom) for alias in node.names
     }  # fmt: skip
-    assert stated == lispac._WHERE
+    assert stated == lispac._MODULE_OF_NAME
     for name in lispac.__all__:
         assert getattr(lispac, name) is not None
         assert name in dir(lispac)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import Cancelled, InputError, ProjectError
-from lispac.io.project.project_file import FILE_NAME, read_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project
 from lispac.message_texts import message_text
 from lispac.messages import error, note
 from lispac.progress import Step
@@ -49,12 +49,12 @@ def refused(capsys: pytest.CaptureFixture[str], folder: Path, text: str, *words:
     """A list that must be refused: exit 1, one line, and the project as it was."""
     path = folder.parent / "targets.txt"
     path.write_text(text)
-    before = (folder / FILE_NAME).read_bytes()
+    before = (folder / PROJECT_FILE_NAME).read_bytes()
     code, out, err = run(capsys, "pick", folder, "--seeds", path, *words)
     assert (code, out) == (1, ""), err
     assert err.count("\n") == 1
     assert err.startswith(f"lispac: {path}")
-    assert (folder / FILE_NAME).read_bytes() == before
+    assert (folder / PROJECT_FILE_NAME).read_bytes() == before
     return err
 
 

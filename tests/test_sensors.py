@@ -11,7 +11,7 @@ from lispac.errors import InputError
 from lispac.installation_paths import resource_path, user_folder
 from lispac.io.config.scanner_file import read_scanner
 from lispac.io.config.sensor_file import (
-    STATES,
+    GNSS_SOLUTIONS,
     PosAccuracy,
     PosSpecification,
     ScannerSpecification,
@@ -52,7 +52,7 @@ def test_every_sensor_of_the_program_has_sigmas_and_a_source(tmp_path: Path) -> 
     for pos in found.pos:
         for state in pos.figures.states:
             assert len(state.source) > 20
-            assert state.name in STATES
+            assert state.name in GNSS_SOLUTIONS
         if {"rtk", "degraded"} <= {state.name for state in pos.figures.states}:
             states = {state.name: state for state in pos.figures.states}
             assert states["degraded"].position_sigma > states["rtk"].position_sigma
@@ -67,7 +67,7 @@ def test_what_the_program_says_of_its_own_sensors_is_translated(tmp_path: Path) 
     ):
         with in_language("fr"):
             french = sensors.source_text(figures)
-        assert figures.source in sensors.SOURCES
+        assert figures.source in sensors.SUPPLIED_SOURCES
         assert french != sensors.source_text(figures)
 
 
@@ -234,4 +234,4 @@ def test_a_pos_without_sigmas(tmp_path: Path) -> None:
     with pytest.raises(InputError) as told:
         read_pos_specification(path)
     assert told.value.code == "sensor.no_accuracies"
-    assert told.value.message.params == {"file": str(path), "tables": STATES}
+    assert told.value.message.params == {"file": str(path), "tables": GNSS_SOLUTIONS}

@@ -7,18 +7,18 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.diagnostics.findings import critical_test_value, variance_component_finding
-from lispac.adjustment.model.parameters import OUTPUT_UNITS, QUANTITIES, ParameterEstimate
+from lispac.adjustment.model.parameters import OUTPUT_UNITS, PARAMETER_DISPLAYS, ParameterEstimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
 from lispac.cli.calibration.result_output import print_result, result_values
 from lispac.gui.features.estimate import result_texts
-from lispac.gui.features.estimate.adjust_parameters import KINDS
+from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS
 from lispac.gui.features.estimate.result_texts import variance_component_texts
 from lispac.gui.widgets.result_tables import spread_text, window_columns, window_rows
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.present.cross_checks import cross_check_values, subset_rows
-from lispac.present.parameters import PARAMETERS, parameter_values
-from lispac.present.sightings import LARGEST_W, SIGHTINGS, sighting_values
+from lispac.present.parameters import PARAMETERS_TABLE, parameter_values
+from lispac.present.sightings import LARGEST_W_COLUMN, SIGHTINGS_TABLE, sighting_values
 from lispac.present.text_format import quantity_text
 from lispac.report.document import report_document
 from tests.report_sample import sample_content, sample_project
@@ -49,11 +49,11 @@ def test_a_value_is_shown_alike_everywhere(
     result = replace(sample[0], parameters=(ParameterEstimate(name, 0.0, None, value, 0.1, 3.0),))
     print_result(result, None)
     printed = capsys.readouterr().out.splitlines()
-    (row,) = [line for line in printed if line.startswith(f"  {QUANTITIES[name].title} ")]
+    (row,) = [line for line in printed if line.startswith(f"  {PARAMETER_DISPLAYS[name].title} ")]
     assert f"  {words}  " in row
     printed = words.replace("-", "−")
     in_window = printed.replace(" deg", "°").replace(" ", "\u00a0")
-    assert KINDS[name].amount(value) == in_window
+    assert MOUNTING_PARAMETERS[name].amount(value) == in_window
     said = quantity_text(name, value * OUTPUT_UNITS[name][0], sign=True)
     assert said == printed.replace(" ", "\u00a0")
 
@@ -92,10 +92,10 @@ def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sa
     beyond = replace(second, w=-critical - 0.01, rejected=False, outliers=0)
     values = sighting_values(replace(result, reliability=(near, beyond, *rest)))
     assert [each.status for each in values[:2]] == ["agrees", "disagrees"]
-    rows = window_rows(SIGHTINGS, values, marked=lambda row: row.is_marked)
+    rows = window_rows(SIGHTINGS_TABLE, values, marked=lambda row: row.is_marked)
     assert [row.marked for row in rows[:2]] == [False, True]
     assert [row.cells[-1].text for row in rows[:2]] == ["agrees", "disagrees"]
-    assert all(len(row.cells) == len(window_columns(SIGHTINGS)) for row in rows)
+    assert all(len(row.cells) == len(window_columns(SIGHTINGS_TABLE)) for row in rows)
 
 
 def test_the_spread_has_one_name_and_the_halves_are_reported_once(
@@ -200,7 +200,7 @@ def test_a_value_is_significant_beyond_one_limit_everywhere(
     print_result(result, None)
     assert f"  {words}\n" in capsys.readouterr().out
     assert result_values(result, None)["parameters"][0]["significant"] is significant
-    (row,) = window_rows(PARAMETERS, parameter_values(result))
+    (row,) = window_rows(PARAMETERS_TABLE, parameter_values(result))
     assert row.cells[-1].text == words
     assert f"prior +0.0000\u00a0m, {words}<" in result_texts.parameters_html(result)
     content = sample_content(replace(project, result=result))
@@ -225,9 +225,10 @@ def test_the_point_farthest_off_is_reported_with_its_time_everywhere(
     told = result_values(result, None)["sightings"]
     assert (told[0]["largest_w"], told[0]["largest_w_time_s"]) == (12.34, 416012.5)
     assert told[1]["largest_w_time_s"] is None
-    place = [column.title for column in SIGHTINGS.columns].index(LARGEST_W.title)
+    place = [column.title for column in SIGHTINGS_TABLE.columns].index(LARGEST_W_COLUMN.title)
     cells = [
-        row.cells[place : place + 2] for row in window_rows(SIGHTINGS, sighting_values(result))
+        row.cells[place : place + 2]
+        for row in window_rows(SIGHTINGS_TABLE, sighting_values(result))
     ]
     assert [(cell.text, cell.value) for cell in cells[0]] == [
         ("12.3", 12.34),

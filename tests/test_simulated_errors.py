@@ -22,11 +22,11 @@ from lispac.simulation.scene import (
     tilted_rectangle,
     upright_rectangle,
 )
-from lispac.survey.georeferencing import CALIBRATION, Mounting, georeference
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES, Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
 
 LARGEST = np.array([*np.radians([3, 3, 3]), 1.0, 1.0, 1.0, 0.2, np.radians(2.0), 0.3])
-"""Of each value of a mounting, in the order of `CALIBRATION`."""
+"""Of each value of a mounting, in the order of `MOUNTING_VALUE_NAMES`."""
 NOMINAL = np.array([0, 0, 0, -0.24, 0.06, 2.17, 0, 0, 0])
 SCENE = Scene.of(
     [
@@ -66,9 +66,9 @@ def farthest_off(echoes: Echoes, mounting: Mounting) -> float:
 
 
 @pytest.mark.parametrize("scanner", [PROFILER, SPINNING], ids=["profiler", "spinning"])
-@pytest.mark.parametrize("value", CALIBRATION)
+@pytest.mark.parametrize("value", MOUNTING_VALUE_NAMES)
 def test_each_error_alone_is_taken_back_by_the_true_mounting(value: str, scanner: Scanner) -> None:
-    k = CALIBRATION.index(value)
+    k = MOUNTING_VALUE_NAMES.index(value)
     for sign in (-1.0, 1.0):
         values = NOMINAL.copy()
         values[k] += sign * LARGEST[k]

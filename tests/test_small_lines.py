@@ -12,9 +12,9 @@ from lispac.progress import Step
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.store.original_file import source_file_of
 from lispac.workflow.importing.file_reading import (
+    default_or_detected_reading,
     detect_reading,
     local_trajectory,
-    usual_or_detected_reading,
 )
 from lispac.workflow.importing.line_import import _LineFileReader, import_line
 from lispac.workflow.importing.line_points import LinePoints
@@ -132,7 +132,7 @@ def test_a_file_that_no_format_of_its_kind_knows_is_refused(folder: Path) -> Non
         detect_reading(path, "trajectory", Reading())
     assert caught.value.code == "import.unknown_trajectory_format"
     assert str(path) in str(caught.value)
-    assert usual_or_detected_reading(path, "trajectory", Reading()) == (Reading(), ())
+    assert default_or_detected_reading(path, "trajectory", Reading()) == (Reading(), ())
 
 
 def test_an_accuracy_of_another_day_is_refused(project: Project, folder: Path) -> None:
@@ -154,9 +154,9 @@ def test_named_columns_are_kept_to_for_a_text_and_for_no_other_file(folder: Path
     """What a user names of a table is not looked for in it; a LAS file has no columns to name."""
     table = folder / "L3.txt"
     np.savetxt(table, [[START + 1, 1.0, 2.0, 3.0], [START + 2, 1.0, 2.0, 3.0]], fmt="%.4f")
-    assert usual_or_detected_reading(table, "points", Reading(), columns=True) == (Reading(), ())
-    found = usual_or_detected_reading(folder / "L1.laz", "points", Reading(), columns=True)
-    assert found == usual_or_detected_reading(folder / "L1.laz", "points", Reading())
+    assert default_or_detected_reading(table, "points", Reading(), columns=True) == (Reading(), ())
+    found = default_or_detected_reading(folder / "L1.laz", "points", Reading(), columns=True)
+    assert found == default_or_detected_reading(folder / "L1.laz", "points", Reading())
 
 
 def test_what_is_shown_is_what_is_placed_with_a_picture_at_hand(project: Project) -> None:

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.least_squares import adjust
-from lispac.adjustment.model.stochastic_model import POS_ERRORS, StochasticModel
+from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, StochasticModel
 from lispac.cli.main import main
 from lispac.errors import ProjectError, SphereNotFound
 from lispac.geometry.spheres import visible_share
-from lispac.io.project.project_file import FILE_NAME
+from lispac.io.project.project_file import PROJECT_FILE_NAME
 from lispac.messages import note
 from lispac.project import Project
 from lispac.simulation.closed_form_survey import (
@@ -56,7 +56,7 @@ def test_the_cap_of_a_ball_faces_the_scanner(scanner):
     assert cosine.max() > 0.999
 
 
-@pytest.mark.parametrize("model", POS_ERRORS)
+@pytest.mark.parametrize("model", POS_ERROR_MODELS)
 @pytest.mark.parametrize(
     ("known", "with_board", "start_deg"),
     # Without the radius a ball of 0.1 m and the first guess, 0.7 m off with all angles at zero,
@@ -195,7 +195,7 @@ def test_what_makes_no_sense_is_refused(balls, asked, code):
 @pytest.mark.parametrize("wrong", [-0.1, 0.0, "plane"])
 def test_a_project_edited_by_hand_is_checked(balls, picked, wrong):
     save_project(picked)
-    path = balls.project.folder / FILE_NAME
+    path = balls.project.folder / PROJECT_FILE_NAME
     content = json.loads(path.read_text())
     content["targets"][0]["shape" if wrong == "plane" else "sphere_radius"] = wrong
     path.write_text(json.dumps(content))

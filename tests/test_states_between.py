@@ -8,7 +8,7 @@ import pytest
 from lispac.geometry.frames import LocalFrame
 from lispac.io.trajectory.sbet import SbetOptions, read_sbet
 from lispac.survey.georeferencing import Mounting, place_points, to_lidar
-from lispac.survey.state_densification import LIMIT, attitude_rates, hermite_cubic
+from lispac.survey.state_densification import MAX_INTERPOLATION_ERROR, attitude_rates, hermite_cubic
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.survey.trajectory_sampling import interpolation_error
 
@@ -103,7 +103,7 @@ def test_at_10_hz_errors_are_five_times_smaller(tmp_path: Path, place: str, axes
     assert straight[0] > 5e-4
     assert curved[0] < straight[0] / 5
     assert curved[1] < straight[1] / 5
-    assert curved[0] < 2 * LIMIT[0] + 1e-5
+    assert curved[0] < 2 * MAX_INTERPOLATION_ERROR[0] + 1e-5
 
 
 def test_dense_states_are_left_as_they_are(tmp_path: Path) -> None:

@@ -173,7 +173,9 @@ def test_coarse_level_is_a_fair_sample(tmp_path: Path) -> None:
     line = Line(30_000)
     found = stored(tmp_path, line)
     coarse = found.coarse
-    assert 0.85 * column_writer.COARSE < len(coarse.rows) <= column_writer.COARSE
+    assert (
+        0.85 * column_writer.MAX_COARSE_POINTS < len(coarse.rows) <= column_writer.MAX_COARSE_POINTS
+    )
     np.testing.assert_array_equal(coarse.points_lidar, found.points_lidar[coarse.rows])
     np.testing.assert_array_equal(coarse.time, found.time[coarse.rows])
     np.testing.assert_array_equal(coarse.intensity, found.intensity[coarse.rows])
@@ -221,7 +223,7 @@ def test_points_on_one_spot_are_never_in_memory_together(tmp_path: Path, monkeyp
 
     monkeypatch.setattr(column_writer, "merge_blocks", watched)
     found = stored(tmp_path, line)
-    assert max(sizes) <= column_writer.BUCKET + point_blocks.BLOCK
+    assert max(sizes) <= column_writer.BUCKET_POINTS + point_blocks.BLOCK_POINTS
     assert len(np.unique(found._octaves >> np.uint64(4))) == 1
     np.testing.assert_array_equal(np.sort(found.numbers(np.arange(9_000))), np.arange(9_000))
     rows = rows_of_runs(found.near(np.zeros(3), 100.0, halvings=3))

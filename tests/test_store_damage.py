@@ -17,7 +17,7 @@ from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.survey.store import layout
 from lispac.survey.store.import_lock import lock_folder
-from lispac.survey.store.layout import VERSION, write_manifest
+from lispac.survey.store.layout import MANIFEST_VERSION, write_manifest
 from lispac.survey.store.line_import import write_store
 from lispac.survey.store.point_blocks import PointPiece
 from lispac.survey.store.stored_line import open_store
@@ -182,7 +182,11 @@ def test_damaged_manifest_is_refused_and_imported_again(tmp_path: Path, harm, co
 def test_newer_store_is_not_touched(tmp_path: Path) -> None:
     stored(tmp_path)
     path = tmp_path / "store.json"
-    path.write_text(path.read_text().replace(f'"version": {VERSION}', f'"version": {VERSION + 1}'))
+    path.write_text(
+        path.read_text().replace(
+            f'"version": {MANIFEST_VERSION}', f'"version": {MANIFEST_VERSION + 1}'
+        )
+    )
     content = path.read_text()
     with pytest.raises(ProjectError) as refused:
         open_store(tmp_path, "L1")

@@ -18,7 +18,7 @@ from lispac.survey.store import stored_line
 from lispac.survey.store.column_files import map_column
 from lispac.survey.store.column_writer import attribute_file_name
 from lispac.survey.store.file_times import replace_manifest
-from lispac.survey.store.import_lock import LOCK, is_import_running, lock_folder
+from lispac.survey.store.import_lock import LOCK_FILE, is_import_running, lock_folder
 from lispac.survey.store.layout import (
     DamagedStore,
     SourceFile,
@@ -30,10 +30,10 @@ from lispac.survey.store.layout import (
 )
 from lispac.survey.store.line_import import write_store
 from lispac.survey.store.original_file import is_original_unchanged, source_file_of
-from lispac.survey.store.point_blocks import MAX_POINTS, PointPiece
+from lispac.survey.store.point_blocks import MAX_POINTS_PER_LINE, PointPiece
 from lispac.survey.store.read_ahead import read_ahead
 from lispac.survey.store.row_runs import gather_values, rows_of_runs, split_runs
-from lispac.survey.store.spatial_cells import is_drawn, stable_order
+from lispac.survey.store.spatial_cells import is_in_coarse_sample, stable_order
 from lispac.survey.store.stored_line import open_store
 from tests.store_lines import RECIPE, Line, place, small, stored, why
 
@@ -194,7 +194,13 @@ def test_a_file_without_a_point_is_refused_and_leaves_nothing(tmp_path: Path) ->
 
 def test_more_points_than_can_be_numbered_are_refused(tmp_path: Path) -> None:
     def far_on(first: int) -> Iterator[PointPiece]:
-        yield PointPiece(np.ones((1, 3)), np.zeros(1), np.array([MAX_POINTS]), {}, MAX_POINTS + 1)
+        yield PointPiece(
+            np.ones((1, 3)),
+            np.zeros(1),
+            np.array([MAX_POINTS_PER_LINE]),
+            {},
+            MAX_POINTS_PER_LINE + 1,
+        )
 
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path, RECIPE, far_on, place)
@@ -212,7 +218,7 @@ def test_a_lock_whose_file_was_removed_meanwhile_is_taken_anew(
     def too_late(handle: int) -> None:
         take(handle)
         if next(gone, False):
-            (tmp_path / LOCK).unlink()
+            (tmp_path / LOCK_FILE).unlink()
 
     monkeypatch.setattr(locks, "_lock", too_late)
     with lock_folder(tmp_path):
@@ -225,7 +231,7 @@ def test_a_lock_whose_file_was_removed_meanwhile_is_taken_anew(
 
 def test_a_lock_that_a_process_left_behind_is_not_held(tmp_path: Path) -> None:
     assert not is_import_running(tmp_path)
-    (tmp_path / LOCK).touch()
+    (tmp_path / LOCK_FILE).touch()
     assert not is_import_running(tmp_path)
     with lock_folder(tmp_path):
         assert is_import_running(tmp_path)
@@ -258,10 +264,10 @@ def test_equal_keys_stay_as_they_stand() -> None:
 
 def test_a_sample_is_never_larger_than_requested() -> None:
     numbers = np.arange(40)
-    assert is_drawn(numbers, 40, 40).all()
-    assert not is_drawn(np.arange(1000), 1000, 0).any()
+    assert is_in_coarse_sample(numbers, 40, 40).all()
+    assert not is_in_coarse_sample(np.arange(1000), 1000, 0).any()
     many = np.arange(100_000)
-    assert 4000 < np.count_nonzero(is_drawn(many, 100_000, 5000)) <= 5000
+    assert 4000 < np.count_nonzero(is_in_coarse_sample(many, 100_000, 5000)) <= 5000
 
 
 def test_anything_that_can_be_gone_through_is_read_ahead() -> None:
@@ -269,7 +275,7 @@ def test_anything_that_can_be_gone_through_is_read_ahead() -> None:
 
 
 def test_nothing_is_lost_where_the_reader_is_slower(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lispac.survey.store.read_ahead.POLL_INTERVAL", 0.001)
+    monkeypatch.setattr("lispac.survey.store.read_ahead.POLL_INTERVAL_S", 0.001)
     found = []
     for piece in read_ahead(iter(range(5))):
         time.sleep(0.02)  # many looks at a full queue

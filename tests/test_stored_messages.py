@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from lispac.errors import ProjectError
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.language import in_language
 from lispac.message_texts import message_text
 from lispac.messages import error, note
@@ -56,7 +56,7 @@ def test_a_sentence_of_a_former_project_stays(tmp_path: Path) -> None:
 
 
 def test_results_of_a_former_project_have_its_sentences() -> None:
-    content = json.loads((DATA / "project-8" / FILE_NAME).read_text(encoding="utf-8"))
+    content = json.loads((DATA / "project-8" / PROJECT_FILE_NAME).read_text(encoding="utf-8"))
     project = read_project(DATA / "project-8")
     assert project.result is not None
     assert project.result.observability is not None
@@ -78,7 +78,7 @@ def test_results_of_a_former_project_have_its_sentences() -> None:
 def test_a_message_with_an_unknown_code_is_refused(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_project(project.with_validation(project.validation, {"V1": MISSING}))
-    path = project.folder / FILE_NAME
+    path = project.folder / PROJECT_FILE_NAME
     path.write_text(path.read_text().replace("finder.few_points", "finder.no_such_code"))
     with pytest.raises(ProjectError) as raised:
         read_project(project.folder)

@@ -7,7 +7,7 @@ import pytest
 
 from lispac.messages import Message, note
 from lispac.project import LineSource, Reading
-from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.time_base import DAY
 from lispac.workflow.importing.time_shift_advice import outside_trajectory_message, shift_gain_note
 
@@ -19,7 +19,7 @@ def track(first: float, last: float) -> np.ndarray:
     return np.linspace(first, last, 500)
 
 
-def line(reading: Reading = USUAL) -> LineSource:
+def line(reading: Reading = DEFAULT_READING) -> LineSource:
     return LineSource("L1", Path("L1.las"), reading=reading)
 
 

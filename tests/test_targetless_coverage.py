@@ -13,7 +13,7 @@ from lispac.project import Project, Settings
 from lispac.simulation.simulated_survey import port_survey
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.calibration.targetless import targetless
-from lispac.workflow.planning.simulate import RAW, as_triple, write_lines, write_trajectory
+from lispac.workflow.planning.simulate import RAW_FOLDER, as_triple, write_lines, write_trajectory
 from lispac.workflow.project.projects import create_project
 from lispac.workflow.project.survey import Survey, load_survey
 
@@ -25,10 +25,11 @@ SCENES = 200
 def surveyed(folder: Path, seed: int) -> tuple[Project, Survey, Mounting]:
     """A quay, and the mounting that it was surveyed with."""
     made = port_survey(points_per_second=20_000.0, seed=seed)
-    trajectory, accuracy = write_trajectory(made, folder / RAW)
+    trajectory, accuracy = write_trajectory(made, folder / RAW_FOLDER)
     latitude, longitude, height = made.origin
     project = create_project(
-        folder, trajectory=trajectory, lines=write_lines(made, folder / RAW), accuracy=accuracy,
+        folder, trajectory=trajectory, lines=write_lines(made, folder / RAW_FOLDER),
+        accuracy=accuracy,
         settings=Settings(
             lever_arm=as_triple(made.lever_arm), lidar_sigma=NOISE,
             origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),

@@ -7,11 +7,11 @@ from hypothesis import strategies as st
 
 from lispac.errors import InputError
 from lispac.survey.time_base import (
-    BASES,
     DAY,
     GPS_EPOCH,
     HOUR,
-    LEAP_DATES,
+    LEAP_SECOND_DATES,
+    TIME_BASES,
     WEEK,
     base_of_key,
     equally_good_matches,
@@ -39,7 +39,7 @@ EPOCH = datetime(1980, 1, 6, tzinfo=UTC)
 def gps(year: int, month: int, day: int, second: float = 0.0) -> float:
     """GPS seconds of a UTC instant, with the leap seconds counted by hand."""
     date = datetime(year, month, day, tzinfo=UTC)
-    leap = sum(changed <= date.date() for changed in LEAP_DATES)
+    leap = sum(changed <= date.date() for changed in LEAP_SECOND_DATES)
     return (date - EPOCH).total_seconds() + second + leap
 
 
@@ -64,7 +64,7 @@ def test_known_instants() -> None:
 
 
 def test_a_leap_second_counts_from_the_start_of_its_day_on() -> None:
-    for count, date in enumerate(LEAP_DATES, start=1):
+    for count, date in enumerate(LEAP_SECOND_DATES, start=1):
         start = (datetime(date.year, date.month, date.day, tzinfo=UTC) - EPOCH).total_seconds()
         assert leap_seconds(np.array([start - 0.5, start, start + 0.5])).tolist() == [
             count - 1, count, count,
@@ -74,7 +74,7 @@ def test_a_leap_second_counts_from_the_start_of_its_day_on() -> None:
 
 
 surveys = st.tuples(
-    st.floats(gps(2000, 1, 2), gps(2044, 12, 1)), st.floats(1, 40_000), st.sampled_from(BASES)
+    st.floats(gps(2000, 1, 2), gps(2044, 12, 1)), st.floats(1, 40_000), st.sampled_from(TIME_BASES)
 )
 
 
@@ -102,7 +102,7 @@ def test_own_base_is_always_plausible(survey: tuple) -> None:
     assert early or base in plausible_bases(values)
 
 
-@given(surveys, st.sampled_from(BASES), st.floats(0.1, 0.9))
+@given(surveys, st.sampled_from(TIME_BASES), st.floats(0.1, 0.9))
 def test_points_of_any_base_come_onto_the_trajectory(survey, other, where) -> None:
     start, span, base = survey
     track = np.linspace(start, start + span + 600, 500)

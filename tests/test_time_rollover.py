@@ -144,7 +144,7 @@ def test_the_dialogue_resolves_a_rollover_and_says_so(tmp_path: Path) -> None:
 
 
 def test_a_long_line_is_counted_on_by_a_sample(tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.setattr("lispac.io.points.line_times.READ_WHOLE", 10_000)
+    monkeypatch.setattr("lispac.io.points.line_times.MAX_POINTS_READ_WHOLE", 10_000)
     times = np.mod(DAY - 5000 + np.linspace(0, 5400, 60_000), DAY)
     line = write_line(tmp_path / "long.las", times)
     found = read_line_times(line, format_of("las"), {})

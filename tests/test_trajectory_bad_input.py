@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from lispac.errors import InputError
 from lispac.io.format_types import FilePreview
-from lispac.io.formats import ACCURACIES, TRAJECTORIES, format_of, recognise_formats
+from lispac.io.formats import ACCURACY_FORMATS, TRAJECTORY_FORMATS, format_of, recognise_formats
 from lispac.message_texts import message_text
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_delph, write_pospac, write_records
@@ -385,7 +385,7 @@ def test_file_without_permission(tmp_path: Path) -> None:
     try:
         path.read_bytes()
     except PermissionError:
-        for format in (*TRAJECTORIES, *ACCURACIES):
+        for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS):
             assert "permission" in refused(format.key, path)
             assert format.sniff(path) == 0
     else:

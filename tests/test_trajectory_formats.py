@@ -8,9 +8,9 @@ import pytest
 from lispac.errors import InputError
 from lispac.io.format_types import LIKELY, SURE
 from lispac.io.formats import (
-    ACCURACIES,
-    POINTS,
-    TRAJECTORIES,
+    ACCURACY_FORMATS,
+    POINT_FORMATS,
+    TRAJECTORY_FORMATS,
     format_of,
     formats_of,
     recognise_formats,
@@ -44,9 +44,9 @@ def agrees(trajectory: Trajectory, records: np.ndarray, *, place: float = 2e-11)
 
 
 def test_list_is_consistent() -> None:
-    every = (*TRAJECTORIES, *ACCURACIES, *POINTS)
+    every = (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS, *POINT_FORMATS)
     assert len({format.key for format in every}) == len(every)
-    for kind, formats in (("trajectory", TRAJECTORIES), ("accuracy", ACCURACIES)):
+    for kind, formats in (("trajectory", TRAJECTORY_FORMATS), ("accuracy", ACCURACY_FORMATS)):
         assert formats_of(kind) == formats
         for format in formats:
             assert format.kind == kind
@@ -61,7 +61,7 @@ def test_list_is_consistent() -> None:
 
 
 def test_unknown_options_are_refused(tmp_path: Path) -> None:
-    for format in (*TRAJECTORIES, *ACCURACIES):
+    for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS):
         with pytest.raises(InputError, match="wheels") as refused:
             format.read(tmp_path / "a", {"wheels": "4"})
         assert refused.value.code == "formats.unknown_option"

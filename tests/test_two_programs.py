@@ -19,8 +19,8 @@ from lispac import locks
 from lispac.errors import ProjectChanged, ProjectError
 from lispac.io.project import project_lock as locking
 from lispac.io.project.project_file import (
-    FILE_NAME,
-    SIGHTINGS,
+    PROJECT_FILE_NAME,
+    SIGHTINGS_FOLDER,
     read_project,
     read_unsaved,
     write_project,
@@ -141,17 +141,17 @@ def test_a_project_that_another_changes_is_waited_for_or_refused(
     other = threading.Thread(target=hold)
     other.start()
     held.wait(60)
-    before = (folder / FILE_NAME).read_bytes()
+    before = (folder / PROJECT_FILE_NAME).read_bytes()
     with pytest.raises(ProjectError) as refused, project_lock(folder, wait=0.1):
         pass
     assert refused.value.code == "project.locked"
-    monkeypatch.setattr(locking, "WAIT", 0.1)
+    monkeypatch.setattr(locking, "SAVE_WAIT_S", 0.1)
     told: list[str] = []
     threading.Timer(0.3, end.set).start()
     with project_lock(folder, wait=60.0, waiting=lambda: told.append("waits")):
         assert told == ["waits"]
     other.join()
-    assert (folder / FILE_NAME).read_bytes() == before
+    assert (folder / PROJECT_FILE_NAME).read_bytes() == before
     assert not (folder / LOCK_NAME).exists()
 
 
@@ -218,4 +218,4 @@ def test_a_folder_that_cannot_be_written_is_refused_before_the_work(
 
     monkeypatch.setattr(os, "open", read_only)
     assert run(("estimate",), folder)[0] == 1
-    assert not list(folder.glob(f"{SIGHTINGS}/.*"))
+    assert not list(folder.glob(f"{SIGHTINGS_FOLDER}/.*"))

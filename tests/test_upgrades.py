@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import PROJECT_FILE_NAME, read_project, write_project
 from lispac.io.project.project_upgrades import SCHEMA_VERSION
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.validation.absolute_messages import absolute_check_messages
@@ -27,7 +27,7 @@ OLDER = sorted(
 def test_an_older_project_opens_and_is_saved_as_a_new_one(folder: Path, tmp_path: Path) -> None:
     copy = tmp_path / folder.name
     shutil.copytree(folder, copy)
-    before = json.loads((copy / FILE_NAME).read_text())
+    before = json.loads((copy / PROJECT_FILE_NAME).read_text())
     project = read_project(copy)
     assert [t.name for t in project.targets] == [t["name"] for t in before["targets"]]
     assert project.settings.pos_errors == before["settings"]["pos_errors"]
@@ -35,7 +35,7 @@ def test_an_older_project_opens_and_is_saved_as_a_new_one(folder: Path, tmp_path
     counts = [len(s.indices) for t in project.targets for s in t.sightings]
     assert counts == [s["points"] for t in before["targets"] for s in t["sightings"]]
     write_project(project)
-    assert json.loads((copy / FILE_NAME).read_text())["schema_version"] == SCHEMA_VERSION
+    assert json.loads((copy / PROJECT_FILE_NAME).read_text())["schema_version"] == SCHEMA_VERSION
     assert read_project(copy).settings == project.settings
 
 
@@ -44,7 +44,7 @@ def test_a_project_from_before_a_setting_has_its_usual_value(tmp_path: Path) -> 
     project = replace(project, settings=replace(project.settings, accept_single_orientation=True))
     write_project(project)
     assert read_project(project.folder).settings.accept_single_orientation
-    path = project.folder / FILE_NAME
+    path = project.folder / PROJECT_FILE_NAME
     content = json.loads(path.read_text())
     del content["settings"]["accept_single_orientation"]
     path.write_text(json.dumps(content))

@@ -95,11 +95,11 @@ def test_a_mean_deviates_less_from_the_chord_than_its_points() -> None:
     )
     u = time / interval - 7
     single = PosErrorKnots.of(observations, model)
-    np.testing.assert_allclose(single.outlying, u * (1 - u), atol=1e-9)
+    np.testing.assert_allclose(single.bridge_variance, u * (1 - u), atol=1e-9)
     level = Mounting(np.zeros(3), np.zeros(3))
     mean = average_points_in_cells(observations, level, 1.0, longest=interval)
     assert len(mean) == 1
     pairs = np.minimum(u[:, None], u) - u[:, None] * u
     knots = PosErrorKnots.of(mean, model)
-    np.testing.assert_allclose(knots.outlying, pairs.mean(), atol=1e-9)
-    assert knots.outlying[0] < 0.8 * np.mean(u * (1 - u))
+    np.testing.assert_allclose(knots.bridge_variance, pairs.mean(), atol=1e-9)
+    assert knots.bridge_variance[0] < 0.8 * np.mean(u * (1 - u))

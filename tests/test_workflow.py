@@ -10,7 +10,7 @@ import pytest
 
 from lispac.adjustment.least_squares import adjust
 from lispac.adjustment.model.observations import Observations, Sighting
-from lispac.adjustment.model.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
+from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS, PosErrors, StochasticModel
 from lispac.errors import LispacError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.value_conversion import encode_value
@@ -24,7 +24,7 @@ from lispac.workflow.calibration import picking
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.output import export
 from lispac.workflow.output.georeferencing import georeference_project
-from lispac.workflow.output.output_crs import LOCAL
+from lispac.workflow.output.output_crs import LOCAL_FRAME
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey, load_survey
 
@@ -57,7 +57,7 @@ def test_noise_free_survey_gives_the_boresight_back() -> None:
         np.repeat(np.arange(len(sightings)), [len(row[1]) for row in rows]),
         tuple(sightings),
     )
-    for pos_errors in POS_ERRORS:
+    for pos_errors in POS_ERROR_MODELS:
         result = adjust(
             observations, Mounting(survey.lever_arm, np.zeros(3)), StochasticModel(pos_errors)
         )
@@ -117,7 +117,7 @@ def test_edits_drop_what_no_longer_follows(calibrated: tuple[Project, Survey]) -
     assert project.with_target(promoted).result is None
 
 
-@pytest.mark.parametrize("pos_errors", POS_ERRORS)
+@pytest.mark.parametrize("pos_errors", POS_ERROR_MODELS)
 def test_the_count_is_what_the_adjustment_takes(
     calibrated: tuple[Project, Survey], pos_errors: PosErrors
 ) -> None:
@@ -190,7 +190,7 @@ def test_georeferenced_lines_are_where_the_project_puts_them(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     project, survey = calibrated
-    written = georeference_project(project, tmp_path, "estimated", system=LOCAL)
+    written = georeference_project(project, tmp_path, "estimated", system=LOCAL_FRAME)
     assert len(written) == len(survey.lines)
     placed = survey.placed(project, "estimated")
     for done, line in zip(written, survey.lines, strict=True):

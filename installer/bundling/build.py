@@ -17,10 +17,10 @@ from pathlib import Path
 
 from bundling import desktop, licences, names, sizes, trimming
 
-BUILD = names.CHECKOUT / "build" / "bundle"
-DIST = names.CHECKOUT / "dist"
-SPEC = Path(__file__).with_name("lispac.spec")
-INNO_SETUP = ("iscc", r"C:\Program Files (x86)\Inno Setup 6\ISCC.exe")
+BUILD_FOLDER = names.CHECKOUT / "build" / "bundle"
+DIST_FOLDER = names.CHECKOUT / "dist"
+SPEC_FILE = Path(__file__).with_name("lispac.spec")
+INNO_SETUP_PROGRAMS = ("iscc", r"C:\Program Files (x86)\Inno Setup 6\ISCC.exe")
 
 
 class BundleError(Exception):
@@ -33,15 +33,15 @@ def say(line: str) -> None:
 
 
 def system_name() -> str:
-    """System and processor, the end of the folder's name: linux-x86_64, macos-arm64, ..."""
+    """System and processor in the name of the bundle, such as linux-x86_64 or macos-arm64."""
     system = {"win32": "windows", "darwin": "macos"}.get(sys.platform, "linux")
     machine = platform.machine().lower()
     return f"{system}-{'x86_64' if machine == 'amd64' else machine}"
 
 
 def bundle_name() -> str:
-    """Name of the folder, and of the archive without its ending."""
-    return f"{names.COMMAND_LINE}-{names.version()}-{system_name()}"
+    """Name of the folder of the bundle, and of its archive or installer without the suffix."""
+    return f"{names.COMMAND_LINE_PROGRAM}-{names.version()}-{system_name()}"
 
 
 def run_pyinstaller() -> None:
@@ -51,9 +51,15 @@ def run_pyinstaller() -> None:
     ------
     BundleError
     """
-    shutil.rmtree(BUILD / "dist", ignore_errors=True)
+    shutil.rmtree(BUILD_FOLDER / "dist", ignore_errors=True)
     command = [sys.executable, "-m", "PyInstaller", "--noconfirm", "--log-level", "ERROR"]
-    command += ["--workpath", str(BUILD / "work"), "--distpath", str(BUILD / "dist"), str(SPEC)]
+    command += [
+        "--workpath",
+        str(BUILD_FOLDER / "work"),
+        "--distpath",
+        str(BUILD_FOLDER / "dist"),
+        str(SPEC_FILE),
+    ]
     done = subprocess.run(command, cwd=names.CHECKOUT, check=False)
     if done.returncode != 0:
         raise BundleError("PyInstaller failed; its messages are above.")
@@ -69,32 +75,36 @@ def build_manual() -> None:
     from lispac.errors import InputError
     from lispac.workflow.output import manual
 
-    shutil.rmtree(BUILD / "manual", ignore_errors=True)
+    shutil.rmtree(BUILD_FOLDER / "manual", ignore_errors=True)
     try:
-        manual.build_manual(names.CHECKOUT / "resources" / "manual", BUILD / "manual", strict=True)
+        manual.build_manual(
+            names.CHECKOUT / "resources" / "manual", BUILD_FOLDER / "manual", strict=True
+        )
     except InputError as error:
         raise BundleError(str(error)) from error
 
 
 def contents() -> list[Path]:
     """Source paths of the files that PyInstaller put into the bundle."""
-    return sources_of(json.loads((BUILD / "work" / "lispac" / "contents.json").read_text("utf-8")))
+    return sources_of(
+        json.loads((BUILD_FOLDER / "work" / "lispac" / "contents.json").read_text("utf-8"))
+    )
 
 
 def sources_of(listed: Iterable[trimming.Entry]) -> list[Path]:
-    """Source files among PyInstaller's entries, without links and packages that have no file."""
+    """Source files of PyInstaller's entries, without links and entries that have no file."""
     found = [Path(source) for _place, source, kind in listed if source and kind != "SYMLINK"]
     return [path for path in found if path.is_absolute()]
 
 
 def compile_sources(package: Path) -> None:
-    """Compile the modules stored as files, because a bundle never writes bytecode itself."""
+    """Compile the modules that are stored as files, because a bundle never writes bytecode."""
     unchecked = py_compile.PycInvalidationMode.UNCHECKED_HASH
-    elsewhere, sys.pycache_prefix = sys.pycache_prefix, None  # else bytecode goes to that folder
+    prefix, sys.pycache_prefix = sys.pycache_prefix, None  # write the bytecode beside the modules
     try:
         compileall.compile_dir(package, quiet=1, invalidation_mode=unchecked)
     finally:
-        sys.pycache_prefix = elsewhere
+        sys.pycache_prefix = prefix
 
 
 def strip_symbols(folder: Path) -> None:
@@ -140,7 +150,7 @@ def require_fit(folder: Path) -> None:
         raise BundleError(
             "The bundle contains files that are not allowed: " + ", ".join(sorted(found)[:10])
         )
-    program = folder / f"{names.COMMAND_LINE}{sysconfig.get_config_var('EXE') or ''}"
+    program = folder / f"{names.COMMAND_LINE_PROGRAM}{sysconfig.get_config_var('EXE') or ''}"
     # The program is run without this environment, except for the variable that Windows requires.
     kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
     done = subprocess.run(
@@ -169,9 +179,9 @@ def finish_linux(folder: Path) -> None:
 
 
 def finish_macos(app: Path, made: Path) -> None:
-    """Copy the licences into the .app and compile its modules, as was done for the folder.
+    """Copy the licences into the .app and compile its modules, as in the folder.
 
-    PyInstaller makes the .app from the folder before these steps.
+    PyInstaller makes the .app from the folder before the folder has licences and bytecode.
 
     Parameters
     ----------
@@ -188,16 +198,16 @@ def installer_command() -> list[str] | None:
     here = names.CHECKOUT / "installer"
     if sys.platform == "darwin":
         return ["sh", str(here / "macos" / "make-dmg.sh")]
-    found = next((path for path in map(shutil.which, INNO_SETUP) if path), None)
+    found = next((path for path in map(shutil.which, INNO_SETUP_PROGRAMS) if path), None)
     return [found, str(here / "windows" / "lispac.iss")] if found else None
 
 
 def write_names(folder: Path) -> None:
     """Write the shared names into files that the scripts for Windows and macOS include."""
     values = {**names.shared(), "BundleFolder": str(folder), "BundleName": bundle_name()}
-    BUILD.mkdir(parents=True, exist_ok=True)
-    (BUILD / "names.iss").write_text(names.for_inno_setup(values), encoding="utf-8-sig")
-    (BUILD / "names.sh").write_text(names.for_shell(values), encoding="utf-8")
+    BUILD_FOLDER.mkdir(parents=True, exist_ok=True)
+    (BUILD_FOLDER / "names.iss").write_text(names.for_inno_setup(values), encoding="utf-8-sig")
+    (BUILD_FOLDER / "names.sh").write_text(names.for_shell(values), encoding="utf-8")
 
 
 def build(*, packed: bool) -> Path:
@@ -211,7 +221,7 @@ def build(*, packed: bool) -> Path:
     build_manual()
     say("Collecting the files (about a minute)")
     run_pyinstaller()
-    made = BUILD / "dist" / names.COMMAND_LINE
+    made = BUILD_FOLDER / "dist" / names.COMMAND_LINE_PROGRAM
     say("Collecting the licences")
     site = Path(sysconfig.get_path("purelib"))
     found = licences.collected(contents(), site, names.CHECKOUT, licences.read_notices())
@@ -220,20 +230,20 @@ def build(*, packed: bool) -> Path:
     if sys.platform == "linux":
         finish_linux(made)
     if sys.platform == "darwin":
-        finish_macos(BUILD / "dist" / f"{names.NAME}.app", made)
+        finish_macos(BUILD_FOLDER / "dist" / f"{names.PROGRAM_NAME}.app", made)
     require_fit(made)
-    folder = DIST / bundle_name()
+    folder = DIST_FOLDER / bundle_name()
     shutil.rmtree(folder, ignore_errors=True)
-    DIST.mkdir(exist_ok=True)
+    DIST_FOLDER.mkdir(exist_ok=True)
     made.rename(folder)
-    tell_sizes(folder, len(found))
+    print_sizes(folder, len(found))
     write_names(folder)
     if packed:
         pack(folder)
     return folder
 
 
-def tell_sizes(folder: Path, licensed: int) -> None:
+def print_sizes(folder: Path, licensed: int) -> None:
     """Print the table of sizes and the number of components with licences."""
     for line in sizes.table(sizes.by_part(folder)):
         say(line)

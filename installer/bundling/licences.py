@@ -12,15 +12,15 @@ from importlib.metadata import Distribution, distributions
 from pathlib import Path
 from typing import Any
 
-HERE = Path(__file__).resolve().parent
-TEXTS = HERE / "licences"
-NOTICES = TEXTS / "notices.toml"
-RULE = "=" * 78
-LICENCE_FILE = re.compile(r"(licen[cs]e|copying|notice|copyright)", re.IGNORECASE)
-PYTHON = "Python"
-PROJECT = "LISPAC"
+BUNDLING_FOLDER = Path(__file__).resolve().parent
+TEXT_FOLDER = BUNDLING_FOLDER / "licences"
+NOTICES_FILE = TEXT_FOLDER / "notices.toml"
+SEPARATOR_LINE = "=" * 78
+LICENCE_FILE_PATTERN = re.compile(r"(licen[cs]e|copying|notice|copyright)", re.IGNORECASE)
+PYTHON_NAME = "Python"
+PROJECT_NAME = "LISPAC"
 FILE_NAME = "LICENSES.txt"
-IN_PAGES = ("furo", "pygments", "snowballstemmer", "sphinx", "sphinx-basic-ng")
+MANUAL_PAGE_PACKAGES = ("furo", "pygments", "snowballstemmer", "sphinx", "sphinx-basic-ng")
 """Packages whose scripts, style sheets and images are part of the manual's pages."""
 
 
@@ -34,7 +34,7 @@ def normalised(name: str) -> str:
 
 
 def owners(site: Path) -> dict[str, Distribution]:
-    """The distribution of each file of an environment, by its path.
+    """Distribution (installed package) of each file of an environment, by the path of the file.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def owners(site: Path) -> dict[str, Distribution]:
 
 
 def texts_of(distribution: Distribution, notices: Mapping[str, Any]) -> list[str]:
-    """All licence texts of a distribution: its own, and those added by the notices.
+    """Licence texts of a distribution: those that it contains, and those from the notices.
 
     Raises
     ------
@@ -57,8 +57,13 @@ def texts_of(distribution: Distribution, notices: Mapping[str, Any]) -> list[str
     name = distribution.metadata["Name"]
     found = []
     for file in distribution.files or ():
-        # A licence file in the metadata or beside the code, but not a module of that name
-        if LICENCE_FILE.search(file.name) and file.suffix.lower() in ("", ".txt", ".md", ".rst"):
+        # A licence file in the metadata or in the folder of the code, but not a module of that name
+        if LICENCE_FILE_PATTERN.search(file.name) and file.suffix.lower() in (
+            "",
+            ".txt",
+            ".md",
+            ".rst",
+        ):
             path = Path(str(distribution.locate_file(file)))
             if path.is_file():
                 found.append(path.read_text(encoding="utf-8", errors="replace").strip())
@@ -68,16 +73,16 @@ def texts_of(distribution: Distribution, notices: Mapping[str, Any]) -> list[str
     found += [_text(file) for file in added.get("texts", ())]
     if not found:
         raise LicenceMissingError(
-            f"{name} comes without the text of its licence: add it to {NOTICES.name} beside the "
-            f"other texts in {TEXTS}."
+            f"{name} comes without the text of its licence: add it to {NOTICES_FILE.name} beside "
+            f"the other texts in {TEXT_FOLDER}."
         )
     return found
 
 
 def library_notice(file_name: str, notices: Mapping[str, Any]) -> Mapping[str, str] | None:
-    """Entry of the notices for a library inside a wheel, found by the beginning of its name.
+    """Entry of the notices for a library inside a wheel, found by the beginning of its file name.
 
-    Names on Windows lack the prefix ``lib``.
+    File names on Windows lack the prefix ``lib``.
     """
     for row in notices["library"]:
         if re.match(row["file"], file_name) or re.match(row["file"], f"lib{file_name}"):
@@ -86,11 +91,11 @@ def library_notice(file_name: str, notices: Mapping[str, Any]) -> Mapping[str, s
 
 
 def is_foreign(path: Path) -> bool:
-    """Whether a library in a wheel comes from other authors than the wheel."""
+    """Whether a file is a library in a wheel by other authors than those of the wheel."""
     name = path.name
     if ".so" not in name and path.suffix not in (".dll", ".dylib"):
         return False
-    # auditwheel and delvewheel put them into a folder *.libs, delocate into .dylibs
+    # auditwheel and delvewheel put such libraries into a folder *.libs, delocate into .dylibs
     brought = path.parent.name == ".dylibs" or path.parent.name.endswith(".libs")
     return brought or re.match(r"(lib)?(vtk[a-z]|tbb)", name) is not None
 
@@ -114,14 +119,14 @@ def debian_copyright(library: Path) -> tuple[str, str]:
             if file.is_file():
                 return package, file.read_text(encoding="utf-8", errors="replace").strip()
     raise LicenceMissingError(
-        f"{library}: no package of this system tells its licence; build the bundle on Debian or "
-        f"Ubuntu, or add the library to {NOTICES}."
+        f"{library}: no package of this system contains its licence; build the bundle on Debian or "
+        f"Ubuntu, or add the library to {NOTICES_FILE}."
     )
 
 
 def read_notices() -> dict[str, Any]:
-    """Read the notices file in this folder."""
-    return tomllib.loads(NOTICES.read_text(encoding="utf-8"))
+    """Content of the notices file."""
+    return tomllib.loads(NOTICES_FILE.read_text(encoding="utf-8"))
 
 
 def collected(
@@ -149,11 +154,11 @@ def collected(
         if is_foreign(source):
             notice = library_notice(source.name, notices)
             if notice is None:
-                raise LicenceMissingError(f"{source.name}: add its licence to {NOTICES}.")
+                raise LicenceMissingError(f"{source.name}: add its licence to {NOTICES_FILE}.")
             libraries.add(_row(notice))
         if distribution is not None:
             parts.setdefault(normalised(distribution.metadata["Name"]), distribution)
-        elif _is_python(source) or _is_ours(source, checkout, site):
+        elif _is_python(source) or _is_of_lispac(source, checkout, site):
             continue
         elif source.is_relative_to(site):
             raise LicenceMissingError(f"{source} belongs to no package that states its licence.")
@@ -163,14 +168,14 @@ def collected(
     for distribution in owned.values():
         name = normalised(distribution.metadata["Name"])
         # Both programs contain PyInstaller's loader, and the manual's pages contain scripts and
-        # style sheets of the packages in IN_PAGES
-        if name in ("pyinstaller", *IN_PAGES):
+        # style sheets of the packages in MANUAL_PAGE_PACKAGES
+        if name in ("pyinstaller", *MANUAL_PAGE_PACKAGES):
             parts[name] = distribution
     for distribution in parts.values():
         title = f"{distribution.metadata['Name']} {distribution.version}"
         found[title] = texts_of(distribution, notices)
-    found[PROJECT] = [(checkout / "LICENSE").read_text(encoding="utf-8").strip()]
-    found[f"{PYTHON} {sys.version_info[0]}.{sys.version_info[1]}"] = [_python_licence()]
+    found[PROJECT_NAME] = [(checkout / "LICENSE").read_text(encoding="utf-8").strip()]
+    found[f"{PYTHON_NAME} {sys.version_info[0]}.{sys.version_info[1]}"] = [_python_licence()]
     if libraries:
         rows = sorted(libraries | {_row(row) for row in notices["inside"]})
         shared = [f"{name}\n\n{_text(name)}" for name in notices["shared_texts"]]
@@ -180,11 +185,11 @@ def collected(
 
 def written(found: Mapping[str, list[str]]) -> str:
     """Content of the licence file: a list of names, then each text below its name."""
-    names = sorted(found, key=lambda name: (not name.startswith(PROJECT), name.lower()))
-    lines = ["What this program is made of, and the licences it comes under.", ""]
+    names = sorted(found, key=lambda name: (not name.startswith(PROJECT_NAME), name.lower()))
+    lines = ["Components of this program and their licences.", ""]
     lines += [f"  {name}" for name in names]
     for name in names:
-        lines += ["", RULE, name, RULE, "", "\n\n".join(found[name])]
+        lines += ["", SEPARATOR_LINE, name, SEPARATOR_LINE, "", "\n\n".join(found[name])]
     return "\n".join(lines) + "\n"
 
 
@@ -193,19 +198,19 @@ def _row(notice: Mapping[str, str]) -> str:
 
 
 def _text(name: str) -> str:
-    return (TEXTS / name).read_text(encoding="utf-8").strip()
+    return (TEXT_FOLDER / name).read_text(encoding="utf-8").strip()
 
 
-def _is_ours(source: Path, checkout: Path, site: Path) -> bool:
-    # The environment may lie in the checkout
+def _is_of_lispac(source: Path, checkout: Path, site: Path) -> bool:
+    # The environment may be in the checkout
     return source.is_relative_to(checkout) and not source.is_relative_to(site)
 
 
 def _is_python(source: Path) -> bool:
-    # Windows and macOS have Python's own libraries beside it, not among those of the system
+    # On Windows and macOS the libraries of Python are in its folder, not among system libraries
     home = sysconfig.get_path("stdlib") if sys.platform == "linux" else sys.base_prefix
     stdlib = Path(home).resolve()
-    # Debian keeps its packages below the library
+    # Installed packages are in a subfolder of the standard library
     packages = {"site-packages", "dist-packages"} & set(source.parts)
     inside = source.resolve().is_relative_to(stdlib) and not packages
     return inside or source.name.startswith(("libpython", "python3"))

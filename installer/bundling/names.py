@@ -1,4 +1,4 @@
-"""Names shared by the bundles for Linux, Windows and macOS; the version is the package's."""
+"""Names and version for the bundles for Linux, Windows and macOS."""
 
 from __future__ import annotations
 
@@ -7,26 +7,27 @@ from pathlib import Path
 from typing import Any
 
 CHECKOUT = Path(__file__).resolve().parents[2]
-NAME = "LISPAC"
+PROGRAM_NAME = "LISPAC"
 SUMMARY = "Boresight calibration of a LiDAR and an INS/GNSS on a vessel"
 SUMMARY_FR = "Étalonnage des angles de visée d'un LiDAR et d'une centrale inertielle sur un navire"
 PUBLISHER = "LISPAC developers"
 IDENTIFIER = "org.lispac.lispac"
-COMMAND_LINE = "lispac"
-WINDOW = "lispac-gui"
-PROGRAMS = (COMMAND_LINE, WINDOW)
-"""The two programs of a bundle, in one folder: command line and window."""
-ENDING = "lispac"
-"""Suffix of the file that opens the project in its folder (lispac/io/project/project_file.py)."""
+COMMAND_LINE_PROGRAM = "lispac"
+WINDOW_PROGRAM = "lispac-gui"
+PROGRAMS = (COMMAND_LINE_PROGRAM, WINDOW_PROGRAM)
+"""File names of the two programs of a bundle, without a suffix: command line and window."""
+PROJECT_SUFFIX = "lispac"
+"""Suffix, without the point, of the file in a project folder that opens the project
+(lispac/io/project/project_file.py)."""
 MIME_TYPE = "application/x-lispac-project"
-DOCUMENT = "LISPAC project"
-DOCUMENT_FR = "Projet LISPAC"
-ICON = CHECKOUT / "resources" / "icons" / "lispac.png"
-ICON_DRAWING = ICON.with_suffix(".svg")
+DOCUMENT_NAME = "LISPAC project"
+DOCUMENT_NAME_FR = "Projet LISPAC"
+ICON_PNG = CHECKOUT / "resources" / "icons" / "lispac.png"
+ICON_SVG = ICON_PNG.with_suffix(".svg")
 
 
 def version() -> str:
-    """The version as `lispac/__init__.py` states it, without importing the package."""
+    """Version of the program, read from `lispac/__init__.py` without importing the package."""
     text = (CHECKOUT / "lispac" / "__init__.py").read_text(encoding="utf-8")
     found = re.search(r'^__version__ = "([^"]+)"', text, re.MULTILINE)
     if found is None:
@@ -37,41 +38,41 @@ def version() -> str:
 def shared() -> dict[str, str]:
     """Values for the scripts for Windows and macOS, by the variable names of the scripts."""
     return {
-        "AppName": NAME,
+        "AppName": PROGRAM_NAME,
         "AppVersion": version(),
         "AppSummary": SUMMARY,
         "AppPublisher": PUBLISHER,
         "AppIdentifier": IDENTIFIER,
-        "CommandLine": COMMAND_LINE,
-        "Window": WINDOW,
-        "Ending": ENDING,
+        "CommandLine": COMMAND_LINE_PROGRAM,
+        "Window": WINDOW_PROGRAM,
+        "Ending": PROJECT_SUFFIX,
         "MimeType": MIME_TYPE,
-        "Document": DOCUMENT,
-        "DocumentFr": DOCUMENT_FR,
+        "Document": DOCUMENT_NAME,
+        "DocumentFr": DOCUMENT_NAME_FR,
     }
 
 
 def for_inno_setup(values: dict[str, str]) -> str:
-    """The names as installer/windows/lispac.iss includes them."""
+    """Names as definitions for Inno Setup, which installer/windows/lispac.iss includes."""
     return "".join(f'#define {key} "{value}"\n' for key, value in values.items())
 
 
 def for_shell(values: dict[str, str]) -> str:
-    """The names as installer/macos/make-dmg.sh reads them."""
+    """Names as shell variables, which installer/macos/make-dmg.sh reads."""
     return "".join(f"{key}='{value}'\n" for key, value in values.items())
 
 
 def for_macos() -> dict[str, Any]:
-    """Entries of Info.plist besides name, version and icon: file types that the window opens."""
+    """Entries of Info.plist in addition to name, version and icon, such as the file types."""
     kind = f"{IDENTIFIER}.project"
     return {
-        "CFBundleExecutable": WINDOW,
+        "CFBundleExecutable": WINDOW_PROGRAM,
         # The system's dialogs then use the user's language, as those of LISPAC do
         "CFBundleDevelopmentRegion": "en",
         "CFBundleLocalizations": ["en", "fr"],
         "CFBundleDocumentTypes": [
             {
-                "CFBundleTypeName": DOCUMENT,
+                "CFBundleTypeName": DOCUMENT_NAME,
                 "CFBundleTypeRole": "Editor",
                 "LSHandlerRank": "Owner",
                 "LSItemContentTypes": [kind],
@@ -80,10 +81,10 @@ def for_macos() -> dict[str, Any]:
         "UTExportedTypeDeclarations": [
             {
                 "UTTypeIdentifier": kind,
-                "UTTypeDescription": DOCUMENT,
+                "UTTypeDescription": DOCUMENT_NAME,
                 "UTTypeConformsTo": ["public.data"],
                 "UTTypeTagSpecification": {
-                    "public.filename-extension": [ENDING],
+                    "public.filename-extension": [PROJECT_SUFFIX],
                     "public.mime-type": MIME_TYPE,
                 },
             }

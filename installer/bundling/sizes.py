@@ -6,8 +6,8 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
-SMALL = 2e6
-"""Bytes; smaller parts are summed in one row of the table."""
+SMALL_PART_BYTES = 2e6
+"""Size in bytes below which parts are summed in one row of the table."""
 
 
 def by_part(folder: Path) -> dict[str, int]:
@@ -34,9 +34,11 @@ def by_part(folder: Path) -> dict[str, int]:
 
 
 def table(sizes: Mapping[str, int]) -> list[str]:
-    """Lines of a table, the largest first, in megabytes."""
-    large = sorted((item for item in sizes.items() if item[1] >= SMALL), key=lambda item: -item[1])
-    rest = [item for item in sizes.items() if item[1] < SMALL]
+    """Lines of a table in megabytes: large parts in descending order, all others, and the sum."""
+    large = sorted(
+        (item for item in sizes.items() if item[1] >= SMALL_PART_BYTES), key=lambda item: -item[1]
+    )
+    rest = [item for item in sizes.items() if item[1] < SMALL_PART_BYTES]
     rows = [(name, size) for name, size in large]
     if rest:
         rows.append((f"{len(rest)} smaller parts", sum(size for _name, size in rest)))

@@ -10,7 +10,8 @@ from importlib import import_module
 from multiprocessing import freeze_support
 from pathlib import Path
 
-MAIN = {"lispac": "lispac.cli.main", "lispac-gui": "lispac.gui.window.program"}
+MAIN_MODULES = {"lispac": "lispac.cli.main", "lispac-gui": "lispac.gui.window.program"}
+"""Module whose function ``main`` runs a program, by the name of the program."""
 
 # Worker processes also start here, and this call does not return in them
 freeze_support()
@@ -20,6 +21,6 @@ from lispac import caches  # noqa: E402
 caches.set_cache_variables(os.environ)
 program = Path(sys.executable).stem
 if sys.platform in ("win32", "darwin"):
-    # The program files differ here (console, files opened from the Finder): one cache for each
+    # The two program files differ on these systems, so each has a separate cache
     os.environ["NUMBA_CACHE_DIR"] = str(Path(os.environ["NUMBA_CACHE_DIR"]) / program)
-sys.exit(import_module(MAIN[program]).main())
+sys.exit(import_module(MAIN_MODULES[program]).main())

@@ -49,9 +49,10 @@ UNUSED_MODULES = [
     "trame",
     "werkzeug",
 ]
-# Qt's plugins for screens without X or Wayland, for networks and GTK's dialogues (which would
-# bring GTK), pictures that LISPAC does not read, and languages that its window does not speak.
-UNUSED_FILES = [
+# Qt's plugins for screens without X or Wayland, for networks and for the dialogues of GTK (which
+# would add GTK to the bundle); plugins for image formats that LISPAC does not read; translations
+# into other languages; test files and examples.
+UNUSED_FILE_PATTERNS = [
     r"PySide6/(Qt/)?plugins/(egldeviceintegrations|generic|networkinformation|tls)/",
     r"PySide6/(Qt/)?plugins/platforms/(lib)?q(eglfs|linuxfb|minimal|minimalegl|vkkhrdisplay|vnc)\.",
     r"PySide6/(Qt/)?plugins/platformthemes/libqgtk3\.",
@@ -114,15 +115,15 @@ VTK_MODULES = [
     "ViewsContext2D",
     "ViewsCore",
 ]
-# Every Linux desktop has these in a version that fits its own graphics driver; a second one, older
-# than the driver expects (libstdc++ above all), would keep OpenGL from starting. After the list
-# that AppImages go by.
-SYSTEM_LIBRARIES = [
+# Every Linux desktop has these libraries in versions that fit its graphics driver. An older copy in
+# the bundle, above all of libstdc++, could prevent OpenGL from starting. Source: the list of
+# libraries that an AppImage must not contain.
+SYSTEM_LIBRARY_PATTERNS = [
     r"lib(stdc\+\+|gcc_s|GL|EGL|GLX|GLdispatch|OpenGL|glapi|gbm|drm|xcb|xcb-dri[23]|X11|X11-xcb)\.so",
     r"lib(wayland-\w+|fontconfig|freetype|harfbuzz|expat|z|uuid|com_err|gpg-error|usb-1\.0|udev)\.so",
     r"lib(p11-kit|ICE|SM|thai|fribidi|asound|jack)\.so",
 ]
-NEVER = [
+FORBIDDEN_PATHS = [
     r"WebEngine|QtWeb|QtQuick|QtQml|Qt6(Qml|Quick|Pdf|Designer|3D|Multimedia)",
     r"(^|/)(IPython|notebook|jupyter\w*|ipywidgets|nbformat|dash|plotly|flask|tkinter)(/|$)",
     r"(^|/)(nbextension|labextension)(/|$)",
@@ -161,11 +162,15 @@ def is_optional(place: str) -> bool:
 
 def without_unused(entries: Iterable[Entry]) -> list[Entry]:
     """Files of the bundle without those that LISPAC does not use on any system."""
-    return [entry for entry in entries if not _matches(UNUSED_FILES, entry[0].replace("\\", "/"))]
+    return [
+        entry
+        for entry in entries
+        if not _matches(UNUSED_FILE_PATTERNS, entry[0].replace("\\", "/"))
+    ]
 
 
 def trimmed(entries: Sequence[Entry], needs: Callable[[str], Iterable[str]]) -> list[Entry]:
-    """Files of a Linux bundle without unused libraries and without those of every Linux system.
+    """Files of a Linux bundle without unused libraries and libraries that every desktop has.
 
     Parameters
     ----------
@@ -176,7 +181,7 @@ def trimmed(entries: Sequence[Entry], needs: Callable[[str], Iterable[str]]) -> 
     wanted = [
         entry
         for entry in entries
-        if entry[2] != "SYMLINK" and not _matches(SYSTEM_LIBRARIES, entry[0])
+        if entry[2] != "SYMLINK" and not _matches(SYSTEM_LIBRARY_PATTERNS, entry[0])
     ]
     kept = [entry for entry in wanted if not is_optional(entry[0])]
     optional: dict[str, list[Entry]] = {}
@@ -197,5 +202,7 @@ def trimmed(entries: Sequence[Entry], needs: Callable[[str], Iterable[str]]) -> 
 
 
 def unwanted(places: Iterable[str]) -> list[str]:
-    """Paths of a finished bundle that must not be in it."""
-    return [place for place in places if any(re.search(pattern, place) for pattern in NEVER)]
+    """Paths among those of a finished bundle that `FORBIDDEN_PATHS` excludes."""
+    return [
+        place for place in places if any(re.search(pattern, place) for pattern in FORBIDDEN_PATHS)
+    ]

@@ -28,7 +28,7 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-SHORTER_TIMES = (0.3, 0.1, 0.03)
+CORRELATION_TIME_FACTORS = (0.3, 0.1, 0.03)
 """Factors on the correlation times that are tried if the chi-square test rejects the model."""
 
 
@@ -50,8 +50,8 @@ def adjust(
 
     Gauss-Helmert model. Planes are parametrised by two rotations of the normal and an offset, so
     that normals keep unit length. Each iteration sums the products of the Jacobian rows over groups
-    of points in one pass, and solves a small system of equations. A target that does not agree with
-    the others at any point is excluded, and the result names it.
+    of points in one pass, and solves a small system of equations. A target is excluded if none of
+    its points has any weight, because it disagrees with the others; the result names it.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def adjust(
     Raises
     ------
     AdjustmentError
-        A sighting has too few points.
+        There is no target, a sighting has too few points, or a value is invalid.
     RankDeficient
         Lines and targets do not determine the boresight, or nothing checks it.
     TargetDisagrees
@@ -95,7 +95,7 @@ def adjust(
     if not diagnostics:
         return estimate(observations, mounting, settings, progress)
 
-    def diagnosed(some: Observations) -> AdjustmentResult:
+    def adjust_and_diagnose(some: Observations) -> AdjustmentResult:
         found = _diagnose(solve(some, mounting, settings, progress), raise_sigmas=test_model)
         radii = find_radius_discrepancies(some, found.mounting)
         found = replace(found, radius_discrepancies=radii)
@@ -105,7 +105,7 @@ def adjust(
             return found
         return _with_shorter_correlation_times(found, some, mounting, settings, progress)
 
-    return with_agreeing_targets(observations, diagnosed, may_exclude=shapes is None)
+    return with_agreeing_targets(observations, adjust_and_diagnose, may_exclude=shapes is None)
 
 
 def _diagnose(solution: Solution, *, raise_sigmas: bool) -> AdjustmentResult:
@@ -138,7 +138,7 @@ def _with_shorter_correlation_times(
 ) -> AdjustmentResult:
     """Result with the longest correlation times that pass the test; ``found`` if none pass."""
     given = settings.model.position_time, settings.model.attitude_time
-    for factor in SHORTER_TIMES:
+    for factor in CORRELATION_TIME_FACTORS:
         model = replace(
             settings.model, position_time=factor * given[0], attitude_time=factor * given[1]
         )

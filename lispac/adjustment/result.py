@@ -139,7 +139,7 @@ class TargetResidual:
 
 @dataclass(frozen=True)
 class RadiusDiscrepancy:
-    """A ball whose radius differs from line to line by more than the noise explains.
+    """A sphere whose radius differs from line to line by more than the noise explains.
 
     Attributes
     ----------
@@ -197,9 +197,10 @@ class Observability:
     condition : float
         Ratio of the largest to the smallest eigenvalue.
     sigma_without_line : dict of str to ndarray of shape (3,) or None, radians
-        Sigmas of roll, pitch and yaw without each line; None if they could not be computed.
+        Sigmas of roll, pitch and yaw without each line; None if the other lines do not determine
+        the angles.
     messages : tuple of Message
-        The weakest and the strongest direction first, then what each angle depends on.
+        First the weakest and the strongest direction, then the lines on which each angle depends.
     unchecked : tuple of UncontrolledObservations
         Observations in which a blunder would not be detected.
     """
@@ -274,13 +275,15 @@ class PossibleCause:
     ----------
     kind : str
         A value of the mounting other than its angles (`OPTIONAL_NAMES`), ``line_position``,
-        ``line_boresight``, ``line_time``, ``sighting_shift`` or ``sighting_surface``.
+        ``line_boresight``, ``line_time``, ``sighting_shift``, ``sighting_surface``, or
+        ``target_surface`` for a target that is not flat.
     target, line : str
-        Target and line with the error; empty if it affects all.
+        Target and line with the error; empty if it affects several.
     size, sigma : ndarray of shape (k,), radians, metres or seconds
         Size of the error according to the data, and its standard deviation. The components are
         north, west, up for the position of a line; roll, pitch, yaw for a boresight; two tilts (at
-        the border) and the offset for a surface.
+        the border) and the offset for the surface of a sighting, and those of each line for the
+        surface of a target.
     angle_change : ndarray of shape (3,), radians
         Change of roll, pitch and yaw if the error were corrected.
     effect : float, metres
@@ -331,7 +334,7 @@ class AdjustmentResult:
         Empty if they were not requested.
     elapsed : float, seconds
     excluded_outliers : int
-        Number of outliers of their sighting that were excluded from the averages.
+        Number of points that are outliers of their sighting and were excluded before averaging.
     contradictions : tuple of ContradictedParameter
         Given values that the data contradict; empty with independent POS errors.
     causes : tuple of tuple of PossibleCause, or None
@@ -347,9 +350,10 @@ class AdjustmentResult:
         Given correlation times of position and attitude, if the residuals required
         the shorter ones of ``model``.
     radius_discrepancies : tuple of RadiusDiscrepancy
-        Balls whose radius differs between lines.
+        Spheres whose radius differs between lines.
     excluded_targets : tuple of str
-        Targets that do not agree with the others at any point; they are not used.
+        Targets all of whose points have no weight, because they disagree with the other targets;
+        they are not used.
     common_parts : tuple of CommonCoverage
         Targets of which the lines show different parts.
     messages : tuple of Message

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from decimal import Decimal
 from pathlib import Path
 
-from lispac.untrusted_values import LARGEST_AMOUNT, LEAST_AMOUNT, is_possible_amount
+from lispac.untrusted_values import MAX_AMOUNT, MIN_AMOUNT, is_possible_amount
 
 
 def without_exponents(words: Sequence[str]) -> list[str]:
@@ -104,7 +104,7 @@ def finite_number(text: str) -> float:
     value = _parse_number(text)
     if not is_possible_amount(value):
         raise argparse.ArgumentTypeError(
-            f"{text} is outside the possible range, {LEAST_AMOUNT:g} to {LARGEST_AMOUNT:g}"
+            f"{text} is outside the possible range, {MIN_AMOUNT:g} to {MAX_AMOUNT:g}"
         )
     return value
 

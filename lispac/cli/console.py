@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class UsageError(Exception):
-    """Error for options that cannot be combined; the exit code is 2, as of argparse."""
+    """Error for missing or contradictory options; the exit code is 2, as for errors of argparse."""
 
 
 class ConsoleProgress:
@@ -29,7 +29,7 @@ class ConsoleProgress:
         self._terminal = sys.stderr.isatty()
 
     def __call__(self, fraction: float, step: "Step | None" = None) -> None:
-        """Redraw at most ten times a second."""
+        """Show fraction and step; the line is rewritten at most ten times a second."""
         now = time.monotonic()
         if not self._terminal or now - self._shown < 0.1:
             return

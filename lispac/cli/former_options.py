@@ -1,12 +1,11 @@
 """Former names of commands and options, accepted for one version with a note."""
 
-import sys
 from collections.abc import Sequence
 
 from lispac.cli.argument_types import split_named_value
-from lispac.former_names import READING_OPTIONS
-from lispac.message_texts import message_text
-from lispac.messages import Message, note
+from lispac.cli.messages import print_messages
+from lispac.former_names import NEW_READING_OPTIONS
+from lispac.messages import note
 
 FORMER_COMMANDS = {"look": "inspect", "replay": "compare-plan"}
 """New name of each former command."""
@@ -44,16 +43,16 @@ def split_reading_option(text: str) -> tuple[str, str]:
         If the text does not have the form ``NAME=VALUE``.
     """
     name, value = split_named_value(text)
-    if name not in READING_OPTIONS:
+    if name not in NEW_READING_OPTIONS:
         return name, value
-    _print_note(note("former_name.option", former=name, name=READING_OPTIONS[name]))
-    return READING_OPTIONS[name], value
+    print_messages([note("former_name.option", former=name, name=NEW_READING_OPTIONS[name])])
+    return NEW_READING_OPTIONS[name], value
 
 
 def _with_new_command(word: str) -> str:
     if word not in FORMER_COMMANDS:
         return word
-    _print_note(note("former_name.command", former=word, name=FORMER_COMMANDS[word]))
+    print_messages([note("former_name.command", former=word, name=FORMER_COMMANDS[word])])
     return FORMER_COMMANDS[word]
 
 
@@ -61,9 +60,5 @@ def _with_new_option(word: str, former: dict[str, str]) -> str:
     option, *value = word.split("=", 1)
     if option not in former:
         return word
-    _print_note(note("former_name.option", former=option, name=former[option]))
+    print_messages([note("former_name.option", former=option, name=former[option])])
     return "=".join([former[option], *value])
-
-
-def _print_note(message: Message) -> None:
-    print(f"note: {message_text(message)}", file=sys.stderr)

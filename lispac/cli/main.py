@@ -14,12 +14,13 @@ from lispac import caches
 from lispac.cli.argument_types import without_exponents
 from lispac.cli.console import UsageError
 from lispac.cli.former_options import with_new_names
-from lispac.cli.messages import option_hint
+from lispac.cli.messages import option_hint, print_messages
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, LispacError
-from lispac.message_texts import message_text
 
-CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
+CONTROL_CHARACTERS = re.compile(
+    "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]"
+)
 """Control characters other than tab and end of line, and those that set the writing direction."""
 
 
@@ -31,20 +32,20 @@ def run(argv: Sequence[str] | None = None) -> None:
     LispacError
         If the command fails; the exception contains the message.
     UsageError
-        If options contradict each other.
+        If options are missing or contradict each other.
     """
     words = without_exponents(with_new_names(sys.argv[1:] if argv is None else argv))
     arguments = build_parser(words).parse_args(words)
     # Set before the command imports Numba, which reads these environment variables.
     if (message := caches.set_cache_variables(os.environ)) is not None:
-        print(f"note: {message_text(message)}", file=sys.stderr)
+        print_messages([message])
     arguments.run(arguments)
 
 
 def _escape_control_characters(stream: TextIOWrapper) -> None:
-    """Escape control characters in the output, since names of files could control the terminal."""
+    """Escape control characters in the output; file names may contain them."""
     write = stream.write
-    stream.write = lambda text: write(CONTROL.sub(_escape_match, text))  # type: ignore[method-assign]
+    stream.write = lambda text: write(CONTROL_CHARACTERS.sub(_escape_match, text))  # type: ignore[method-assign]
 
 
 def _escape_match(match: re.Match[str]) -> str:
@@ -52,9 +53,9 @@ def _escape_match(match: re.Match[str]) -> str:
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command; print an expected error as one line on stderr."""
+    """Run one command and return the exit code; an expected error is one line on stderr."""
     for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, TextIOWrapper):  # the terminal may not be able to print all letters
+        if isinstance(stream, TextIOWrapper):  # the encoding may lack some characters
             stream.reconfigure(errors="backslashreplace")
             if stream.isatty():
                 _escape_control_characters(stream)

@@ -1,4 +1,4 @@
-"""Messages on the command line, as text with the options that act on them, and as JSON."""
+"""Messages on the command line, as text with suggested options, and as JSON."""
 
 import sys
 from collections.abc import Iterable
@@ -9,7 +9,7 @@ from lispac.message_texts import action_text, message_text
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Action, Message, plain_params
 
-OPTIONS = {
+OPTION_HINTS = {
     "adjustment.only_plane": "--accept-single-orientation",
     "adjustment.parallel_planes": "--accept-single-orientation",
     "cli.has_targets": "without --accept",
@@ -28,21 +28,21 @@ OPTIONS = {
     "project_files.several_missing": "lispac locate PROJECT FOLDER",
     "simulate.no_trajectory": "--trajectory",
 }
-"""Suggested option or command by message code; the text of the message itself names none."""
+"""Suggested option or command by message code; the text of the message contains none."""
 
 
 def option_hint(message: Message | None) -> str:
     """Suggested option for a message or for a message within it; empty if there is none."""
     if message is None:
         return ""
-    if message.code in OPTIONS:
-        return OPTIONS[message.code].format(**message.params)
+    if message.code in OPTION_HINTS:
+        return OPTION_HINTS[message.code].format(**message.params)
     parts = [each for each in message.params.values() if isinstance(each, Message)]
     return next(filter(None, map(option_hint, parts)), "")
 
 
 def print_messages(messages: Iterable[Message], file: TextIO | None = None) -> None:
-    """Print each message with its level and the options that act on it, on stderr by default."""
+    """Print each message with its level and its suggested options, on stderr by default."""
     from lispac.language import to_plain_text
 
     file = file or sys.stderr
@@ -76,7 +76,7 @@ def warnings_as_json(messages: Iterable[Message]) -> list[dict[str, Any]]:
 
 
 def _action_text(action: Action) -> str:
-    """Action of a message as an option of the command line."""
+    """Suggested action of a message, as an option of the command line if there is one."""
     if action.code == "set_option":
         switch = action.params.get("switch", "line")
         return f"--{switch}-option {action.params['name']}={action.params['value']}"

@@ -15,7 +15,7 @@ from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.model.threads import single_blas_thread
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
-from lispac.adjustment.solve.determinability import WORST_SIGMA
+from lispac.adjustment.solve.determinability import MAX_ANGLE_SIGMA
 from lispac.design.plan import Plan, System
 from lispac.errors import RankDeficient
 from lispac.messages import error
@@ -65,8 +65,8 @@ class Prediction:
 
     @property
     def determined(self) -> bool:
-        """Whether every combination of the angles has a sigma of at most `WORST_SIGMA`."""
-        return bool(np.linalg.eigvalsh(self.information)[0] >= WORST_SIGMA**-2)
+        """Whether every combination of the angles has a sigma of at most `MAX_ANGLE_SIGMA`."""
+        return bool(np.linalg.eigvalsh(self.information)[0] >= MAX_ANGLE_SIGMA**-2)
 
     @property
     def covariance(self) -> Array:

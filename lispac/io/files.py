@@ -22,9 +22,9 @@ from lispac.locks import is_locked, try_lock
 from lispac.messages import Message, error, note
 from lispac.survey.line_source import printable
 from lispac.survey.time_quality import assess_times
-from lispac.untrusted_values import LARGEST_QUANTITY
+from lispac.untrusted_values import MAX_QUANTITY
 
-KINDS: Mapping[str, Message] = {
+TRANSLATED_FILE_KINDS: Mapping[str, Message] = {
     "line": note("file.kind_line"),
     "trajectory": note("file.kind_trajectory"),
     "trajectory accuracy": note("file.kind_accuracy"),
@@ -54,7 +54,7 @@ KINDS: Mapping[str, Message] = {
 
 def file_kind_message(what: str) -> Message | str:
     """Kind of a file, as the parameter ``kind`` of a message: ``line``, ``SBET``."""
-    return KINDS.get(what, what)
+    return TRANSLATED_FILE_KINDS.get(what, what)
 
 
 def require_file(path: Path, what: str) -> Path:
@@ -139,7 +139,8 @@ def read_records(
     Raises
     ------
     InputError
-        If the file is missing, empty, cut short or holds values that are not numbers.
+        If the file is missing, empty or cut short, or contains values that are not numbers or are
+        impossibly large.
     """
     require_file(path, what)
     size, record, kind = path.stat().st_size, 8 * columns, file_kind_message(what)
@@ -182,7 +183,7 @@ def require_numbers(records: NDArray[np.float64], path: Path, what: str) -> None
         raise InputError(
             error("file.record_not_finite", file=str(path), kind=kind, record=first, count=count)
         )
-    huge = (np.abs(records) > LARGEST_QUANTITY).any(axis=1)
+    huge = (np.abs(records) > MAX_QUANTITY).any(axis=1)
     if huge.any():
         first = int(np.argmax(huge)) + 1
         raise InputError(error("file.record_too_large", file=str(path), kind=kind, record=first))
@@ -197,7 +198,7 @@ def require_increasing(
     ----------
     time : ndarray of shape (n,), seconds
     what : str
-        What a time belongs to, for messages: ``SBET record`` is followed by its number.
+        Kind of the file, for messages: ``SBET``.
     numbers : ndarray of shape (n,), optional
         Row in the file of each time, if it differs from the index of the time.
 
@@ -246,7 +247,7 @@ def message_with_file_name(failure: LispacError, path: Path) -> Message:
     return replace(message, params={**message.params, "file": name})
 
 
-TEMPORARY = ".part"
+TEMPORARY_NAME_PART = ".part"
 """Part of the temporary name of a file that is being written, before its suffix."""
 
 
@@ -262,21 +263,21 @@ def atomic_write(path: Path) -> Iterator[Path]:
         If the folder cannot be written, the disk is full, or ``path`` is a folder or a device.
     """  # noqa: DOC501 - `write_error` makes an InputError
     path = Path(path)
-    made: list[Path] = []
+    new_folders: list[Path] = []
     try:
-        made = [folder for folder in path.parents if not folder.exists()]
+        new_folders = [folder for folder in path.parents if not folder.exists()]
         if path.exists() and not path.is_file():
             code = "file.is_folder" if path.is_dir() else "file.is_device"
             raise InputError(error(code, file=str(path)))
         remove_abandoned_files(path)
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(
-            prefix=f".{path.stem}-", suffix=f"{TEMPORARY}{path.suffix}", dir=path.parent
+            prefix=f".{path.stem}-", suffix=f"{TEMPORARY_NAME_PART}{path.suffix}", dir=path.parent
         )
     except ValueError as failure:
         raise bad_name_error(path) from failure
     except OSError as failure:
-        remove_empty_folders(made)
+        remove_empty_folders(new_folders)
         raise write_error(path, failure) from failure
     temporary = Path(name)
     # The lock tells other programs that the file is in use. Windows cannot rename open files.
@@ -296,10 +297,10 @@ def atomic_write(path: Path) -> Iterator[Path]:
         temporary.unlink(missing_ok=True)
         if handle >= 0:
             os.close(handle)
-        remove_empty_folders(made)
+        remove_empty_folders(new_folders)
 
 
-ABANDONED_AFTER, LOCKED_AFTER = 60.0, 0.1
+ABANDONED_AFTER_S, UNLOCKED_ABANDONED_AFTER_S = 60.0, 0.1
 """Seconds without a change after which a temporary file is considered abandoned: if locks cannot be
 checked, and if the file is not locked (a program that writes a file locks it within this time)."""
 
@@ -307,7 +308,7 @@ checked, and if the file is not locked (a program that writes a file locks it wi
 def remove_abandoned_files(path: Path) -> None:
     """Remove the temporary files that interrupted writing left beside ``path``."""
     named = re.compile(
-        rf"\.{re.escape(path.stem)}-[a-z0-9_]{{8}}{TEMPORARY}{re.escape(path.suffix)}"
+        rf"\.{re.escape(path.stem)}-[a-z0-9_]{{8}}{TEMPORARY_NAME_PART}{re.escape(path.suffix)}"
     )
     try:
         with os.scandir(path.parent) as entries:
@@ -323,7 +324,7 @@ def remove_abandoned_files(path: Path) -> None:
 def _abandonment_delay(path: Path) -> float:
     """Seconds without a change after which a temporary file is considered abandoned."""
     locked = None if sys.platform == "win32" else is_locked(path)
-    return {True: math.inf, False: LOCKED_AFTER, None: ABANDONED_AFTER}[locked]
+    return {True: math.inf, False: UNLOCKED_ABANDONED_AFTER_S, None: ABANDONED_AFTER_S}[locked]
 
 
 def bad_name_error(path: Path) -> InputError:

@@ -22,9 +22,9 @@ Choice = Mapping[str, Any]
 """Options by name, given by the user or detected."""
 Fact = str | int | Message
 """Fact found in a file: a text from the file, a count, or a message."""
-SAME_TIME_BASE = note("assumed.same_time_base")
+SAME_TIME_BASE_NOTE = note("assumed.same_time_base")
 
-SURE, LIKELY, POSSIBLE, NOT = 1.0, 0.7, 0.3, 0.0
+SURE, LIKELY, POSSIBLE, IMPOSSIBLE = 1.0, 0.7, 0.3, 0.0
 """Likelihoods that a file is of a format: its signature or structure is unique to the format; its
 structure and values fit; nothing contradicts the format; it is not of the format."""
 
@@ -38,7 +38,7 @@ class FormatOption:
     name : str
         Name in the project file and on the command line.
     meaning : str
-        One sentence for the dialogue, marked for translation.
+        One sentence for the import dialog, marked for translation.
     choices : tuple of str
         Choices; empty for free text (for example a column mapping).
     default : str
@@ -85,12 +85,12 @@ class FilePreview:
 
 @dataclass(frozen=True, eq=False)
 class PointChunk:
-    """A chunk of points of a line, as stored in the file.
+    """A chunk of points of a line, as returned by the reader of its format.
 
     Attributes
     ----------
-    xyz : ndarray of shape (n, 3), frame and unit of the file
-        Frame and unit are stated in the assumptions of the reader.
+    xyz : ndarray of shape (n, 3), frame of the file, metres or the unit of its coordinate system
+        Metres in the scanner frame.
     time : ndarray of shape (n,), seconds, in the file's time base
     extra : mapping of str to ndarray of shape (n, ...)
         Other attributes with the names and types of the file; ``intensity`` if there is one.
@@ -128,7 +128,7 @@ class FileFormat:
         points, an iterator of `PointChunk` of about a million points each.
     read_from : callable or None
         Function of path, options and point index that returns the chunks from that point on without
-        reading the points before it; None if the format does not allow this.
+        reading all points before it; None if the format does not allow this.
     """
 
     name: Message

@@ -3,28 +3,39 @@
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.format_types import NOT, FileFormat, Kind
-from lispac.io.points.point_formats import POINTS
+from lispac.io.format_types import IMPOSSIBLE, FileFormat, Kind
+from lispac.io.points.point_formats import POINT_FORMATS
 from lispac.io.trajectory.trajectory_formats import (
-    ASCII,
-    CIDCO_ACCURACY,
-    CIDCO_STATES,
-    EXAIL,
-    EXAIL_ACCURACY,
-    POSPAC,
-    POSPAC_ACCURACY,
-    SBET,
-    SMRMSG,
+    ASCII_FORMAT,
+    CIDCO_ACCURACY_FORMAT,
+    CIDCO_STATES_FORMAT,
+    EXAIL_ACCURACY_FORMAT,
+    EXAIL_FORMAT,
+    POSPAC_ACCURACY_FORMAT,
+    POSPAC_FORMAT,
+    SBET_FORMAT,
+    SMRMSG_FORMAT,
 )
 from lispac.messages import error
 
-TRAJECTORIES: tuple[FileFormat, ...] = (SBET, EXAIL, POSPAC, ASCII, CIDCO_STATES)
-ACCURACIES: tuple[FileFormat, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY, CIDCO_ACCURACY)
+TRAJECTORY_FORMATS: tuple[FileFormat, ...] = (
+    SBET_FORMAT,
+    EXAIL_FORMAT,
+    POSPAC_FORMAT,
+    ASCII_FORMAT,
+    CIDCO_STATES_FORMAT,
+)
+ACCURACY_FORMATS: tuple[FileFormat, ...] = (
+    SMRMSG_FORMAT,
+    EXAIL_ACCURACY_FORMAT,
+    POSPAC_ACCURACY_FORMAT,
+    CIDCO_ACCURACY_FORMAT,
+)
 
 __all__ = [
-    "ACCURACIES",
-    "POINTS",
-    "TRAJECTORIES",
+    "ACCURACY_FORMATS",
+    "POINT_FORMATS",
+    "TRAJECTORY_FORMATS",
     "format_of",
     "formats_of",
     "has_suggested_time_base",
@@ -34,8 +45,12 @@ __all__ = [
 
 
 def formats_of(kind: Kind) -> tuple[FileFormat, ...]:
-    """All formats of a kind, the most common first."""
-    return {"trajectory": TRAJECTORIES, "accuracy": ACCURACIES, "points": POINTS}[kind]
+    """All formats of a kind, in the order of preference at equal likelihood."""
+    return {
+        "trajectory": TRAJECTORY_FORMATS,
+        "accuracy": ACCURACY_FORMATS,
+        "points": POINT_FORMATS,
+    }[kind]
 
 
 def format_of(key: str) -> FileFormat:
@@ -46,7 +61,9 @@ def format_of(key: str) -> FileFormat:
     InputError
         If no format has that key.
     """
-    known = {format.key: format for format in (*TRAJECTORIES, *ACCURACIES, *POINTS)}
+    known = {
+        format.key: format for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS, *POINT_FORMATS)
+    }
     if key not in known:
         raise InputError(error("formats.unknown", format=key, formats=tuple(known)))
     return known[key]
@@ -57,7 +74,7 @@ def has_suggested_time_base(format: FileFormat) -> bool:
 
     Exail's exports contain dates or are in UTC; LAS and other point files may specify the base.
     """
-    return format.kind == "trajectory" and format is not EXAIL
+    return format.kind == "trajectory" and format is not EXAIL_FORMAT
 
 
 def is_las(path: Path) -> bool:
@@ -67,7 +84,7 @@ def is_las(path: Path) -> bool:
     unknown format.
     """
     path, las = Path(path), format_of("las")
-    if las.sniff(path) > NOT:
+    if las.sniff(path) > IMPOSSIBLE:
         return True
     return path.suffix.lower() in las.endings and not recognise_formats(path, "points")
 
@@ -75,7 +92,8 @@ def is_las(path: Path) -> bool:
 def recognise_formats(path: Path, kind: Kind) -> list[tuple[FileFormat, float]]:
     """Formats that a file may have, with their likelihoods, the most likely first.
 
-    At equal likelihood, formats with the extension of the file come first, then the common ones.
+    At equal likelihood, formats with the extension of the file come first, then the order is that
+    of `formats_of`.
     """
     path = Path(path)
     if not path.is_file():
@@ -83,6 +101,6 @@ def recognise_formats(path: Path, kind: Kind) -> list[tuple[FileFormat, float]]:
     found = [(format, format.sniff(path)) for format in formats_of(kind)]
     ending = path.suffix.lower()
     return sorted(
-        ((format, confidence) for format, confidence in found if confidence > NOT),
+        ((format, confidence) for format, confidence in found if confidence > IMPOSSIBLE),
         key=lambda pair: (-pair[1], ending not in pair[0].endings),
     )

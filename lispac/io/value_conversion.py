@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from lispac.errors import LispacError
 from lispac.messages import Level, Message, error
 from lispac.messages import Value as MessageValue
-from lispac.untrusted_values import LARGEST_QUANTITY, ArrayShape, InvalidContentError
+from lispac.untrusted_values import MAX_QUANTITY, ArrayShape, InvalidContentError
 
 Value = TypeVar("Value")
 
@@ -59,7 +59,7 @@ def _read_integer(value: Any, _: Any) -> int:
 def _read_number(value: Any, _: Any) -> float:
     if type(value) not in (int, float) or value != value:
         raise InvalidContentError(error("content.not_number"))
-    if LARGEST_QUANTITY < abs(value) < inf:
+    if MAX_QUANTITY < abs(value) < inf:
         raise InvalidContentError(error("content.quantity_too_large"))
     return float(value)
 
@@ -123,7 +123,7 @@ def _read_array(value: Any, kind: Any) -> NDArray[Any]:
         array = np.array(value, dtype=dtype)
     except (TypeError, ValueError, OverflowError) as failure:
         raise InvalidContentError(error("content.not_numbers")) from failure
-    if array.dtype.kind == "f" and (np.abs(array[np.isfinite(array)]) > LARGEST_QUANTITY).any():
+    if array.dtype.kind == "f" and (np.abs(array[np.isfinite(array)]) > MAX_QUANTITY).any():
         raise InvalidContentError(error("content.quantity_too_large"))
     return array
 
@@ -154,13 +154,13 @@ def _checked_reader(converter: Any, kind: Any) -> Any:
     shapes = _array_shapes(kind)
 
     def checked(value: Any, _: Any) -> Any:
-        made = read(value, kind)
+        decoded = read(value, kind)
         known: dict[str, int] = {}
         for name, shape in shapes.items():
-            array = getattr(made, name)
+            array = getattr(decoded, name)
             if array is not None and not shape.fits(array.shape, known):
                 raise InvalidContentError(error("content.wrong_shape", field=name))
-        return made
+        return decoded
 
     return checked
 

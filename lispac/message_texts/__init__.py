@@ -39,10 +39,10 @@ from lispac.message_texts import (
 )
 from lispac.messages import Action, Message, Value
 
-CONTROL = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], " ")
-"""Replacement of control characters (Unicode category Cc) by spaces."""
+CONTROL_CHARACTERS_TO_SPACES = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], " ")
+"""Table for `str.translate` that replaces control characters (Unicode Cc) by spaces."""
 
-TOPICS = (
+TOPIC_MODULES = (
     adjustment,
     adjustment_warnings,
     calibration,
@@ -70,9 +70,10 @@ TOPICS = (
     trajectories,
     workflow,
 )
+"""Modules whose ``TEXTS`` contain the English texts."""
 
 TEXTS: Mapping[str, Template] = {
-    code: text for topic in TOPICS for code, text in topic.TEXTS.items()
+    code: text for topic in TOPIC_MODULES for code, text in topic.TEXTS.items()
 }
 """English text of each message code."""
 
@@ -80,7 +81,7 @@ ACTIONS: Mapping[str, Template] = {
     "set_option": N_("Set {name} to {value}"),
     "exclude_line": N_("Exclude {line}"),
     "split_line": N_("Split {line} into lines by {by}"),
-    # -- how a file is read ------------------------------------------------------------------
+    # -- options of a file -------------------------------------------------------------------
     "use_degrees": N_("Use degrees"),
     "use_feet": N_("Use feet of 0.3048 m"),
     "use_us_survey_feet": N_("Use US survey feet"),
@@ -162,4 +163,4 @@ def _value_as_text(value: Value) -> Any:
 
 def _one_line(text: str) -> str:
     """Replace control characters, which names of files may contain, by spaces."""
-    return text.translate(CONTROL)
+    return text.translate(CONTROL_CHARACTERS_TO_SPACES)

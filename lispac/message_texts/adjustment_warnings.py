@@ -4,16 +4,24 @@ from collections.abc import Mapping
 
 from lispac.language import N_, Plural, Template
 
-_CONTRADICTED = N_(
+_CONTRADICTED_TEXT = N_(
     "The given {parameter} disagrees with the data: the best-fitting value, {change} (± {sigma}, "
     "test value w = {w:x.1+}), would change {angles:names}. Measure the {parameter} again, or "
     "estimate it."
 )
-_CONTRADICTED_ALONE = N_(
+_CONTRADICTED_ALONE_TEXT = N_(
     "The given {parameter} disagrees with the data: the best-fitting value is {change} (± {sigma}, "
     "test value w = {w:x.1+}). Measure the {parameter} again, or estimate it."
 )
-_MOUNTING = ("lever_x", "lever_y", "lever_z", "range_offset", "scan_angle_offset", "latency")
+"""Texts for a given value that the data contradict: with its effect on the angles, and without."""
+_MOUNTING_PARAMETERS = (
+    "lever_x",
+    "lever_y",
+    "lever_z",
+    "range_offset",
+    "scan_angle_offset",
+    "latency",
+)
 
 TEXTS: Mapping[str, Template] = {
     # -- targets and files -------------------------------------------------------------------
@@ -118,7 +126,7 @@ TEXTS: Mapping[str, Template] = {
         "The last adjustment was not possible: {reason} The angles shown are those of the previous "
         "adjustment."
     ),
-    # -- what cannot be checked --------------------------------------------------------------
+    # -- data that cannot be checked ---------------------------------------------------------
     "adjustment.line_unchecked": Plural(
         "Without line {lines:names} the angles are not determined, so errors of this line cannot "
         "be detected. Add lines.",
@@ -246,9 +254,12 @@ TEXTS: Mapping[str, Template] = {
         "{change}, with which the adjustment converges and the residuals agree with the error "
         "model. Measure this parameter again."
     ),
-    # -- errors behind the residuals ---------------------------------------------------------
-    **{f"adjustment.contradicted_{name}": _CONTRADICTED for name in _MOUNTING},
-    **{f"adjustment.contradicted_{name}_alone": _CONTRADICTED_ALONE for name in _MOUNTING},
+    # -- causes of the residuals -------------------------------------------------------------
+    **{f"adjustment.contradicted_{name}": _CONTRADICTED_TEXT for name in _MOUNTING_PARAMETERS},
+    **{
+        f"adjustment.contradicted_{name}_alone": _CONTRADICTED_ALONE_TEXT
+        for name in _MOUNTING_PARAMETERS
+    },
     "change.larger": N_("larger by {amount}"),
     "change.smaller": N_("smaller by {amount}"),
     "adjustment.cause_not_located": N_(

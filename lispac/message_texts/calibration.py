@@ -1,4 +1,4 @@
-"""Texts of messages about picking targets and estimating the boresight."""
+"""Texts of messages about picking targets, estimating the boresight, and alternative methods."""
 
 from collections.abc import Mapping
 
@@ -214,6 +214,7 @@ TEXTS: Mapping[str, Template] = {
     "budget.no_latency": N_(
         "The latency error is not included, because the latency was not estimated."
     ),
+    # -- reasons for proposed targets ------------------------------------------------------
     "propose.target": N_(
         "Observed on {lines:n} lines. Without this target the standard deviation of {angle} would "
         "be {without:deg.3} deg instead of {sigma:deg.3} deg."

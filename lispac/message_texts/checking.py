@@ -1,4 +1,4 @@
-"""Texts of messages about validation and the patch test."""
+"""Texts of messages about validation, references, and results of the alternative methods."""
 
 from collections.abc import Mapping
 

@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 from lispac.messages import Message
 
-TOPICS = ("adjustment.", "report.", "targets.")
-"""Topics of messages whose former code was without a topic."""
+TOPICS_WITH_FORMER_CODES = ("adjustment.", "report.", "targets.")
+"""Topics of messages whose former codes did not contain the topic."""
 
-CODES: Mapping[str, str] = {
+FORMER_CODES: Mapping[str, str] = {
     "large_sigma_unseen": "large_sigma",
     "surfaces_displaced": "surfaces_differ",
     "high_correlation_parameter": "high_correlation",
@@ -42,7 +42,7 @@ CODES: Mapping[str, str] = {
     "absolute_line_off_by_chance": "absolute_line_off",
     "absolute_point_off_by_chance": "absolute_point_off",
 }
-"""Former code by the name of the new code, if they differ."""
+"""Former code by the name in the present code (the part after the topic), if they differ."""
 
 
 def former_code(message: Message) -> str:
@@ -51,6 +51,6 @@ def former_code(message: Message) -> str:
     if message.code == "data.same_on_lines" and isinstance(reason, Message):
         return reason.code
     topic, _, name = message.code.partition(".")
-    if f"{topic}." not in TOPICS:
+    if f"{topic}." not in TOPICS_WITH_FORMER_CODES:
         return message.code
-    return CODES.get(name, name.removesuffix("_alone"))
+    return FORMER_CODES.get(name, name.removesuffix("_alone"))

@@ -1,4 +1,4 @@
-"""Texts of messages about the files of a survey and their points."""
+"""Texts of messages about the contents of survey files, and about georeferenced lines."""
 
 from collections.abc import Mapping
 
@@ -151,6 +151,7 @@ TEXTS: Mapping[str, Template] = {
         "deg from the scanner axes. If the scanner measures along its axes, give the boresight of "
         "the cloud as the prior boresight."
     ),
+    # -- several lines ---------------------------------------------------------------------
     "audit.shared_points": N_(
         "{line} and {other} have points in common ({share:percent.1} % of the smaller line), which "
         "count twice, so the standard deviations are too small. Exclude {smaller}."
@@ -160,6 +161,7 @@ TEXTS: Mapping[str, Template] = {
         "deviations too small), or they come from two scanners with different boresight angles. "
         "Exclude one of the two lines."
     ),
+    # -- columns of text -------------------------------------------------------------------
     "text.unit_overridden": N_(
         "{file}: the titles of the columns {stated:names} specify a unit, but the values are read "
         "in that of the option {option}, {given}. Check the option."
@@ -176,6 +178,7 @@ TEXTS: Mapping[str, Template] = {
         "{file}: the unit in the title of column {column} is not known, so the values are read in "
         "{used}. Check the unit."
     ),
+    # -- trajectories ----------------------------------------------------------------------
     "trajectory.angles_in_radians": N_(
         "{file}: the angles are read as degrees, but heading and course differ by "
         "{difference:deg.0} deg and agree only in radians. Choose radians."
@@ -192,6 +195,7 @@ TEXTS: Mapping[str, Template] = {
         "{count:n} states of the trajectory have no position (latitude and longitude 0, as before "
         "the first GNSS fix) and are excluded. Start the export at the first fix."
     ),
+    # -- any file --------------------------------------------------------------------------
     "las.scale": N_(
         "{file}: the scale factors of the coordinates, {scale:names}, are impossible. Export the "
         "file again."

@@ -1,4 +1,4 @@
-"""Texts of messages about importing the lines of a project."""
+"""Texts of messages about the import of lines: files to be imported, time bases, and the store."""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,4 @@
-"""Texts of messages about the program: its folders, and work on a cluster of computers."""
+"""Texts of messages about the program: its folders, clusters, and errors of the system."""
 
 from collections.abc import Mapping
 

@@ -245,7 +245,7 @@ TEXTS: Mapping[str, Template] = {
         "The surface is tilted by {tilt:deg.1} deg, {off:deg.1} deg less than the expected "
         "{expected:deg.1} deg."
     ),
-    # -- a target that was found before ------------------------------------------------------------
+    # -- targets with points in common -------------------------------------------------------------
     "overlap.same_surface": N_(
         "{target} and {other} are the same surface: on {line} they have {share:percent.0} % of the "
         "points of {smaller} in common. Keep only one of them."

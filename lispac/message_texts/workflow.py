@@ -157,7 +157,7 @@ TEXTS: Mapping[str, Template] = {
         "{file}: this file does not exist, and {others:names} are missing too. Restore them, or "
         "give their new location."
     ),
-    # -- history -------------------------------------------------------------------------------
+    # -- repeat ----------------------------------------------------------------------------
     "repeat.same_lines": N_(
         "{name} has the same lines as {other}, so the two calibrations are not independent. The "
         "statistics of all calibrations count them once."
@@ -178,6 +178,7 @@ TEXTS: Mapping[str, Template] = {
         "{name} and {other} use different POS error models, so their standard deviations are not "
         "comparable."
     ),
+    # -- script ----------------------------------------------------------------------------
     "script.missing_files": N_(
         "The script needs these files, which are missing: {files:names}. Restore them before you "
         "run the script."
@@ -200,6 +201,7 @@ TEXTS: Mapping[str, Template] = {
         "are assumed to be in {system}. Enter crs, sigma and the other options of the original "
         "check in the step project.check."
     ),
+    # -- history ---------------------------------------------------------------------------
     "history.no_folder": N_("{folder}: this folder does not exist. Check the path."),
     "history.no_permission": N_(
         "{folder}: you do not have permission to read this folder. Check its permissions."

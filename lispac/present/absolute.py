@@ -1,11 +1,11 @@
-"""Values of a report from the comparison with a reference."""
+"""Comparison of the lines with a reference, as values and tables."""
 
 from dataclasses import dataclass
 
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.present.tables import COUNT, PERCENT, PLAIN_MILLIMETRES, Column, Table
-from lispac.present.validation import STATES, DistanceValues, SignedDistances
+from lispac.present.validation import STATE_TEXTS, DistanceValues, SignedDistances
 from lispac.validation.absolute_check import (
     ALL_LINES,
     AbsoluteCheck,
@@ -38,7 +38,7 @@ class UncertaintyBySource:
 
 @dataclass(frozen=True)
 class ReferenceDistances:
-    """Distances of the lines from the reference with one boresight; see `AbsoluteState`."""
+    """Distances of the lines from the reference with one boresight, as in `AbsoluteState`."""
 
     distances: DistanceValues
     signed: SignedDistances
@@ -64,7 +64,7 @@ class ReferenceDistances:
 
 @dataclass(frozen=True)
 class LineReferenceDistances:
-    """Distances of one line, or of all lines, before and after, measured at the same places."""
+    """Distances of one line, or of all lines, at the same places before and after calibration."""
 
     line: str
     before: ReferenceDistances
@@ -89,7 +89,7 @@ class SurveyedPoint:
 
     @property
     def significant(self) -> bool:
-        """Whether the lines differ from the point at 95 %; False if the interval is unknown."""
+        """Whether the mean distance is significant at 95 %; False if its interval is unknown."""
         half = self.after_interval95_m
         return half is not None and abs(self.after_m) > half
 
@@ -143,7 +143,7 @@ class AbsoluteCheckValues:
 
 @dataclass(frozen=True)
 class LineState:
-    """Distances of one line, or of all lines, with one boresight."""
+    """Table row with the distances of one line, or of all lines, with one boresight."""
 
     line: str
     state: str
@@ -160,7 +160,7 @@ def lines_and_all(check: AbsoluteCheckValues) -> tuple[LineReferenceDistances, .
 
 
 def line_states(check: AbsoluteCheckValues) -> list[LineState]:
-    """Values of each line, then of all lines together, before and after the calibration."""
+    """Rows of each line, then of all lines together, before and after the calibration."""
     return [
         LineState(line.line, state, getattr(line, state))
         for line in lines_and_all(check)
@@ -168,12 +168,12 @@ def line_states(check: AbsoluteCheckValues) -> list[LineState]:
     ]
 
 
-YES_NO = {True: N_("yes"), False: N_("no")}
-REFERENCE_DISTANCES = Table[LineState](
+YES_NO_TEXTS = {True: N_("yes"), False: N_("no")}
+REFERENCE_DISTANCES_TABLE = Table[LineState](
     N_("Distances of the lines from the reference (mm)"),
     (
         Column(_line_name, N_("Line")),
-        Column("state", N_("State"), texts=STATES),
+        Column("state", N_("State"), texts=STATE_TEXTS),
         Column("distances.distances.n", N_("Compared\nplaces"), COUNT),
         Column("distances.signed.mean_m", N_("Mean"), PLAIN_MILLIMETRES.signed),
         Column(
@@ -186,10 +186,10 @@ REFERENCE_DISTANCES = Table[LineState](
         Column("distances.distances.p95_m", N_("95 %"), PLAIN_MILLIMETRES),
         Column("distances.distances.p99_m", N_("99 %"), PLAIN_MILLIMETRES),
         Column("distances.signed.robust_sigma_m", N_("Robust\nsigma"), PLAIN_MILLIMETRES),
-        Column("distances.mean_significant", N_("Mean\nsignificant"), texts=YES_NO),
+        Column("distances.mean_significant", N_("Mean\nsignificant"), texts=YES_NO_TEXTS),
     ),
 )  # fmt: skip
-MEAN_UNCERTAINTY = Table[LineReferenceDistances](
+MEAN_UNCERTAINTY_TABLE = Table[LineReferenceDistances](
     N_("Uncertainty of the mean distance after the calibration, 1 sigma (mm)"),
     (
         Column(_line_name, N_("Line")),
@@ -206,7 +206,7 @@ MEAN_UNCERTAINTY = Table[LineReferenceDistances](
         ),
     ),
 )  # fmt: skip
-SURVEYED_POINTS = Table[SurveyedPoint](
+SURVEYED_POINTS_TABLE = Table[SurveyedPoint](
     N_("Distances from surveyed points and planes, mean of the lines (mm)"),
     (
         Column("name", N_("Name")),
@@ -217,6 +217,6 @@ SURVEYED_POINTS = Table[SurveyedPoint](
         Column(
             "after_interval95_m", N_("95 %\ninterval\nof mean"), PLAIN_MILLIMETRES.half_interval
         ),
-        Column("significant", N_("Mean\nsignificant"), texts=YES_NO),
+        Column("significant", N_("Mean\nsignificant"), texts=YES_NO_TEXTS),
     ),
 )  # fmt: skip

@@ -23,7 +23,7 @@ from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.language import N_, LazyText, gettext, gettext_lazy
 from lispac.messages import Message
 from lispac.present.angles import (
-    SIGMAS,
+    SIGMAS_TABLE,
     Angles,
     AnglesRow,
     angles,
@@ -53,19 +53,19 @@ from lispac.present.tables import (
     Table,
 )
 from lispac.present.targets import TargetValues, target_values
-from lispac.present.text_format import TITLES
+from lispac.present.text_format import VALUE_TITLES
 from lispac.survey.conventions.mounting_texts import orientation_text
 
-NORMAL_95 = 1.96
+NORMAL_FACTOR_95 = 1.96
 """Half width of the 95 % interval of a normal variable, in standard deviations."""
 
 
 @dataclass(frozen=True)
 class ObservabilityValues:
-    """Observability of the angles by lines and targets.
+    """Observability of the angles with the lines and targets of the adjustment.
 
-    The directions are combinations of roll, pitch and yaw, the weakest first. The sigmas without a
-    line are None if the other lines do not determine the angles.
+    The directions are combinations of roll, pitch and yaw, the one with the largest sigma first.
+    The sigmas without a line are None if the other lines do not determine the angles.
     """
 
     direction_sigma_deg: tuple[float, ...]
@@ -76,7 +76,7 @@ class ObservabilityValues:
 
 
 def observability_values(observability: Observability | None) -> ObservabilityValues | None:
-    """Observability of the angles."""
+    """Observability of the angles as values; None if it is unknown."""
     if observability is None:
         return None
     return ObservabilityValues(
@@ -90,23 +90,23 @@ def observability_values(observability: Observability | None) -> ObservabilityVa
     )
 
 
-NOT_TESTED = N_("Not tested: there are no more points than unknowns.")
-PASSED = N_("Passed: the residuals agree with the given sigmas.")
-TOO_LARGE = N_(
+NOT_TESTED_TEXT = N_("Not tested: there are no more points than unknowns.")
+PASSED_TEXT = N_("Passed: the residuals agree with the given sigmas.")
+TOO_LARGE_TEXT = N_(
     "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
     "LiDAR sigma is too small, a target is rough, or there are outliers."
 )
-TOO_LARGE_NOISE = N_(
+TOO_LARGE_NOISE_TEXT = N_(
     "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
     "LiDAR sigma is too small, a target is rough, or there are outliers. The sigmas of the angles "
     "are computed with the noise found in the residuals."
 )
-TOO_LARGE_CLASSICAL = N_(
+TOO_LARGE_CLASSICAL_TEXT = N_(
     "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
     "sigmas are too small, or a target is not the same plane on all lines. The sigmas of the "
     "angles are then too small as well."
 )
-TOO_SMALL = N_(
+TOO_SMALL_TEXT = N_(
     "Failed: the residuals are smaller than expected. The given LiDAR or POS sigmas are too "
     "large. If there is no other warning, the sigmas of the angles are too large as well."
 )
@@ -126,17 +126,17 @@ class VarianceFactorTest:
 def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
     test = result.chi_square
     if result.degrees_of_freedom <= 0:
-        return VarianceFactorTest(test.statistic, None, None, None, gettext_lazy(NOT_TESTED))
+        return VarianceFactorTest(test.statistic, None, None, None, gettext_lazy(NOT_TESTED_TEXT))
     if test.passed:
-        finding = PASSED
+        finding = PASSED_TEXT
     elif test.statistic <= test.upper:
-        finding = TOO_SMALL
+        finding = TOO_SMALL_TEXT
     elif not result.model.correlated:
-        finding = TOO_LARGE_CLASSICAL
+        finding = TOO_LARGE_CLASSICAL_TEXT
     elif any(target.noise > 1 for target in result.targets):
-        finding = TOO_LARGE_NOISE
+        finding = TOO_LARGE_NOISE_TEXT
     else:
-        finding = TOO_LARGE
+        finding = TOO_LARGE_TEXT
     return VarianceFactorTest(
         test.statistic, test.lower, test.upper, test.passed, gettext_lazy(finding)
     )
@@ -144,7 +144,7 @@ def _variance_factor_test(result: AdjustmentResult) -> VarianceFactorTest:
 
 @dataclass(frozen=True)
 class ContradictionValues:
-    """A given value that the data contradict; ``change`` and ``sigma`` are in its own unit."""
+    """A given value that the data contradict; ``change`` and ``sigma`` are in ``unit``."""
 
     name: str
     unit: str
@@ -251,7 +251,7 @@ class AdjustmentValues:
 def adjustment_values(
     result: AdjustmentResult, headings_deg: Mapping[str, float] | None = None
 ) -> AdjustmentValues:
-    """Result of an adjustment.
+    """Result of an adjustment as values.
 
     Parameters
     ----------
@@ -261,7 +261,7 @@ def adjustment_values(
     return AdjustmentValues(
         boresight_deg=degrees(result.angles),
         sigma_deg=degrees(result.sigma),
-        interval95_deg=degrees(NORMAL_95 * result.sigma),
+        interval95_deg=degrees(NORMAL_FACTOR_95 * result.sigma),
         prior_boresight_deg=degrees(result.prior_angles),
         rotation_body_lidar=matrix(result.mounting.rotation_body_lidar),
         sigma_about="body axes" if is_steep else "roll, pitch, yaw",
@@ -299,13 +299,13 @@ def adjustment_values(
     )
 
 
-SIGMAS_WITHOUT_LINE = Table[AnglesRow](
-    N_("1 sigma of the angles with one line omitted"), SIGMAS.columns
+SIGMAS_WITHOUT_LINE_TABLE = Table[AnglesRow](
+    N_("1 sigma of the angles with one line omitted"), SIGMAS_TABLE.columns
 )
 
 
 def sigma_without_line_rows(result: "AdjustmentValues") -> list[AnglesRow]:
-    """Standard deviations with all lines, and with each line omitted in turn."""
+    """Rows with the standard deviations for all lines, and with each line omitted in turn."""
     without = {} if result.observability is None else result.observability.sigma_without_line_deg
     return [
         AnglesRow(gettext("All lines"), result.sigma_deg),
@@ -318,7 +318,7 @@ def sigma_without_line_rows(result: "AdjustmentValues") -> list[AnglesRow]:
 
 @dataclass(frozen=True)
 class AngleValues:
-    """One boresight angle in degrees; None if it is not known."""
+    """Prior, estimated and true value of one boresight angle; None for unknown values."""
 
     name: str
     prior_deg: float
@@ -339,7 +339,7 @@ def angle_values(
     result: AdjustmentValues | None = None,
     true: Angles | None = None,
 ) -> tuple[AngleValues, ...]:
-    """The boresight, a row for each angle; the error is the estimated value minus the true one."""
+    """Values of each boresight angle; the error is the estimated value minus the true one."""
     error = None if true is None or result is None else angle_errors(result, true)
 
     estimated: tuple[Angles | None, ...] = (None, None, None)
@@ -358,22 +358,22 @@ def angle_values(
     )
 
 
-_NAME = Column[AngleValues]("name", N_("Angle"), texts=TITLES)
-_PRIOR = Column[AngleValues]("prior_deg", N_("Prior"), DEGREES.signed)
-_ESTIMATED = (
+_NAME_COLUMN = Column[AngleValues]("name", N_("Angle"), texts=VALUE_TITLES)
+_PRIOR_COLUMN = Column[AngleValues]("prior_deg", N_("Prior"), DEGREES.signed)
+_ESTIMATED_COLUMNS = (
     Column[AngleValues]("estimated_deg", N_("Estimated"), DEGREES.signed),
     Column[AngleValues]("sigma_deg", N_("1 sigma"), DEGREES),
     Column[AngleValues]("interval95_deg", N_("95 % interval"), DEGREES.half_interval),
 )
-_TRUE = Column[AngleValues]("true_deg", N_("True value"), DEGREES.signed)
-_ERROR = Column[AngleValues]("error_deg", N_("Error"), DEGREES.signed)
+_TRUE_COLUMN = Column[AngleValues]("true_deg", N_("True value"), DEGREES.signed)
+_ERROR_COLUMN = Column[AngleValues]("error_deg", N_("Error"), DEGREES.signed)
 
 
 def boresight_table(*, calibrated: bool, simulated: bool) -> Table[AngleValues]:
     """Table of the boresight, with columns for the values that are available."""
-    columns = [_NAME, _PRIOR]
+    columns = [_NAME_COLUMN, _PRIOR_COLUMN]
     if calibrated:
-        columns += _ESTIMATED
+        columns += _ESTIMATED_COLUMNS
     if simulated:
-        columns += [_TRUE, _ERROR] if calibrated else [_TRUE]
+        columns += [_TRUE_COLUMN, _ERROR_COLUMN] if calibrated else [_TRUE_COLUMN]
     return Table(N_("Boresight"), tuple(columns))

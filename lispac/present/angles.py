@@ -18,9 +18,9 @@ from lispac.present.tables import (
     Format,
     Table,
 )
-from lispac.present.text_format import TITLES
+from lispac.present.text_format import VALUE_TITLES
 
-ANGLE_TITLES = tuple(TITLES[name] for name in ANGLES)
+ANGLE_TITLES = tuple(VALUE_TITLES[name] for name in ANGLES)
 
 
 @dataclass(frozen=True)
@@ -72,18 +72,26 @@ def matrix(rows: Iterable[Iterable[float]]) -> tuple[tuple[float, ...], ...]:
 
 @dataclass(frozen=True)
 class AnglesRow:
-    """Table row with the name of a result and its value for each angle."""
+    """Table row with the name of a result and its values for the angles; None if unknown."""
 
     name: str
     values: Angles | None
 
 
 def angle_columns(path: str, form: Format, suffix: str = "") -> tuple[Column[Any], ...]:
-    """A column for each angle; ``path`` leads to the `Angles`, ``suffix`` follows the title."""
-    return tuple(Column(f"{path}.{name}", f"{TITLES[name]}{suffix}", form) for name in ANGLES)
+    """Column for each angle.
+
+    Parameters
+    ----------
+    path : str
+        Path of the field of the row that contains the `Angles`.
+    suffix : str
+        Text after the name of the angle in the title.
+    """
+    return tuple(Column(f"{path}.{name}", f"{VALUE_TITLES[name]}{suffix}", form) for name in ANGLES)
 
 
-SIGMAS = Table[AnglesRow](
+SIGMAS_TABLE = Table[AnglesRow](
     N_("Standard deviations of the angles, from the adjustment and by the jackknife"),
     (Column("name", ""), *angle_columns("values", DEGREES)),
 )

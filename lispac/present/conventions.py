@@ -20,13 +20,17 @@ from lispac.survey.conventions.systems import (
     convention_of_key,
 )
 
-MATRIX_OF = "pdal"
-"""Program whose matrix is in every report, since any point cloud software can apply it."""
+MATRIX_PROGRAM = "pdal"
+"""Key of the program whose matrix is in every report; other point cloud programs can apply this
+matrix too."""
 
 
 @dataclass(frozen=True)
 class ConventionAngle:
-    """Angle with its name in the other program; its sigma is None if it has no meaning."""
+    """Angle with its name and its sign convention (``meaning``) in the other program.
+
+    The sigma is None if it would have no meaning.
+    """
 
     name: LazyText
     meaning: LazyText
@@ -36,7 +40,7 @@ class ConventionAngle:
 
 @dataclass(frozen=True)
 class ConventionValues:
-    """Boresight and lever arm in the convention of another program, and its verification.
+    """Boresight and lever arm in the convention of another program, and its status.
 
     ``transform`` is the 4x4 matrix from scanner to body coordinates of that program, metres;
     ``angles`` are in the order in which they are entered, and empty if the program accepts a matrix
@@ -64,7 +68,11 @@ class ConventionValues:
 
 @dataclass(frozen=True)
 class ScannerToBodyMatrix:
-    """The matrix from scanner to body coordinates: ``transform`` with the lever arm in metres."""
+    """Matrix from scanner to body coordinates.
+
+    ``rotation`` is the 3x3 part of the 4x4 matrix ``transform``, whose last column is the lever arm
+    in metres.
+    """
 
     system: str
     name: str
@@ -109,8 +117,8 @@ def convention_values(project: Project, key: str) -> ConventionValues | None:
 
 
 def scanner_to_body_matrix(project: Project) -> ScannerToBodyMatrix | None:
-    """The matrix for PDAL; None if nothing is estimated yet."""
-    setup = ConventionSetup(convention_of_key(MATRIX_OF))
+    """Matrix for `MATRIX_PROGRAM`; None if nothing is estimated yet."""
+    setup = ConventionSetup(convention_of_key(MATRIX_PROGRAM))
     converted = _mounting_in_convention(project, setup)
     if converted is None:
         return None

@@ -21,10 +21,11 @@ from lispac.present.tables import (
 
 @dataclass(frozen=True)
 class SubsetValues:
-    """Result of a subset of the data; None if the subset does not determine the angles.
+    """Result of a subset of the data; values are None if the subset does not determine the angles.
 
-    A half is compared with the other half, any other subset with the result of all points; the
-    difference is this subset minus that result.
+    ``kind`` is line, target or half; ``part`` is the omitted line or target, or the half that was
+    used. A half is compared with the other half, any other subset with the result of all points.
+    The difference is the result of this subset minus that one.
     """
 
     kind: str
@@ -39,7 +40,11 @@ class SubsetValues:
 
 @dataclass(frozen=True)
 class CrossCheckValues:
-    """Results of subsets of the data, and their scatter beside the sigmas of the adjustment."""
+    """Results of subsets of the data, sigmas of the adjustment, and sigmas by the jackknife.
+
+    ``spread_lines_deg`` and ``spread_targets_deg`` are the sigmas from the scatter of the results
+    with one line or one target omitted.
+    """
 
     sigma_deg: Angles
     spread_lines_deg: Angles | None
@@ -71,7 +76,7 @@ def _subset_values(part: CrossCheck) -> SubsetValues:
 
 
 def spread_rows(checks: CrossCheckValues) -> list[AnglesRow]:
-    """Standard deviations from the adjustment and from the scatter of the subsets."""
+    """Rows with the standard deviations from the adjustment and by the jackknife."""
     return [
         AnglesRow(gettext("Adjustment"), checks.sigma_deg),
         AnglesRow(gettext("Jackknife, one line omitted"), checks.spread_lines_deg),
@@ -81,14 +86,14 @@ def spread_rows(checks: CrossCheckValues) -> list[AnglesRow]:
 
 @dataclass(frozen=True)
 class SubsetRow:
-    """A subset with its name; two halves that are compared with each other are one row."""
+    """Table row with a subset and its name; the comparison of two halves is one row."""
 
     name: str
     subset: SubsetValues
 
 
 def subset_rows(checks: CrossCheckValues) -> list[SubsetRow]:
-    """Subsets in the order of the survey, with their names in the language in use."""
+    """Rows of the subsets without a line or a target, then of the halves."""
     named = [
         SubsetRow(
             gettext("Without line {name}", name=each.part)
@@ -115,35 +120,44 @@ def _agreement(row: SubsetRow) -> str:
     return "disagrees" if row.subset.disagrees else "agrees"
 
 
-AGREEMENT: Mapping[str, str] = {
+FINDING_TEXTS: Mapping[str, str] = {
     "no result": N_("no result"), "disagrees": N_("disagrees"), "agrees": N_("agrees"),
 }  # fmt: skip
-_DIFFERENCE = N_("Difference from the result with all points, or between the halves")
-_IN_SIGMA = N_("Difference divided by its standard deviation")
-SUBSETS = Table[SubsetRow](
+_DIFFERENCE_TIP = N_("Difference from the result with all points, or between the halves")
+_SIGNIFICANCE_TIP = N_("Difference divided by its standard deviation")
+SUBSETS_TABLE = Table[SubsetRow](
     N_("Results of subsets of the data: differences from the full adjustment"),
     (
         Column(
             "name", N_("Subset"),
             tip=N_("Line or target that was omitted, or halves that were compared"),
         ),
-        Column("subset.difference_deg.roll", N_("Roll\ndifference"), DEGREES.signed, _DIFFERENCE),
-        Column("subset.significance.roll", N_("in σ"), ratio(1).signed, _IN_SIGMA),
-        Column("subset.difference_deg.pitch", N_("Pitch\ndifference"), DEGREES.signed, _DIFFERENCE),
-        Column("subset.significance.pitch", N_("in σ"), ratio(1).signed, _IN_SIGMA),
-        Column("subset.difference_deg.yaw", N_("Yaw\ndifference"), DEGREES.signed, _DIFFERENCE),
-        Column("subset.significance.yaw", N_("in σ"), ratio(1).signed, _IN_SIGMA),
         Column(
-            _agreement, N_("Finding"), texts=AGREEMENT,
+            "subset.difference_deg.roll", N_("Roll\ndifference"), DEGREES.signed,
+            _DIFFERENCE_TIP,
+        ),
+        Column("subset.significance.roll", N_("in σ"), ratio(1).signed, _SIGNIFICANCE_TIP),
+        Column(
+            "subset.difference_deg.pitch", N_("Pitch\ndifference"), DEGREES.signed,
+            _DIFFERENCE_TIP,
+        ),
+        Column("subset.significance.pitch", N_("in σ"), ratio(1).signed, _SIGNIFICANCE_TIP),
+        Column(
+            "subset.difference_deg.yaw", N_("Yaw\ndifference"), DEGREES.signed,
+            _DIFFERENCE_TIP,
+        ),
+        Column("subset.significance.yaw", N_("in σ"), ratio(1).signed, _SIGNIFICANCE_TIP),
+        Column(
+            _agreement, N_("Finding"), texts=FINDING_TEXTS,
             tip=N_("Agreement with the result from all points, or between the halves"),
         ),
     ),
 )  # fmt: skip
 
-WINDOW_SUBSETS = replace(
-    SUBSETS,
+WINDOW_SUBSETS_TABLE = replace(
+    SUBSETS_TABLE,
     columns=(
-        *SUBSETS.columns,
+        *SUBSETS_TABLE.columns,
         Column("subset.reason", N_("Reason"), tip=N_("Why there is no result")),
     ),
 )

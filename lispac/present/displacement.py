@@ -1,7 +1,8 @@
 """Displacement of a point by the uncertainty of the boresight.
 
-A small change of the angles turns the cloud by a vector w with covariance W = J C J'. It moves a
-point at distance d in direction u by d (w x u).
+A small change of the angles with covariance C rotates the point cloud by a vector w = J (change of
+the angles), whose covariance is W = J C J'. It moves a point at distance d in direction u by
+d (w x u).
 """
 
 import math
@@ -13,15 +14,20 @@ from numpy.typing import NDArray
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 
 EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
+"""Distances of the point from the scanner."""
 
-ONE_95 = 1.96
-TWO_95 = 2.45
+FACTOR_95_1D = 1.96
+FACTOR_95_2D = 2.45
 """Factors from one sigma to the 95 % level in one and in two dimensions (IHO S-44)."""
 
 
 @dataclass(frozen=True)
 class DisplacementByAngle:
-    """Displacement of a point caused by one sigma of an angle, or of all in the worst direction."""
+    """Displacement of a point caused by one sigma of an angle, at each of `EFFECT_DISTANCES_M`.
+
+    For the angle "worst direction": root mean square displacement by the errors of all angles
+    together, for the direction of the beam in which it is largest.
+    """
 
     angle: str
     displacement_m: tuple[float, ...]
@@ -40,7 +46,7 @@ class S44Contribution:
 
 
 def angle_displacements(result: AdjustmentResult) -> tuple[DisplacementByAngle, ...]:
-    """Displacements by the sigma of each angle, and by all together in the worst direction.
+    """Displacements by the sigma of each angle, and by all angles together in the worst direction.
 
     The mean square length of the displacement is d^2 (trace W - u' W u). It is largest if u is the
     eigenvector of the smallest eigenvalue of W.
@@ -54,7 +60,7 @@ def angle_displacements(result: AdjustmentResult) -> tuple[DisplacementByAngle, 
 
 
 def s44_contributions(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
-    """Contribution to the horizontal and vertical uncertainty, for a level vessel.
+    """Contribution of the boresight to THU and TVU at each of `EFFECT_DISTANCES_M`.
 
     The variance of the displacement along a unit vector e is d^2 (u x e)' W (u x e). If e points
     upwards, u x e is horizontal, so the largest vertical variance is d^2 times the largest
@@ -62,8 +68,8 @@ def s44_contributions(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
     unit vector, so the largest horizontal variance is d^2 times the largest eigenvalue of W.
     """
     turns = _turn_covariance(result)
-    horizontal = TWO_95 * math.sqrt(np.linalg.eigvalsh(turns)[-1])
-    vertical = ONE_95 * math.sqrt(np.linalg.eigvalsh(turns[:2, :2])[-1])
+    horizontal = FACTOR_95_2D * math.sqrt(np.linalg.eigvalsh(turns)[-1])
+    vertical = FACTOR_95_1D * math.sqrt(np.linalg.eigvalsh(turns[:2, :2])[-1])
     return tuple(
         S44Contribution(distance, horizontal * distance, vertical * distance)
         for distance in EFFECT_DISTANCES_M
@@ -71,7 +77,7 @@ def s44_contributions(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
 
 
 def _turn_covariance(result: AdjustmentResult) -> NDArray[np.float64]:
-    """Covariance of the small turn about the body's axes, shape (3, 3), radians squared."""
+    """Covariance W of the rotation vector in the body frame, shape (3, 3), radians squared."""
     rotation = result.mounting.rotation_body_lidar
     turning = result.mounting.rotation_derivatives @ rotation.T  # skew matrices of J's columns
     jacobian = np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]])

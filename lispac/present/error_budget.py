@@ -1,4 +1,4 @@
-"""The values of a report's error budget."""
+"""Error budget of a point by source of error, as values and tables."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ from lispac.present.tables import PLAIN_CENTIMETRES, Column, Table
 
 @dataclass(frozen=True)
 class PointError:
-    """Standard deviations of a point; see `PointSigma` of the error budget."""
+    """Standard deviations of a point, as in `PointSigma` of the error budget."""
 
     horizontal_m: float
     vertical_m: float
@@ -48,7 +48,10 @@ class ErrorSource:
 
 @dataclass(frozen=True)
 class BeamErrors:
-    """All sources of error for one direction of the beam."""
+    """Errors by source for one direction of the beam.
+
+    ``before`` and ``after`` are the sums of all sources with the prior and the estimated boresight.
+    """
 
     beam: LazyText
     sources: tuple[ErrorSource, ...]
@@ -83,7 +86,7 @@ class ErrorBudgetValues:
 
 # -- table -----------------------------------------------------------------------------------------
 
-COMPONENTS = (
+COMPONENT_COLUMNS = (
     (
         "horizontal_m",
         N_("Horizontal\nat {distance:m.0} m"),
@@ -100,7 +103,7 @@ COMPONENTS = (
         N_("Error across the beam, 1 σ, {distance:m.0} m from the scanner"),
     ),
 )
-"""Components of a `PointError`, with title and tooltip of their columns."""
+"""Fields of a `PointError`, with title and tooltip of their columns."""
 
 
 def budget_table(
@@ -114,7 +117,7 @@ def budget_table(
                 _component(k, name), gettext_lazy(title, distance=distance), PLAIN_CENTIMETRES,
                 gettext_lazy(tip, distance=distance), unknown=N_("not given"),
             )
-            for name, title, tip in COMPONENTS
+            for name, title, tip in COMPONENT_COLUMNS
         ]  # fmt: skip
     title = gettext_lazy("Error of a point, 1 sigma (cm); beam {beam}", beam=beam.beam)
     return Table(title, tuple(columns)), (*beam.sources, beam.before, beam.after)

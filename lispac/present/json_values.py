@@ -1,4 +1,4 @@
-"""Results as plain values for JSON; every JSON output of the program is made here."""
+"""Conversion of results to plain values for JSON."""
 
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
@@ -10,7 +10,7 @@ from lispac.messages import Message
 
 
 def json_values(value: Any) -> Any:
-    """Values that `json` writes: a mapping for a dataclass, English text for a message."""
+    """Convert to values that `json` writes: dataclasses to dicts, messages to English texts."""
     if isinstance(value, Message):
         return english_text(value)
     if isinstance(value, LazyText):

@@ -1,4 +1,4 @@
-"""Results of alternative methods beside that of the targets, as values and tables."""
+"""Results of the targets and of alternative methods, as values and tables."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -9,9 +9,9 @@ from lispac.messages import Message
 from lispac.method_comparison import MethodResult
 from lispac.present.angles import Angles, angles, degrees
 from lispac.present.tables import COUNT, DEGREES, Column, Table, ratio
-from lispac.present.text_format import TITLES
+from lispac.present.text_format import VALUE_TITLES
 
-METHODS: Mapping[str, str] = {
+METHOD_TITLES: Mapping[str, str] = {
     "targets": N_("Targets"),
     "natural planes": N_("Natural planes"),
     "targetless": N_("Targetless"),
@@ -24,7 +24,8 @@ class MethodValues:
     """Result of a method, and its differences from the first method (this minus the first).
 
     ``significance``: the differences divided by their sigmas; ``probability``: the probability of
-    differences at least as large if both results are correct. The first method has no differences.
+    differences at least as large if both results are correct; ``differ``: whether they are
+    significant. For the first method these values are None.
     """
 
     method: str
@@ -56,19 +57,20 @@ class MethodValues:
         )
 
 
-M = MethodValues
-METHOD = Column[M]("method", N_("Method"), tip=N_("Method of estimation"), texts=METHODS)
-LINES = Column[M]("lines", N_("Lines"), COUNT, N_("Number of lines used"))
-SURFACES = Column[M](
+METHOD_COLUMN = Column[MethodValues](
+    "method", N_("Method"), tip=N_("Method of estimation"), texts=METHOD_TITLES
+)
+LINES_COLUMN = Column[MethodValues]("lines", N_("Lines"), COUNT, N_("Number of lines used"))
+SURFACES_COLUMN = Column[MethodValues](
     "surfaces", N_("Surfaces"), COUNT,
     N_("Number of targets, planes, natural surfaces or objects used"),
 )  # fmt: skip
-_IN_SIGMA = N_("Difference from the first row, divided by its standard deviation")
+_SIGNIFICANCE_TIP = N_("Difference from the first row, divided by its standard deviation")
 
 
-def _estimate_columns(name: str) -> tuple[Column[M], Column[M]]:
+def _estimate_columns(name: str) -> tuple[Column[MethodValues], Column[MethodValues]]:
     return (
-        Column(f"boresight_deg.{name}", TITLES[name], DEGREES.signed),
+        Column(f"boresight_deg.{name}", VALUE_TITLES[name], DEGREES.signed),
         Column(
             f"sigma_deg.{name}", N_("1 sigma"), DEGREES,
             N_("Standard deviation of the angle to the left"),
@@ -76,42 +78,52 @@ def _estimate_columns(name: str) -> tuple[Column[M], Column[M]]:
     )  # fmt: skip
 
 
-METHOD_RESULTS = Table[M](
+METHOD_RESULTS_TABLE = Table[MethodValues](
     N_("Boresight by each method"),
-    (METHOD, LINES, SURFACES, *(column for name in ANGLES for column in _estimate_columns(name))),
+    (
+        METHOD_COLUMN,
+        LINES_COLUMN,
+        SURFACES_COLUMN,
+        *(column for name in ANGLES for column in _estimate_columns(name)),
+    ),
 )
-WINDOW_METHODS = Table[M](
+WINDOW_METHODS_TABLE = Table[MethodValues](
     N_("Results of all methods"),
     (
-        METHOD, LINES, SURFACES,
+        METHOD_COLUMN, LINES_COLUMN, SURFACES_COLUMN,
         *(
             column
             for name in ANGLES
             for column in (
                 *_estimate_columns(name),
-                Column(f"significance.{name}", N_("in σ"), ratio(1).signed, _IN_SIGMA),
+                Column(f"significance.{name}", N_("in σ"), ratio(1).signed, _SIGNIFICANCE_TIP),
             )
         ),
     ),
 )  # fmt: skip
-"""Table of the window, with the significance of the differences; the report has it separately."""
+"""Table of the window, with the significance of the differences, which the report has in the table
+of `method_differences`."""
 
 
-def method_differences(methods: Sequence[M]) -> tuple[Table[M], list[M]]:
+def method_differences(
+    methods: Sequence[MethodValues],
+) -> tuple[Table[MethodValues], list[MethodValues]]:
     """Table of the differences from the first method, and its rows."""
-    first = gettext_lazy(METHODS[methods[0].method])
+    first = gettext_lazy(METHOD_TITLES[methods[0].method])
     title = gettext_lazy("Differences from the first method, {method}", method=first)
     columns = (
-        METHOD,
+        METHOD_COLUMN,
         *(
             column
             for name in ANGLES
             for column in (
-                Column[M](f"difference_deg.{name}", TITLES[name], DEGREES.signed),
-                Column[M](f"significance.{name}", N_("in σ"), ratio(1).signed, _IN_SIGMA),
+                Column[MethodValues](f"difference_deg.{name}", VALUE_TITLES[name], DEGREES.signed),
+                Column[MethodValues](
+                    f"significance.{name}", N_("in σ"), ratio(1).signed, _SIGNIFICANCE_TIP
+                ),
             )
         ),
-        Column[M](
+        Column[MethodValues](
             "differ", N_("Significant\ndifference"), texts={True: N_("yes"), False: N_("no")}
         ),
     )

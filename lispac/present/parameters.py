@@ -1,4 +1,4 @@
-"""Estimated parameters beside the boresight, and variance components, as values and tables."""
+"""Parameters estimated with the boresight, and variance components, as values and tables."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -6,9 +6,9 @@ from typing import Literal
 
 from lispac.adjustment.diagnostics.findings import variance_component_finding
 from lispac.adjustment.model.parameters import (
+    CRITICAL_TEST_VALUE,
     OUTPUT_UNITS,
-    QUANTITIES,
-    SIGNIFICANT,
+    PARAMETER_DISPLAYS,
     ParameterEstimate,
 )
 from lispac.adjustment.result import (
@@ -25,14 +25,14 @@ from lispac.present.tables import (
     Table,
     ratio,
 )
-from lispac.present.text_format import TITLES
+from lispac.present.text_format import VALUE_TITLES
 
 
 @dataclass(frozen=True)
 class ParameterValues:
     """An estimated value of the mounting, or the reason why it was not estimated.
 
-    ``prior``, ``prior_sigma``, ``value`` and ``sigma`` are in the parameter's own unit.
+    ``prior``, ``prior_sigma``, ``value`` and ``sigma`` are in ``unit``.
     ``significance`` is the change from the prior divided by its standard deviation;
     ``significant``: whether the change is significant at 95 %.
     """
@@ -74,7 +74,7 @@ def _parameter_values(estimate: ParameterEstimate) -> ParameterValues:
 
 
 def angle_parameters(result: AdjustmentResult) -> tuple[ParameterValues, ...]:
-    """The boresight angles as rows beside the other parameters."""
+    """The boresight angles as further rows of the table of parameters."""
     return tuple(
         ParameterValues(name, "deg", prior, None, value, sigma, (value - prior) / sigma, None, "")
         for name, prior, value, sigma in zip(
@@ -85,7 +85,7 @@ def angle_parameters(result: AdjustmentResult) -> tuple[ParameterValues, ...]:
 
 
 def significance_text(parameter: ParameterValues) -> str:
-    """Whether the parameter was determined and differs from its prior, in the language in use."""
+    """Text on whether a parameter was determined and differs significantly from its prior."""
     if parameter.name in ANGLES:
         return gettext("always estimated")
     if parameter.significant is not None:
@@ -100,7 +100,7 @@ def significance_text(parameter: ParameterValues) -> str:
 def _parameter_format(parameter: ParameterValues) -> Format:
     if parameter.name in ANGLES:
         return DEGREES
-    shown, (stored, _) = QUANTITIES[parameter.name], OUTPUT_UNITS[parameter.name]
+    shown, (stored, _) = PARAMETER_DISPLAYS[parameter.name], OUTPUT_UNITS[parameter.name]
     return Format(shown.unit, shown.decimals, shown.factor / stored)
 
 
@@ -108,12 +108,12 @@ def _signed_parameter_format(parameter: ParameterValues) -> Format:
     return _parameter_format(parameter).signed
 
 
-P = ParameterValues
-PARAMETERS = Table[P](
+PARAMETERS_TABLE = Table[ParameterValues](
     N_("Parameters estimated together with the boresight"),
     (
         Column(
-            "name", N_("Parameter"), texts=TITLES, tip=N_("Estimated parameter of the mounting")
+            "name", N_("Parameter"), texts=VALUE_TITLES,
+            tip=N_("Estimated parameter of the mounting"),
         ),
         Column(
             "prior", N_("Prior"), _signed_parameter_format, N_("Value before the adjustment"),
@@ -136,22 +136,22 @@ PARAMETERS = Table[P](
             gettext_lazy(
                 "Change from the prior divided by its standard deviation. Beyond {limit:x.2} it is "
                 "significant at the 5 % level.",
-                limit=SIGNIFICANT,
+                limit=CRITICAL_TEST_VALUE,
             ),
         ),
         Column(significance_text, N_("Finding"), tip=N_("Significance of the parameter")),
     ),
 )  # fmt: skip
 
-WINDOW_PARAMETERS = replace(
-    PARAMETERS,
+WINDOW_PARAMETERS_TABLE = replace(
+    PARAMETERS_TABLE,
     columns=(
-        *PARAMETERS.columns, Column("reason", N_("Reason"), tip=N_("Why there is no value")),
+        *PARAMETERS_TABLE.columns, Column("reason", N_("Reason"), tip=N_("Why there is no value")),
     ),
 )  # fmt: skip
-"""Table of the window, with a column of reasons; the report lists them below its table."""
+"""Table of the window, with a column of reasons, which the report lists below its table."""
 
-COMPONENTS: Mapping[str, str] = {
+COMPONENT_TITLES: Mapping[str, str] = {
     "LiDAR": N_("LiDAR"),
     "POS position": N_("POS position"),
     "POS attitude": N_("POS attitude"),
@@ -162,7 +162,8 @@ COMPONENTS: Mapping[str, str] = {
 class VarianceComponentValues:
     """Variance component of a group of errors, with its 95 % interval.
 
-    ``factor`` multiplies the given sigma; ``applied`` is True if the sigmas were multiplied by it.
+    ``factor`` is the ratio of the estimated to the given sigma; ``applied`` is True if the given
+    sigma was multiplied by it in the adjustment.
     """
 
     name: str
@@ -192,10 +193,10 @@ def interval_text(component: VarianceComponentValues) -> str:
     )
 
 
-VARIANCE_COMPONENTS = Table[VarianceComponentValues](
+VARIANCE_COMPONENTS_TABLE = Table[VarianceComponentValues](
     N_("Variance components: ratio of estimated to given sigmas"),
     (
-        Column("name", N_("Source"), texts=COMPONENTS),
+        Column("name", N_("Source"), texts=COMPONENT_TITLES),
         Column("factor", N_("Factor"), ratio(2)),
         Column(interval_text, N_("95 % interval")),
         Column("text", N_("Finding")),

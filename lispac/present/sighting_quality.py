@@ -12,7 +12,7 @@ from lispac.present.angles import floats
 from lispac.present.tables import COUNT, MILLIMETRES, PERCENT, Column, Format, Table
 from lispac.targets.sighting_quality import SightingQuality
 
-RATINGS: Mapping[str, str] = {
+RATING_TEXTS: Mapping[str, str] = {
     "good": N_("Good."),
     "doubtful": N_("Doubtful."),
     "poor": N_("Poor."),
@@ -23,8 +23,8 @@ RATINGS: Mapping[str, str] = {
 class SightingQualityValues:
     """Quality of a sighting; None if a value does not apply or is not known.
 
-    ``boresight_error_rms_m`` is the RMS that an error of the boresight can explain. Curvature and
-    roughness are rated after it was removed.
+    ``boresight_error_rms_m`` is the part of the RMS that an error of the boresight can explain;
+    curvature and roughness are rated without it.
     """
 
     target: str
@@ -48,7 +48,7 @@ class SightingQualityValues:
 def sighting_quality_values(
     target: str, line: str, quality: SightingQuality, *, edited_by_hand: bool = False
 ) -> SightingQualityValues:
-    """Quality of one sighting."""
+    """Quality of one sighting as values."""
     incidence = quality.incidence
     return SightingQualityValues(
         target=target,
@@ -73,7 +73,7 @@ def sighting_quality_values(
 def quality_list(
     qualities: Mapping[tuple[str, str], SightingQuality],
 ) -> tuple[SightingQualityValues, ...]:
-    """Qualities by the names of target and line, as rows."""
+    """Qualities as rows; they are given by the names of target and line."""
     return tuple(sighting_quality_values(*key, each) for key, each in qualities.items())
 
 
@@ -82,14 +82,14 @@ def rating_text(quality: SightingQualityValues) -> str:
     edited = [gettext("The points of this sighting were edited manually.")]
     return " ".join(
         [
-            gettext(RATINGS[quality.rating]),
+            gettext(RATING_TEXTS[quality.rating]),
             *map(message_text, quality.reasons),
             *(edited if quality.edited_by_hand else ()),
         ]
     )
 
 
-QUALITIES = Table[SightingQualityValues](
+QUALITY_TABLE = Table[SightingQualityValues](
     N_("Quality of each sighting"),
     (
         Column("target", N_("Target")),

@@ -35,13 +35,13 @@ from lispac.present.tables import (
     ratio,
 )
 
-MANY_OUTLIERS = 0.05
-"""Smallest share of outliers among the points of a sighting that is mentioned."""
+MANY_OUTLIERS_SHARE = 0.05
+"""Share of outliers above which a sighting that agrees has the status "many outliers"."""
 
 SightingStatus = Literal[
     "rejected", "not tested", "not checked", "disagrees", "many outliers", "agrees"
 ]
-STATUS: Mapping[SightingStatus, str] = {
+STATUS_TEXTS: Mapping[SightingStatus, str] = {
     "rejected": N_("rejected"),
     "not tested": N_("not tested"),
     "not checked": N_("not checked"),
@@ -53,9 +53,11 @@ STATUS: Mapping[SightingStatus, str] = {
 
 @dataclass(frozen=True)
 class PosErrorValues:
-    """Estimated POS error at a sighting, and its sigmas before and after the adjustment.
+    """Estimated POS error at the middle of a sighting, and its sigmas.
 
-    The values in metres are north, west, up; those in degrees are roll, pitch, heading.
+    ``sigma_m`` and ``sigma_deg`` are the prior sigmas, ``sigma_after_m`` and ``sigma_after_deg``
+    those after the adjustment. The values in metres are north, west, up; those in degrees are roll,
+    pitch, heading.
     """
 
     error_m: tuple[float, ...]
@@ -98,12 +100,12 @@ class SightingValues:
 
     @property
     def is_tested(self) -> bool:
-        """Whether the sighting was tested; uncorrelated POS errors allow no test."""
+        """Whether the sighting was tested; there is no test with uncorrelated POS errors."""
         return self.status != "not tested"
 
     @property
     def is_marked(self) -> bool:
-        """Whether the sighting needs attention: rejected, or in disagreement with the others."""
+        """Whether the sighting was rejected or disagrees with the others."""
         return self.status in ("rejected", "disagrees")
 
 
@@ -140,7 +142,7 @@ def _sighting_values(
     if test is None:
         return values
     status: SightingStatus = sighting_status(test, critical)
-    if status == "agrees" and test.outliers > MANY_OUTLIERS * fit.points:
+    if status == "agrees" and test.outliers > MANY_OUTLIERS_SHARE * fit.points:
         status = "many outliers"
     is_checked = bool(test.detectable < UNCHECKED_SHIFT)
     return replace(
@@ -168,120 +170,143 @@ def _sighting_values(
 
 
 def _pos_length(sighting: SightingValues, name: str) -> float | None:
-    """Length of a vector of the POS error, given by the name of its field."""
+    """Length of a vector of the POS error; ``name`` is a field of `PosErrorValues`."""
     error = sighting.pos_error
     return None if error is None else math.hypot(*getattr(error, name))
 
 
-S = SightingValues
-TARGET = Column[S]("target", N_("Target"), tip=N_("Target"))
-LINE = Column[S]("line", N_("Line"), tip=N_("Line"))
-HEADING = Column[S](
+TARGET_COLUMN = Column[SightingValues]("target", N_("Target"), tip=N_("Target"))
+LINE_COLUMN = Column[SightingValues]("line", N_("Line"), tip=N_("Line"))
+HEADING_COLUMN = Column[SightingValues](
     lambda s: None if s.heading_deg is None else s.heading_deg % 360, N_("Heading"),
     Format("deg", 1),
 )  # fmt: skip
-POINTS = Column[S]("points", N_("Points"), COUNT, N_("Points used, after averaging or thinning"))
-BEFORE = Column[S](
+POINTS_COLUMN = Column[SightingValues](
+    "points", N_("Points"), COUNT, N_("Points used, after averaging or thinning")
+)
+RMS_BEFORE_COLUMN = Column[SightingValues](
     "rms_before_m", N_("Before"), MILLIMETRES,
     N_("RMS distance to the surface with the prior boresight"),
 )  # fmt: skip
-AFTER = Column[S](
+RMS_AFTER_COLUMN = Column[SightingValues](
     "rms_after_m", N_("After"), MILLIMETRES,
     N_("RMS distance to the adjusted surface; POS errors not removed"),
 )  # fmt: skip
-MEAN_AFTER = Column[S]("mean_after_m", N_("Mean\nafter"), MILLIMETRES.signed)
-SHIFT = Column[S](
+MEAN_AFTER_COLUMN = Column[SightingValues]("mean_after_m", N_("Mean\nafter"), MILLIMETRES.signed)
+SHIFT_COLUMN = Column[SightingValues](
     "shift_m", N_("Shift"), MILLIMETRES.signed,
     N_("Shift of the sighting from the surface fitted to all other sightings"),
 )  # fmt: skip
-W = Column[S](
+W_COLUMN = Column[SightingValues](
     "w", "w", ratio(2).signed, N_("Shift divided by its standard deviation (Baarda's test)")
 )
-DETECTABLE = Column[S](
+DETECTABLE_SHIFT_COLUMN = Column[SightingValues](
     "detectable_m", N_("Detectable\nshift"), MILLIMETRES,
     N_("Smallest shift that the test detects with a power of 80 %"),
 )  # fmt: skip
-EFFECTS = (
-    Column[S]("effect_deg.roll", N_("Effect on\nroll"), DEGREES.signed),
-    Column[S]("effect_deg.pitch", N_("Pitch"), DEGREES.signed),
-    Column[S]("effect_deg.yaw", N_("Yaw"), DEGREES.signed),
+EFFECT_COLUMNS = (
+    Column[SightingValues]("effect_deg.roll", N_("Effect on\nroll"), DEGREES.signed),
+    Column[SightingValues]("effect_deg.pitch", N_("Pitch"), DEGREES.signed),
+    Column[SightingValues]("effect_deg.yaw", N_("Yaw"), DEGREES.signed),
 )
-LARGEST_EFFECT = Column[S](
+LARGEST_EFFECT_COLUMN = Column[SightingValues](
     lambda s: None if s.effect_deg is None else max(map(abs, s.effect_deg)),
     N_("Effect on angles"), MILLIDEGREES,
     N_("Largest change of an angle that an undetected shift of this size can cause"),
 )  # fmt: skip
-OUTLIERS = Column[S](
+OUTLIERS_COLUMN = Column[SightingValues](
     "outliers", N_("Outliers"), COUNT,
     gettext_lazy("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL_VALUE),
 )  # fmt: skip
-LARGEST_W = Column[S](
+LARGEST_W_COLUMN = Column[SightingValues](
     "largest_w", N_("Largest w\nof a point"), ratio(1), N_("Largest test value of a point")
 )
-LARGEST_W_TIME = Column[S](
+LARGEST_W_TIME_COLUMN = Column[SightingValues](
     "largest_w_time_s", N_("Time of\nlargest w"), SECONDS,
     N_("Time of this point in the line. For averaged points: the mean of their times."),
 )  # fmt: skip
-REDUNDANCY = Column[S](
+REDUNDANCY_COLUMN = Column[SightingValues](
     "redundancy", N_("Redundancy"), ratio(2),
     N_("Mean redundancy number of the points, from 0 (not checked) to 1"),
 )  # fmt: skip
-POS_POSITION = Column[S](
+POS_POSITION_COLUMN = Column[SightingValues](
     lambda s: _pos_length(s, "error_m"), N_("POS position"), MILLIMETRES,
     N_("Estimated position error and its prior σ (3D lengths)"),
     sigma=lambda s: _pos_length(s, "sigma_m"),
 )  # fmt: skip
-POS_ATTITUDE = Column[S](
+POS_ATTITUDE_COLUMN = Column[SightingValues](
     lambda s: _pos_length(s, "error_deg"), N_("POS attitude"), MILLIDEGREES,
     N_("Estimated attitude error and its prior σ (3D lengths)"),
     sigma=lambda s: _pos_length(s, "sigma_deg"),
 )  # fmt: skip
-FINDING = Column[S]("status", N_("Finding"), texts=STATUS, tip=N_("Result of the test"))
+FINDING_COLUMN = Column[SightingValues](
+    "status", N_("Finding"), texts=STATUS_TEXTS, tip=N_("Result of the test")
+)
 
-SIGHTINGS = Table[S](
+SIGHTINGS_TABLE = Table[SightingValues](
     N_("Sightings"),
     (
-        TARGET, LINE, POINTS, BEFORE, AFTER, SHIFT, W, DETECTABLE, LARGEST_EFFECT, OUTLIERS,
-        LARGEST_W, LARGEST_W_TIME, REDUNDANCY, POS_POSITION, POS_ATTITUDE, FINDING,
+        TARGET_COLUMN, LINE_COLUMN, POINTS_COLUMN, RMS_BEFORE_COLUMN, RMS_AFTER_COLUMN,
+        SHIFT_COLUMN, W_COLUMN, DETECTABLE_SHIFT_COLUMN, LARGEST_EFFECT_COLUMN, OUTLIERS_COLUMN,
+        LARGEST_W_COLUMN, LARGEST_W_TIME_COLUMN, REDUNDANCY_COLUMN, POS_POSITION_COLUMN,
+        POS_ATTITUDE_COLUMN, FINDING_COLUMN,
     ),
 )  # fmt: skip
-"""All values of a sighting, for the window; the report has a table for each topic."""
-SIGHTING_FIT = Table[S](
+"""Table of the window with all values of a sighting; the report has the following tables."""
+SIGHTING_FIT_TABLE = Table[SightingValues](
     N_("Fit of each sighting to the surface of its target"),
     (
-        TARGET, LINE, HEADING, POINTS, BEFORE.with_title(N_("RMS\nbefore")),
-        AFTER.with_title(N_("RMS\nafter")), MEAN_AFTER,
+        TARGET_COLUMN, LINE_COLUMN, HEADING_COLUMN, POINTS_COLUMN,
+        RMS_BEFORE_COLUMN.with_title(N_("RMS\nbefore")),
+        RMS_AFTER_COLUMN.with_title(N_("RMS\nafter")), MEAN_AFTER_COLUMN,
     ),
 )  # fmt: skip
-SIGHTING_TESTS = Table[S](
-    N_("Agreement of the sightings"), (TARGET, LINE, SHIFT, W, DETECTABLE, *EFFECTS, FINDING)
+SIGHTING_TESTS_TABLE = Table[SightingValues](
+    N_("Agreement of the sightings"),
+    (
+        TARGET_COLUMN,
+        LINE_COLUMN,
+        SHIFT_COLUMN,
+        W_COLUMN,
+        DETECTABLE_SHIFT_COLUMN,
+        *EFFECT_COLUMNS,
+        FINDING_COLUMN,
+    ),
 )
-POINT_TESTS = Table[S](
+POINT_TESTS_TABLE = Table[SightingValues](
     N_("Tests of single points"),
-    (TARGET, LINE, POINTS, REDUNDANCY, OUTLIERS, LARGEST_W, LARGEST_W_TIME),
+    (
+        TARGET_COLUMN,
+        LINE_COLUMN,
+        POINTS_COLUMN,
+        REDUNDANCY_COLUMN,
+        OUTLIERS_COLUMN,
+        LARGEST_W_COLUMN,
+        LARGEST_W_TIME_COLUMN,
+    ),
 )
-POS_COMPONENTS = (
+POS_COMPONENT_TITLES = (
     N_("North"), N_("West"), N_("Up"), N_("Roll"), N_("Pitch"), N_("Heading")
 )  # fmt: skip
 """Titles of the components, in the order of `SightingReliability.pos_error`."""
 
 
-def _pos_error_component(k: int) -> Callable[[S], float | None]:
-    def component(sighting: S) -> float | None:
+def _pos_error_component(k: int) -> Callable[[SightingValues], float | None]:
+    def component(sighting: SightingValues) -> float | None:
         error = sighting.pos_error
         return None if error is None else (*error.error_m, *error.error_deg)[k]
 
     return component
 
 
-POS_ERRORS = Table[S](
+POS_ERRORS_TABLE = Table[SightingValues](
     N_("Estimated POS error at the middle of each sighting"),
     (
-        TARGET,
-        LINE,
+        TARGET_COLUMN,
+        LINE_COLUMN,
         *(
             Column(_pos_error_component(k), name, (MILLIMETRES if k < 3 else DEGREES).signed)
-            for k, name in enumerate(POS_COMPONENTS)
+            for k, name in enumerate(POS_COMPONENT_TITLES)
         ),
     ),
 )

@@ -1,4 +1,4 @@
-"""Tables of results: which value a column has, its title, and how its numbers are written."""
+"""Tables of results: values, titles and number formats of their columns."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -7,7 +7,7 @@ from typing import Any, Generic, Literal, TypeVar
 from lispac.language import LazyText, gettext
 from lispac.messages import Message
 from lispac.present.text_format import (
-    UNKNOWN,
+    UNKNOWN_TEXT,
     degrees_unit,
     fixed_number,
     grouped_number,
@@ -67,7 +67,7 @@ COUNT = Format()
 MILLIMETRES = Format("mm", 1, 1e3)
 PLAIN_CENTIMETRES = Format("", 2, 1e2, is_grouped=False)
 PLAIN_MILLIMETRES = Format("", 1, 1e3)
-"""Format without a unit, for tables whose title contains it."""
+"""Formats of lengths without a unit, for tables whose title contains the unit."""
 DEGREES = Format("deg", 4)
 MILLIDEGREES = Format("mdeg", 1, 1e3)
 PERCENT = Format("%", 0, 100.0)
@@ -75,7 +75,7 @@ SECONDS = Format("s", 3, is_grouped=False)
 
 
 def ratio(decimals: int) -> Format:
-    """Format of a number without a unit."""
+    """Format of a number without a unit, with this number of decimals."""
     return Format("", decimals)
 
 
@@ -99,7 +99,8 @@ class Column(Generic[Row]):
     sigma : str, callable or None
         Standard deviation written beside the value, as a path or a function of the row.
     half_interval : str or None
-        Path of half the width of the 95 % interval, which is written after the value.
+        Path of the field with half the width of the 95 % interval, which is written after the
+        value.
     has_unit_in_cells : bool
         Whether the unit is written in each cell instead of below the title.
     is_wide : bool
@@ -148,10 +149,10 @@ class Column(Generic[Row]):
 
     def unknown_text(self) -> str:
         """Text of an unknown value."""
-        return gettext(self.unknown) if self.unknown else UNKNOWN
+        return gettext(self.unknown) if self.unknown else UNKNOWN_TEXT
 
     def with_title(self, title: str | LazyText) -> "Column[Row]":
-        """The same column under another title, in English."""
+        """Copy of the column with another title, in English."""
         return replace(self, title=title)
 
 

@@ -1,4 +1,4 @@
-"""Targets: fit of each to one surface, as values and table."""
+"""Fit of each target to one surface for all lines, as values and table."""
 
 from dataclasses import dataclass
 
@@ -19,10 +19,11 @@ from lispac.present.tables import (
 
 @dataclass(frozen=True)
 class TargetValues:
-    """Fit of one target's points, over all lines, to their joint surface.
+    """Fit of the points of one target on all lines to their common surface.
 
-    ``noise_factor`` is the ratio of the LiDAR noise found in the residuals to the given one, at
-    least 1. It is None with uncorrelated POS errors, for which there are no tests either.
+    ``noise_factor`` is the ratio of the LiDAR noise estimated from the residuals to the given one,
+    at least 1. It is None with uncorrelated POS errors. ``largest_w`` and ``outliers`` are None if
+    the sightings were not tested.
     """
 
     target: str
@@ -79,8 +80,7 @@ def _target_finding(target: TargetValues) -> str:
     return ""
 
 
-T = TargetValues
-TARGETS = Table[T](
+TARGETS_TABLE = Table[TargetValues](
     N_("Fit of each target to one surface, all lines together"),
     (
         Column("target", N_("Target"), tip=N_("Target")),

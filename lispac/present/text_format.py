@@ -1,21 +1,22 @@
-"""Numbers, units and names as the report writes them, in the language in use."""
+"""Texts of numbers, units and names in the language in use, for reports and tables."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime
 
-from lispac.adjustment.model.parameters import OUTPUT_UNITS, QUANTITIES
+from lispac.adjustment.model.parameters import OUTPUT_UNITS, PARAMETER_DISPLAYS
 from lispac.adjustment.model.parameters import mounting_value_name as quantity_name
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
 
-UNKNOWN = "\u2013"
-MINUS = "\u2212"
-HYPHEN = re.compile(r"(?<![^\s(])-(?=\d)")
-"""Pattern of a hyphen that is the minus sign of a number."""
+UNKNOWN_TEXT = "\u2013"
+"""Dash for an unknown value."""
+MINUS_SIGN = "\u2212"
+MINUS_PATTERN = re.compile(r"(?<![^\s(])-(?=\d)")
+"""Pattern of a hyphen that stands for the minus sign of a number."""
 
-TITLES: Mapping[str, str] = {
+VALUE_TITLES: Mapping[str, str] = {
     "roll": N_("Roll"),
     "pitch": N_("Pitch"),
     "yaw": N_("Yaw"),
@@ -30,9 +31,9 @@ TITLES: Mapping[str, str] = {
 
 
 def format_known(
-    value: float | None, formatted: Callable[[float], str], unknown: str = UNKNOWN
+    value: float | None, formatted: Callable[[float], str], unknown: str = UNKNOWN_TEXT
 ) -> str:
-    """Formatted value, or a dash if it is not known."""
+    """Formatted value, or the text ``unknown`` for None."""
     return unknown if value is None else formatted(value)
 
 
@@ -52,25 +53,25 @@ def signed_number(value: float, decimals: int) -> str:
 
 
 def shortest_number(value: float) -> str:
-    """A number with as many decimals as it needs, six significant digits at most."""
+    """A number without trailing zeros, with at most six significant digits."""
     return localised_number(f"{value:g}")
 
 
 def localised_number(text: str) -> str:
     """A number, as Python writes it, with the signs of the language in use."""
-    # `number` would round the shortest decimal form, which may change the last digit of a tie.
+    # `language.number` is not used, since its rounding of a tie may differ from that of Python.
     whole, point, decimals = text.partition(".")
     signs = decimal_sign() if point else ""
-    return f"{whole.replace(',', group_sign())}{signs}{decimals}".replace("-", MINUS)
+    return f"{whole.replace(',', group_sign())}{signs}{decimals}".replace("-", MINUS_SIGN)
 
 
 def decimal_sign() -> str:
-    """The sign before the decimals."""
+    """Decimal sign of the language in use."""
     return number(0.5, 1).strip("05")
 
 
 def group_sign() -> str:
-    """The sign between groups of three digits."""
+    """Sign between groups of three digits in the language in use."""
     return number(1000, 0).strip("01")
 
 
@@ -85,17 +86,17 @@ def centimetres(metres: float) -> str:
 
 
 def percent_text(ratio: float) -> str:
-    """A ratio in whole percent, with its sign."""
+    """A ratio in whole percent, with the percent sign."""
     return f"{fixed_number(100 * ratio, 0)}\u00a0%"
 
 
 def angle_text(value: float) -> str:
-    """An angle in degrees, four decimals."""
+    """Text of an angle in degrees, with its sign and four decimals."""
     return signed_number(value, 4)
 
 
 def heading_text(value: float) -> str:
-    """A heading in degrees, 0 to 360."""
+    """Text of a heading in degrees, 0 to 360, with one decimal."""
     return fixed_number(value % 360, 1)
 
 
@@ -105,12 +106,12 @@ def interval_text(half: str) -> str:
 
 
 def with_interval(value: str, half: str) -> str:
-    """A value with half the width of its confidence interval."""
+    """Text of a value followed by half the width of its confidence interval."""
     return f"{value} {interval_text(half)}"
 
 
 def triple_text(values: Sequence[float], decimals: int) -> str:
-    """Three numbers in a row."""
+    """Text of three numbers, separated by commas."""
     x, y, z = (fixed_number(value, decimals) for value in values)
     return gettext("{x}, {y}, {z}", x=x, y=y, z=z)
 
@@ -126,20 +127,20 @@ def degrees_unit() -> str:
 
 
 def sentence_text(message: Message) -> str:
-    """Text of a message with true minus signs, as in the tables."""
+    """Text of a message with minus signs instead of hyphens, as in the tables."""
     return with_minus_signs(message_text(message))
 
 
 def with_minus_signs(text: str, names: Iterable[str] = ()) -> str:
-    """Text of a message with true minus signs, except in names."""
+    """Text with minus signs instead of hyphens before numbers, except in the given names."""
     whole = "|".join(map(re.escape, sorted(names, key=len, reverse=True)))
-    pattern = re.compile(f"{whole}|{HYPHEN.pattern}" if whole else HYPHEN.pattern)
-    return pattern.sub(lambda found: MINUS if found.group() == "-" else found.group(), text)
+    pattern = re.compile(f"{whole}|{MINUS_PATTERN.pattern}" if whole else MINUS_PATTERN.pattern)
+    return pattern.sub(lambda found: MINUS_SIGN if found.group() == "-" else found.group(), text)
 
 
 def title(name: str) -> str:
     """Title of an estimated value, for the first cell of a table row."""
-    return gettext(TITLES[name])
+    return gettext(VALUE_TITLES[name])
 
 
 def parameter_name(name: str) -> str:
@@ -148,7 +149,10 @@ def parameter_name(name: str) -> str:
 
 
 def origin_text(origin: Sequence[float] | None) -> str:
-    """Latitude and longitude in degrees, and height in metres."""
+    """Text of the origin of the local frame: latitude and longitude in degrees, height in metres.
+
+    None is the default origin.
+    """
     if origin is None:
         return gettext("mean position of the trajectory")
     latitude, longitude, height = origin
@@ -161,21 +165,26 @@ def origin_text(origin: Sequence[float] | None) -> str:
 
 
 def quantity_text(name: str, value: float, *, sign: bool = False) -> str:
-    """Text of a mounting value (metres, degrees or seconds) with the unit that is shown."""
-    shown, (shown_factor, _) = QUANTITIES[name], OUTPUT_UNITS[name]
+    """Text of a value of the mounting with its displayed unit.
+
+    Parameters
+    ----------
+    value : float, in the unit of `OUTPUT_UNITS` for this name
+    """
+    shown, (shown_factor, _) = PARAMETER_DISPLAYS[name], OUTPUT_UNITS[name]
     number = fixed_number(shown.factor / shown_factor * value, shown.decimals, sign=sign)
     return with_unit(number, shown.unit)
 
 
 def with_unit(number: str, unit: str) -> str:
     """A number with its unit."""
-    # French writes the sign of degrees without a space before it.
+    # The space before the unit depends on the language.
     if unit == "deg":
         return gettext("{number}\u00a0deg", number=number)
     return f"{number}\u00a0{unit}"
 
 
 def time_text(stamp: str) -> str:
-    """An ISO 8601 time to the minute."""
+    """Text of an ISO 8601 time, to the minute, with its time zone."""
     at = datetime.fromisoformat(stamp)
     return f"{at:%Y-%m-%d %H:%M} {at.tzname()}"

@@ -9,8 +9,9 @@ class LineTrajectorySummary:
 
     Attributes
     ----------
-    interval_s : usual time between two states; ``longest_gap_s`` the longest
-    motion_deg : standard deviation of roll and of pitch: how much the vessel moved
+    interval_s : usual time between two states of the trajectory
+    longest_gap_s : longest time between two states
+    motion_deg : standard deviations of roll and of pitch, which describe the motion of the vessel
     """
 
     line: str

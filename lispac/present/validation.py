@@ -1,4 +1,4 @@
-"""Values of the validation, from the comparisons of the lines."""
+"""Distances between the lines on validation planes, as values and tables."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ from lispac.validation.plane_offset import PlaneOffset
 
 @dataclass(frozen=True)
 class DistanceValues:
-    """Statistics of the unsigned distances between lines; see `DistanceStatistics`."""
+    """Statistics of the unsigned distances between lines, as in `DistanceStatistics`."""
 
     n: int
     mean_m: float
@@ -56,7 +56,7 @@ class DistanceValues:
 
 @dataclass(frozen=True)
 class SignedDistances:
-    """Distances of the first line from the second along the normal; see `SignedStatistics`."""
+    """Distances of the first line from the second along the normal, as in `SignedStatistics`."""
 
     places: int
     mean_m: float
@@ -77,7 +77,7 @@ class SignedDistances:
 
 @dataclass(frozen=True)
 class PlaneOffsetValues:
-    """Offset and rotation of the first line's plane from the second's; see `PlaneOffset`."""
+    """Offset and rotation of the first line's plane from the second's, as in `PlaneOffset`."""
 
     offset_m: float
     offset_interval95_m: float
@@ -172,7 +172,7 @@ class DistancesBySteps:
 
 @dataclass(frozen=True)
 class DistanceMapValues:
-    """Distances of the first line from the second, cell by cell; see `DistanceMap`."""
+    """Distances of the first line from the second in each cell, as in `DistanceMap`."""
 
     line_a: str
     line_b: str
@@ -191,7 +191,10 @@ class DistanceMapValues:
 
 @dataclass(frozen=True)
 class LocalModelValues:
-    """Local surface model for distances; its size is a number of neighbours or a radius."""
+    """Local surface model to which distances are measured.
+
+    Its size is given by a number of neighbours or by a radius.
+    """
 
     kind: str
     neighbours: int | None
@@ -257,7 +260,7 @@ class SwathDifference:
 
 
 def swath_overlap(planes: Sequence[PlaneComparison]) -> tuple[SwathDifference, ...]:
-    """Swath overlap differences of each plane, then of all; empty without signed distances."""
+    """Swath overlap differences of each plane, then of all planes with signed distances."""
     per_plane = [(plane.name, _measured_pairs(plane)) for plane in planes]
     known = [(name, pairs) for name, pairs in per_plane if pairs]
     if not known:
@@ -266,11 +269,11 @@ def swath_overlap(planes: Sequence[PlaneComparison]) -> tuple[SwathDifference, .
     return tuple(_swath_difference(name, pairs) for name, pairs in (*known, ("", every)))
 
 
-_Measured = tuple[SignedStatistics, SignedStatistics]
+_BeforeAndAfter = tuple[SignedStatistics, SignedStatistics]
 """Signed distances of a pair of lines, before and after the calibration."""
 
 
-def _measured_pairs(plane: PlaneComparison) -> list[_Measured]:
+def _measured_pairs(plane: PlaneComparison) -> list[_BeforeAndAfter]:
     return [
         (before, after)
         for before, after in ((pair.before.signed, pair.after.signed) for pair in plane.pairs)
@@ -279,7 +282,7 @@ def _measured_pairs(plane: PlaneComparison) -> list[_Measured]:
     ]
 
 
-def _swath_difference(name: str, pairs: Sequence[_Measured]) -> SwathDifference:
+def _swath_difference(name: str, pairs: Sequence[_BeforeAndAfter]) -> SwathDifference:
     def pooled(statistics: Sequence[SignedStatistics]) -> float:
         squares = sum(each.n * (each.rms or 0.0) ** 2 for each in statistics)
         return sqrt(squares / sum(each.n for each in statistics))
@@ -294,7 +297,7 @@ def _swath_difference(name: str, pairs: Sequence[_Measured]) -> SwathDifference:
 
 @dataclass(frozen=True)
 class PooledDistances:
-    """Statistics of the distances on a plane, before or after the calibration."""
+    """Table row with the statistics of the distances on a plane, before or after calibration."""
 
     plane: str
     state: str
@@ -315,7 +318,7 @@ class PairOnPlane:
 
 
 def pooled_rows(planes: Sequence[ValidationPlane]) -> list[PooledDistances]:
-    """Two rows for each plane: before and after the calibration."""
+    """Rows of each plane before and after the calibration."""
     return [
         PooledDistances(plane.name, state, getattr(plane, state))
         for plane in planes
@@ -324,12 +327,12 @@ def pooled_rows(planes: Sequence[ValidationPlane]) -> list[PooledDistances]:
 
 
 def pair_rows(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
-    """All pairs of lines on all planes."""
+    """Rows of all pairs of lines on all planes."""
     return [PairOnPlane(plane, pair) for plane in planes for pair in plane.pairs]
 
 
 def pairs_that_show_the_boresight(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
-    """Reciprocal pairs of each plane, or all its pairs if it has no reciprocal ones."""
+    """Reciprocal pairs of each plane, where a boresight error is largest; all pairs if none."""
     return [
         each
         for each in pair_rows(planes)
@@ -337,13 +340,13 @@ def pairs_that_show_the_boresight(planes: Sequence[ValidationPlane]) -> list[Pai
     ]
 
 
-ROTATION = Format("deg", 3)
-STATES = {"before": N_("before"), "after": N_("after")}
-POOLED_DISTANCES = Table[PooledDistances](
+ROTATION_FORMAT = Format("deg", 3)
+STATE_TEXTS = {"before": N_("before"), "after": N_("after")}
+POOLED_DISTANCES_TABLE = Table[PooledDistances](
     N_("Distances between lines on each plane (mm)"),
     (
         Column("plane", N_("Plane")),
-        Column("state", N_("State"), texts=STATES),
+        Column("state", N_("State"), texts=STATE_TEXTS),
         Column("distances.n", N_("Points"), COUNT),
         Column("distances.mean_m", N_("Mean"), PLAIN_MILLIMETRES),
         Column("distances.median_m", N_("Median"), PLAIN_MILLIMETRES),
@@ -358,7 +361,13 @@ POOLED_DISTANCES = Table[PooledDistances](
 
 
 def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
-    """Columns of points, median, RMS and 95 % of distances, found at these paths of a row."""
+    """Columns of points, median, RMS and 95th percentile of distances before and after.
+
+    Parameters
+    ----------
+    before, after : str
+        Paths of the fields of a row that contain the `DistanceValues`.
+    """
     return (
         Column(f"{before}.n", N_("Points"), COUNT),
         Column(f"{before}.median_m", N_("Median\nbefore"), PLAIN_MILLIMETRES),
@@ -370,11 +379,11 @@ def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
     )
 
 
-PLANE_DISTANCES = Table[ValidationPlane](
+PLANE_DISTANCES_TABLE = Table[ValidationPlane](
     N_("Validation: distances between lines on planes not used in the adjustment (mm)"),
     (Column("name", N_("Plane")), *distance_columns("before", "after")),
 )
-PAIR_DISTANCES = Table[PairOnPlane](
+PAIR_DISTANCES_TABLE = Table[PairOnPlane](
     N_("Distances for every pair of lines (mm)"),
     (
         Column("plane.name", N_("Plane")),
@@ -383,7 +392,7 @@ PAIR_DISTANCES = Table[PairOnPlane](
         *distance_columns("pair.before.distances", "pair.after.distances"),
     ),
 )
-PAIR_PLACES = Table[PairOnPlane](
+PAIR_PLACES_TABLE = Table[PairOnPlane](
     N_("Signed distances along the normal, reciprocal pairs (mm)"),
     (
         Column("plane.name", N_("Plane")),
@@ -409,7 +418,7 @@ PAIR_PLACES = Table[PairOnPlane](
         ),
     ),
 )  # fmt: skip
-PAIR_PLANES = Table[PairOnPlane](
+PAIR_PLANES_TABLE = Table[PairOnPlane](
     N_("Comparison of the planes fitted to two lines, reciprocal pairs"),
     (
         Column("plane.name", N_("Plane")),
@@ -431,8 +440,9 @@ PAIR_PLANES = Table[PairOnPlane](
             )
             for (value, unit, form), title in zip(
                 (
-                    ("offset", "m", MILLIMETRES), ("rotation_horizontal_axis", "deg", ROTATION),
-                    ("rotation_slope_axis", "deg", ROTATION),
+                    ("offset", "m", MILLIMETRES),
+                    ("rotation_horizontal_axis", "deg", ROTATION_FORMAT),
+                    ("rotation_slope_axis", "deg", ROTATION_FORMAT),
                 ),
                 titles, strict=True,
             )

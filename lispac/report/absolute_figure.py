@@ -7,11 +7,21 @@ from matplotlib.ticker import MaxNLocator
 from lispac.language import N_, gettext
 from lispac.present.absolute import AbsoluteCheckValues
 from lispac.present.text_format import grouped_number, signed_number
-from lispac.report.figures import AFTER, BEFORE, INK, TEXT, blank_figure, short_name, style_axes
+from lispac.report.figures import (
+    AFTER_COLOUR,
+    BEFORE_COLOUR,
+    INK_COLOUR,
+    TEXT_SIZE,
+    blank_figure,
+    short_name,
+    style_axes,
+)
 from lispac.report.legends import AXES_POSITION, top_below_legend
 
-_BEFORE = N_("before: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
-_AFTER = N_("after: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
+_BEFORE_LEGEND = N_(
+    "before: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm"
+)
+_AFTER_LEGEND = N_("after: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
 
 
 def reference_distance_figure(check: AbsoluteCheckValues, figure: Figure | None = None) -> Figure:
@@ -21,8 +31,8 @@ def reference_distance_figure(check: AbsoluteCheckValues, figure: Figure | None 
     edges = 1000 * np.asarray(check.bin_edges_m)
     legend: list[str] = []
     for template, colour, counts, each in (
-        (_BEFORE, BEFORE, check.counts_before, check.all_lines.before),
-        (_AFTER, AFTER, check.counts_after, check.all_lines.after),
+        (_BEFORE_LEGEND, BEFORE_COLOUR, check.counts_before, check.all_lines.before),
+        (_AFTER_LEGEND, AFTER_COLOUR, check.counts_after, check.all_lines.after),
     ):
         values = np.asarray(counts)
         legend.append(
@@ -46,8 +56,8 @@ def reference_distance_figure(check: AbsoluteCheckValues, figure: Figure | None 
         "{reference}: distances of all lines along the normal",
         reference=short_name(check.reference),
     )
-    axes.set_title(title, fontsize=TEXT + 1, color=INK, loc="left")
+    axes.set_title(title, fontsize=TEXT_SIZE + 1, color=INK_COLOUR, loc="left")
     highest = np.maximum(check.counts_before, check.counts_after).astype(np.float64)
-    axes.set_ylim(0.0, top_below_legend(axes, edges, highest, legend, TEXT))
-    axes.legend(loc="upper right", fontsize=TEXT, frameon=False, labelcolor=INK)
+    axes.set_ylim(0.0, top_below_legend(axes, edges, highest, legend, TEXT_SIZE))
+    axes.legend(loc="upper right", fontsize=TEXT_SIZE, frameon=False, labelcolor=INK_COLOUR)
     return figure

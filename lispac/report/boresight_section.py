@@ -1,16 +1,16 @@
 """The section on the boresight: fit, other estimated values, observability, displacements."""
 
-from lispac.adjustment.model.parameters import SIGNIFICANT
+from lispac.adjustment.model.parameters import CRITICAL_TEST_VALUE
 from lispac.language import N_, Plural, gettext
 from lispac.present.adjustment import (
-    SIGMAS_WITHOUT_LINE,
+    SIGMAS_WITHOUT_LINE_TABLE,
     AdjustmentValues,
     ObservabilityValues,
     sigma_without_line_rows,
 )
-from lispac.present.parameters import PARAMETERS
+from lispac.present.parameters import PARAMETERS_TABLE
 from lispac.present.text_format import (
-    UNKNOWN,
+    UNKNOWN_TEXT,
     centimetres,
     fixed_number,
     format_known,
@@ -34,18 +34,18 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.report_values import ReportContent
 
-VARIANCE_FACTOR = N_("{factor}, computed with the given sigmas")
-VARIANCE_FACTOR_COMPONENTS = N_(
+VARIANCE_FACTOR_TEXT = N_("{factor}, computed with the given sigmas")
+VARIANCE_FACTOR_COMPONENTS_TEXT = N_(
     "{factor}, computed with the given sigmas multiplied by the applied variance components"
 )
-VARIANCE_FACTOR_BEFORE_NOISE = N_(
+VARIANCE_FACTOR_BEFORE_NOISE_TEXT = N_(
     "{factor}, computed with the given sigmas, without the LiDAR noise estimated from the residuals"
 )
-VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE = N_(
+VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT = N_(
     "{factor}, computed with the given sigmas multiplied by the applied variance components, "
     "without the LiDAR noise estimated from the residuals"
 )
-EXCLUDED_OUTLIERS = Plural(
+EXCLUDED_OUTLIERS_TEXT = Plural(
     "{points:n}; {count:n} outlier excluded from the averages",
     "{points:n}; {count:n} outliers excluded from the averages",
 )
@@ -104,19 +104,21 @@ def _fit_table(content: ReportContent, adjustment: AdjustmentValues) -> Table:
 
 def _variance_factor_text(content: ReportContent, adjustment: AdjustmentValues) -> str:
     if adjustment.variance_factor is None:
-        return UNKNOWN
+        return UNKNOWN_TEXT
     applied = any(component.applied for component in adjustment.components)
     if content.settings.pos_errors == "correlated":
         template = (
-            VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE if applied else VARIANCE_FACTOR_BEFORE_NOISE
+            VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE_TEXT
+            if applied
+            else VARIANCE_FACTOR_BEFORE_NOISE_TEXT
         )
     else:
-        template = VARIANCE_FACTOR_COMPONENTS if applied else VARIANCE_FACTOR
+        template = VARIANCE_FACTOR_COMPONENTS_TEXT if applied else VARIANCE_FACTOR_TEXT
     return gettext(template, factor=fixed_number(adjustment.variance_factor, 4))
 
 
 def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
-    blocks: list[Block] = [report_table(PARAMETERS, adjustment.parameters)]
+    blocks: list[Block] = [report_table(PARAMETERS_TABLE, adjustment.parameters)]
     reasons = tuple(sentence_text(p.reason) for p in adjustment.parameters if p.reason)
     if reasons:
         blocks.append(Bullets(reasons))
@@ -127,7 +129,7 @@ def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
                     "A change is significant if it exceeds {limit} times its sigma; by chance, "
                     "this happens once in twenty cases. The boresight of this report is valid "
                     "only together with the estimated parameters, not with the prior ones.",
-                    limit=shortest_number(SIGNIFICANT),
+                    limit=shortest_number(CRITICAL_TEST_VALUE),
                 )
             )
         )
@@ -168,7 +170,7 @@ def _observability_blocks(
         Bullets((*map(sentence_text, observability.messages), condition)),
     ]
     if observability.sigma_without_line_deg:
-        blocks.append(report_table(SIGMAS_WITHOUT_LINE, sigma_without_line_rows(adjustment)))
+        blocks.append(report_table(SIGMAS_WITHOUT_LINE_TABLE, sigma_without_line_rows(adjustment)))
     return blocks
 
 
@@ -191,7 +193,9 @@ def _displacement_table(adjustment: AdjustmentValues) -> Table:
 def _point_count_text(adjustment: AdjustmentValues) -> str:
     if not adjustment.excluded_outliers:
         return grouped_number(adjustment.points)
-    return gettext(EXCLUDED_OUTLIERS, points=adjustment.points, count=adjustment.excluded_outliers)
+    return gettext(
+        EXCLUDED_OUTLIERS_TEXT, points=adjustment.points, count=adjustment.excluded_outliers
+    )
 
 
 def _effect_name(angle: str) -> str:

@@ -5,9 +5,14 @@ from statistics import fmean as mean
 
 from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
 from lispac.language import N_, gettext
-from lispac.present.angles import SIGMAS
-from lispac.present.cross_checks import SUBSETS, spread_rows, subset_rows
-from lispac.present.sightings import POINT_TESTS, POS_ERRORS, SIGHTING_TESTS, SightingValues
+from lispac.present.angles import SIGMAS_TABLE
+from lispac.present.cross_checks import SUBSETS_TABLE, spread_rows, subset_rows
+from lispac.present.sightings import (
+    POINT_TESTS_TABLE,
+    POS_ERRORS_TABLE,
+    SIGHTING_TESTS_TABLE,
+    SightingValues,
+)
 from lispac.present.text_format import fixed_number, millimetres, sentence_text
 from lispac.report.document_blocks import (
     Block,
@@ -18,32 +23,32 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.report_values import ReportContent
 
-SIGHTING_TEST = N_(
+SIGHTING_TEST_TEXT = N_(
     "Each sighting is compared with the result of all others. Shift: distance of the sighting "
     "from the surface of its target, along the normal. w: shift divided by its sigma; above "
     "{limit} the sighting disagrees (1 % probability that any of {count:n} sightings without a "
     "blunder does so). Detectable shift: smallest shift that the test finds with 80 % "
     "probability. Effect: change of the angles caused by a shift of that size that is not found."
 )
-POINT_TEST = N_(
+POINT_TEST_TEXT = N_(
     "Single points are tested in the same way. Redundancy: control of each point by the other "
     "data, from 0 (none) to 1. Outliers: points farther from the surface than {limit} sigma; by "
     "chance, one point in a thousand exceeds this limit. Largest w of a point: distance of "
     "the farthest point divided by its sigma, with its time on the line; averaged points have the "
     "mean of their times."
 )
-POS_ERROR_FIGURE = N_(
+POS_ERROR_CAPTION = N_(
     "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
     "sigma interval. Red: the error is outside the prior interval; the POS was less accurate than "
     "given, or another error was attributed to it."
 )
-CROSS_CHECKS = N_(
+CROSS_CHECKS_TEXT = N_(
     "The adjustment is repeated with each line omitted in turn, with each target omitted in turn, "
     "and with each half of the lines in the order of the survey. The jackknife standard "
     "deviation of the angles is computed from the scatter of the results with one line omitted at "
     "a time, or with one target omitted at a time. It does not depend on the given sigmas."
 )
-PARTS = N_(
+SUBSET_DIFFERENCES_TEXT = N_(
     "The differences are also given divided by their expected sigma. Above 3, the subset "
     "disagrees with the full adjustment, or the two halves with each other, by more than chance "
     "explains."
@@ -67,12 +72,14 @@ def reliability_blocks(content: ReportContent) -> list[Block]:
     found = [each for each in adjustment.sightings if each.is_tested]
     return [
         Paragraph(
-            gettext(SIGHTING_TEST, limit=fixed_number(adjustment.critical_w, 2), count=len(found))
+            gettext(
+                SIGHTING_TEST_TEXT, limit=fixed_number(adjustment.critical_w, 2), count=len(found)
+            )
         ),
-        report_table(SIGHTING_TESTS, found),
+        report_table(SIGHTING_TESTS_TABLE, found),
         *_sighting_notes(found),
-        Paragraph(gettext(POINT_TEST, limit=fixed_number(CRITICAL_VALUE, 2))),
-        report_table(POINT_TESTS, found),
+        Paragraph(gettext(POINT_TEST_TEXT, limit=fixed_number(CRITICAL_VALUE, 2))),
+        report_table(POINT_TESTS_TABLE, found),
         *_pos_error_blocks(found),
     ]
 
@@ -117,8 +124,10 @@ def _pos_error_blocks(sightings: Sequence[SightingValues]) -> list[Block]:
         ),
     ]
     return [
-        report_table(POS_ERRORS, sightings, [[gettext("Given 1 σ"), gettext("mean"), *prior]]),
-        UndrawnPictures(gettext(POS_ERROR_FIGURE), pos_error_figures_of, (tuple(sightings),)),
+        report_table(
+            POS_ERRORS_TABLE, sightings, [[gettext("Given 1 σ"), gettext("mean"), *prior]]
+        ),
+        UndrawnPictures(gettext(POS_ERROR_CAPTION), pos_error_figures_of, (tuple(sightings),)),
     ]
 
 
@@ -130,8 +139,8 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
     if checks is None:
         return [Paragraph(gettext("The adjustment was not repeated with subsets of the data."))]
     blocks: list[Block] = [
-        Paragraph(gettext(CROSS_CHECKS)),
-        report_table(SIGMAS, spread_rows(checks)),
+        Paragraph(gettext(CROSS_CHECKS_TEXT)),
+        report_table(SIGMAS_TABLE, spread_rows(checks)),
     ]
     if checks.spread_lines_deg is None:
         blocks.append(
@@ -153,8 +162,8 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
         )
     rows = subset_rows(checks)
     blocks += [
-        report_table(SUBSETS, rows),
-        Paragraph(gettext(PARTS)),
+        report_table(SUBSETS_TABLE, rows),
+        Paragraph(gettext(SUBSET_DIFFERENCES_TEXT)),
     ]
     reasons = tuple(
         gettext("{name}: {reason}", name=row.name, reason=sentence_text(row.subset.reason))

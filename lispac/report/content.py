@@ -35,11 +35,11 @@ from lispac.report.report_values import (
     ReportContent,
 )
 from lispac.report.report_warnings import report_warnings
-from lispac.report.settings_used import CONVENTION, role_of_line, settings_used
+from lispac.report.settings_used import CONVENTION_TEXT, role_of_line, settings_used
 from lispac.survey.line_source import printable
 from lispac.targets.sighting_quality import SightingQuality
 
-__all__ = ["CONVENTION", "ReportContent", "report_content"]
+__all__ = ["CONVENTION_TEXT", "ReportContent", "report_content"]
 
 Array = NDArray[np.float64]
 
@@ -67,7 +67,7 @@ def report_content(
     headings_deg : degrees by name of the line
     counts : points by name of the line
     track_local : ndarray of shape (k, 2) by name of the line, metres, north and west
-        Course of the vessel, coarse.
+        Track of the vessel with few points.
     notes : assumptions of the import
     generated : datetime
         Interpreted as UTC if it has no time zone.
@@ -75,17 +75,15 @@ def report_content(
     convention : key of another program in whose convention the boresight is given; empty for none
     budget : error budget of the system, if the boresight was estimated
     trajectory : motion and precision on each line
-    refused : reason why an estimate after the result of the project was refused
-    digests : whether to read the input files and compute their digests; if not, no files are listed
+    refused : reason why a later estimate failed, so that the project still has the older result;
+        empty if none failed
+    digests : whether to read all input files once and compute their digests; if not, no files are
+        listed
 
     Raises
     ------
     InputError
         If the key of the convention is unknown.
-
-    Notes
-    -----
-    The input files are read once to compute their digests.
     """
     stamp = generated if generated.tzinfo else generated.replace(tzinfo=UTC)
     lines = tuple(
@@ -100,7 +98,7 @@ def report_content(
     )
     edited = {(t.name, s.line) for t in project.targets for s in t.sightings if s.by_hand}
     adjustment = adjustment_values(project.result, headings_deg) if project.result else None
-    # The prior at the start of the adjustment: the residuals "before" refer to it.
+    # The prior that the adjustment started from, since the residuals "before" refer to it.
     prior = adjustment.prior_boresight_deg if adjustment else angles(project.settings.boresight_deg)
     true = None if project.truth_deg is None else angles(project.truth_deg)
     error = None if adjustment is None or true is None else angle_errors(adjustment, true)

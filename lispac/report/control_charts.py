@@ -10,26 +10,27 @@ from matplotlib.figure import Figure
 from lispac.adjustment.result import ANGLES
 from lispac.language import N_, gettext
 from lispac.report.figures import (
-    AFTER,
-    BEFORE,
-    INK,
-    SMALL,
-    TEXT,
+    AFTER_COLOUR,
+    BEFORE_COLOUR,
+    INK_COLOUR,
+    SMALL_TEXT_SIZE,
+    TEXT_SIZE,
     blank_figure,
     short_name,
     style_axes,
 )
 from lispac.validation.control_chart import ChartedCalibration, control_limits
-from lispac.validation.repeatability import NORMAL_95
+from lispac.validation.repeatability import NORMAL_QUANTILE_975
 
-AXES: Mapping[str, str] = {
+AXIS_LABELS: Mapping[str, str] = {
     "roll": N_("Roll (deg)"), "pitch": N_("Pitch (deg)"), "yaw": N_("Yaw (deg)")
 }  # fmt: skip
-LIMITS = "#dbe4ee"
-HALF_WIDTH = 0.35
-"""Width of the band of limits to either side, as a share of the time to the next calibration."""
-DAYS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
-"""Formats of a date beside the axis, from years to seconds, the same in every language."""
+LIMITS_COLOUR = "#dbe4ee"
+"""Colour of the band between the control limits of a calibration."""
+BAND_HALF_WIDTH = 0.35
+"""Width of this band to either side, as a share of the time to the neighbouring calibration."""
+DATE_FORMATS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
+"""Formats of the dates at the axis, for steps from years to seconds, the same in all languages."""
 
 
 def control_chart_figure(
@@ -42,6 +43,7 @@ def control_chart_figure(
     Parameters
     ----------
     days : dates of the calibrations, the earliest first
+    charted : the calibrations in the same order, with the earlier ones they are compared with
     """
     figure = blank_figure(figure, (6.3, 4.6))
     panels = figure.subplots(3, 1, sharex=True)
@@ -55,31 +57,38 @@ def control_chart_figure(
     has_moved = np.array([each.has_moved for each in charted])
     for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
         for j, each in enumerate(charted):
-            reach = control_limits(each)
-            if reach is not None and each.before is not None:
-                low, high = np.degrees(reach[:, k])
-                sides = at[j] - HALF_WIDTH * spacing[j], at[j] + HALF_WIDTH * spacing[j + 1]
-                axes.fill_between(sides, low, high, color=LIMITS, linewidth=0)
-                axes.hlines(np.degrees(each.before.boresight[k]), *sides, color=BEFORE, lw=1.0)
+            limits = control_limits(each)
+            if limits is not None and each.before is not None:
+                low, high = np.degrees(limits[:, k])
+                sides = (
+                    at[j] - BAND_HALF_WIDTH * spacing[j],
+                    at[j] + BAND_HALF_WIDTH * spacing[j + 1],
+                )
+                axes.fill_between(sides, low, high, color=LIMITS_COLOUR, linewidth=0)
+                axes.hlines(
+                    np.degrees(each.before.boresight[k]), *sides, color=BEFORE_COLOUR, lw=1.0
+                )
         values = np.degrees([each.calibration.boresight[k] for each in charted])
-        reach = NORMAL_95 * np.degrees([each.calibration.sigma[k] for each in charted])
-        for own, colour in ((~has_moved, INK), (has_moved, AFTER)):
+        half_widths = NORMAL_QUANTILE_975 * np.degrees(
+            [each.calibration.sigma[k] for each in charted]
+        )
+        for own, colour in ((~has_moved, INK_COLOUR), (has_moved, AFTER_COLOUR)):
             axes.errorbar(
-                at[own], values[own], yerr=reach[own], fmt="o", markersize=4, color=colour,
+                at[own], values[own], yerr=half_widths[own], fmt="o", markersize=4, color=colour,
                 elinewidth=1.0, capsize=2.5,
             )  # fmt: skip
-        style_axes(axes, "", gettext(AXES[angle]))
+        style_axes(axes, "", gettext(AXIS_LABELS[angle]))
     for x, each in zip(at, charted, strict=True):
         panels[0].annotate(
             short_name(each.calibration.name), (x, 1.0), xycoords=("data", "axes fraction"),
-            xytext=(0, 3), textcoords="offset points", fontsize=SMALL, color=INK, rotation=25,
-            ha="left", va="bottom",
+            xytext=(0, 3), textcoords="offset points", fontsize=SMALL_TEXT_SIZE,
+            color=INK_COLOUR, rotation=25, ha="left", va="bottom",
         )  # fmt: skip
-    panels[-1].set_xlim(at[0] - HALF_WIDTH * between, at[-1] + HALF_WIDTH * between)
+    panels[-1].set_xlim(at[0] - BAND_HALF_WIDTH * between, at[-1] + BAND_HALF_WIDTH * between)
     locator = AutoDateLocator(minticks=2)  # type: ignore[no-untyped-call]
     panels[-1].xaxis.set_major_locator(locator)
     formatter = ConciseDateFormatter(  # type: ignore[no-untyped-call]
-        locator, formats=DAYS, zero_formats=DAYS, show_offset=False
+        locator, formats=DATE_FORMATS, zero_formats=DATE_FORMATS, show_offset=False
     )
     panels[-1].xaxis.set_major_formatter(formatter)
     figure.supxlabel(
@@ -88,6 +97,6 @@ def control_chart_figure(
             "Line and band:\nmean of the earlier calibrations and three sigmas of the difference "
             "from it."
         ),
-        fontsize=TEXT, color=INK,
+        fontsize=TEXT_SIZE, color=INK_COLOUR,
     )  # fmt: skip
     return figure

@@ -6,7 +6,7 @@ from lispac.language import N_, capitalised, gettext
 from lispac.message_texts import message_text
 from lispac.present.conventions import ConventionValues, ScannerToBodyMatrix
 from lispac.present.text_format import (
-    MINUS,
+    MINUS_SIGN,
     degrees_unit,
     fixed_number,
     format_known,
@@ -16,12 +16,12 @@ from lispac.present.text_format import (
 from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows, facts_table
 from lispac.report.report_values import ReportContent
 
-DIRECTIONS: Mapping[str, str] = {
+ROTATION_TEXTS: Mapping[str, str] = {
     "LiDAR to body": N_("{formula}, LiDAR to body"),
     "body to LiDAR": N_("{formula}, body to LiDAR"),
 }
-EXACT = 8
-"""Decimals of angles, degrees, if they change much for a small rotation."""
+PRECISE_DECIMALS = 8
+"""Decimals of angles in degrees if they change much with a small rotation (steep pitch)."""
 
 
 def convention_blocks(content: ReportContent) -> list[Block]:
@@ -71,7 +71,7 @@ def _convention_tables(convention: ConventionValues) -> list[Block]:
         convention.warning,
     )
     blocks += [
-        Paragraph(message_text(each).replace(" -", f" {MINUS}"))
+        Paragraph(message_text(each).replace(" -", f" {MINUS_SIGN}"))
         for each in notes
         if each is not None
     ]
@@ -79,7 +79,7 @@ def _convention_tables(convention: ConventionValues) -> list[Block]:
 
 
 def _angle_table(convention: ConventionValues) -> Table:
-    decimals = 4 if convention.note is None else EXACT
+    decimals = 4 if convention.note is None else PRECISE_DECIMALS
     deg = degrees_unit()
     return Table(
         gettext(
@@ -105,7 +105,7 @@ def _angle_table(convention: ConventionValues) -> Table:
 
 
 def _program_name(name: str) -> str:
-    """Name of a program in the language in use, since some names contain words to translate."""
+    """Name of a program in the language in use; some names contain translated words."""
     return gettext(name)
 
 
@@ -113,7 +113,8 @@ def _rotation_text(convention: ConventionValues) -> str:
     if not convention.angles:
         return gettext("this program imports a matrix, not angles")
     return gettext(
-        DIRECTIONS[convention.direction_text], formula=str(convention.formula).replace("-", MINUS)
+        ROTATION_TEXTS[convention.direction_text],
+        formula=str(convention.formula).replace("-", MINUS_SIGN),
     )
 
 

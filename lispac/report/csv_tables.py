@@ -1,8 +1,8 @@
 """Every table of the report as CSV, in one ZIP file, for a spreadsheet or a script.
 
-The texts are those of the report, so the numbers agree with the signed report. A cell that contains
-only a number is written with a decimal point, a plain minus and no thousands separators; the
-plus-minus sign before half the width of an interval is omitted.
+The numbers are rounded as in the signed report. A cell that contains only a number is written with
+a decimal point, a hyphen as minus sign and no separators between groups of digits; the plus-minus
+sign of a cell that contains only half the width of an interval is omitted.
 """
 
 import csv
@@ -17,18 +17,20 @@ from lispac.present.text_format import decimal_sign, group_sign
 from lispac.present.validation import DistancesBySteps
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Block, Column, Table, as_rows
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
 from lispac.untrusted_values import as_csv_cell
 
-_EPOCH = (1980, 1, 1, 0, 0, 0)
+_ARCHIVE_TIME = (1980, 1, 1, 0, 0, 0)
 """Fixed time of every file in the archive, so that the same report gives the same bytes."""
 
 
-def write_tables(content: ReportContent, path: Path, options: ReportOptions = USUAL) -> None:
+def write_tables(
+    content: ReportContent, path: Path, options: ReportOptions = DEFAULT_OPTIONS
+) -> None:
     """Write one ZIP file with a CSV file (UTF-8) for each table, in the report's order.
 
-    The last files contain the values drawn in the figures of the validation planes.
+    The last files contain the values of the histograms, profiles and maps of the validation planes.
     """
     document = report_document(content, {}, options)
     blocks: list[Block] = [document.identity, *document.summary]
@@ -38,13 +40,13 @@ def write_tables(content: ReportContent, path: Path, options: ReportOptions = US
     with in_language(options.language), zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         tables += [*histogram_tables(content), *map_tables(content)]
         for k, table in enumerate(tables, start=1):
-            entry = zipfile.ZipInfo(f"{k:02d}-{_file_stem(table.title)}.csv", _EPOCH)
+            entry = zipfile.ZipInfo(f"{k:02d}-{_file_stem(table.title)}.csv", _ARCHIVE_TIME)
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, csv_text(table))
 
 
 def histogram_tables(content: ReportContent) -> list[Table]:
-    """Tables of the bins of every histogram, and of the distances by height and range."""
+    """Tables of the histogram of each validation plane, and of distances by height and range."""
     made = []
     for plane in content.validation:
         edges = [1000 * edge for edge in plane.bin_edges_m]
@@ -133,7 +135,7 @@ def csv_text(table: Table) -> str:
         writer.writerow(map(as_csv_cell, heads))
     numbers = _number_pattern()
     for row in table.rows:
-        # Text typed by the user stays as it is: a serial number is not a number.
+        # Texts typed by the user are not converted, since a serial number may look like a number.
         writer.writerow(
             as_csv_cell(cell if table.form else _plain_cell(cell, numbers)) for cell in row
         )
@@ -141,7 +143,7 @@ def csv_text(table: Table) -> str:
 
 
 def _number_pattern() -> re.Pattern[str]:
-    """Pattern of a cell with one number or half an interval: sign, whole part and decimals."""
+    """Pattern of one number, or of half an interval; its groups are sign, integer and decimals."""
     groups, decimal = re.escape(group_sign()), re.escape(decimal_sign())
     return re.compile(
         rf"(?:\u00b1 ?)?([+-]?)(\d{{1,3}}(?:{groups}\d{{3}})+|\d+)(?:[{decimal}.](\d+))?"

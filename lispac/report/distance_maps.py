@@ -1,4 +1,4 @@
-"""Maps of the distances between two lines on a plane, before and after."""
+"""Maps of the distances between two lines on a plane, before and after the calibration."""
 
 from collections.abc import Sequence
 
@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from lispac.language import N_, gettext
 from lispac.present.validation import DistanceMapValues, ValidationPlane
 from lispac.report.figures import (
-    INK,
-    SMALL,
-    TEXT,
+    INK_COLOUR,
+    SMALL_TEXT_SIZE,
+    TEXT_SIZE,
     LocalisedFormatter,
     blank_figure,
     short_name,
@@ -24,29 +24,32 @@ from lispac.validation.comparison_results import PlaneComparison
 
 Array = NDArray[np.float64]
 
-STATES = N_("before"), N_("after"), N_("after, separate scale")
-COLOURS = "RdBu_r"
+PANEL_TITLES = N_("before"), N_("after"), N_("after, separate scale")
+COLOUR_MAP = "RdBu_r"
 """Colour map: red where the first line is nearer to the vessel, white where both coincide."""
 SCALE_PERCENTILE = 98.0
 """Percentile of the absolute distances at the ends of the colour scale."""
-LEAST = 1e-4
-PIXELS = 10
-"""Pixels along the side of a cell, since viewers blur single pixels of an image."""
-WIDTH, TALLEST, LOWEST = 6.3, 3.2, 0.5
+MIN_COLOUR_LIMIT_M = 1e-4
+"""Smallest distance at the ends of the colour scale, metres."""
+PIXELS_PER_CELL = 10
+"""Pixels along the side of a cell; a viewer would blur cells of a single pixel."""
+FIGURE_WIDTH, MAX_PANEL_HEIGHT, MIN_PANEL_HEIGHT = 6.3, 3.2, 0.5
 """Width of the figure, and largest and smallest height of a panel, inches."""
-LEFT, RIGHT, BETWEEN = 0.8, 0.12, 0.34
-TOP, TOP_TALL, BELOW, BOTTOM = 0.4, 0.8, 0.26, 0.85
-"""Margins around and between the panels, inches."""
+MARGIN_LEFT, MARGIN_RIGHT, COLUMN_SPACING = 0.8, 0.12, 0.34
+MARGIN_TOP, MARGIN_TOP_ONE_ROW, ROW_SPACING, MARGIN_BOTTOM = 0.4, 0.8, 0.26, 0.85
+"""Margins around and between the panels, inches; the top margin is larger if all pairs are in one
+row."""
 MAX_TEXT_SHARE = 0.95
-"""Largest share of the distance between panels that a text may fill."""
-BESIDE = 1.4
-"""Ratio of height to width above which all pairs of a plane are drawn in one row."""
+"""Largest share of the distance between the centres of two panels that a text may fill."""
+ONE_ROW_RATIO = 1.4
+"""Ratio of height to width of a plane above which the maps of all its pairs are in one row."""
 
 
 def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
-    """Maps of the signed distances over the plane, for each mapped pair of lines.
+    """Maps of the signed distances on the plane, for each mapped pair of lines.
 
-    Three panels a pair: before and after with a common colour scale, and after with its own.
+    Each pair has three panels: before and after with a common colour scale, and after with a
+    separate one.
     """
     return _draw_maps(
         figure, comparison.name, [DistanceMapValues.of(each) for each in comparison.maps]
@@ -60,7 +63,7 @@ def map_figure_of(plane: ValidationPlane) -> Figure:
 
 def _draw_maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValues]) -> Figure:
     if not maps:
-        figure = blank_figure(figure, (WIDTH, 1.0))
+        figure = blank_figure(figure, (FIGURE_WIDTH, 1.0))
         axes = figure.add_subplot()
         axes.set_axis_off()
         missing = gettext(
@@ -68,12 +71,12 @@ def _draw_maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValue
             plane=short_name(name),
         )
         axes.text(
-            0.5, 0.5, missing, ha="center", va="center", fontsize=TEXT, color=INK,
+            0.5, 0.5, missing, ha="center", va="center", fontsize=TEXT_SIZE, color=INK_COLOUR,
             transform=axes.transAxes,
         )  # fmt: skip
         return figure
     sides = np.max([_map_size(each) for each in maps], axis=0)
-    tall = bool(sides[1] > BESIDE * sides[0])
+    tall = bool(sides[1] > ONE_ROW_RATIO * sides[0])
     figure, places = _map_panels(figure, len(maps), sides, tall)
     common = max(_colour_limit(each.before_m + each.after_m) for each in maps)
     own = max(_colour_limit(each.after_m) for each in maps)
@@ -82,7 +85,7 @@ def _draw_maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValue
     for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
         before, after = _cell_grids(pair)
         for axes, values, end, state in zip(
-            row, (before, after, after), (common, common, own), STATES, strict=True
+            row, (before, after, after), (common, common, own), PANEL_TITLES, strict=True
         ):
             _draw_map(axes, values, end, pair.cell_m)
             last, first = tall or k == len(maps) - 1, axes is row[0] and not (tall and k)
@@ -92,12 +95,18 @@ def _draw_maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValue
             if tall:
                 title = f"{_break_after_commas(gettext(state))}\n{named[k]}"
             elif first:
-                axes.set_ylabel(f"{named[k]}\n{up}", fontsize=size, color=INK)
-            axes.set_title(title, fontsize=size if tall else SMALL, color=INK)
+                axes.set_ylabel(f"{named[k]}\n{up}", fontsize=size, color=INK_COLOUR)
+            axes.set_title(title, fontsize=size if tall else SMALL_TEXT_SIZE, color=INK_COLOUR)
     for columns in ((0, 1), (2,)):
         _draw_colour_bar(figure, [row[k] for row in places for k in columns])
     figure.suptitle(
-        short_name(name), x=0.01, y=0.99, ha="left", va="top", fontsize=TEXT + 1, color=INK
+        short_name(name),
+        x=0.01,
+        y=0.99,
+        ha="left",
+        va="top",
+        fontsize=TEXT_SIZE + 1,
+        color=INK_COLOUR,
     )
     return figure
 
@@ -107,9 +116,13 @@ def _fitted_pair_names(
 ) -> tuple[list[str], float]:
     """Name of each pair, and the font size at which no name overlaps its neighbour."""
     box, inches = panel.get_position(original=True), figure.get_size_inches()
-    available = box.width * inches[0] + BETWEEN if tall else box.height * inches[1] + BELOW
+    available = (
+        box.width * inches[0] + COLUMN_SPACING if tall else box.height * inches[1] + ROW_SPACING
+    )
     available *= MAX_TEXT_SHARE
-    others = [_break_after_commas(gettext(s)) for s in STATES] if tall else [gettext("Up (m)")]
+    others = (
+        [_break_after_commas(gettext(s)) for s in PANEL_TITLES] if tall else [gettext("Up (m)")]
+    )
     for template in (N_("{line}\n− {other}"), N_("{line}\n−\n{other}")):
         named = [
             gettext(
@@ -119,9 +132,11 @@ def _fitted_pair_names(
             )
             for each in maps
         ]
-        if (size := largest_fitting_font_size(named, available, SMALL)) == SMALL:
+        if (
+            size := largest_fitting_font_size(named, available, SMALL_TEXT_SIZE)
+        ) == SMALL_TEXT_SIZE:
             break
-    return named, min(size, largest_fitting_font_size(others, available, SMALL))
+    return named, min(size, largest_fitting_font_size(others, available, SMALL_TEXT_SIZE))
 
 
 def _break_after_commas(text: str) -> str:
@@ -131,20 +146,22 @@ def _break_after_commas(text: str) -> str:
 def _map_panels(
     figure: Figure | None, pairs: int, sides: Array, tall: bool
 ) -> tuple[Figure, list[list[Axes]]]:
-    """Three panels for each pair: one row a pair, or a single row if the plane is tall."""
+    """Three panels for each pair: one row for each pair, or a single row if the plane is tall."""
     down, along = (1, 3 * pairs) if tall else (pairs, 3)
-    wide = (WIDTH - LEFT - RIGHT - (along - 1) * BETWEEN) / along
-    high = float(np.clip(sides[1] / sides[0] * wide, LOWEST, TALLEST))
-    top = TOP_TALL if tall else TOP
-    size = WIDTH, top + down * high + (down - 1) * BELOW + BOTTOM
+    wide = (FIGURE_WIDTH - MARGIN_LEFT - MARGIN_RIGHT - (along - 1) * COLUMN_SPACING) / along
+    high = float(np.clip(sides[1] / sides[0] * wide, MIN_PANEL_HEIGHT, MAX_PANEL_HEIGHT))
+    top = MARGIN_TOP_ONE_ROW if tall else MARGIN_TOP
+    size = FIGURE_WIDTH, top + down * high + (down - 1) * ROW_SPACING + MARGIN_BOTTOM
     figure = blank_figure(figure, size)
     # Positions are computed here: a layout engine takes a second to measure all texts.
     figure.set_layout_engine("none")
 
     def panel(row: int, column: int) -> Axes:
-        left = LEFT + column * (wide + BETWEEN)
-        low = size[1] - top - high - row * (high + BELOW)
-        return figure.add_axes((left / WIDTH, low / size[1], wide / WIDTH, high / size[1]))
+        left = MARGIN_LEFT + column * (wide + COLUMN_SPACING)
+        low = size[1] - top - high - row * (high + ROW_SPACING)
+        return figure.add_axes(
+            (left / FIGURE_WIDTH, low / size[1], wide / FIGURE_WIDTH, high / size[1])
+        )
 
     panels = [[panel(row, column) for column in range(along)] for row in range(down)]
     if not tall:
@@ -165,17 +182,17 @@ def _draw_colour_bar(figure: Figure, panels: Sequence[Axes]) -> None:
         panels[0].images[0], cax=figure.add_axes((*place, 0.09 * inch)), orientation="horizontal",
         extend="both", format=LocalisedFormatter(),
     )  # fmt: skip
-    bar.set_label("mm", fontsize=SMALL, color=INK)
+    bar.set_label("mm", fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)
     bar.locator = MaxNLocator(5)
     bar.update_ticks()
-    bar.ax.tick_params(labelsize=SMALL, colors=INK)
+    bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
 
 
 def _draw_map(axes: Axes, values: Array, end: float, cell: float) -> None:
     rows, columns = values.shape
-    sharp = np.repeat(np.repeat(1000 * values, PIXELS, axis=0), PIXELS, axis=1)
+    sharp = np.repeat(np.repeat(1000 * values, PIXELS_PER_CELL, axis=0), PIXELS_PER_CELL, axis=1)
     axes.imshow(
-        sharp, cmap=COLOURS, vmin=-1000 * end, vmax=1000 * end, origin="lower",
+        sharp, cmap=COLOUR_MAP, vmin=-1000 * end, vmax=1000 * end, origin="lower",
         extent=(0.0, columns * cell, 0.0, rows * cell), aspect="equal", interpolation="none",
     )  # fmt: skip
     axes.set_facecolor("#eeeeee")
@@ -200,9 +217,9 @@ def _cell_coordinates(pair: DistanceMapValues) -> tuple[tuple[float, ...], tuple
 
 
 def _map_size(pair: DistanceMapValues) -> Array:
-    """Width and height of the drawn area, metres."""
+    """Width and height of the area covered by a map, metres."""
     return np.array([max(values) + pair.cell_m / 2 for values in _cell_coordinates(pair)])
 
 
 def _colour_limit(values: Sequence[float]) -> float:
-    return max(float(np.percentile(np.abs(values), SCALE_PERCENTILE)), LEAST)
+    return max(float(np.percentile(np.abs(values), SCALE_PERCENTILE)), MIN_COLOUR_LIMIT_M)

@@ -1,4 +1,4 @@
-"""Distances between lines against height and range, before and after."""
+"""Distances between lines as a function of height and range, before and after the calibration."""
 
 from collections.abc import Mapping, Sequence
 
@@ -9,30 +9,30 @@ from matplotlib.figure import Figure
 from lispac.language import N_, gettext
 from lispac.present.validation import DistancesBySteps, ValidationPlane
 from lispac.report.figures import (
-    AFTER,
-    BEFORE,
-    INK,
-    SMALL,
-    TEXT,
+    AFTER_COLOUR,
+    BEFORE_COLOUR,
+    INK_COLOUR,
+    SMALL_TEXT_SIZE,
+    TEXT_SIZE,
     blank_figure,
     short_name,
     style_axes,
 )
 from lispac.validation.comparison_results import PlaneComparison
 
-CURVES: Mapping[tuple[str, str], str] = {
+CURVE_LABELS: Mapping[tuple[str, str], str] = {
     ("median", "before"): N_("median before"),
     ("p95", "before"): N_("95 % before"),
     ("median", "after"): N_("median after"),
     ("p95", "after"): N_("95 % after"),
 }
 """Texts of the legend, by statistic and state."""
-COLOURS = {"before": BEFORE, "after": AFTER}
-STYLES = {"median": "-", "p95": "--"}
+STATE_COLOURS = {"before": BEFORE_COLOUR, "after": AFTER_COLOUR}
+LINE_STYLES = {"median": "-", "p95": "--"}
 
 
 def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
-    """Median (full) and 95th percentile (dashed) of the distances, before and after."""
+    """Median (solid) and 95th percentile (dashed) of the distances, by height and by range."""
     profiles = [
         None if each is None else DistancesBySteps.of(each)
         for each in (comparison.by_height, comparison.by_range)
@@ -64,25 +64,26 @@ def _draw_profiles(
     if drawn:
         figure.legend(
             *places[0].get_legend_handles_labels(), loc="outside upper right", ncols=4,
-            fontsize=SMALL, frameon=False, labelcolor=INK,
+            fontsize=SMALL_TEXT_SIZE, frameon=False, labelcolor=INK_COLOUR,
         )  # fmt: skip
     else:
         places[0].set_axis_off()
         places[0].text(
             0.5, 0.5,
             gettext("This result is from an earlier version. Run the validation again."),
-            ha="center", va="center", fontsize=TEXT, color=INK, transform=places[0].transAxes,
+            ha="center", va="center", fontsize=TEXT_SIZE, color=INK_COLOUR,
+            transform=places[0].transAxes,
         )  # fmt: skip
-    figure.suptitle(short_name(name), x=0.01, ha="left", fontsize=TEXT + 1, color=INK)
+    figure.suptitle(short_name(name), x=0.01, ha="left", fontsize=TEXT_SIZE + 1, color=INK_COLOUR)
     return figure
 
 
 def _draw_profile(axes: Axes, profile: DistancesBySteps) -> None:
     edges = np.array(profile.edges_m)
     middles = 0.5 * (edges[:-1] + edges[1:])
-    for (statistic, state), label in CURVES.items():
+    for (statistic, state), label in CURVE_LABELS.items():
         values = np.array(getattr(profile, f"{statistic}_{state}_m"), dtype=float)
         axes.plot(
-            middles, 1000 * values, STYLES[statistic], color=COLOURS[state], linewidth=1.2,
-            marker="o", markersize=2.5, label=gettext(label),
+            middles, 1000 * values, LINE_STYLES[statistic], color=STATE_COLOURS[state],
+            linewidth=1.2, marker="o", markersize=2.5, label=gettext(label),
         )  # fmt: skip

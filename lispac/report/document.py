@@ -1,4 +1,4 @@
-"""Texts, tables and figures of a report, the same for every kind of file it is written to."""
+"""Texts, tables and figures of a report, the same for PDF, HTML and CSV files."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -8,7 +8,7 @@ from lispac.errors import InputError, system_reason
 from lispac.language import gettext, in_language
 from lispac.message_texts import message_text
 from lispac.messages import error
-from lispac.present.text_format import HYPHEN, time_text, with_minus_signs
+from lispac.present.text_format import MINUS_PATTERN, time_text, with_minus_signs
 from lispac.report import sections
 from lispac.report.absolute_section import absolute_check_blocks
 from lispac.report.boresight_section import boresight_blocks
@@ -27,31 +27,34 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.identity_section import identity_form, signature_lines
 from lispac.report.methods_section import method_blocks
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.quality_section import quality_blocks
 from lispac.report.report_values import ReportContent
 from lispac.report.settings_section import settings_blocks
 from lispac.report.standards_section import standards_blocks
 from lispac.report.validation_section import validation_blocks
 
-TWO_ON_A_PAGE = 92.0
-"""Largest height of a picture, mm, at which two with captions fit on the smaller page size."""
+MAX_HEIGHT_OF_TWO_MM = 92.0
+"""Largest height of two pictures, mm, that fit with their captions on one page of any size."""
 
 
 def report_document(
-    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = USUAL
+    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = DEFAULT_OPTIONS
 ) -> Document:
     """The texts, tables and figures of a report.
 
     Parameters
     ----------
     pictures : file of a PNG or SVG picture by its caption
-    options : language, page and letterhead; the convention is already part of the content
+    options : language, page, letterhead and closing text; the convention is already part of the
+        content
 
     Raises
     ------
     InputError
-        If a picture or the logo cannot be read, or if no report exists in this language.
+        If a picture or the logo cannot be read.
+    ValueError
+        If there is no such language.
     """
     with in_language(options.language):
         return drawn_document(undrawn_document(content, pictures, options))
@@ -60,9 +63,9 @@ def report_document(
 def undrawn_document(
     content: ReportContent,
     pictures: Mapping[str, Path],
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
 ) -> Document:
-    """Report in the language in use, with figures that are still to be drawn."""
+    """Report in the language in use, with figures that `drawn_document` draws later."""
     serious, notes = (_warning_texts(content, serious=is_serious) for is_serious in (True, False))
     status, verdict = _status_text(content, bool(serious))
     parts = [
@@ -116,8 +119,8 @@ def undrawn_document(
 
 
 def _warning_texts(content: ReportContent, *, serious: bool) -> tuple[str, ...]:
-    """Texts of the serious warnings, or of the others, with true minus signs."""
-    names = tuple(name for name in _proper_names(content) if HYPHEN.search(name))
+    """Texts of the errors and warnings, or of the notes, with minus signs instead of hyphens."""
+    names = tuple(name for name in _proper_names(content) if MINUS_PATTERN.search(name))
     return tuple(
         with_minus_signs(message_text(each), names)
         for each in content.warnings
@@ -126,7 +129,7 @@ def _warning_texts(content: ReportContent, *, serious: bool) -> tuple[str, ...]:
 
 
 def _proper_names(content: ReportContent) -> Iterator[str]:
-    """Names of targets, lines and files, whose hyphens are not replaced by minus signs."""
+    """Names of project, targets, lines and files; their hyphens are no minus signs."""
     yield from (content.project, content.program)
     yield from (plane.name for plane in content.planes)
     yield from (plane.name for plane in content.validation)
@@ -141,7 +144,7 @@ def _proper_names(content: ReportContent) -> Iterator[str]:
 
 
 def drawn_document(document: Document) -> Document:
-    """The document with its figures drawn in the language in use."""
+    """Copy of a document with its figures drawn in the language in use."""
     return replace(
         document,
         summary=_draw_pictures(document.summary),
@@ -175,8 +178,8 @@ def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
 
 
 def _view_pictures(pictures: Mapping[str, Path]) -> list[Picture]:
-    """Pictures before and after the calibration, sized to fit on one page."""
-    tallest = TWO_ON_A_PAGE if len(pictures) > 1 else Picture.tallest
+    """Pictures of the 3D view with their captions, small enough for two on a page."""
+    tallest = MAX_HEIGHT_OF_TWO_MM if len(pictures) > 1 else Picture.tallest
     return [replace(_make_picture(*each), tallest=tallest) for each in pictures.items()]
 
 

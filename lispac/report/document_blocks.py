@@ -30,7 +30,10 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Column:
-    """Title and alignment of a column; a ``wide`` one holds running text."""
+    """Title and alignment of a column of a `Table`.
+
+    A ``wide`` column contains sentences; a ``code`` column contains digests in a fixed-width font.
+    """
 
     title: str
     align: Literal["left", "right"] = "right"
@@ -42,8 +45,8 @@ class Column:
 class Table:
     """Table of texts with titled columns.
 
-    A ``form`` has names and values in two columns side by side; a missing value is printed as a
-    line to be filled in by hand.
+    A ``form`` is a table of names and values; an empty value is printed as a line to be filled in
+    by hand.
     """
 
     title: str
@@ -61,7 +64,7 @@ def as_rows(cells: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
 def report_table(
     table: ResultTable[Row], rows: Iterable[Row], further_rows: Iterable[Sequence[str]] = ()
 ) -> Table:
-    """Table of results in the language in use; ``further_rows`` are appended as texts."""
+    """Table of results as texts in the language in use, with ``further_rows`` at its end."""
     columns = []
     for each in table.columns:
         title = title_text(each.title)
@@ -75,12 +78,12 @@ def report_table(
 
 
 def facts_table(title: str, values: Iterable[tuple[str, str]]) -> Table:
-    """A table of names and values without titles of columns."""
+    """Table of names and values without column titles."""
     return Table(title, (Column("", "left"), Column("", "left", wide=True)), tuple(values))
 
 
 def form_table(title: str, values: Iterable[tuple[str, str]]) -> Table:
-    """Names and values, with lines to fill in by hand where a value is blank."""
+    """Table of names and values as a form: a line to fill in by hand for each empty value."""
     return replace(facts_table(title, values), form=True)
 
 
@@ -133,7 +136,7 @@ Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | SignatureLines
 
 @dataclass(frozen=True)
 class PageTexts:
-    """Texts on every page, and titles that belong to no section."""
+    """Footer texts, and titles of the parts that are not in a section."""
 
     made: str = "Created {when} with {program}"
     page: str = "Page {page} of {pages}"
@@ -164,9 +167,10 @@ NO_LETTERHEAD = Letterhead()
 
 @dataclass(frozen=True)
 class Document:
-    """The whole report.
+    """Complete report.
 
-    ``identity`` and ``summary`` are on page one, above and below the warnings.
+    ``identity`` and ``summary`` are on page one, above and below the warnings. ``furniture`` has
+    the texts that do not depend on the project.
     """
 
     title: str

@@ -1,4 +1,4 @@
-"""One page for the field: positions of the boards, and the lines in their order."""
+"""Survey plan for the field on one page: positions of the targets, and the lines in order."""
 
 from collections.abc import Sequence
 from textwrap import fill
@@ -18,16 +18,24 @@ from lispac.present.text_format import (
     shortest_number,
     signed_number,
 )
-from lispac.report.figures import AFTER, BEFORE, GRID, INK, SMALL, TEXT, LocalisedFormatter
+from lispac.report.figures import (
+    AFTER_COLOUR,
+    BEFORE_COLOUR,
+    GRID_COLOUR,
+    INK_COLOUR,
+    SMALL_TEXT_SIZE,
+    TEXT_SIZE,
+    LocalisedFormatter,
+)
 from lispac.simulation.closed_form_survey import Ball, Board
 
 Array = NDArray[np.float64]
 
-PAGE = (8.27, 11.69)
+PAGE_SIZE = (8.27, 11.69)
 """Width and height of an A4 page, inches."""
 
-WALL, WRONG = "#8a8f98", "#b3261e"
-ASSUMED = N_(
+WALL_COLOUR, WARNING_COLOUR = "#8a8f98", "#b3261e"
+EXPLANATION_TEXT = N_(
     "Heights are relative to the POS of the vessel. Along wall: distance to the right of the "
     "middle of the site; mark the middle on the wall first. From wall: positive towards the "
     "water. Azimuth: direction that the board faces. Distance: from the middle of the site to the "
@@ -36,55 +44,73 @@ ASSUMED = N_(
     "abeam. Run the lines in the given order. Headings and azimuths are from true north. Fix the "
     "boards flat and firmly: the predicted sigmas assume that they do not move."
 )
-PITCH, MIN_PITCH, SPACE, LIFT = 0.019, 0.0115, 0.24, 0.26
-"""Shares of the page height: row, smallest row, space for the rows below drawings of the usual
-height, and largest reduction of the drawings if there are many rows."""
-MAX_WARNINGS, LINE_LENGTH = 3, 140
-"""Largest number of printed warnings, and of letters in a line."""
-OMITTED = Plural("{count:n} more warning is not shown.", "{count:n} more warnings are not shown.")
-BARS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
+ROW_PITCH, MIN_ROW_PITCH, ROWS_SPACE, MAX_LIFT = 0.019, 0.0115, 0.24, 0.26
+"""Shares of the page height: usual and smallest height of a row, space for the rows below drawings
+of the usual height, and largest reduction of the drawings if there are many rows."""
+MAX_PRINTED_WARNINGS, MAX_LINE_LENGTH = 3, 140
+"""Largest number of printed warnings, and of characters in a line of text."""
+OMITTED_WARNINGS_TEXT = Plural(
+    "{count:n} more warning is not shown.", "{count:n} more warnings are not shown."
+)
+SCALE_BAR_LENGTHS_M = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Possible lengths of the scale bar, metres."""
 
 
 def field_plan_figure(
     plan: Plan, wall: Wall, title: str, notes: Sequence[str] = (), *, warnings: Sequence[str] = ()
 ) -> Figure:
-    """Figure of one page with drawing, boards, lines and predicted sigmas.
+    """Figure of one page with drawings, targets, lines and predicted sigmas.
 
     Parameters
     ----------
     wall : Wall
-        Wall seen from the water.
+        Wall of the site, to which the positions of the targets refer.
     notes : sequence of str
-        Printed below: assumptions of the plan.
+        Further assumptions of the plan, printed at the end.
     warnings : sequence of str
         Warnings about parts of the plan that cannot be realised.
     """
-    if len(warnings) > MAX_WARNINGS:
-        rest = gettext(OMITTED, count=len(warnings) - MAX_WARNINGS)
-        warnings = (*warnings[:MAX_WARNINGS], rest)
+    if len(warnings) > MAX_PRINTED_WARNINGS:
+        rest = gettext(OMITTED_WARNINGS_TEXT, count=len(warnings) - MAX_PRINTED_WARNINGS)
+        warnings = (*warnings[:MAX_PRINTED_WARNINGS], rest)
     rows = len(plan.targets) + len(plan.lines) + 4.6 + len(warnings)
-    lift = float(np.clip(rows * MIN_PITCH - SPACE, 0.0, LIFT)) if rows * PITCH > SPACE else 0.0
-    pitch = min(PITCH, (SPACE + lift) / rows)
-    figure = Figure(figsize=PAGE)
-    figure.text(0.07, 0.955, title, fontsize=15, weight="bold", color=INK)
-    figure.text(0.07, 0.933, _predicted_sigma_text(plan), fontsize=TEXT + 1, color=INK)
+    lift = (
+        float(np.clip(rows * MIN_ROW_PITCH - ROWS_SPACE, 0.0, MAX_LIFT))
+        if rows * ROW_PITCH > ROWS_SPACE
+        else 0.0
+    )
+    pitch = min(ROW_PITCH, (ROWS_SPACE + lift) / rows)
+    figure = Figure(figsize=PAGE_SIZE)
+    figure.text(0.07, 0.955, title, fontsize=15, weight="bold", color=INK_COLOUR)
+    figure.text(0.07, 0.933, _predicted_sigma_text(plan), fontsize=TEXT_SIZE + 1, color=INK_COLOUR)
     _draw_plan_view(figure.add_axes((0.09, 0.52 + lift, 0.85, 0.39 - lift)), plan, wall)
     _draw_front_view(figure.add_axes((0.09, 0.365 + lift, 0.85, 0.105)), plan, wall)
     low = 0.325 + lift
-    _draw_table(figure, low, pitch, gettext("Targets"), TARGET_HEADS, _target_rows(plan, wall))
+    _draw_table(
+        figure, low, pitch, gettext("Targets"), TARGET_COLUMN_TITLES, _target_rows(plan, wall)
+    )
     low -= pitch * (len(plan.targets) + 2.3)
     _draw_table(
-        figure, low, pitch, gettext("Lines in survey order"), LINE_HEADS, _line_rows(plan, wall)
+        figure,
+        low,
+        pitch,
+        gettext("Lines in survey order"),
+        LINE_COLUMN_TITLES,
+        _line_rows(plan, wall),
     )
     low -= pitch * (len(plan.lines) + 2.3)
     for warning in warnings:
-        figure.text(0.07, low, warning, fontsize=TEXT, color=WRONG, va="top", weight="bold")
+        figure.text(
+            0.07, low, warning, fontsize=TEXT_SIZE, color=WARNING_COLOUR, va="top", weight="bold"
+        )
         low -= pitch
     text = "\n".join(
-        fill(note, LINE_LENGTH) for note in (gettext(ASSUMED), _assumptions_text(plan), *notes)
+        fill(note, MAX_LINE_LENGTH)
+        for note in (gettext(EXPLANATION_TEXT), _assumptions_text(plan), *notes)
     )
-    figure.text(0.07, low, text, fontsize=SMALL, color=INK, va="top", linespacing=1.4)
+    figure.text(
+        0.07, low, text, fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR, va="top", linespacing=1.4
+    )
     return figure
 
 
@@ -119,13 +145,13 @@ def _triple_text(numbers: Sequence[str]) -> str:
 
 
 def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
-    """Draw wall, targets and numbered lines from above, east to the right and north up."""
+    """Draw wall, targets and numbered lines in plan view, north up."""
     middle = np.array(plan.middle[:2])
     offset = 0.02 * max(line.distance for line in plan.lines)  # opposite lines side by side
     begins: dict[tuple[float, float], list[int]] = {}
     reach = max(line.distance for line in plan.lines) + 5.0
     ends = middle + np.outer([-reach, reach], wall.rightward)
-    axes.plot(*_east_north(ends), color=WALL, linewidth=3, zorder=1)
+    axes.plot(*_east_north(ends), color=WALL_COLOUR, linewidth=3, zorder=1)
     for k, (line, (start, stop)) in enumerate(
         zip(plan.lines, plan.straight_extents, strict=True), start=1
     ):
@@ -134,38 +160,41 @@ def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
         first, last = abeam + start * direction, abeam + stop * direction
         (x0, x1), (y0, y1) = _east_north(np.stack([first, last]))
         axes.annotate(
-            "", (x1, y1), (x0, y0), arrowprops={"arrowstyle": "-|>", "color": BEFORE, "lw": 1.3}
+            "",
+            (x1, y1),
+            (x0, y0),
+            arrowprops={"arrowstyle": "-|>", "color": BEFORE_COLOUR, "lw": 1.3},
         )
         axes.plot([x0, x1], [y0, y1], linewidth=0)
         begins.setdefault((round(x0, 1), round(y0, 1)), []).append(k)
     for (x0, y0), numbers in begins.items():
         axes.text(
-            x0, y0, ", ".join(map(str, numbers)), fontsize=TEXT, color="white", ha="center",
-            va="center", bbox={"boxstyle": "round,pad=0.25", "fc": BEFORE, "ec": "none"},
+            x0, y0, ", ".join(map(str, numbers)), fontsize=TEXT_SIZE, color="white", ha="center",
+            va="center", bbox={"boxstyle": "round,pad=0.25", "fc": BEFORE_COLOUR, "ec": "none"},
         )  # fmt: skip
     places: dict[tuple[float, float], list[str]] = {}
     for target in plan.targets:
         east, north = -target.centre[1], target.centre[0]
-        axes.plot(east, north, "s" if isinstance(target, Board) else "o", color=AFTER, ms=5)
+        axes.plot(east, north, "s" if isinstance(target, Board) else "o", color=AFTER_COLOUR, ms=5)
         places.setdefault((round(east, 1), round(north, 1)), []).append(target.name)
-    for place, names in places.items():  # boards above each other share one mark
+    for place, names in places.items():  # targets above each other share one label
         axes.annotate(", ".join(names), place, xytext=(5, 4), textcoords="offset points",
-                      fontsize=SMALL, color=INK)  # fmt: skip
+                      fontsize=SMALL_TEXT_SIZE, color=INK_COLOUR)  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
-    axes.grid(True, color=GRID, linewidth=0.6)
+    axes.grid(True, color=GRID_COLOUR, linewidth=0.6)
     axes.set_axisbelow(True)
-    axes.tick_params(labelsize=SMALL, colors=INK)
+    axes.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
     axes.xaxis.set_major_formatter(LocalisedFormatter())
     axes.yaxis.set_major_formatter(LocalisedFormatter())
-    axes.set_xlabel(gettext("East (m)"), fontsize=TEXT, color=INK)
-    axes.set_ylabel(gettext("North (m)"), fontsize=TEXT, color=INK)
+    axes.set_xlabel(gettext("East (m)"), fontsize=TEXT_SIZE, color=INK_COLOUR)
+    axes.set_ylabel(gettext("North (m)"), fontsize=TEXT_SIZE, color=INK_COLOUR)
     _draw_north_and_scale(axes)
     axes.set_title(
         gettext(
             "Plan view. A number marks the start of a line; reciprocal lines are drawn side by side"
         ),
-        fontsize=TEXT,
-        color=INK,
+        fontsize=TEXT_SIZE,
+        color=INK_COLOUR,
         loc="left",
     )
 
@@ -179,24 +208,34 @@ def _draw_north_and_scale(axes: Axes) -> None:
     x, y = right - 0.04 * wide, high - 0.22 * tall
     axes.arrow(
         x, y, 0.0, 0.1 * tall, width=0.003 * wide, head_width=0.016 * wide,
-        head_length=0.04 * tall, length_includes_head=True, color=INK,
+        head_length=0.04 * tall, length_includes_head=True, color=INK_COLOUR,
     )  # fmt: skip
-    axes.text(x, y + 0.11 * tall, "N", fontsize=TEXT + 2, weight="bold", color=INK, ha="center")
-    bar = max((each for each in BARS if each <= 0.2 * wide), default=BARS[0])
+    axes.text(
+        x,
+        y + 0.11 * tall,
+        "N",
+        fontsize=TEXT_SIZE + 2,
+        weight="bold",
+        color=INK_COLOUR,
+        ha="center",
+    )
+    bar = max(
+        (each for each in SCALE_BAR_LENGTHS_M if each <= 0.2 * wide), default=SCALE_BAR_LENGTHS_M[0]
+    )
     x, y = left + 0.03 * wide, low + 0.05 * tall
-    axes.plot([x, x + bar], [y, y], color=INK, linewidth=3, solid_capstyle="butt")
+    axes.plot([x, x + bar], [y, y], color=INK_COLOUR, linewidth=3, solid_capstyle="butt")
     axes.text(
         x + bar / 2,
         y + 0.015 * tall,
         gettext("{length} m", length=shortest_number(bar)),
-        fontsize=TEXT,
-        color=INK,
+        fontsize=TEXT_SIZE,
+        color=INK_COLOUR,
         ha="center",
     )
 
 
 def _draw_front_view(axes: Axes, plan: Plan, wall: Wall) -> None:
-    """Draw the wall as seen from the water."""
+    """Draw the targets as seen from the water, in the plane of the wall."""
     for target in plan.targets:
         along = wall.wall_coordinates(target.centre)[0]
         up = target.centre[2]
@@ -206,30 +245,32 @@ def _draw_front_view(axes: Axes, plan: Plan, wall: Wall) -> None:
             wide, tall = target.width, target.height * float(np.hypot(*target.facing[:2]))
         axes.fill_between(
             [along - wide / 2, along + wide / 2], up - max(tall, 0.1) / 2, up + max(tall, 0.1) / 2,
-            color=AFTER, alpha=0.8, linewidth=0,
+            color=AFTER_COLOUR, alpha=0.8, linewidth=0,
         )  # fmt: skip
-        axes.annotate(target.name, (along + wide / 2, up), xytext=(3, 0), fontsize=SMALL,
-                      textcoords="offset points", va="center", color=INK)  # fmt: skip
+        axes.annotate(target.name, (along + wide / 2, up), xytext=(3, 0), fontsize=SMALL_TEXT_SIZE,
+                      textcoords="offset points", va="center", color=INK_COLOUR)  # fmt: skip
     axes.margins(0.12, 0.25)
     axes.set_aspect("equal", adjustable="datalim")
-    axes.grid(True, color=GRID, linewidth=0.6)
+    axes.grid(True, color=GRID_COLOUR, linewidth=0.6)
     axes.set_axisbelow(True)
-    axes.tick_params(labelsize=SMALL, colors=INK)
+    axes.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
     axes.xaxis.set_major_formatter(LocalisedFormatter())
     axes.yaxis.set_major_formatter(LocalisedFormatter())
     axes.set_xlabel(
-        gettext("Along the wall, to the right as seen from the water (m)"), fontsize=TEXT, color=INK
+        gettext("Along the wall, to the right as seen from the water (m)"),
+        fontsize=TEXT_SIZE,
+        color=INK_COLOUR,
     )
-    axes.set_ylabel(gettext("Above POS (m)"), fontsize=TEXT, color=INK)
+    axes.set_ylabel(gettext("Above POS (m)"), fontsize=TEXT_SIZE, color=INK_COLOUR)
 
 
-TARGET_HEADS = (
+TARGET_COLUMN_TITLES = (
     N_("target"), N_("along wall (m)"), N_("from wall (m)"), N_("above POS (m)"), N_("size (m)"),
     N_("inclination (deg)"), N_("azimuth (deg)"),
 )  # fmt: skip
-AT = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
+COLUMN_LEFT_EDGES = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
 """Left edges of the columns, as shares of the page width."""
-LINE_HEADS = (
+LINE_COLUMN_TITLES = (
     N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("side facing site"),
     N_("clearance (m)"), N_("speed (m/s)"), N_("straight part (m)"),
 )  # fmt: skip
@@ -256,7 +297,7 @@ def _signed_metres(metres: float) -> str:
 
 
 def _inclination_text(degrees: float) -> str:
-    """Text of an inclination from the horizontal, degrees, and its side; 90 is upright."""
+    """Text of an inclination, degrees: 90 vertical, smaller tilted back, larger tilted forward."""
     if abs(degrees - 90.0) < 0.5:
         return gettext("90, vertical")
     if degrees < 90.0:
@@ -282,11 +323,11 @@ def _draw_table(
     figure: Figure, top: float, pitch: float, title: str, heads: Sequence[str],
     rows: Sequence[Sequence[str]],
 ) -> None:  # fmt: skip
-    figure.text(0.07, top, title, fontsize=TEXT + 1, weight="bold", color=INK, va="top")
+    figure.text(0.07, top, title, fontsize=TEXT_SIZE + 1, weight="bold", color=INK_COLOUR, va="top")
     for k, row in enumerate([[gettext(each) for each in heads], *rows]):
-        for x, value in zip(AT, row, strict=True):
-            figure.text(x, top - pitch * (k + 1), value, fontsize=TEXT, color=INK, va="top",
-                        weight="bold" if k == 0 else "normal")  # fmt: skip
+        for x, value in zip(COLUMN_LEFT_EDGES, row, strict=True):
+            figure.text(x, top - pitch * (k + 1), value, fontsize=TEXT_SIZE, color=INK_COLOUR,
+                        va="top", weight="bold" if k == 0 else "normal")  # fmt: skip
 
 
 def _direction(line: Line) -> Array:

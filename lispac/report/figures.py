@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.language import current_language, gettext, in_language
-from lispac.present.sightings import POS_COMPONENTS, SightingValues
+from lispac.present.sightings import POS_COMPONENT_TITLES, SightingValues
 from lispac.present.text_format import (
     fixed_number,
     localised_number,
@@ -34,22 +34,28 @@ from lispac.report.report_values import LineValues, PickedPlane
 
 Array = NDArray[np.float64]
 
-BEFORE, AFTER = "#3b75af", "#9c5a1e"
-INK, GRID = "#333333", "#dddddd"
+BEFORE_COLOUR, AFTER_COLOUR = "#3b75af", "#9c5a1e"
+"""Colours of values with the prior and with the estimated boresight."""
+INK_COLOUR, GRID_COLOUR = "#333333", "#dddddd"
+"""Colours of texts and curves, and of grid lines."""
 LINE_COLOURS = (
     "#4477aa", "#ee6677", "#228833", "#997700", "#0088aa", "#aa3377", "#777777",
     "#332288", "#882255", "#44aa99",
 )  # fmt: skip
-"""Distinguishable with any colour vision (Paul Tol); light colours darkened for thin lines."""
+"""Colours of the survey lines, distinguishable with any colour vision (Paul Tol); light colours
+are darkened for thin curves."""
 
-TEXT, SMALL = 8.0, 7.0
-PER_RESIDUAL_FIGURE = 28
+TEXT_SIZE, SMALL_TEXT_SIZE = 8.0, 7.0
+"""Font sizes of axis labels and of details, points."""
+MAX_SIGHTINGS_PER_FIGURE = 28
 """Largest number of sightings in a bar chart that fills one page."""
 
-LONGEST_LABEL = 24
+MAX_LABEL_LENGTH = 24
+"""Largest number of characters of a name in a figure."""
 
-LABEL_DISTANCE = 0.05, 0.09
-"""Distance below which the names of two marks would overlap, as shares of the drawn extent."""
+MIN_LABEL_DISTANCE = 0.05, 0.09
+"""Distances north and west below which the names of two marks would overlap, as shares of the
+drawn extent."""
 
 
 def correlation_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
@@ -69,7 +75,7 @@ def correlation_figure_of(
     axes = figure.add_subplot()
     image = axes.imshow(matrix, cmap="PuOr", vmin=-1, vmax=1)
     for (row, column), value in np.ndenumerate(matrix):
-        colour = "white" if abs(value) > 0.7 else INK
+        colour = "white" if abs(value) > 0.7 else INK_COLOUR
         axes.text(
             column,
             row,
@@ -77,7 +83,7 @@ def correlation_figure_of(
             ha="center",
             va="center",
             color=colour,
-            fontsize=SMALL,
+            fontsize=SMALL_TEXT_SIZE,
         )
     labels = [parameter_name(name) for name in names]
     axes.set_xticks(range(len(names)), labels)
@@ -85,11 +91,11 @@ def correlation_figure_of(
         for label in axes.get_xticklabels():
             label.set(rotation=40, ha="right", rotation_mode="anchor")
     axes.set_yticks(range(len(names)), labels)
-    axes.tick_params(length=0, labelsize=TEXT, colors=INK)
+    axes.tick_params(length=0, labelsize=TEXT_SIZE, colors=INK_COLOUR)
     axes.spines[:].set_visible(False)
     bar = figure.colorbar(image, ax=axes, shrink=0.85, format=LocalisedFormatter())
-    bar.ax.tick_params(labelsize=SMALL, colors=INK)
-    axes.set_title(gettext("Correlation"), fontsize=TEXT + 1, color=INK)
+    bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
+    axes.set_title(gettext("Correlation"), fontsize=TEXT_SIZE + 1, color=INK_COLOUR)
     return figure
 
 
@@ -99,7 +105,7 @@ def site_figure(
     validation: Mapping[str, Sequence[float]],
     figure: Figure | None = None,
 ) -> Figure:
-    """Plan view: courses of the lines, targets and validation planes; north is up.
+    """Plan view of the tracks of the lines, the targets and the validation planes; north is up.
 
     Parameters
     ----------
@@ -125,7 +131,12 @@ def site_figure(
     axes.invert_xaxis()  # west is positive in the local frame, but drawn to the left
     style_axes(axes, gettext("West (m)"), gettext("North (m)"))
     if tracks or targets or validation:
-        figure.legend(loc="outside right upper", fontsize=SMALL, frameon=False, labelcolor=INK)
+        figure.legend(
+            loc="outside right upper",
+            fontsize=SMALL_TEXT_SIZE,
+            frameon=False,
+            labelcolor=INK_COLOUR,
+        )
     return figure
 
 
@@ -154,10 +165,10 @@ def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> F
 def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
     """Draw `residual_figure` from the values of a report, divided into figures of one page."""
     figures = []
-    for start in range(0, len(sightings), PER_RESIDUAL_FIGURE):
-        some = sightings[start : start + PER_RESIDUAL_FIGURE]
-        labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in some]
-        before, after = [s.rms_before_m for s in some], [s.rms_after_m for s in some]
+    for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE):
+        part = sightings[start : start + MAX_SIGHTINGS_PER_FIGURE]
+        labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in part]
+        before, after = [s.rms_before_m for s in part], [s.rms_after_m for s in part]
         figures.append(_before_after_bars(None, labels, before, after))
     return figures
 
@@ -165,13 +176,16 @@ def residual_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
 def pos_error_figures_of(sightings: Sequence[SightingValues]) -> list[Figure]:
     """Draw the estimated POS errors with their prior, divided into figures of one page."""
     return [
-        _pos_error_figure(sightings[start : start + PER_RESIDUAL_FIGURE])
-        for start in range(0, len(sightings), PER_RESIDUAL_FIGURE)
+        _pos_error_figure(sightings[start : start + MAX_SIGHTINGS_PER_FIGURE])
+        for start in range(0, len(sightings), MAX_SIGHTINGS_PER_FIGURE)
     ]
 
 
 def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
-    """Draw error, 2 sigma and prior 2 sigma: a row for each sighting, a panel a component."""
+    """Draw the errors with their 2 sigma and prior 2 sigma intervals.
+
+    Each sighting has a row, and each component of the error a panel.
+    """
     figure = blank_figure(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
     errors = [each.pos_error for each in sightings if each.pos_error is not None]
@@ -184,10 +198,10 @@ def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
         )
     )
     at = np.arange(len(sightings))
-    for k, (axes, name) in enumerate(zip(panels, POS_COMPONENTS, strict=True)):
+    for k, (axes, name) in enumerate(zip(panels, POS_COMPONENT_TITLES, strict=True)):
         axes.barh(at, 4 * prior[:, k], left=-2 * prior[:, k], height=1.0, color="#e4e7ec")
         beyond = np.abs(values[:, k]) > 2 * prior[:, k]
-        for own, colour in ((~beyond, BEFORE), (beyond, "#bb2222")):
+        for own, colour in ((~beyond, BEFORE_COLOUR), (beyond, "#bb2222")):
             axes.errorbar(
                 values[own, k], at[own], xerr=2 * after[own, k], fmt="o", markersize=2.6,
                 color=colour, elinewidth=0.8,
@@ -202,7 +216,7 @@ def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
             axes, "mm" if k < 3 else gettext("{number}\u00a0deg", number=fixed_number(0.001, 3)), ""
         )
         axes.grid(False)
-        axes.set_title(gettext(name), fontsize=TEXT, color=INK)
+        axes.set_title(gettext(name), fontsize=TEXT_SIZE, color=INK_COLOUR)
         axes.tick_params(axis="y", length=0)
     panels[0].set_yticks(at, [f"{short_name(s.target)}  {short_name(s.line)}" for s in sightings])
     panels[0].set_ylim(len(sightings) - 0.5, -0.5)
@@ -210,7 +224,7 @@ def _pos_error_figure(sightings: Sequence[SightingValues]) -> Figure:
 
 
 def svg_of(figure: Figure) -> bytes:
-    """Convert a figure to reproducible SVG, with letters as outlines that need no font."""
+    """Convert a figure to reproducible SVG with letters as outlines, which require no font."""
     stream = BytesIO()
     with rc_context({"svg.hashsalt": "lispac", "svg.fonttype": "path"}):
         # `savefig` would draw the figure twice and take twice the time.
@@ -225,17 +239,17 @@ def svg_pictures(
 ) -> tuple[bytes, ...]:
     """Figures that ``draw`` creates from values of a report, as SVG, in the language in use.
 
-    Drawing takes nearly all of the time of a report. The last figures are cached, since all formats
-    of a report use the same figures, and so does the next report if a plane did not change.
+    Creating a report consists mainly of drawing. The last figures are therefore cached: all formats
+    of a report use the same figures, and the next report uses those whose values did not change.
     """
     return render_pictures(draw, pickle.dumps(values), current_language())
 
 
-@lru_cache(maxsize=64)  # the figures of a few reports, some megabytes
+@lru_cache(maxsize=64)  # enough for the figures of a few reports, which take some megabytes
 def render_pictures(
     draw: Callable[..., Figure | Sequence[Figure]], values: bytes, language: str
 ) -> tuple[bytes, ...]:
-    """SVG pictures of a figure function with pickled values."""
+    """Figures that ``draw`` creates from pickled values, as SVG in the given language; cached."""
     with in_language(language):
         made = draw(*pickle.loads(values))
         figures = [made] if isinstance(made, Figure) else made
@@ -243,7 +257,7 @@ def render_pictures(
 
 
 def blank_figure(figure: Figure | None, size: tuple[float, float]) -> Figure:
-    """Cleared figure, or a new one of this size in inches."""
+    """The given figure without its content, or a new one of this size in inches."""
     if figure is None:
         return Figure(figsize=size, layout="constrained")
     figure.clear()
@@ -253,10 +267,10 @@ def blank_figure(figure: Figure | None, size: tuple[float, float]) -> Figure:
 
 def style_axes(axes: Axes, x_label: str, y_label: str) -> None:
     """Set labels, grid, spines and number format common to all figures."""
-    axes.set_xlabel(x_label, fontsize=TEXT, color=INK)
-    axes.set_ylabel(y_label, fontsize=TEXT, color=INK)
-    axes.tick_params(labelsize=SMALL, colors=INK, length=3)
-    axes.grid(True, color=GRID, linewidth=0.6)
+    axes.set_xlabel(x_label, fontsize=TEXT_SIZE, color=INK_COLOUR)
+    axes.set_ylabel(y_label, fontsize=TEXT_SIZE, color=INK_COLOUR)
+    axes.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR, length=3)
+    axes.grid(True, color=GRID_COLOUR, linewidth=0.6)
     axes.set_axisbelow(True)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["left", "bottom"]].set_color("#999999")
@@ -266,34 +280,34 @@ def style_axes(axes: Axes, x_label: str, y_label: str) -> None:
 
 
 class LocalisedFormatter(ScalarFormatter):
-    """Formatter of tick labels with the decimal sign and the minus sign of the language in use."""
+    """Formatter of tick labels with the decimal sign of the language in use and a minus sign."""
 
     def __call__(self, x: float, pos: int | None = None) -> str:
         """Text of one number."""
         return localised_number(super().__call__(x, pos))
 
     def format_data_short(self, value: float) -> str:  # type: ignore[override]
-        """Text of a number below the pointer."""
+        """Text of the value at the mouse pointer."""
         return localised_number(super().format_data_short(value))
 
 
 @cache
 def drawable_characters() -> frozenset[int]:
-    """Code points of the letters in the font that is supplied with matplotlib."""
+    """Code points of the characters in the default font of matplotlib."""
     path = Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"
     return frozenset(FT2Font(str(path)).get_charmap())
 
 
 def _drawable_text(text: str) -> str:
-    """Text with mathematical markup escaped and letters missing in the font replaced."""
+    """Text with the sign of mathematical markup escaped and missing characters replaced."""
     shown = "".join(letter if ord(letter) in drawable_characters() else "\u25a1" for letter in text)
     return shown.replace("$", r"\$")
 
 
 def short_name(name: str) -> str:
-    """User-defined name, shortened to leave space for the plot."""
+    """Name typed by the user, shortened to `MAX_LABEL_LENGTH` and drawable by matplotlib."""
     return _drawable_text(
-        name if len(name) <= LONGEST_LABEL else name[: LONGEST_LABEL - 1] + "\u2026"
+        name if len(name) <= MAX_LABEL_LENGTH else name[: MAX_LABEL_LENGTH - 1] + "\u2026"
     )
 
 
@@ -307,13 +321,17 @@ def _before_after_bars(
     axes = figure.add_subplot()
     at = np.arange(len(labels))
     for shift, values, colour, label in (
-        (-0.2, before, BEFORE, gettext("before")),
-        (0.2, after, AFTER, gettext("after")),
+        (-0.2, before, BEFORE_COLOUR, gettext("before")),
+        (0.2, after, AFTER_COLOUR, gettext("after")),
     ):
         millimetres = 1000 * np.asarray(values)
         bars = axes.barh(at + shift, millimetres, height=0.38, color=colour, label=label)
         axes.bar_label(
-            bars, fmt=lambda each: fixed_number(each, 1), fontsize=SMALL - 1, color=INK, padding=2
+            bars,
+            fmt=lambda each: fixed_number(each, 1),
+            fontsize=SMALL_TEXT_SIZE - 1,
+            color=INK_COLOUR,
+            padding=2,
         )
     axes.set_yticks(at, labels)
     axes.set_ylim(len(labels) - 0.4, -0.6)
@@ -321,7 +339,13 @@ def _before_after_bars(
     style_axes(axes, gettext("RMS distance from the surface of the target (mm)"), "")
     axes.grid(False, axis="y")
     axes.tick_params(axis="y", length=0)
-    figure.legend(loc="outside upper right", ncols=2, fontsize=SMALL, frameon=False, labelcolor=INK)
+    figure.legend(
+        loc="outside upper right",
+        ncols=2,
+        fontsize=SMALL_TEXT_SIZE,
+        frameon=False,
+        labelcolor=INK_COLOUR,
+    )
     return figure
 
 
@@ -334,12 +358,13 @@ def _draw_track(axes: Axes, name: str, points: Array, colour: str) -> None:
         "", xy=(west[-1], north[-1]), xytext=(west[-2], north[-2]),
         arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.4, "mutation_scale": 12},
     )  # fmt: skip
-    # Placed before the start, clear of the arrow of a line that ends there; west is left.
+    # The name is before the start of the track, so that the arrow of a line that ends there does
+    # not cover it. The west axis points to the left.
     back = np.array([west[1] - west[0], north[0] - north[1]])
     back *= 9 / max(float(np.hypot(*back)), 1e-9)
     axes.annotate(
         short_name(name), (west[0], north[0]), textcoords="offset points", xytext=tuple(back),
-        ha="center", va="center", fontsize=SMALL, color=colour,
+        ha="center", va="center", fontsize=SMALL_TEXT_SIZE, color=colour,
     )  # fmt: skip
 
 
@@ -355,7 +380,7 @@ def _draw_seeds(
 def _label_seeds(
     axes: Axes, marks: Sequence[tuple[str, Sequence[float], str]], tracks: Iterable[ArrayLike]
 ) -> None:
-    """Draw names beside their marks; names of close marks are stacked, with a line to each.
+    """Draw names beside their marks; names of close marks are stacked, with a line to each mark.
 
     Parameters
     ----------
@@ -365,7 +390,7 @@ def _label_seeds(
         return
     seeds = np.array([seed[:2] for _, seed, _ in marks], dtype=float)
     drawn = np.vstack([seeds, *(np.reshape(track, (-1, 2)) for track in tracks)])
-    near = np.array(LABEL_DISTANCE) * max(float(np.ptp(drawn, axis=0).max()), 1e-9)
+    near = np.array(MIN_LABEL_DISTANCE) * max(float(np.ptp(drawn, axis=0).max()), 1e-9)
     groups: list[list[int]] = []
     for k in np.argsort(-seeds[:, 0], kind="stable"):  # from north to south
         touched = [g for g in groups if (np.abs(seeds[g] - seeds[k]) < near).all(axis=1).any()]
@@ -381,6 +406,6 @@ def _label_seeds(
             beside = offset_copy(axes.transData, figure, right, up, units="points")
             axes.annotate(
                 short_name(name), (seeds[k, 1], seeds[k, 0]), xytext=(west, north),
-                textcoords=beside, fontsize=SMALL, color=colour, zorder=3, va="center",
+                textcoords=beside, fontsize=SMALL_TEXT_SIZE, color=colour, zorder=3, va="center",
                 arrowprops=None if alone else {"arrowstyle": "-", "color": colour, "lw": 0.5},
             )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Histograms of the distances on a validation plane, before and after overlaid."""
+"""Histograms of the distances on a validation plane, before and after the calibration."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,11 +14,11 @@ from lispac.message_texts import message_text
 from lispac.present.text_format import grouped_number, localised_number
 from lispac.present.validation import ValidationPlane
 from lispac.report.figures import (
-    AFTER,
-    BEFORE,
-    INK,
-    SMALL,
-    TEXT,
+    AFTER_COLOUR,
+    BEFORE_COLOUR,
+    INK_COLOUR,
+    SMALL_TEXT_SIZE,
+    TEXT_SIZE,
     blank_figure,
     short_name,
     style_axes,
@@ -29,15 +29,15 @@ from lispac.validation.distance_bins import merge_bins
 
 Array = NDArray[np.float64]
 
-BARS = 60
+MAX_BARS = 60
 """Largest number of bars in a histogram."""
 ENLARGED_WIDTH, MAX_ENLARGED_SHARE = 1.6, 0.4
-"""Width of the enlarged view of the distances after, in their 95th percentiles, and the largest
-share of the whole range for which an enlarged view is drawn."""
-COLOURS = (BEFORE, AFTER)
-_WHOLE = N_("Distance between lines (mm); last bin includes larger values")
-_NEAR = N_("Enlarged view (mm)")
-_POOLED: Mapping[str, str] = {
+"""Ratio of the range of the enlarged view to the 95th percentile of the distances after the
+calibration, and the largest share of the full range for which an enlarged view is drawn."""
+STATE_COLOURS = (BEFORE_COLOUR, AFTER_COLOUR)
+_FULL_VIEW_LABEL = N_("Distance between lines (mm); last bin includes larger values")
+_ENLARGED_VIEW_LABEL = N_("Enlarged view (mm)")
+_PLANE_TITLES: Mapping[str, str] = {
     "reciprocal pairs": N_("{plane}, reciprocal pairs of lines, {model}"),
     "all pairs": N_("{plane}, all pairs of lines, {model}"),
 }
@@ -46,7 +46,16 @@ _POOLED: Mapping[str, str] = {
 
 @dataclass(frozen=True, eq=False)
 class _BinnedDistances:
-    """Distances before and after calibration in fine bins, with a legend text for each."""
+    """Distances before and after the calibration, counted in fine bins.
+
+    Attributes
+    ----------
+    edges : edges of the bins, metres
+    counts : numbers of distances in the bins, before and after
+    legend : text of the legend for each state
+    total : number of distances
+    near : range of the enlarged view, metres
+    """
 
     edges: ArrayLike
     counts: Sequence[ArrayLike]
@@ -66,7 +75,7 @@ def histogram_figure(
     Parameters
     ----------
     share : bool
-        Draw the share of the points in each millimetre instead of their number in each bin.
+        Draw the share of the points per millimetre instead of their number in each bin.
     """
     before, after = comparison.before, comparison.after
     counted = _BinnedDistances(
@@ -74,7 +83,7 @@ def histogram_figure(
         (comparison.counts_before, comparison.counts_after),
         [
             _legend_text(template, each.n, each.median, each.rms, each.p95)
-            for template, each in ((_BEFORE, before), (_AFTER, after))
+            for template, each in ((_BEFORE_LEGEND, before), (_AFTER_LEGEND, after))
         ],
         before.n,
         ENLARGED_WIDTH * after.p95,
@@ -93,7 +102,7 @@ def validation_figure(plane: ValidationPlane) -> Figure:
         (plane.counts_before, plane.counts_after),
         [
             _legend_text(template, each.n, each.median_m, each.rms_m, each.p95_m)
-            for template, each in ((_BEFORE, before), (_AFTER, after))
+            for template, each in ((_BEFORE_LEGEND, before), (_AFTER_LEGEND, after))
         ],
         before.n,
         ENLARGED_WIDTH * after.p95_m,
@@ -103,11 +112,11 @@ def validation_figure(plane: ValidationPlane) -> Figure:
 
 
 def _plane_title(name: str, pooled_from: str, model: str) -> str:
-    return gettext(_POOLED[pooled_from], plane=short_name(name), model=model)
+    return gettext(_PLANE_TITLES[pooled_from], plane=short_name(name), model=model)
 
 
-_BEFORE = N_("before: n {count:n}\nmedian {median:mm.1}, RMS {rms:mm.1}, 95 % {p95:mm.1} mm")
-_AFTER = N_("after: n {count:n}\nmedian {median:mm.1}, RMS {rms:mm.1}, 95 % {p95:mm.1} mm")
+_BEFORE_LEGEND = N_("before: n {count:n}\nmedian {median:mm.1}, RMS {rms:mm.1}, 95 % {p95:mm.1} mm")
+_AFTER_LEGEND = N_("after: n {count:n}\nmedian {median:mm.1}, RMS {rms:mm.1}, 95 % {p95:mm.1} mm")
 
 
 def _legend_text(template: str, count: int, median: float, rms: float, p95: float) -> str:
@@ -124,24 +133,26 @@ def _draw_histogram(
         places = list(figure.subplots(1, 2, width_ratios=(3, 2), gridspec_kw=AXES_POSITION))
     else:
         places = [figure.subplots(gridspec_kw=AXES_POSITION)]
-    size = SMALL if enlarged else TEXT
+    size = SMALL_TEXT_SIZE if enlarged else TEXT_SIZE
     amount = gettext("Share of the points\n(% per mm)") if share else gettext("Points")
-    for axes, reach, across in zip(places, (top, counted.near), (_WHOLE, _NEAR), strict=False):
+    for axes, reach, across in zip(
+        places, (top, counted.near), (_FULL_VIEW_LABEL, _ENLARGED_VIEW_LABEL), strict=False
+    ):
         style_axes(axes, gettext(across), amount if axes is places[0] else "")
         legend = counted.legend if axes is places[0] else ()
         _HistogramBars(axes, counted, share, legend, size).show(reach)
-    places[0].set_title(title, fontsize=TEXT + 1, color=INK, loc="left")
+    places[0].set_title(title, fontsize=TEXT_SIZE + 1, color=INK_COLOUR, loc="left")
     patches = [patch for patch in places[0].patches if patch.get_fill()]
     places[-1 if enlarged else 0].set_title("")
     places[0].legend(
         patches, list(counted.legend), loc="upper right", fontsize=size, frameon=False,
-        labelcolor=INK,
+        labelcolor=INK_COLOUR,
     )  # fmt: skip
     return figure
 
 
 def _count_text(value: float) -> str:
-    """Text of a number of points or a share, with as many decimals as necessary."""
+    """Text of a number of points or of a share, with as many decimals as it has."""
     whole, _, decimals = f"{value:.12g}".partition(".")
     return (
         grouped_number(value, len(decimals))
@@ -163,7 +174,7 @@ class _HistogramBars:
                 StepPatch([0.0], [0.0, 1.0], facecolor=colour, alpha=0.5, edgecolor="none"),
                 StepPatch([0.0], [0.0, 1.0], fill=False, edgecolor=colour, linewidth=1.0),
             ]
-            for colour in COLOURS
+            for colour in STATE_COLOURS
         ]
         for patch in (each for pair in self._patches for each in pair):
             axes.add_patch(patch)
@@ -175,11 +186,12 @@ class _HistogramBars:
         self._axes.set_xlim(0.0, 1000.0 * reach)
 
     def _follow(self) -> None:
+        """Fit the bins and the vertical axis to the visible range."""
         low, high = sorted(self._axes.get_xlim())
         shown = min(max(high - low, 1e-9), 1000.0 * float(np.asarray(self._counted.edges)[-1]))
         highest, edges = np.zeros(0), np.zeros(1)
         for patches, counts in zip(self._patches, self._counted.counts, strict=True):
-            edges, heights = merge_bins(self._counted.edges, counts, shown / 1000.0, BARS)
+            edges, heights = merge_bins(self._counted.edges, counts, shown / 1000.0, MAX_BARS)
             edges = 1000.0 * edges
             values = heights.astype(np.float64)
             if self._share:

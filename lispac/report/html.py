@@ -7,14 +7,15 @@ from pathlib import Path
 
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Picture
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
 
-_MEDIA = {".png": "image/png", ".svg": "image/svg+xml"}
+_MEDIA_TYPES = {".png": "image/png", ".svg": "image/svg+xml"}
+"""Media type of a picture by the suffix of its file."""
 
 
 def html_text(
-    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = USUAL
+    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = DEFAULT_OPTIONS
 ) -> str:
     """Report as HTML, with escaped texts and embedded pictures."""
     from jinja2 import Environment, StrictUndefined
@@ -32,7 +33,7 @@ def write_html(
     content: ReportContent,
     path: Path,
     pictures: Mapping[str, Path],
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
 ) -> None:
     """Write the report as one HTML file.
 
@@ -46,4 +47,4 @@ def write_html(
 
 
 def _data_uri(picture: Picture) -> str:
-    return f"data:{_MEDIA[picture.suffix]};base64,{b64encode(picture.data).decode('ascii')}"
+    return f"data:{_MEDIA_TYPES[picture.suffix]};base64,{b64encode(picture.data).decode('ascii')}"

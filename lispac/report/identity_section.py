@@ -1,6 +1,6 @@
 """The details of the survey, and the lines for signatures."""
 
-from lispac.identity import LABELS, NAMES
+from lispac.identity import FIELD_LABELS, FIELD_NAMES
 from lispac.language import gettext
 from lispac.report.document_blocks import SignatureLines, Table, form_table
 from lispac.report.report_values import ReportContent
@@ -10,12 +10,12 @@ def identity_form(content: ReportContent) -> Table:
     """Details of the survey, as a form."""
     return form_table(
         gettext("Details of the survey"),
-        [(gettext(LABELS[name]), getattr(content.identity, name)) for name in NAMES],
+        [(gettext(FIELD_LABELS[name]), getattr(content.identity, name)) for name in FIELD_NAMES],
     )
 
 
 def signature_lines(content: ReportContent) -> SignatureLines:
-    """Lines for the signature of the surveyor."""
+    """Lines for surveyor, company, place, date and signature, with the known values."""
     known = content.identity
     return SignatureLines(
         (

@@ -13,17 +13,14 @@ from lispac.messages import Level, Message, plain_params
 from lispac.present.json_values import json_values
 from lispac.report.report_values import ReportContent
 
-NAME = "lispac-report"
+SCHEMA_NAME = "lispac-report"
 SCHEMA_VERSION = 5
 SCHEMA_FILE = "report.schema.json"
 
 
 @dataclass(frozen=True)
 class JsonWarning:
-    """A typed message in English; ``code`` names the condition.
-
-    ``former_code`` is its code in versions before typed messages.
-    """
+    """Message of the report in English; ``former_code`` is its code in reports of old versions."""
 
     code: str
     former_code: str
@@ -35,7 +32,7 @@ class JsonWarning:
 def json_text(content: ReportContent) -> str:
     """Report content as one JSON object in English; unknown values are null."""
     values = {
-        "schema": NAME,
+        "schema": SCHEMA_NAME,
         "schema_version": SCHEMA_VERSION,
         **json_values(content),
         "warnings": [asdict(_json_warning(each)) for each in content.warnings],

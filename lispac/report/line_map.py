@@ -1,4 +1,4 @@
-"""The map of the distances between lines, from above."""
+"""Plan view of the distances between lines."""
 
 from collections.abc import Sequence
 
@@ -7,19 +7,26 @@ from matplotlib.figure import Figure
 
 from lispac.language import gettext
 from lispac.present.text_format import shortest_number
-from lispac.report.figures import INK, SMALL, TEXT, LocalisedFormatter, blank_figure, style_axes
+from lispac.report.figures import (
+    INK_COLOUR,
+    SMALL_TEXT_SIZE,
+    TEXT_SIZE,
+    LocalisedFormatter,
+    blank_figure,
+    style_axes,
+)
 from lispac.validation.line_differences import LineDifference
 
-COLOURS = "viridis_r"
+COLOUR_MAP = "viridis_r"
 """Colour map: light where lines coincide, dark where they differ; suits any colour vision."""
 SCALE_PERCENTILE = 95.0
-"""Percentile of the differences at the end of the colour scale."""
+"""Percentile of the absolute distances at the end of the colour scale."""
 
 
 def line_difference_map(pairs: Sequence[LineDifference], figure: Figure | None = None) -> Figure:
-    """Map of places of some pairs of lines, coloured by the distance of the lines.
+    """Plan view of the places compared, coloured by the distance between the two lines.
 
-    If several places lie above each other, as on a wall, the largest difference is visible.
+    If several places lie above each other, as on a wall, the largest distance is visible.
 
     Parameters
     ----------
@@ -32,13 +39,13 @@ def line_difference_map(pairs: Sequence[LineDifference], figure: Figure | None =
     order = np.argsort(size)
     end = max(float(np.percentile(size, SCALE_PERCENTILE)), 0.1)
     drawn = axes.scatter(
-        -place[order, 1], place[order, 0], c=size[order], s=5, cmap=COLOURS, vmin=0.0, vmax=end,
+        -place[order, 1], place[order, 0], c=size[order], s=5, cmap=COLOUR_MAP, vmin=0.0, vmax=end,
         linewidths=0, rasterized=True,
     )  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
     axes.xaxis.set_major_formatter(lambda value, _: shortest_number(0.0 - value))
     style_axes(axes, gettext("West (m)"), gettext("North (m)"))
     bar = figure.colorbar(drawn, ax=axes, extend="max", shrink=0.8, format=LocalisedFormatter())
-    bar.set_label(gettext("Distance between two lines (mm)"), fontsize=TEXT, color=INK)
-    bar.ax.tick_params(labelsize=SMALL, colors=INK)
+    bar.set_label(gettext("Distance between two lines (mm)"), fontsize=TEXT_SIZE, color=INK_COLOUR)
+    bar.ax.tick_params(labelsize=SMALL_TEXT_SIZE, colors=INK_COLOUR)
     return figure

@@ -7,7 +7,7 @@ from typing import Literal
 from lispac.language import N_
 
 Page = Literal["a4", "letter"]
-PAGES: dict[Page, str] = {"a4": "A4", "letter": N_("Letter")}
+PAGE_SIZES: dict[Page, str] = {"a4": "A4", "letter": N_("Letter")}
 """Sizes of paper with their names."""
 
 
@@ -35,4 +35,4 @@ class ReportOptions:
     language: str = "en"
 
 
-USUAL = ReportOptions()
+DEFAULT_OPTIONS = ReportOptions()

@@ -1,7 +1,8 @@
 """The report as PDF, typeset by typst.
 
 Typst is installed as one wheel that includes its fonts. It needs no browser, no TeX and no network,
-and produces the same bytes on every machine.
+and produces the same bytes on every machine, unless a text has characters that require a system
+font.
 """
 
 import json
@@ -18,18 +19,19 @@ from lispac.errors import LispacError
 from lispac.messages import error
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Document
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.report.report_values import ReportContent
 
-LONGEST_WORD = 24
-"""Longest word, letters, that is not broken; file names have no blanks to break at."""
+MAX_UNBROKEN_LETTERS = 24
+"""Largest number of letters of a word without break points. Longer words, such as file names, get
+break points."""
 
 
 def write_pdf(
     content: ReportContent,
     path: Path,
     pictures: Mapping[str, Path],
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
 ) -> None:
     """Write the report as PDF.
 
@@ -57,7 +59,7 @@ class Preview:
 def preview_of(
     content: ReportContent,
     pictures: Mapping[str, Path],
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
     *,
     ppi: float,
 ) -> Preview:
@@ -102,8 +104,8 @@ def _typesetter(
             main,
             root=folder,
             font_paths=[_matplotlib_fonts()],
-            # System fonts are used only for letters that typst and matplotlib lack; otherwise the
-            # PDF is the same on every machine.
+            # System fonts are allowed only if the text has characters that matplotlib's font lacks;
+            # otherwise the PDF is the same on every machine.
             ignore_system_fonts=_has_fonts_for(text),
         )
         made = datetime.fromisoformat(content.generated)
@@ -141,8 +143,8 @@ def _require_readable_pictures(pictures: Iterable[Path], folder: Path) -> None:
 def _write_template_input(document: Document, folder: Path) -> str:
     """Write text and pictures for the template into ``folder`` and return the text.
 
-    The template reads the texts from JSON, and typst prints them literally: no part of a
-    user-defined name is interpreted as a command.
+    The template reads the texts from JSON, and typst prints them literally, so that no part of a
+    name typed by the user is interpreted as a command.
     """
     values = _with_break_points(asdict(document))
     pictures = 0
@@ -166,7 +168,7 @@ def _with_break_points(value: Any, key: str = "") -> Any:
         return {name: _with_break_points(item, name) for name, item in value.items()}
     if isinstance(value, list | tuple):
         return [_with_break_points(item, key) for item in value]
-    if isinstance(value, str) and any(len(word) > LONGEST_WORD for word in value.split()):
+    if isinstance(value, str) and any(len(word) > MAX_UNBROKEN_LETTERS for word in value.split()):
         return " ".join(_break_word(word) for word in value.split(" "))
     return value
 
@@ -178,9 +180,9 @@ def _break_word(word: str) -> str:
 
 
 def _word_pieces(word: str) -> Iterator[str]:
-    """Parts of a word at its break points; longer parts are split every eight characters."""
+    """Parts of a word between its break points; long parts are split every eight characters."""
     for run in word.split("\u200b"):
-        if len(run) <= LONGEST_WORD:
+        if len(run) <= MAX_UNBROKEN_LETTERS:
             yield run
         else:
             yield from (run[k : k + 8] for k in range(0, len(run), 8))

@@ -24,7 +24,7 @@ from lispac.present.validation import SwathDifference, ValidationPlane
 
 @dataclass(frozen=True)
 class InputFile:
-    """Input file of the result; size and digest are None if the file was not found."""
+    """Input file of the project; size and digest are None if the file could not be read."""
 
     role: str
     name: str
@@ -37,9 +37,10 @@ class SettingsUsed:
     """Settings of a result; the POS sigmas are None if an accuracy file was given.
 
     The LiDAR noise is given along x, y, z, or for range and angle; if both are None,
-    ``lidar_sigma_m`` applies to each axis. ``surface_sigma_m`` is the value used; it is None before
-    it is estimated and with uncorrelated POS errors. ``surface_from_data`` is None with
-    uncorrelated POS errors. ``offset_sigma_m`` is None if it equals the surface sigma.
+    ``lidar_sigma_m`` applies to each axis. ``averaged``: close points are averaged, not thinned.
+    ``surface_sigma_m`` is the value used; it is None before it is estimated and with uncorrelated
+    POS errors. ``surface_from_data`` is None with uncorrelated POS errors. ``offset_sigma_m`` is
+    None if it equals the surface sigma.
     """
 
     lever_arm_m: tuple[float, ...]
@@ -70,7 +71,10 @@ class SettingsUsed:
 
 @dataclass(frozen=True)
 class PickedPlane:
-    """Picked target or validation plane; the radius of a sphere is None if it is unknown."""
+    """Picked target or validation plane.
+
+    ``sphere_radius_m`` is None for a plane or an unknown radius; ``radius_m`` is the search radius.
+    """
 
     name: str
     role: str
@@ -135,5 +139,5 @@ class ReportContent:
 
     @property
     def angles(self) -> tuple[AngleValues, ...]:
-        """The boresight, a row for each angle."""
+        """Prior, estimated and true value of each boresight angle."""
         return angle_values(self.prior_boresight_deg, self.adjustment, self.truth_deg)

@@ -1,4 +1,4 @@
-"""Warnings on the first page of a report, before the figures.
+"""Warnings on the first page of a report.
 
 Warnings about the result are the same as in the window and on the command line. The rules in this
 module use the report content only, with one function for each rule.
@@ -18,15 +18,18 @@ from lispac.present.parameters import ParameterValues
 from lispac.present.sighting_quality import SightingQualityValues
 from lispac.report.absolute_warnings import absolute_check_warnings
 from lispac.report.report_values import PickedPlane, ReportContent
-from lispac.warning_causes import RESULT, Cause
+from lispac.warning_causes import RESULT_CAUSE, Cause
 
-DATA, ADJUST, VALIDATE = (Cause.of_step(name) for name in ("Data", "Adjust", "Validate"))
+DATA_STEP, ADJUST_STEP, VALIDATE_STEP = (
+    Cause.of_step(name) for name in ("Data", "Adjust", "Validate")
+)
 
-LARGER_RESIDUALS = {
+LARGE_RESIDUAL_CODES = {
     "adjustment.noise", "adjustment.not_flat", "adjustment.cause_not_located",
     "adjustment.cause_not_identified",
 }  # fmt: skip
-"""Codes of messages on large residuals; with one of them, a small chi-square is not reported."""
+"""Codes of messages on large residuals. If there is one of them, the message on a small chi-square
+is omitted."""
 
 
 def report_warnings(
@@ -38,14 +41,14 @@ def report_warnings(
     ----------
     warnings_found : about the result, as the window and the command line show them
     """
-    larger = any(each.code in LARGER_RESIDUALS for each in warnings_found)
+    has_large_residuals = any(each.code in LARGE_RESIDUAL_CODES for each in warnings_found)
     return sort_by_level(
         [
             *_calibration_warnings(content),
             *(
                 each
                 for each in _fit_warnings(content)
-                if not (larger and each.code == CHI_SQUARE_LOW)
+                if not (has_large_residuals and each.code == CHI_SQUARE_LOW_CODE)
             ),
             *warnings_found,
             *_parameter_warnings(content),
@@ -61,9 +64,9 @@ def report_warnings(
 
 def _calibration_warnings(content: ReportContent) -> Iterator[Message]:
     if not content.calibrated:
-        yield warning("report.not_calibrated", subject=ADJUST)
+        yield warning("report.not_calibrated", subject=ADJUST_STEP)
     if content.simulated:
-        yield note("report.simulated", subject=RESULT)
+        yield note("report.simulated", subject=RESULT_CAUSE)
     outside = [
         angle.name
         for angle in content.angles
@@ -72,7 +75,9 @@ def _calibration_warnings(content: ReportContent) -> Iterator[Message]:
         and abs(angle.error_deg) > angle.interval95_deg
     ]
     if outside:
-        yield note("report.truth_outside", angles=mounting_value_names(outside), subject=RESULT)
+        yield note(
+            "report.truth_outside", angles=mounting_value_names(outside), subject=RESULT_CAUSE
+        )
 
 
 def _fit_warnings(content: ReportContent) -> Iterator[Message]:
@@ -107,24 +112,24 @@ def _single_parameter_warnings(parameter: ParameterValues) -> Iterator[Message]:
         )
 
 
-CHI_SQUARE_LOW = "report.chi_square_low"
+CHI_SQUARE_LOW_CODE = "report.chi_square_low"
 
 
 def _chi_square_warnings(
     test: VarianceFactorTest, independent: bool, noisy: bool
 ) -> Iterator[Message]:
     if test.passed is None:
-        yield warning("report.no_redundancy", subject=RESULT)
+        yield warning("report.no_redundancy", subject=RESULT_CAUSE)
     elif test.passed:
         return
     elif test.upper is None or test.statistic <= test.upper:
-        yield note(CHI_SQUARE_LOW, subject=RESULT)
+        yield note(CHI_SQUARE_LOW_CODE, subject=RESULT_CAUSE)
     elif independent:
-        yield warning("report.chi_square_high_classical", subject=RESULT)
+        yield warning("report.chi_square_high_classical", subject=RESULT_CAUSE)
     elif noisy:
-        yield note("report.chi_square_high_noise", subject=RESULT)
+        yield note("report.chi_square_high_noise", subject=RESULT_CAUSE)
     else:
-        yield note("report.chi_square_high", subject=RESULT)
+        yield note("report.chi_square_high", subject=RESULT_CAUSE)
 
 
 def _target_warnings(content: ReportContent) -> Iterator[Message]:
@@ -180,12 +185,12 @@ def _validation_plane_warnings(plane: PickedPlane, total: int) -> Iterator[Messa
 
 
 def _not_found_warnings(content: ReportContent) -> Iterator[Message]:
-    """Messages on planes that were not found, one for all planes missing on the same lines."""
-    together: dict[tuple[str, tuple[str, ...]], list[str]] = {}
+    """Notes on targets that were not found, one for all targets missing on the same lines."""
+    groups: dict[tuple[str, tuple[str, ...]], list[str]] = {}
     for plane in content.planes:
         if plane.used and plane.missing:
-            together.setdefault((plane.role, tuple(plane.missing)), []).append(plane.name)
-    for (role, lines), names in together.items():
+            groups.setdefault((plane.role, tuple(plane.missing)), []).append(plane.name)
+    for (role, lines), names in groups.items():
         yield note(
             "report.not_found_target" if role == "target" else "report.not_found_plane",
             count=len(names), names=names, lines=lines, subject=Cause.of_target(names[0]),
@@ -193,24 +198,24 @@ def _not_found_warnings(content: ReportContent) -> Iterator[Message]:
 
 
 def _sighting_warnings(content: ReportContent) -> Iterator[Message]:
-    """Warnings with the number of used sightings that are not good, and the worst of them."""
-    target = {plane.name: plane.role == "target" for plane in content.planes}
+    """Note with the number of poor and doubtful sightings in use, and the worst of them."""
+    is_target = {plane.name: plane.role == "target" for plane in content.planes}
     used = {(p.name, line) for p in content.planes if p.used for line in p.lines}
-    judged = [each for each in content.qualities if (each.target, each.line) in used]
+    rated = [each for each in content.qualities if (each.target, each.line) in used]
     poor, doubtful = (
-        [each for each in judged if each.rating == light] for light in ("poor", "doubtful")
+        [each for each in rated if each.rating == rating] for rating in ("poor", "doubtful")
     )
     if not poor and not doubtful:
         return
 
-    def bad(each: SightingQualityValues) -> tuple[bool, bool, int, float]:
-        is_poor, oblique = each.rating == "poor", each.incidence_deg or 0.0
-        return is_poor, target[each.target], len(each.reasons), oblique
+    def severity(each: SightingQualityValues) -> tuple[bool, bool, int, float]:
+        is_poor, incidence = each.rating == "poor", each.incidence_deg or 0.0
+        return is_poor, is_target[each.target], len(each.reasons), incidence
 
-    worst = max((*poor, *doubtful), key=bad)
+    worst = max((*poor, *doubtful), key=severity)
     yield note(
         "report.sightings",
-        total=len(judged), poor=len(poor), doubtful=len(doubtful), target=worst.target,
+        total=len(rated), poor=len(poor), doubtful=len(doubtful), target=worst.target,
         line=worst.line, reasons=worst.reasons,
         subject=Cause.of_sighting(worst.target, worst.line),
     )  # fmt: skip
@@ -218,9 +223,9 @@ def _sighting_warnings(content: ReportContent) -> Iterator[Message]:
 
 def _validation_warnings(content: ReportContent) -> Iterator[Message]:
     if content.calibrated and not content.validation:
-        yield note("report.not_validated", subject=VALIDATE)
+        yield note("report.not_validated", subject=VALIDATE_STEP)
     for reason in content.not_compared:
-        yield note("report.not_compared", reason=reason, subject=VALIDATE)
+        yield note("report.not_compared", reason=reason, subject=VALIDATE_STEP)
     for plane in content.validation:
         if plane.after.rms_m > plane.before.rms_m:
             yield warning(
@@ -231,13 +236,14 @@ def _validation_warnings(content: ReportContent) -> Iterator[Message]:
 
 
 def _method_warnings(content: ReportContent) -> Iterator[Message]:
-    """Notes on methods that differ from the first; ``method_messages`` omits the first method."""
-    for each, words in zip(content.methods[1:], content.method_messages, strict=False):
+    """Notes on methods that differ from the first."""
+    # The messages on the comparisons are in the order of the methods; then there are general ones.
+    for each, message in zip(content.methods[1:], content.method_messages, strict=False):
         if each.differ:
-            yield note("report.methods_differ", reason=words, subject=ADJUST)
+            yield note("report.methods_differ", reason=message, subject=ADJUST_STEP)
 
 
 def _file_warnings(content: ReportContent) -> Iterator[Message]:
-    lost: Value = [file.name for file in content.files if file.sha256 is None]
-    if lost:
-        yield warning("report.file_missing", files=lost, subject=DATA)
+    missing: Value = [file.name for file in content.files if file.sha256 is None]
+    if missing:
+        yield warning("report.file_missing", files=missing, subject=DATA_STEP)

@@ -1,6 +1,6 @@
 """Results of the first page, and the sections on targets, residuals, site and lines.
 
-Angles have four decimals in degrees, distances one in millimetres.
+Boresight angles have four decimals in degrees, residuals one decimal in millimetres.
 """
 
 from collections.abc import Sequence
@@ -10,8 +10,8 @@ from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.present.adjustment import AdjustmentValues, boresight_table
 from lispac.present.parameters import ParameterValues
-from lispac.present.sightings import SIGHTING_FIT
-from lispac.present.targets import TARGETS, shape_text
+from lispac.present.sightings import SIGHTING_FIT_TABLE
+from lispac.present.targets import TARGETS_TABLE, shape_text
 from lispac.present.text_format import (
     degrees_unit,
     fixed_number,
@@ -25,7 +25,7 @@ from lispac.present.text_format import (
     title_with_unit,
 )
 from lispac.present.trajectory import LineTrajectorySummary
-from lispac.present.validation import PLANE_DISTANCES
+from lispac.present.validation import PLANE_DISTANCES_TABLE
 from lispac.report.document_blocks import (
     Block,
     Bullets,
@@ -38,16 +38,16 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.report_values import PickedPlane, ReportContent
 
-COMMON_SURFACE = N_(
+COMMON_SURFACE_TEXT = N_(
     "RMS and mean are distances from the common surface of all lines. After the adjustment they "
     "still contain the POS error of each sighting, which the boresight cannot correct."
 )
-NOISE_FACTOR = N_(
+NOISE_FACTOR_TEXT = N_(
     "Noise factor: LiDAR noise estimated from the residuals, without POS errors, divided by the "
     "given noise. If it is above 1, the sigmas of the angles are computed with the estimated "
     "noise."
 )
-TRAJECTORY_COLUMNS = N_(
+TRAJECTORY_COLUMNS_TEXT = N_(
     "Roll and pitch: motion of the vessel (standard deviation). The last four columns give the "
     "largest 1 sigma of the POS on the line, as given."
 )
@@ -78,7 +78,7 @@ def summary_blocks(content: ReportContent) -> list[Block]:
                 )
             )
     if content.validation:
-        blocks.append(report_table(PLANE_DISTANCES, content.validation))
+        blocks.append(report_table(PLANE_DISTANCES_TABLE, content.validation))
     against = content.absolute
     if against is not None and not against.all_lines.after.mean_significant:
         finding = sentence_text(against.messages[0])
@@ -167,14 +167,14 @@ def _role_text(plane: PickedPlane) -> str:
 def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
     from lispac.report.figures import residual_figures_of
 
-    targets = report_table(TARGETS, adjustment.targets)
-    sightings = report_table(SIGHTING_FIT, adjustment.sightings)
+    targets = report_table(TARGETS_TABLE, adjustment.targets)
+    sightings = report_table(SIGHTING_FIT_TABLE, adjustment.sightings)
     bars = UndrawnPictures(
         gettext("RMS of each sighting, before and after the calibration."),
         residual_figures_of,
         (adjustment.sightings,),
     )
-    explained = [COMMON_SURFACE, NOISE_FACTOR] if correlated else [COMMON_SURFACE]
+    explained = [COMMON_SURFACE_TEXT, NOISE_FACTOR_TEXT] if correlated else [COMMON_SURFACE_TEXT]
     return [targets, sightings, *(Paragraph(gettext(each)) for each in explained), bars]
 
 
@@ -248,5 +248,5 @@ def _trajectory_tables(lines: Sequence[LineTrajectorySummary]) -> list[Block]:
                 for each in lines
             ),
         ),
-        Paragraph(gettext(TRAJECTORY_COLUMNS)),
+        Paragraph(gettext(TRAJECTORY_COLUMNS_TEXT)),
     ]

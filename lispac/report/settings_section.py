@@ -1,11 +1,11 @@
-"""The section on settings: system, points, stochastic model, and the input files."""
+"""The section on settings: system, points, stochastic model and input files."""
 
 from collections.abc import Mapping
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.adjustment import AdjustmentValues
-from lispac.present.parameters import VARIANCE_COMPONENTS
+from lispac.present.parameters import VARIANCE_COMPONENTS_TABLE
 from lispac.present.text_format import (
     fixed_number,
     format_known,
@@ -30,34 +30,34 @@ from lispac.report.document_blocks import (
 from lispac.report.report_values import ReportContent, SettingsUsed
 from lispac.report.settings_used import FILE_ROLES, role_of_line
 
-NOTEWORTHY_NOISE = 1.05
-"""Smallest ratio of the LiDAR noise of a target to the given one that is reported."""
+MIN_REPORTED_NOISE_FACTOR = 1.05
+"""Smallest noise factor of a target (estimated divided by given LiDAR noise) that is reported."""
 
-POS_ERRORS: Mapping[str, str] = {
+POS_ERROR_TEXTS: Mapping[str, str] = {
     "correlated": N_("Correlated in time."),
     "independent": N_("Uncorrelated."),
 }
-LOSSES: Mapping[str, str] = {
+LOSS_TEXTS: Mapping[str, str] = {
     "none": N_("No robust estimation."),
     "huber": N_("Loss function: Huber."),
     "tukey": N_("Loss function: Tukey."),
 }
-OFFSETS: Mapping[str, str] = {
+OFFSET_TITLES: Mapping[str, str] = {
     "range_offset": N_("Given range offset"),
     "scan_angle_offset": N_("Given scan-angle offset"),
     "latency": N_("Given latency"),
 }
 """Titles of the offsets, by the name of the value."""
 
-CORRELATION_TIMES = N_(
+CORRELATION_TIMES_TEXT = N_(
     "{position} s and {attitude} s: time over which a POS error persists. Use the values of the "
     "processing report if it gives them. Too short a time is safer than too long a time."
 )
-SURFACE_SIGMA = N_(
+SURFACE_SIGMA_TEXT = N_(
     "Surface roughness: standard deviation of the offset of a whole sighting from the common "
     "surface of all lines."
 )
-COMPONENT_METHOD = N_(
+VARIANCE_COMPONENTS_TEXT = N_(
     "Variance components are estimated from the residuals and the estimated POS errors by "
     "restricted maximum likelihood. A sigma is increased if the data show a larger one, and "
     "decreased only if the whole interval is below the given value; otherwise the given value is "
@@ -67,14 +67,14 @@ COMPONENT_METHOD = N_(
 
 
 def settings_blocks(content: ReportContent) -> list[Block]:
-    """Blocks on the settings of system, points and stochastic model."""
+    """Blocks on the settings of system, points and stochastic model, and on the input files."""
     used, adjustment = content.settings, content.adjustment
     blocks: list[Block] = [
         facts_table(gettext("System and points"), _system_rows(used, adjustment)),
         facts_table(gettext("Stochastic model"), _model_rows(used, adjustment)),
     ]
     if used.surface_from_data is not None:
-        blocks.append(Paragraph(gettext(SURFACE_SIGMA)))
+        blocks.append(Paragraph(gettext(SURFACE_SIGMA_TEXT)))
     if adjustment is not None and adjustment.components:
         blocks += _component_tables(adjustment)
     blocks.append(_files_table(content))
@@ -100,7 +100,7 @@ def _system_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
         ("latency", used.latency_s),
     ):
         if value:
-            values.append((gettext(OFFSETS[name]), quantity_text(name, value, sign=True)))
+            values.append((gettext(OFFSET_TITLES[name]), quantity_text(name, value, sign=True)))
     if names:
         estimated = [gettext("boresight"), *map(parameter_name, names)]
         values.append(
@@ -135,7 +135,7 @@ def _model_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
     values = [
         (
             gettext("POS errors"),
-            f"{gettext(POS_ERRORS[used.pos_errors])} {gettext(used.pos_errors_text)}",
+            f"{gettext(POS_ERROR_TEXTS[used.pos_errors])} {gettext(used.pos_errors_text)}",
         ),
         (
             gettext("Position sigma (north, east, down)"),
@@ -152,7 +152,7 @@ def _model_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
     ]
     if used.position_correlation_time_s and used.attitude_correlation_time_s:
         times = gettext(
-            CORRELATION_TIMES,
+            CORRELATION_TIMES_TEXT,
             position=shortest_number(used.position_correlation_time_s),
             attitude=shortest_number(used.attitude_correlation_time_s),
         )
@@ -162,7 +162,7 @@ def _model_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
         values.append((gettext("Estimated LiDAR noise"), _noise_factor_text(adjustment)))
     if used.surface_from_data is not None:
         values.append((gettext("Surface roughness (1 sigma)"), _surface_sigma_text(used)))
-    loss = f"{gettext(LOSSES[used.loss])} {gettext(used.loss_text)}"
+    loss = f"{gettext(LOSS_TEXTS[used.loss])} {gettext(used.loss_text)}"
     return [*values, (gettext("Outliers"), loss)]
 
 
@@ -179,7 +179,7 @@ def _lidar_noise_text(used: SettingsUsed) -> str:
 
 
 def _noise_factor_text(adjustment: AdjustmentValues) -> str:
-    larger = [t for t in adjustment.targets if (t.noise_factor or 1.0) >= NOTEWORTHY_NOISE]
+    larger = [t for t in adjustment.targets if (t.noise_factor or 1.0) >= MIN_REPORTED_NOISE_FACTOR]
     applied = any(c.applied and c.name == "LiDAR" for c in adjustment.components)
     if not larger:
         if applied:
@@ -231,8 +231,8 @@ def _tenths_of_millimetre(metres: float) -> str:
 
 def _component_tables(adjustment: AdjustmentValues) -> list[Block]:
     return [
-        report_table(VARIANCE_COMPONENTS, adjustment.components),
-        Paragraph(gettext(COMPONENT_METHOD)),
+        report_table(VARIANCE_COMPONENTS_TABLE, adjustment.components),
+        Paragraph(gettext(VARIANCE_COMPONENTS_TEXT)),
     ]
 
 

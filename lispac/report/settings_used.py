@@ -4,14 +4,14 @@ from lispac.language import N_
 from lispac.project import Project
 from lispac.report.report_values import SettingsUsed
 
-CONVENTION = N_(
+CONVENTION_TEXT = N_(
     "Local frame: north, west, up. Body frame: forward, left, up. Roll is positive with the left "
     "side up, pitch positive with the bow down, yaw positive clockwise seen from above. The "
     "boresight rotates LiDAR axes into body axes: R = Rz(−yaw)·Ry(pitch)·Rx(roll). Other programs "
     "use other signs and orders: convert these angles before entering them in another program."
 )
 
-POS_ERROR_WORDS = {
+POS_ERROR_TEXTS = {
     "correlated": N_(
         "All points of one sighting share the errors of position and attitude at the time of the "
         "sighting, and sightings close in time share part of them (first-order Gauss-Markov "
@@ -22,7 +22,7 @@ POS_ERROR_WORDS = {
     ),
 }
 
-LOSS_WORDS = {
+LOSS_TEXTS = {
     "none": N_("All points have the same weight, including outliers."),
     "huber": N_(
         "Points farther than 1.3 standard deviations from the surface have a smaller "
@@ -68,11 +68,11 @@ def settings_used(project: Project) -> SettingsUsed:
         pos_errors=model.pos_errors,
         position_correlation_time_s=model.position_time if model.correlated else None,
         attitude_correlation_time_s=model.attitude_time if model.correlated else None,
-        pos_errors_text=POS_ERROR_WORDS[model.pos_errors],
+        pos_errors_text=POS_ERROR_TEXTS[model.pos_errors],
         surface_sigma_m=found if model.correlated else None,
         offset_sigma_m=result.offset if result else None,
         surface_from_data=model.surface is None if model.correlated else None,
         loss=model.loss,
-        loss_text=LOSS_WORDS[model.loss],
-        convention=CONVENTION,
+        loss_text=LOSS_TEXTS[model.loss],
+        convention=CONVENTION_TEXT,
     )

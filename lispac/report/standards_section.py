@@ -1,4 +1,4 @@
-"""The section on uncertainty in the terms of the published standards that apply."""
+"""The section on uncertainty as defined in IHO S-44 and the USGS Lidar Base Specification."""
 
 from lispac.language import N_, Plural, gettext
 from lispac.present.displacement import S44Contribution
@@ -13,7 +13,7 @@ from lispac.present.validation import SwathDifference
 from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows
 from lispac.report.report_values import ReportContent
 
-S44 = N_(
+S44_TEXT = N_(
     "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "
     "at 95 % confidence: 2.45 standard deviations along the longest axis of the horizontal error "
     "ellipse, 1.96 standard deviations of the height. The table gives the contribution of the "
@@ -22,7 +22,7 @@ S44 = N_(
     "also includes position, attitude, range, lever arm and the reduction of heights. The orders "
     "of the standard limit the total uncertainty; the table is not compared with them."
 )
-OVERLAP = N_(
+OVERLAP_TEXT = N_(
     "The swath overlap difference of the USGS Lidar Base Specification (2024 rev. A) is the root "
     "mean square of the height differences of overlapping swaths (RMSDz) on open ground. The "
     "validation planes are vertical or inclined, so the differences are computed along their "
@@ -31,7 +31,7 @@ OVERLAP = N_(
     "each line remains. The quality levels of the specification apply to heights on the ground; "
     "the differences are not compared with them."
 )
-ALL_PLANES = Plural("All ({count:n} plane)", "All ({count:n} planes)")
+ALL_PLANES_TEXT = Plural("All ({count:n} plane)", "All ({count:n} planes)")
 
 
 def standards_blocks(content: ReportContent) -> list[Block]:
@@ -58,7 +58,7 @@ def _s44_tables(contributions: tuple[S44Contribution, ...]) -> list[Block]:
                 for at in contributions
             ),
         ),
-        Paragraph(gettext(S44)),
+        Paragraph(gettext(S44_TEXT)),
     ]
 
 
@@ -75,7 +75,7 @@ def _swath_overlap_tables(differences: tuple[SwathDifference, ...]) -> list[Bloc
             ),
             as_rows(
                 [
-                    each.plane or gettext(ALL_PLANES, count=len(differences) - 1),
+                    each.plane or gettext(ALL_PLANES_TEXT, count=len(differences) - 1),
                     fixed_number(each.pairs, 0),
                     grouped_number(each.places),
                     millimetres(each.rmsd_before_m),
@@ -84,5 +84,5 @@ def _swath_overlap_tables(differences: tuple[SwathDifference, ...]) -> list[Bloc
                 for each in differences
             ),
         ),
-        Paragraph(gettext(OVERLAP)),
+        Paragraph(gettext(OVERLAP_TEXT)),
     ]

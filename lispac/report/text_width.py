@@ -10,7 +10,7 @@ from pathlib import Path
 import matplotlib
 from matplotlib.ft2font import FT2Font
 
-LEAST = 4.5
+MIN_FONT_SIZE = 4.5
 """Smallest font size, points."""
 POINTS_PER_INCH = 72.0
 
@@ -22,20 +22,26 @@ def text_width(text: str, size: float) -> float:
 
 
 def largest_fitting_font_size(texts: Sequence[str], width: float, size: float) -> float:
-    """Largest font size, points, from `LEAST` to ``size``, at which all texts fit in ``width``.
+    """Largest font size at which all texts fit in ``width``, from `MIN_FONT_SIZE` to ``size``.
+
+    At `MIN_FONT_SIZE` a text may still be wider.
 
     Parameters
     ----------
     texts
     width : float, inches
     size : float, points
+
+    Returns
+    -------
+    float, points
     """
     widest = max(text_width(text, size) for text in texts)
-    return max(LEAST, min(size, size * width / widest)) if widest else size
+    return max(MIN_FONT_SIZE, min(size, size * width / widest)) if widest else size
 
 
 def cut_to_width(text: str, width: float) -> str:
-    """Text without line breaks, cut at its end to fit in ``width`` at the smallest font size.
+    """Text of one line, cut at its end to fit in ``width`` at `MIN_FONT_SIZE`.
 
     Parameters
     ----------
@@ -43,7 +49,10 @@ def cut_to_width(text: str, width: float) -> str:
     width : float, inches
     """
     kept = len(text)
-    while kept and text_width(shown := text[:kept] + "\u2026" * (kept < len(text)), LEAST) > width:
+    while (
+        kept
+        and text_width(shown := text[:kept] + "\u2026" * (kept < len(text)), MIN_FONT_SIZE) > width
+    ):
         kept -= 1
     return shown if kept else text[:1]
 

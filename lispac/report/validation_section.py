@@ -5,10 +5,10 @@ from collections.abc import Mapping, Sequence
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.present.validation import (
-    PAIR_DISTANCES,
-    PAIR_PLACES,
-    PAIR_PLANES,
-    POOLED_DISTANCES,
+    PAIR_DISTANCES_TABLE,
+    PAIR_PLACES_TABLE,
+    PAIR_PLANES_TABLE,
+    POOLED_DISTANCES_TABLE,
     ValidationPlane,
     pair_rows,
     pairs_that_show_the_boresight,
@@ -23,36 +23,36 @@ from lispac.report.document_blocks import (
 )
 from lispac.report.report_values import ReportContent
 
-POOLED: Mapping[str, str] = {
+POOLED_TEXTS: Mapping[str, str] = {
     "reciprocal pairs": N_("Histograms and totals use the reciprocal pairs of lines only."),
     "all pairs": N_("Histograms and totals use all pairs of lines."),
 }
-"""Texts on the pairs of lines used in the statistics of a plane, by their name in the content."""
+"""Texts on the pairs of lines in the statistics of a plane, by `ValidationPlane.pooled_from`."""
 
-DISTANCES = N_(
+DISTANCES_TEXT = N_(
     "Distances from each point of one line to the surface of the other, in both directions, only "
     "where both lines cover the plane. The points are the same before and after the calibration. "
     "The distances that remain after the calibration are caused mainly by the POS error of each "
     "line, which the boresight cannot correct."
 )
-ROBUST = N_(
+ROBUST_SIGMA_TEXT = N_(
     "Robust sigma: 1.4826 times the median absolute deviation from the median. Outliers: distances "
     "more than three robust sigmas above the median; all other statistics include them."
 )
-SIGNED = N_(
+SIGNED_DISTANCES_TEXT = N_(
     "Distance of the first line from the second, positive towards the vessel, between means "
     "within cylinders along the local normal (M3C2); averaging reduces the noise of single "
     "points. The 95 % interval is that of one place, from the scatter of its points. The last "
     "column of each state gives the percentage of places whose distance exceeds this interval."
 )
-PLANE_OFFSETS = N_(
+PLANE_OFFSETS_TEXT = N_(
     "The plane fitted to the points of the first line is compared with that of the second, with "
     "95 % intervals from the scatter of the points. An offset is positive if the first plane is "
     "nearer to the vessel. A rotation is positive if the upper edge of the first plane "
     "(horizontal axis), or its right edge as seen from the vessel (vertical axis), is turned "
     "towards the vessel."
 )
-MAP = N_(
+MAP_CAPTION = N_(
     "{plane}: distance of the first line from the second along the normal; the plane is shown as "
     "seen from the vessel. Red: the first line is nearer to the vessel; blue: it is farther away; "
     "grey: one of the lines has too few points."
@@ -66,19 +66,19 @@ def validation_blocks(content: ReportContent) -> list[Block]:
     models = sorted({message_text(plane.measured_to) for plane in content.validation})
     pooled = sorted({plane.pooled_from for plane in content.validation})
     blocks: list[Block] = [
-        Paragraph(gettext(DISTANCES)),
+        Paragraph(gettext(DISTANCES_TEXT)),
         Bullets(
             (
                 gettext("Surface model of a line: {models:names}.", models=models),
-                *(gettext(POOLED[each]) for each in pooled),
+                *(gettext(POOLED_TEXTS[each]) for each in pooled),
             )
         ),
-        report_table(POOLED_DISTANCES, pooled_rows(content.validation)),
-        Paragraph(gettext(ROBUST)),
+        report_table(POOLED_DISTANCES_TABLE, pooled_rows(content.validation)),
+        Paragraph(gettext(ROBUST_SIGMA_TEXT)),
     ]
     for plane in content.validation:
         blocks += _figure_blocks(plane)
-    blocks.append(report_table(PAIR_DISTANCES, pair_rows(content.validation)))
+    blocks.append(report_table(PAIR_DISTANCES_TABLE, pair_rows(content.validation)))
     blocks += _signed_tables(content.validation)
     omitted = tuple(_not_compared_text(plane) for plane in content.validation if plane.not_compared)
     if omitted:
@@ -104,7 +104,9 @@ def _figure_blocks(plane: ValidationPlane) -> list[Block]:
         caption = gettext(_profile_caption(plane), plane=plane.name)
         blocks.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
     if plane.maps:
-        blocks.append(UndrawnPictures(gettext(MAP, plane=plane.name), map_figure_of, (plane,)))
+        blocks.append(
+            UndrawnPictures(gettext(MAP_CAPTION, plane=plane.name), map_figure_of, (plane,))
+        )
     return blocks
 
 
@@ -117,13 +119,13 @@ def _profile_caption(plane: ValidationPlane) -> str:
 
 
 def _signed_tables(planes: Sequence[ValidationPlane]) -> list[Block]:
-    """Tables of offsets and rotations of the pairs in which a boresight error is largest."""
+    """Tables of signed distances, and of offsets and rotations, of the reciprocal pairs."""
     rows = pairs_that_show_the_boresight(planes)
     blocks: list[Block] = []
     if any(row.pair.after.signed is not None for row in rows):
-        blocks += [report_table(PAIR_PLACES, rows), Paragraph(gettext(SIGNED))]
+        blocks += [report_table(PAIR_PLACES_TABLE, rows), Paragraph(gettext(SIGNED_DISTANCES_TEXT))]
     if any(row.pair.after.planes is not None for row in rows):
-        blocks += [report_table(PAIR_PLANES, rows), Paragraph(gettext(PLANE_OFFSETS))]
+        blocks += [report_table(PAIR_PLANES_TABLE, rows), Paragraph(gettext(PLANE_OFFSETS_TEXT))]
     return blocks
 
 

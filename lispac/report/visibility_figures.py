@@ -1,4 +1,4 @@
-"""Visibility of an error by line and inclination of the board (thesis, figures 3.13 to C.21)."""
+"""Figures of the visibility of an error by line and inclination (thesis, 3.13 to C.21)."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -10,15 +10,22 @@ from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
 from lispac.present.text_format import fixed_number, title
-from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank_figure, style_axes
+from lispac.report.figures import (
+    INK_COLOUR,
+    LINE_COLOURS,
+    SMALL_TEXT_SIZE,
+    TEXT_SIZE,
+    blank_figure,
+    style_axes,
+)
 from lispac.simulation.thesis_site import ERROR_SIZES, HEADINGS_DEG
 from lispac.simulation.visibility_study import TYPE_ONE_THRESHOLD, VisibilityStudy
 
 Array = NDArray[np.float64]
 
-KEPT, BEST = "#e3ebf3", "#555555"
-WIDTHS = (6.0, 2.0, 6.0, 4.2, 2.6, 1.0)
-"""Widths of the curves, points; they differ so that coincident curves are all visible."""
+ACCEPTED_COLOUR, BEST_COLOUR = "#e3ebf3", "#555555"
+CURVE_WIDTHS = (6.0, 2.0, 6.0, 4.2, 2.6, 1.0)
+"""Widths of the curves of the lines, points; they differ so that coincident curves are visible."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +35,9 @@ class Criterion:
     Attributes
     ----------
     title, label : str
-        English texts: the question, and the quantity on the axis with its unit.
+        English texts: name of the criterion, and quantity on the vertical axis with its unit.
+    decimals : int
+        Decimals of the values.
     least : float
         Smallest height of the axis, so that rounding errors are not enlarged.
     values : function of a `VisibilityStudy`
@@ -63,7 +72,7 @@ SITE_NAMES: Mapping[str, str] = {"terrestrial": N_("terrestrial"), "marine": N_(
 
 
 def systematic_error_label(error: str) -> str:
-    """An error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
+    """Name of a systematic error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
     size = ERROR_SIZES[error]
     if error.startswith(("lever", "range")):
         return gettext("{error} {size} cm", error=title(error), size=fixed_number(100 * size, 0))
@@ -84,11 +93,11 @@ def visibility_figure(
     criterion: str,
     figure: Figure | None = None,
 ) -> Figure:
-    """One criterion of one error for six lines, over the inclination of the board.
+    """Values of a criterion for one error and all lines, by inclination of the board.
 
-    The inclinations accepted by the type I criterion are shaded; the best of them has a dashed
-    line. The vertical axis is scaled to the accepted inclinations, since at others the beams may
-    graze the board and give meaningless points.
+    The inclinations accepted by the type I criterion are shaded; a dashed line marks the best one.
+    The vertical axis of the other criteria is scaled to the accepted inclinations, since at others
+    the beams may graze the board and give meaningless points.
 
     Parameters
     ----------
@@ -102,15 +111,18 @@ def visibility_figure(
     inclinations = np.degrees(study.site.inclinations)
     if best.kept:
         axes.axvspan(
-            np.degrees(best.kept[0]) - 5, np.degrees(best.kept[-1]) + 5, color=KEPT, linewidth=0
+            np.degrees(best.kept[0]) - 5,
+            np.degrees(best.kept[-1]) + 5,
+            color=ACCEPTED_COLOUR,
+            linewidth=0,
         )
     if best.inclination is not None:
-        axes.axvline(np.degrees(best.inclination), color=BEST, linewidth=0.9, linestyle="--")
+        axes.axvline(np.degrees(best.inclination), color=BEST_COLOUR, linewidth=0.9, linestyle="--")
     values = shown.values(study)[study.site.errors.index(error)]
     for k, heading in enumerate(HEADINGS_DEG):
         axes.plot(
-            inclinations, values[k], color=LINE_COLOURS[k], linewidth=WIDTHS[k],
-            marker="o", markersize=WIDTHS[k] + 1.5,
+            inclinations, values[k], color=LINE_COLOURS[k], linewidth=CURVE_WIDTHS[k],
+            marker="o", markersize=CURVE_WIDTHS[k] + 1.5,
             label=gettext("{heading:n} deg", heading=heading),
         )  # fmt: skip
     style_axes(
@@ -119,7 +131,7 @@ def visibility_figure(
         gettext(shown.label),
     )
     if criterion == "type-one":
-        axes.axhline(TYPE_ONE_THRESHOLD, color=BEST, linewidth=0.6, linestyle=":")
+        axes.axhline(TYPE_ONE_THRESHOLD, color=BEST_COLOUR, linewidth=0.6, linestyle=":")
         axes.set_ylim(-0.05, 1.05)
     elif best.kept:
         _set_y_limits(axes, values[:, np.isin(study.site.inclinations, best.kept)], shown.least)
@@ -130,8 +142,12 @@ def visibility_figure(
         error=systematic_error_label(error), site=gettext(SITE_NAMES[study.site.name]),
         criterion=gettext(shown.title),
     )  # fmt: skip
-    axes.set_title(head, fontsize=TEXT + 1, color=INK, loc="left")
+    axes.set_title(head, fontsize=TEXT_SIZE + 1, color=INK_COLOUR, loc="left")
     figure.legend(
-        loc="outside lower center", ncols=6, fontsize=SMALL, frameon=False, labelcolor=INK
+        loc="outside lower center",
+        ncols=6,
+        fontsize=SMALL_TEXT_SIZE,
+        frameon=False,
+        labelcolor=INK_COLOUR,
     )
     return figure

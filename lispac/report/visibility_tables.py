@@ -1,4 +1,4 @@
-"""Visibility of errors: tables of all values, and best configurations beside the thesis."""
+"""Tables of the visibility of errors, and of the best configurations compared with the thesis."""
 
 from collections.abc import Mapping, Sequence
 
@@ -18,27 +18,27 @@ from lispac.simulation.thesis_comparison import (
 from lispac.simulation.thesis_site import HEADINGS_DEG
 from lispac.simulation.visibility_study import VisibilityStudy, fewest_sufficient_lines
 
-VALUES_TITLES: Mapping[str, str] = {
+VALUES_TABLE_TITLES: Mapping[str, str] = {
     "terrestrial": N_("Effects of systematic errors on the terrestrial site"),
     "marine": N_("Effects of systematic errors on the marine site"),
 }
-BEST_TITLES: Mapping[str, str] = {
+COMPARISON_TABLE_TITLES: Mapping[str, str] = {
     "terrestrial": N_("Best configurations on the terrestrial site"),
     "marine": N_("Best configurations on the marine site"),
 }
-"""Titles of the tables by the name of the site."""
-VALUES = (
+"""Titles of both tables, by the name of the site."""
+VALUES_COLUMN_TITLES = (
     N_("Error"), N_("Line (deg)"), N_("Inclination (deg)"), N_("Points"), N_("Planarity"),
     N_("Centroidal distance (m)"), N_("Type I criterion (0 to 1)"), N_("Accepted"),
     N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
 )  # fmt: skip
-COMPARISON = (
+COMPARISON_COLUMN_TITLES = (
     N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl. in Shahraji's thesis"),
     N_("Best incl. (deg)"), N_("Best incl. in Shahraji's thesis"), N_("Required lines"),
     N_("Required lines in Shahraji's thesis"), N_("Inclination (vs. thesis)"),
     N_("Lines (vs. thesis)"), N_("Reason"),
 )  # fmt: skip
-"""Titles of the columns; the inclinations of Shahraji's thesis are in degrees."""
+"""Titles of the columns of both tables; the inclinations of Shahraji's thesis are in degrees."""
 
 
 def values_table(study: VisibilityStudy, errors: Sequence[str]) -> Table:
@@ -60,13 +60,17 @@ def values_table(study: VisibilityStudy, errors: Sequence[str]) -> Table:
                         _number_text(np.degrees(study.angular_deviation[place]), 5),
                     )
                 )  # fmt: skip
-    return Table(gettext(VALUES_TITLES[study.site.name]), _table_columns(VALUES), as_rows(made))
+    return Table(
+        gettext(VALUES_TABLE_TITLES[study.site.name]),
+        _table_columns(VALUES_COLUMN_TITLES),
+        as_rows(made),
+    )
 
 
 def values_at_inclination(
     study: VisibilityStudy, error: str, criterion: str, inclination_deg: float
 ) -> str:
-    """Values of all lines at the studied inclination nearest to the given one."""
+    """Text with the values of all lines at the studied inclination nearest to the given one."""
     shown = CRITERIA[criterion]
     j = int(np.argmin(np.abs(np.degrees(study.site.inclinations) - inclination_deg)))
     values = shown.values(study)[study.site.errors.index(error), :, j]
@@ -113,7 +117,11 @@ def comparison_table(study: VisibilityStudy, errors: Sequence[str]) -> Table:
     made = [
         _comparison_row(each) for each in compare_with_thesis(study) if each.best.error in errors
     ]
-    return Table(gettext(BEST_TITLES[study.site.name]), _table_columns(COMPARISON), as_rows(made))
+    return Table(
+        gettext(COMPARISON_TABLE_TITLES[study.site.name]),
+        _table_columns(COMPARISON_COLUMN_TITLES),
+        as_rows(made),
+    )
 
 
 def _table_columns(titles: Sequence[str]) -> tuple[Column, ...]:
@@ -121,7 +129,7 @@ def _table_columns(titles: Sequence[str]) -> tuple[Column, ...]:
 
 
 def all_errors_text(study: VisibilityStudy) -> str:
-    """Text on the smallest sets of lines that reveal all errors, beside table 3.3 of the thesis."""
+    """Text on the smallest sets of lines that reveal all errors, compared with thesis table 3.3."""
     sets = fewest_sufficient_lines([study.best_configuration(error) for error in study.site.errors])
     if study.site.name != "terrestrial":
         template = N_("Smallest sets of lines that reveal all errors: {lines}.")
@@ -154,7 +162,7 @@ def _comparison_row(each: ThesisComparison) -> tuple[str, ...]:
         _range_text(*thesis_value.suitable_inclinations_deg),
         not_seen if best.inclination is None else f"{np.degrees(best.inclination):.0f}",
         not_seen if thesis is None else _inclination_text(*thesis),
-        # Lines that reveal the error equally are grouped; one of each group is sufficient.
+        # Lines that reveal the error equally well form a group, of which one line is sufficient.
         ", ".join("/".join(map(str, group)) for group in best.groups) if best.lines else not_seen,
         _headings_text(thesis_value.lines) or not_seen,
         _agreement_text(each.inclination_agrees),

@@ -14,27 +14,30 @@ from lispac.messages import as_message, error
 from lispac.project import LineSource, Role, Shape, Target
 from lispac.scripting.loaded_project import LoadedProject
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from lispac.validation.absolute_check import AbsoluteCheck
-from lispac.validation.local_models import USUAL_NEIGHBOURS, Kind, LocalModel
+from lispac.validation.local_models import DEFAULT_NEIGHBOURS, Kind, LocalModel
 from lispac.validation.plane_comparison import PlaneComparison
 from lispac.workflow.calibration import edits, picking
 from lispac.workflow.calibration import estimation as calibration
-from lispac.workflow.calibration.proposal_acceptance import with_accepted, without_picked
+from lispac.workflow.calibration.proposal_acceptance import (
+    with_accepted_targets,
+    without_picked_surfaces,
+)
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from lispac.workflow.calibration.seed_lists import SeedOutcome, pick_seeds, read_seeds
 from lispac.workflow.checking import absolute_check, validation
 from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.export import write_report
 from lispac.workflow.output.export_request import (
-    ENDINGS,
+    FILE_TYPES,
+    ExportContent,
     ExportRequest,
-    What,
     export,
     output_system_of,
 )
-from lispac.workflow.output.georeferencing import Which
-from lispac.workflow.output.output_crs import LOCAL
+from lispac.workflow.output.georeferencing import BoresightChoice
+from lispac.workflow.output.output_crs import LOCAL_FRAME
 from lispac.workflow.output.report_options import report_options
 from lispac.workflow.output.script import script_of
 from lispac.workflow.project import projects
@@ -100,7 +103,7 @@ class OpenProject(LoadedProject):
         threshold: float | None = None,
         radius: float | None = None,
         expected: ExpectedTarget | None = None,
-        choices: FinderChoices = USUAL,
+        choices: FinderChoices = DEFAULT_CHOICES,
         crs: str = "",
         height: str = "",
         trajectory_datum: str | None = None,
@@ -149,7 +152,7 @@ class OpenProject(LoadedProject):
             place = picking.point_position(self.project, survey, clicked_on, number)
         else:
             system = output_system_of(
-                self.project, survey.trajectory, crs or LOCAL, height, trajectory_datum, epoch
+                self.project, survey.trajectory, crs or LOCAL_FRAME, height, trajectory_datum, epoch
             )
             place = require_near_trajectory(
                 np.array(at, dtype=float), system, survey.trajectory, name
@@ -177,12 +180,12 @@ class OpenProject(LoadedProject):
 
         Returns
         -------
-        tuple of Outcome
+        tuple of SeedOutcome
             For each row its ``target``, or the ``reason`` if none was found.
         """
         survey = self.survey
         system = output_system_of(
-            self.project, survey.trajectory, crs or LOCAL, height, trajectory_datum, epoch
+            self.project, survey.trajectory, crs or LOCAL_FRAME, height, trajectory_datum, epoch
         )
         listed = read_seeds(
             Path(path), self.project, survey.trajectory, system, columns=columns, role=role
@@ -195,12 +198,12 @@ class OpenProject(LoadedProject):
     def propose(self) -> Proposal:
         """Detect planes that could be used as targets, with reasons; `accept` adds them."""
         found = propose_targets(self.project, self.survey, progress=self._progress)
-        return without_picked(self.project, found)
+        return without_picked_surfaces(self.project, found)
 
     def accept(self, proposal: Proposal, names: Collection[str] | None = None) -> tuple[str, ...]:
         """Add all or the named proposed targets; returns their names in the project."""
         accepted_names = [target.name for target in proposal.targets] if names is None else names
-        self.project, new_names = with_accepted(self.project, proposal, accepted_names)
+        self.project, new_names = with_accepted_targets(self.project, proposal, accepted_names)
         return new_names
 
     def put(self, target: Target) -> None:
@@ -248,7 +251,7 @@ class OpenProject(LoadedProject):
         neighbours: int | None = None,
         radius: float | None = None,
     ) -> tuple[PlaneComparison, ...]:
-        """Compare the lines on the validation planes, before and after.
+        """Compare the lines on the validation planes, with the prior and the estimated boresight.
 
         Parameters
         ----------
@@ -259,7 +262,7 @@ class OpenProject(LoadedProject):
         radius : metres, optional
             Radius within which all points are used instead of ``neighbours``.
         """
-        usual = USUAL_NEIGHBOURS.get(distance_to, 1)
+        usual = DEFAULT_NEIGHBOURS.get(distance_to, 1)
         model = LocalModel(distance_to, usual if neighbours is None else neighbours, radius)
         self.project = validation.validate(
             self.project, self.survey, model=model, progress=self._progress
@@ -324,10 +327,10 @@ class OpenProject(LoadedProject):
 
     def export(
         self,
-        what: What,
+        what: ExportContent,
         output: AnyPath,
         *,
-        boresight: Which = "estimated",
+        boresight: BoresightChoice = "estimated",
         form: str = "",
         crs: str = "",
         height: str = "",
@@ -351,16 +354,16 @@ class OpenProject(LoadedProject):
         ProjectError
             If ``what`` or ``form`` is not valid.
         """
-        if what not in ENDINGS:
-            raise ProjectError(error("script.unknown_export", what=what, known=list(ENDINGS)))
-        if form and form not in ENDINGS[what]:
+        if what not in FILE_TYPES:
+            raise ProjectError(error("script.unknown_export", what=what, known=list(FILE_TYPES)))
+        if form and form not in FILE_TYPES[what]:
             raise ProjectError(
-                error("script.unknown_export_format", what=what, form=form, forms=ENDINGS[what])
+                error("script.unknown_export_format", what=what, form=form, forms=FILE_TYPES[what])
             )
         # By default, lines keep their system, and everything else is in the local frame.
-        system = crs if what == "lines" else crs or LOCAL
+        system = crs if what == "lines" else crs or LOCAL_FRAME
         request = ExportRequest(
-            what, Path(output), boresight, form or ENDINGS[what][0], system, height,
+            what, Path(output), boresight, form or FILE_TYPES[what][0], system, height,
             trajectory_datum, epoch,
         )  # fmt: skip
         paths, _ = export(self.project, self.survey, request, progress=self._progress)

@@ -9,7 +9,7 @@ from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Reading, Settings, Triple
 from lispac.scripting.open_project import OpenProject
 from lispac.simulation.simulated_survey import POINTS_PER_SECOND
-from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import DEFAULT_READING
 from lispac.workflow.planning.demo import make_demo
 from lispac.workflow.project import projects
 from lispac.workflow.project.moved_files import with_files_in
@@ -25,9 +25,9 @@ def new(
     trajectory: AnyPath,
     lever_arm: Triple,
     accuracy: AnyPath | None = None,
-    line_reading: Reading = USUAL,
-    trajectory_reading: Reading = USUAL,
-    accuracy_reading: Reading = USUAL,
+    line_reading: Reading = DEFAULT_READING,
+    trajectory_reading: Reading = DEFAULT_READING,
+    accuracy_reading: Reading = DEFAULT_READING,
     resolved: bool = False,
     truth_deg: Triple | None = None,
     progress: Progress = no_progress,
@@ -44,7 +44,7 @@ def new(
     trajectory : path
     lever_arm : metres, body frame (forward, left, up)
     accuracy : path, optional
-        smrmsg, or a text file with the accuracies of the trajectory.
+        File with the accuracies of the trajectory, for example smrmsg.
     line_reading, trajectory_reading, accuracy_reading : Reading
         Options of the formats; ``lispac inspect FILE`` lists them.
     resolved : bool

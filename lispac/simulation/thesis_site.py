@@ -32,7 +32,7 @@ from numpy.typing import NDArray
 
 from lispac.geometry.planes import Plane, plane_axes, plane_through
 from lispac.simulation.closed_form_survey import Board, Course, six_courses
-from lispac.survey.georeferencing import CALIBRATION, Mounting, place_points
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES, Mounting, place_points
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
@@ -128,8 +128,8 @@ ERROR_FREE_MOUNTING = Mounting(np.zeros(3), np.zeros(3))
 
 def mounting_with_error(error: str, share: float = 1.0) -> Mounting:
     """True mounting with one of the eight errors, scaled by ``share``."""
-    values = np.zeros(len(CALIBRATION))
-    values[CALIBRATION.index(error)] = share * ERROR_SIZES[error]
+    values = np.zeros(len(MOUNTING_VALUE_NAMES))
+    values[MOUNTING_VALUE_NAMES.index(error)] = share * ERROR_SIZES[error]
     return Mounting.of_values(values)
 
 

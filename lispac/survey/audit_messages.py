@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.messages import Action, Level, Message, Value, note, warning
 from lispac.survey.line_audit import (
-    POINTS_PER_TIME,
+    MIN_POINTS_PER_COARSE_TIME,
     LineAudit,
     shared_point_fraction,
 )
@@ -17,34 +17,36 @@ from lispac.survey.time_base import DAY, HOUR, WEEK
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.warning_causes import Cause
 
-FAR_POINT_SHARE = 0.001
-"""Share of points beyond the largest range from which the unit of the file, or the given scanner,
-is probably wrong."""
-COARSE_STEP = 0.9e-3
+MAX_FAR_POINT_SHARE = 0.001
+"""Largest share of points beyond the largest range that gives only a note; with more, the unit of
+the file or the given scanner is probably wrong."""
+MIN_REPORTED_TIME_STEP_S = 0.9e-3
 """Smallest step of the point times that is reported, seconds."""
 MIN_GROUP_SHARE = 0.01
 """Smallest share of the points for a separate scanner or line."""
-MAX_SCANNERS = 8
-"""Largest number of values of an attribute that is assumed to number scanners or lines."""
-MIN_REPEATED = 0.01
-"""Smallest share of common points for which a line is reported to repeat another one."""
-SIMULTANEOUS = 0.05
-"""Smallest common share of the duration of the shorter line for simultaneous lines."""
-WHOLE_SECONDS = 2.0
+MAX_GROUPS = 8
+"""Largest number of large groups by an attribute that is assumed to number scanners or lines."""
+MIN_COMMON_POINT_SHARE = 0.01
+"""Smallest share of common points for which two lines are reported to repeat each other."""
+MIN_COMMON_TIME_SHARE = 0.05
+"""Smallest ratio of the common time to the duration of the shorter line for simultaneous lines."""
+ROUNDING_OVERLAP_S = 2.0
 """Overlap in seconds that may result from the rounding of time spans to whole seconds."""
-NEAR_ROLLOVER = 1.5
-"""Largest distance in seconds from a time rollover at which a line is assumed to cross it."""
-LONG_PAUSE = 60.0
-"""Pause in seconds that separates two lines in any case."""
-MIN_TURN = np.radians(30.0)
-"""Change of heading during a pause that separates two lines, radians."""
-HALFWAY = 0.5
+ROLLOVER_TOLERANCE_S = 1.5
+"""Largest distance of both ends of a file's times from the limits of a period, for a rollover."""
+LONG_PAUSE_S = 60.0
+"""Pause that separates two lines, unless the vessel continued at its speed."""
+MIN_TURN_RAD = np.radians(30.0)
+"""Change of heading during a pause that separates two lines."""
+MIN_CONTINUED_DISTANCE_RATIO = 0.5
 """Smallest ratio of the distance covered during a pause to that at constant speed for which the
 vessel did not stop."""
-QUANTILE = 0.95
+MOTION_QUANTILE = 0.95
 """Quantile of the speeds and angular rates of a line used for the effect of a time error."""
-SCANNERS = ("scanner_channel", "scanner", "scanner_id", "head", "head_id", "device", "device_id",
-            "sensor_id", "lidar_id")  # fmt: skip
+SCANNER_ATTRIBUTES = (
+    "scanner_channel", "scanner", "scanner_id", "head", "head_id", "device", "device_id",
+    "sensor_id", "lidar_id",
+)  # fmt: skip
 """Attributes that number scanners; other attributes number lines, or either."""
 
 
@@ -84,7 +86,7 @@ def shared_messages(audits: Mapping[str, LineAudit]) -> tuple[Message, ...]:
     found = []
     for (one, first), (other, second) in combinations(audits.items(), 2):
         share = shared_point_fraction(first, second)
-        if share >= MIN_REPEATED:
+        if share >= MIN_COMMON_POINT_SHARE:
             smaller = one if first.read < second.read else other
             found.append(
                 Message(
@@ -120,14 +122,14 @@ def simultaneous_messages(
     found = []
     for (one, own), (other, others) in combinations(spans.items(), 2):
         common = sum(
-            max(0.0, min(end, last) - max(start, first) - WHOLE_SECONDS)
+            max(0.0, min(end, last) - max(start, first) - ROUNDING_OVERLAP_S)
             for start, end in own
             for first, last in others
         )
         shorter = min(sum(end - start for start, end in each) for each in (own, others))
-        if common < SIMULTANEOUS * shorter or common == 0:
+        if common < MIN_COMMON_TIME_SHARE * shorter or common == 0:
             continue
-        if shared_point_fraction(audits[one], audits[other]) < MIN_REPEATED:
+        if shared_point_fraction(audits[one], audits[other]) < MIN_COMMON_POINT_SHARE:
             params: dict[str, Value] = {"line": other, "other": one, "seconds": common}
             found.append(
                 Message(
@@ -152,7 +154,10 @@ def _shift_to_trajectory_time(
 def _time_resolution_warning(
     name: str, audit: LineAudit, trajectory: LocalTrajectory | None, times: NDArray[np.float64]
 ) -> Iterator[Message]:
-    if audit.time_step < COARSE_STEP or audit.points_per_time < POINTS_PER_TIME:
+    if (
+        audit.time_step < MIN_REPORTED_TIME_STEP_S
+        or audit.points_per_time < MIN_POINTS_PER_COARSE_TIME
+    ):
         return
     if trajectory is None or not len(times):
         params: dict[str, Value] = {
@@ -161,8 +166,8 @@ def _time_resolution_warning(
         yield Message("audit.time_steps", Level.WARNING, params, Cause.of_line(name))
         return
     rates = np.abs(trajectory.rate_at(times))
-    speed = float(np.quantile(np.linalg.norm(rates[:, :3], axis=1), QUANTILE))
-    turn = float(np.quantile(np.linalg.norm(rates[:, 3:], axis=1), QUANTILE))
+    speed = float(np.quantile(np.linalg.norm(rates[:, :3], axis=1), MOTION_QUANTILE))
+    turn = float(np.quantile(np.linalg.norm(rates[:, 3:], axis=1), MOTION_QUANTILE))
     half = audit.time_step / 2
     yield Message(
         "audit.time_resolution",
@@ -189,7 +194,7 @@ def _excluded_point_notes(name: str, audit: LineAudit) -> Iterator[Message]:
     if audit.no_range:
         yield note("audit.no_range", subject=subject, **excluded(audit.no_range))
     if audit.too_far:
-        many = audit.too_far > FAR_POINT_SHARE * audit.read
+        many = audit.too_far > MAX_FAR_POINT_SHARE * audit.read
         params = excluded(audit.too_far)
         yield (warning if many else note)("audit.too_far", subject=subject, **params)
     if audit.duplicates:
@@ -218,7 +223,7 @@ def _noise_class_warning(name: str, audit: LineAudit) -> Iterator[Message]:
 def _group_messages(name: str, audit: LineAudit) -> Iterator[Message]:
     """Messages about several scanners or lines in one file, according to an attribute."""
     for attribute, large in _find_large_groups(audit):
-        code = "several_scanners" if attribute in SCANNERS else "several_sources"
+        code = "several_scanners" if attribute in SCANNER_ATTRIBUTES else "several_sources"
         yield Message(
             f"audit.{code}",
             Level.WARNING,
@@ -233,7 +238,7 @@ def _group_messages(name: str, audit: LineAudit) -> Iterator[Message]:
 
 def has_several_scanners(audit: LineAudit) -> bool:
     """Whether an attribute shows that the points are from several scanners."""
-    return any(attribute in SCANNERS for attribute, _ in _find_large_groups(audit))
+    return any(attribute in SCANNER_ATTRIBUTES for attribute, _ in _find_large_groups(audit))
 
 
 def _find_large_groups(audit: LineAudit) -> Iterator[tuple[str, list[str]]]:
@@ -241,7 +246,7 @@ def _find_large_groups(audit: LineAudit) -> Iterator[tuple[str, list[str]]]:
     for attribute, counts in audit.groups.items():
         used = sum(counts.values())
         large = [value for value, count in counts.items() if count >= MIN_GROUP_SHARE * used]
-        if 1 < len(large) <= MAX_SCANNERS:
+        if 1 < len(large) <= MAX_GROUPS:
             yield attribute, large
 
 
@@ -252,22 +257,22 @@ def _several_lines_messages(
     spans = _unrolled_spans(audit.spans)
     if len(spans) < 2:
         return
-    passes = 1
+    line_count = 1
     for (_, before), (after, _) in pairwise(spans):
         if trajectory is None or not len(times):
-            passes += bool(after - before > LONG_PAUSE)
+            line_count += bool(after - before > LONG_PAUSE_S)
             continue
         # The audit has the times of the file, of which only the differences are used.
         shift = times[0] - spans[0][0]
         ends = np.clip(np.array([before, after]) + shift, times[0], times[-1])
-        passes += _has_vessel_turned(trajectory, ends) or (
-            after - before > LONG_PAUSE and not _has_vessel_continued(trajectory, ends)
+        line_count += _has_vessel_turned(trajectory, ends) or (
+            after - before > LONG_PAUSE_S and not _has_vessel_continued(trajectory, ends)
         )
-    if passes > 1:
+    if line_count > 1:
         yield Message(
             "audit.several_passes",
             Level.WARNING,
-            {"line": name, "count": passes},
+            {"line": name, "count": line_count},
             Cause.of_line(name),
             (Action("split_line", {"line": name, "by": "gap"}),),
         )
@@ -278,41 +283,48 @@ def _has_vessel_turned(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -
     inside = (trajectory.time > ends[0]) & (trajectory.time < ends[1])
     heading = np.interp(ends, trajectory.time, trajectory.attitude[:, 2])
     turned = (heading[1] - heading[0] + np.pi) % (2 * np.pi) - np.pi
-    within = trajectory.attitude[inside, 2]
-    return bool(abs(turned) > MIN_TURN or (len(within) and np.ptp(within) > MIN_TURN))
+    headings_between = trajectory.attitude[inside, 2]
+    return bool(
+        abs(turned) > MIN_TURN_RAD
+        or (len(headings_between) and np.ptp(headings_between) > MIN_TURN_RAD)
+    )
 
 
 def _has_vessel_continued(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
     """Whether the vessel continued at its speed between two times, shape (2,), seconds.
 
-    This is the case if only points on certain objects were exported from a line. The trajectory may
-    have no states in between.
+    This is the case during pauses of a line of which only points on certain objects were exported.
+    The trajectory may have no states in between.
     """
     position = np.stack([np.interp(ends, trajectory.time, axis) for axis in trajectory.position.T])
     speed = np.linalg.norm(trajectory.rate_at(ends)[:, :3], axis=1).mean()
-    way = float(np.linalg.norm(position[:, 1] - position[:, 0]))
-    return way > HALFWAY * speed * float(ends[1] - ends[0])
+    distance = float(np.linalg.norm(position[:, 1] - position[:, 0]))
+    return distance > MIN_CONTINUED_DISTANCE_RATIO * speed * float(ends[1] - ends[0])
 
 
 def _unrolled_spans(spans: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
-    """Spans of times with the rollover at midnight or end of the week resolved.
+    """Spans of times with the rollover at a full hour, midnight or end of the week resolved.
 
     Parameters
     ----------
     spans : sequence of (float, float), seconds
         First and last time between pauses, ascending, as in the file.
     """
-    own = [(start, end) for start, end in spans]
-    if len(own) < 2:
-        return own
+    file_spans = [(start, end) for start, end in spans]
+    if len(file_spans) < 2:
+        return file_spans
     for period in (HOUR, DAY, WEEK):
-        if own[0][0] <= NEAR_ROLLOVER and abs(own[-1][1] - period) <= NEAR_ROLLOVER:
-            pauses = [after - before for (_, before), (after, _) in pairwise(own)]
+        if (
+            file_spans[0][0] <= ROLLOVER_TOLERANCE_S
+            and abs(file_spans[-1][1] - period) <= ROLLOVER_TOLERANCE_S
+        ):
+            pauses = [after - before for (_, before), (after, _) in pairwise(file_spans)]
             k = 1 + int(np.argmax(pauses))
-            after_rollover = [(start + period, end + period) for start, end in own[:k]]
-            through = (own[-1][0], after_rollover[0][1])  # one span on both sides of the rollover
-            return [*own[k:-1], through, *after_rollover[1:]]
-    return own
+            after_rollover = [(start + period, end + period) for start, end in file_spans[:k]]
+            # One span on both sides of the rollover
+            joined = (file_spans[-1][0], after_rollover[0][1])
+            return [*file_spans[k:-1], joined, *after_rollover[1:]]
+    return file_spans
 
 
 def _set_option_action(name: str, value: str) -> Action:

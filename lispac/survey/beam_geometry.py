@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-KEPT_SHARE = 0.9
+FITTED_POINT_SHARE = 0.9
 """Share of the points, those with the smallest residuals, used in the fit."""
-ROUNDS = 3
+FIT_ITERATIONS = 3
 """Number of fits; each uses the points with the smallest residuals of the previous one."""
-NORMAL = 1.4826
+SIGMA_PER_MAD = 1.4826
 """Ratio of the standard deviation of a normal distribution to its median absolute deviation."""
 
 
@@ -93,10 +93,10 @@ def _fit_beams(points_lidar: Array, ring: NDArray[np.int64] | None) -> BeamCone:
     ranges = np.linalg.norm(points_lidar, axis=1)
     kept = np.ones(len(points_lidar), dtype=bool)
     axis, cosines, residuals = np.zeros(3), np.zeros(1), ranges
-    own = np.zeros(len(points_lidar), dtype=np.int64) if ring is None else ring
-    rings = int(own.max()) + 1
-    for _ in range(ROUNDS):
-        points, r, laser = points_lidar[kept], ranges[kept], own[kept]
+    laser_of_point = np.zeros(len(points_lidar), dtype=np.int64) if ring is None else ring
+    rings = int(laser_of_point.max()) + 1
+    for _ in range(FIT_ITERATIONS):
+        points, r, laser = points_lidar[kept], ranges[kept], laser_of_point[kept]
         means = np.zeros((rings, 3))
         if ring is not None:
             # The best cosine of each ring for any axis, in closed form
@@ -104,9 +104,9 @@ def _fit_beams(points_lidar: Array, ring: NDArray[np.int64] | None) -> BeamCone:
             for k in range(3):
                 sums = np.bincount(laser, r * points[:, k], rings)
                 means[:, k] = sums / np.where(squares > 0, squares, 1.0)
-        off = points - r[:, None] * means[laser]
-        axis = np.linalg.eigh(off.T @ off)[1][:, 0]
+        offsets = points - r[:, None] * means[laser]
+        axis = np.linalg.eigh(offsets.T @ offsets)[1][:, 0]
         cosines = means @ axis
-        residuals = np.abs(points_lidar @ axis - cosines[own] * ranges)
-        kept = residuals <= np.quantile(residuals, KEPT_SHARE)
-    return BeamCone(axis, cosines, float(NORMAL * np.median(residuals)))
+        residuals = np.abs(points_lidar @ axis - cosines[laser_of_point] * ranges)
+        kept = residuals <= np.quantile(residuals, FITTED_POINT_SHARE)
+    return BeamCone(axis, cosines, float(SIGMA_PER_MAD * np.median(residuals)))

@@ -22,15 +22,15 @@ from lispac.survey.trajectory import LocalTrajectory
 Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
-MAX_POINTS = 4_000_000
-"""Largest number of points of a region. If a line has more, a uniform random sample is used: one
+MAX_REGION_POINTS = 4_000_000
+"""Largest number of points of a region. If a region has more, a uniform random sample is used: one
 half, one quarter and so on of its points, the same ones for a line in memory and on disk."""
 
-PROBES, FEWEST_PROBES, BESIDE = 50_000, 50, 1.0
-"""Number of points of a line used to estimate its displacement by another mounting, smallest number
-of them near a place, and additional search distance around the place in metres."""
-MARGIN_FACTOR, MIN_MARGIN = 1.25, 0.05
-"""Safety margin of the largest displacement: a factor, and a smallest margin in metres."""
+MAX_PROBES, MIN_NEAR_PROBES, PROBE_SEARCH_MARGIN_M = 50_000, 50, 1.0
+"""Largest number of points of a line used to estimate its displacement by another mounting,
+smallest number of them near a region, and distance around the region that counts as near."""
+MARGIN_FACTOR, MIN_MARGIN_M = 1.25, 0.05
+"""Safety margin of the estimated displacement: a factor, and a length that is added."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +74,7 @@ class Line(Protocol):
 
 
 class Cloud(Protocol):
-    """A line placed in the local frame."""
+    """A line georeferenced in the local frame."""
 
     @property
     def place(self) -> Georeferencer:
@@ -92,7 +92,7 @@ class Cloud(Protocol):
         centre : ndarray of shape (3,), metres, local frame
         radius : float, metres
         limit : int or None
-            By default `MAX_POINTS`.
+            By default `MAX_REGION_POINTS`.
         """
 
     @property
@@ -163,7 +163,7 @@ class CloudInMemory:
             inside = points_within(points, centre, radius)
             numbers, points = numbers[inside], points[inside]
         halvings = 0
-        while len(numbers) > (limit or MAX_POINTS) and halvings < MAX_HALVINGS:
+        while len(numbers) > (limit or MAX_REGION_POINTS) and halvings < MAX_HALVINGS:
             halvings += 1
             kept = is_number_in_sample(numbers, halvings)
             numbers, points = numbers[kept], points[kept]
@@ -206,7 +206,7 @@ class CloudInMemory:
 
     @cached_property
     def _probe_positions(self) -> tuple[Array, Array]:
-        numbers = np.arange(0, len(self), 1 + len(self) // PROBES)
+        numbers = np.arange(0, len(self), 1 + len(self) // MAX_PROBES)
         return self.ordered[numbers], self[numbers]
 
 
@@ -236,7 +236,7 @@ class CloudOnDisk:
             *self._probe_positions, centre, radius, self._largest_move
         )
         rows, points, halvings = self.stored.sampled_within(
-            centre, radius, self.place, margin=margin, limit=limit or MAX_POINTS
+            centre, radius, self.place, margin=margin, limit=limit or MAX_REGION_POINTS
         )
         numbers = self.stored.numbers(rows)
         order = np.argsort(numbers)
@@ -244,7 +244,7 @@ class CloudOnDisk:
 
     @cached_property
     def sample(self) -> Array:
-        """The coarse level of the store, shape (n, 3), metres, local frame."""
+        """Coarse sample of the stored line, shape (n, 3), metres, local frame."""
         coarse = self.stored.coarse
         if not self._largest_move:
             return np.asarray(coarse.points_local)
@@ -285,7 +285,7 @@ class CloudOnDisk:
     @cached_property
     def _probe_positions(self) -> tuple[Array, Array]:
         coarse = self.stored.coarse
-        numbers = np.arange(0, len(coarse.time), 1 + len(coarse.time) // PROBES)
+        numbers = np.arange(0, len(coarse.time), 1 + len(coarse.time) // MAX_PROBES)
         before = np.asarray(coarse.points_local[numbers], dtype=np.float64)
         return before, self.place(*self.sample_lidar(numbers))
 
@@ -299,11 +299,11 @@ def _largest_move_near(
     ``after``, shape (n, 3), and is usually far below ``max_shift``, the displacement of the
     farthest point of the line.
     """
-    near = ((after - centre) ** 2).sum(axis=1) <= (radius + BESIDE) ** 2
-    if np.count_nonzero(near) < FEWEST_PROBES:
+    near = ((after - centre) ** 2).sum(axis=1) <= (radius + PROBE_SEARCH_MARGIN_M) ** 2
+    if np.count_nonzero(near) < MIN_NEAR_PROBES:
         return max_shift
     moved = float(np.sqrt(((after[near] - before[near]) ** 2).sum(axis=1).max()))
-    return min(max_shift, MARGIN_FACTOR * moved + MIN_MARGIN)
+    return min(max_shift, MARGIN_FACTOR * moved + MIN_MARGIN_M)
 
 
 def place_clouds(clouds: Mapping[str, Cloud], mounting: Mounting) -> dict[str, Cloud]:

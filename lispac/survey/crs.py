@@ -39,17 +39,18 @@ from lispac.survey.crs_operation import best_operation
 
 Array = NDArray[np.float64]
 Geodetic = tuple[Array, Array, Array]
-UNITS = {"metre": 1.0, "foot": 0.3048, "us-survey-foot": 1200 / 3937}
+METRES_PER_UNIT = {"metre": 1.0, "foot": 0.3048, "us-survey-foot": 1200 / 3937}
 """Length in metres of each unit."""
-ELLIPSOID = "ellipsoid"
-CHANGING = ("t_epoch=", "defmodel")
+ELLIPSOID_HEIGHTS = "ellipsoid"
+"""Height reference of heights above the ellipsoid."""
+DATE_DEPENDENT_TEXTS = ("t_epoch=", "defmodel")
 """Text in PROJ operations whose result depends on the date."""
-GRID_ENDINGS = (".gtx", ".tif", ".tiff")
-HEIGHT_OFFSET = re.compile(r"[+-]\d+(\.\d+)?")
+GEOID_GRID_SUFFIXES = (".gtx", ".tif", ".tiff")
+HEIGHT_OFFSET_PATTERN = re.compile(r"[+-]\d+(\.\d+)?")
 """Pattern of an offset in metres to be added to heights; its sign distinguishes it from a code."""
 Columns = tuple[Array, Array, Array]
-BLOCK = 1 << 17
-"""Number of points per call, for example of PROJ, which releases Python's global lock."""
+BLOCK_POINTS = 1 << 17
+"""Largest number of points per call, for example of PROJ; calls run on several cores."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +103,7 @@ class CoordinateSystem:
         definitions = tuple(str(step.definition) for step in steps if step is not None)
         if self.frame is not None:
             return (repr(self.frame),)
-        dated = any(word in step for step in definitions for word in CHANGING)
+        dated = any(word in step for step in definitions for word in DATE_DEPENDENT_TEXTS)
         heights = f"{self._height_factor!r} {self._height_offset!r}"
         return (*definitions, heights, repr(self._epoch) if dated else "")
 
@@ -228,7 +229,8 @@ def coordinate_system(
         grid (.gtx, .tif), or metres with a sign (``+31.2``, ``-28.4``) to be added to obtain
         heights above the ellipsoid. If empty, that of the system, or else the ellipsoid.
     height_unit : str
-        One of `UNITS`; if empty, that of the system, or else that of the horizontal coordinates.
+        A key of `METRES_PER_UNIT`; if empty, that of the system, or else that of the horizontal
+        coordinates.
     trajectory_datum : str
         Geographic system of the trajectory, if it differs from that of the points.
     epoch : float or None, decimal year
@@ -239,7 +241,7 @@ def coordinate_system(
     InputError
         If PROJ does not know the system, it has no relation to the earth, or a grid is missing.
     """
-    if text.startswith(LOCAL_PREFIX):
+    if text.startswith(LOCAL_FRAME_PREFIX):
         return _local_system(text)
     try:
         return _resolve_heights(
@@ -254,7 +256,7 @@ def coordinate_system(
 def local_frame_text(frame: LocalFrame) -> str:
     """Text of a local frame for `coordinate_system`."""
     latitude, longitude = np.degrees(frame.latitude), np.degrees(frame.longitude)
-    return f"{LOCAL_PREFIX}{float(latitude)!r},{float(longitude)!r},{float(frame.height)!r}"
+    return f"{LOCAL_FRAME_PREFIX}{float(latitude)!r},{float(longitude)!r},{float(frame.height)!r}"
 
 
 def _local_system(text: str) -> CoordinateSystem:
@@ -267,19 +269,19 @@ def _local_system(text: str) -> CoordinateSystem:
     """
     try:
         latitude, longitude, height = (
-            float(part) for part in text.removeprefix(LOCAL_PREFIX).split(",")
+            float(part) for part in text.removeprefix(LOCAL_FRAME_PREFIX).split(",")
         )
     except ValueError as reason:
         raise InputError(error("crs.local_frame", system=_shorten(text))) from reason
     wgs = CRS.from_epsg(4979)
     frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
     return CoordinateSystem(
-        wgs, ELLIPSOID, "metre", (note("assumed.local_frame_of_cloud"),),
+        wgs, ELLIPSOID_HEIGHTS, "metre", (note("assumed.local_frame_of_cloud"),),
         (1.0, 1.0, 1.0), wgs, 1.0, Transformer.from_crs(wgs, wgs), None, None, frame=frame,
     )  # fmt: skip
 
 
-LOCAL_PREFIX = "local:"
+LOCAL_FRAME_PREFIX = "local:"
 
 
 def _resolve_heights(
@@ -291,12 +293,12 @@ def _resolve_heights(
     assumptions = [note("assumed.system", system=crs.name)]
     grid: Path | None = None
     offset = 0.0
-    if HEIGHT_OFFSET.fullmatch(height.strip()):
+    if HEIGHT_OFFSET_PATTERN.fullmatch(height.strip()):
         offset, vertical = float(height), None
         assumptions.append(note("assumed.height_offset", offset=offset))
-    elif height.lower().endswith(GRID_ENDINGS):
+    elif height.lower().endswith(GEOID_GRID_SUFFIXES):
         grid, vertical = Path(height), None
-    elif height == ELLIPSOID:
+    elif height == ELLIPSOID_HEIGHTS:
         vertical = None
     elif height:
         vertical = _parse_vertical_system(height)
@@ -323,7 +325,7 @@ def _resolve_heights(
         else note("assumed.datum", datum=target.name)
     )
     to_geographic = best_operation(source, target, epoch)
-    above = grid.name if grid else vertical.name if vertical else ELLIPSOID
+    above = grid.name if grid else vertical.name if vertical else ELLIPSOID_HEIGHTS
     return CoordinateSystem(
         crs=crs,
         height=f"{above} ({unit})",
@@ -384,9 +386,11 @@ def _height_factor(crs: CRS, source: CRS, height_unit: str) -> tuple[float, str]
     """
     own = source.axis_info[-1].unit_conversion_factor
     if height_unit:
-        if height_unit not in UNITS:
-            raise InputError(error("crs.unknown_unit", unit=height_unit, units=tuple(UNITS)))
-        return UNITS[height_unit] / own, height_unit
+        if height_unit not in METRES_PER_UNIT:
+            raise InputError(
+                error("crs.unknown_unit", unit=height_unit, units=tuple(METRES_PER_UNIT))
+            )
+        return METRES_PER_UNIT[height_unit] / own, height_unit
     first = crs.axis_info[0]
     if len(crs.axis_info) < 3 and not crs.is_geographic:
         return first.unit_conversion_factor / own, first.unit_name
@@ -394,10 +398,10 @@ def _height_factor(crs: CRS, source: CRS, height_unit: str) -> tuple[float, str]
 
 
 def _metres_per_unit(horizontal: CRS, source: CRS, factor: float) -> tuple[float, float, float]:
-    across = horizontal.axis_info[0].unit_conversion_factor
+    horizontal_unit = horizontal.axis_info[0].unit_conversion_factor
     if horizontal.is_geographic:
-        across *= SEMI_MAJOR_AXIS
-    return across, across, factor * source.axis_info[-1].unit_conversion_factor
+        horizontal_unit *= SEMI_MAJOR_AXIS
+    return horizontal_unit, horizontal_unit, factor * source.axis_info[-1].unit_conversion_factor
 
 
 def _ellipsoidal_system(horizontal: CRS, trajectory_datum: str) -> CRS:
@@ -450,18 +454,18 @@ def geoid_grid(grid: Path) -> Transformer:
 def run_in_blocks(run: Callable[[Array, Array, Array], Columns], *axes: Array) -> Columns:
     """Apply a function to blocks of three columns; returns three columns."""
     count = len(axes[0])
-    if count <= BLOCK:
+    if count <= BLOCK_POINTS:
         return run(*(np.ascontiguousarray(axis) for axis in axes))
     result = tuple(np.empty(count) for _ in range(3))
 
     def one(start: int) -> None:
-        rows = slice(start, start + BLOCK)
-        for whole, some in zip(
+        rows = slice(start, start + BLOCK_POINTS)
+        for whole, block in zip(
             result, run(*(np.ascontiguousarray(axis[rows]) for axis in axes)), strict=True
         ):
-            whole[rows] = some
+            whole[rows] = block
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for _ in pool.map(one, range(0, count, BLOCK)):
+        for _ in pool.map(one, range(0, count, BLOCK_POINTS)):
             pass
     return result[0], result[1], result[2]

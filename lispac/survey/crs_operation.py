@@ -13,8 +13,8 @@ from pyproj.transformer import Transformer, TransformerGroup
 from lispac.errors import InputError
 from lispac.messages import Message, error
 
-MAX_NAMED = 2
-"""Largest number of systems named in a message, those on the latest realizations."""
+MAX_NAMED_SYSTEMS = 2
+"""Largest number of systems named in a message; those on the latest realizations are named."""
 
 
 def best_operation(source: CRS, target: CRS, epoch: float | None) -> Transformer:
@@ -84,7 +84,7 @@ def realizations(system: CRS, target: CRS) -> list[tuple[str, str]]:
             code = projected.get(name) or _projection_on_base(system, base)
         if code and not _has_no_operation(CRS.from_user_input(code).to_3d(), target):
             found.append((code, name))
-        if len(found) == MAX_NAMED:
+        if len(found) == MAX_NAMED_SYSTEMS:
             break
     return found
 

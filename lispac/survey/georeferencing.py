@@ -23,17 +23,17 @@ from lispac.untrusted_values import ArrayShape
 
 Array = NDArray[np.float64]
 
-CHUNK = 1 << 16  # points per kernel call
+POINTS_PER_KERNEL_CALL = 1 << 16  # points per kernel call
 
 
-CALIBRATION = (
+MOUNTING_VALUE_NAMES = (
     "roll", "pitch", "yaw", "lever_x", "lever_y", "lever_z", "range_offset", "scan_angle_offset",
     "latency",
 )  # fmt: skip
 """Names of the values of a `Mounting`, in the order of `Mounting.values`."""
-STEEPEST_PITCH = float(np.radians(60.0))
-"""Pitch of a boresight from which roll and yaw are hardly separable, radians."""
-AXES = tuple(
+STEEP_PITCH_RAD = float(np.radians(60.0))
+"""Pitch of a boresight from which roll and yaw are hardly separable."""
+RIGHT_ANGLE_ROTATIONS = tuple(
     np.array(rotation)
     for rotation in (
         np.eye(3)[list(order)] * np.array(signs)[:, None]
@@ -46,13 +46,13 @@ AXES = tuple(
 
 
 def is_steep(boresight: Array) -> bool:
-    """Whether the pitch is so near 90 deg that roll and yaw are hardly separable.
+    """Whether the pitch is so near ±90 deg that roll and yaw are hardly separable.
 
     Parameters
     ----------
     boresight : ndarray of shape (3,), radians; roll, pitch, yaw
     """
-    return bool(abs(np.sin(boresight[1])) >= np.sin(STEEPEST_PITCH))
+    return bool(abs(np.sin(boresight[1])) >= np.sin(STEEP_PITCH_RAD))
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,7 +106,7 @@ class Mounting:
         rotation = mounting.rotation_body_lidar
         if not is_steep(mounting.boresight):
             return mounting
-        axes = max(AXES, key=lambda each: float(np.trace(each.T @ rotation)))
+        axes = max(RIGHT_ANGLE_ROTATIONS, key=lambda each: float(np.trace(each.T @ rotation)))
         return replace(mounting, boresight=rotation_angles(rotation @ axes.T), axes=axes)
 
     @property
@@ -130,7 +130,7 @@ class Mounting:
 
     @property
     def values(self) -> Array:
-        """All values in the order of `CALIBRATION`, shape (9,), radians, metres, seconds."""
+        """Values in the order of `MOUNTING_VALUE_NAMES`, shape (9,), radians, metres, seconds."""
         others = (self.range_offset, self.scan_angle_offset, self.latency)
         return np.array([*self.boresight, *self.lever_arm, *others], dtype=float)
 
@@ -154,7 +154,7 @@ class Mounting:
         if self.range_offset == 0 and self.scan_angle_offset == 0:
             return points_lidar
         ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
-        return (points_lidar * (1 + self.range_offset / ranges)) @ self._turn.T
+        return (points_lidar * (1 + self.range_offset / ranges)) @ self._scan_angle_rotation.T
 
     def raw_points(self, points_lidar: Array) -> Array:
         """Points without range and scan-angle offset, as the scanner measured them.
@@ -164,10 +164,10 @@ class Mounting:
         if self.range_offset == 0 and self.scan_angle_offset == 0:
             return points_lidar
         ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
-        return (points_lidar * (1 - self.range_offset / ranges)) @ self._turn
+        return (points_lidar * (1 - self.range_offset / ranges)) @ self._scan_angle_rotation
 
     @property
-    def _turn(self) -> Array:
+    def _scan_angle_rotation(self) -> Array:
         return rotation_matrix(self.scan_angle_offset, 0.0, 0.0)
 
 
@@ -231,12 +231,12 @@ def georeference(
 class Georeferencer:
     """Georeferencing of several sets of points with prepared data of the trajectory.
 
-    From a few hundred thousand points on, such as a region of a line, all cores are used.
+    All cores are used for more than `POINTS_PER_KERNEL_CALL` points.
     """
 
     trajectory: LocalTrajectory
     mounting: Mounting
-    _passage: tuple[float, Array, Array, Array, Array]
+    _kernel_arguments: tuple[float, Array, Array, Array, Array]
 
     @classmethod
     def of(cls, trajectory: LocalTrajectory, mounting: Mounting) -> "Georeferencer":
@@ -253,14 +253,14 @@ class Georeferencer:
         points_local = np.empty_like(points_lidar)
 
         def run(start: int) -> bool:
-            chunk = slice(start, start + CHUNK)
+            chunk = slice(start, start + POINTS_PER_KERNEL_CALL)
             return bool(
                 kernels.georeference_in_place(
-                    points_lidar[chunk], time[chunk], *self._passage, points_local[chunk]
+                    points_lidar[chunk], time[chunk], *self._kernel_arguments, points_local[chunk]
                 )
             )
 
-        starts = range(0, len(time), CHUNK)
+        starts = range(0, len(time), POINTS_PER_KERNEL_CALL)
         if len(starts) <= 1:
             sound: Iterable[bool] = map(run, starts)
             return self._require_all_inside(points_local, sound, time, len(starts), progress)
@@ -286,7 +286,7 @@ class Georeferencer:
         return points_local
 
     def largest_displacement(self, other: Mounting, reach: float) -> float:
-        """Largest displacement of a point by another mounting, metres.
+        """Upper bound of the displacement of a point by another mounting, metres.
 
         Parameters
         ----------

@@ -11,13 +11,14 @@ import numpy as np
 
 from lispac.compiled_code import njit
 
-TILE = 2048
-SHORT = 0.1
-"""Largest angle for the series, radians; the first omitted term is 3e-17 there."""
-TERMS = 20
+TILE_POINTS = 2048
+"""Number of points of a tile, which fit into the cache of the processor."""
+MAX_SERIES_ANGLE_RAD = 0.1
+"""Largest angle for the series of sine and cosine; the first omitted term is 3e-17 there."""
+CUBIC_TERMS = 20
 """Number of coefficients of a polynomial of third degree in three variables."""
 
-# Numba has no types mypy could check, hence the marks.
+# mypy cannot check functions of Numba, hence the comments "type: ignore".
 
 
 @njit(nogil=True, cache=True)
@@ -41,10 +42,11 @@ def find_interval(t, knots, k):  # type: ignore[no-untyped-def]
 def rotate_cosine_sine(cosine, sine, angle, turn):  # type: ignore[no-untyped-def]
     """Cosine and sine of ``angle + turn`` from those of ``angle``.
 
-    Angles hardly change between two states of a POS. Up to `SHORT` a short series is used, which is
-    exact to the last digits and takes a third of the time of the trigonometric functions.
+    Angles hardly change between two states of a POS. Up to `MAX_SERIES_ANGLE_RAD`, a short series
+    is used, which is exact to rounding and takes a third of the time of the trigonometric
+    functions.
     """
-    if not -SHORT <= turn <= SHORT:
+    if not -MAX_SERIES_ANGLE_RAD <= turn <= MAX_SERIES_ANGLE_RAD:
         return np.cos(angle + turn), np.sin(angle + turn)
     q = turn * turn
     s = turn * (1 - q * (1 / 6) * (1 - q * (1 / 20) * (1 - q * (1 / 42) * (1 - q * (1 / 72)))))
@@ -111,7 +113,7 @@ def to_scanner_in_place(  # type: ignore[no-untyped-def]
         bx = points_local[i, 0] - (low[0] + u * (high[0] - low[0]))
         by = points_local[i, 1] - (low[1] + u * (high[1] - low[1]))
         bz = points_local[i, 2] - (low[2] + u * (high[2] - low[2]))
-        # The turns of `georeferenced` backwards, in the other order
+        # Inverse rotations of `georeference_in_place`, in reverse order
         c, s = rotate_cosine_sine(cos_h, sin_h, low[5], u * (high[5] - low[5]))
         bx, by = c * bx - s * by, s * bx + c * by
         c, s = rotate_cosine_sine(cos_p, sin_p, low[4], u * (high[4] - low[4]))
@@ -197,8 +199,8 @@ def georeference_to_map(  # type: ignore[no-untyped-def]
     Returns the number of missed points, or -1 if a time lies outside the trajectory.
     """
     count = 0
-    for start in range(0, len(time), TILE):
-        stop = min(start + TILE, len(time))
+    for start in range(0, len(time), TILE_POINTS):
+        stop = min(start + TILE_POINTS, len(time))
         tile = points_map[start:stop]
         if not georeference_in_place(
             points_lidar[start:stop], time[start:stop], latency, knots, states, rotation,

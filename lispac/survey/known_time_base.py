@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from lispac.messages import Message, error, note
 from lispac.survey.time_base import (
-    LEAP_SECONDS_NOW,
+    CURRENT_LEAP_SECONDS,
     TimeBase,
     TimeMatch,
     equally_good_matches,
@@ -22,7 +22,7 @@ MIN_SHARE_GAIN = 0.05
 to be suggested."""
 
 
-BASES = {
+BASE_NAME_CODES = {
     "gps-week": "time_base.gps_week",
     "gps-day": "time_base.gps_day",
     "utc-day": "time_base.utc_day",
@@ -38,7 +38,7 @@ BASES = {
 
 def base_message(base: TimeBase) -> Message:
     """Name of a time base, as a part of other messages."""
-    return note(BASES[base.key])
+    return note(BASE_NAME_CODES[base.key])
 
 
 @dataclass(frozen=True)
@@ -112,9 +112,10 @@ def matches_of_known_bases(
 
     Returns
     -------
-    tuple of Match or None
-        None if nothing is given, or one of the two is unknown or contradicted by the times; empty
-        if the given bases bring no point inside.
+    tuple of TimeMatch or None
+        None if the user gave neither base, or one of the two is unknown or contradicted by the
+        times, or the base in the header of the line brings no point inside the trajectory. Empty if
+        the base that the user gave for the line brings no point inside.
     """
     if line_base.base is None or other.base is None or not (line_base.is_given or other.is_given):
         return None
@@ -145,7 +146,7 @@ def known_base_notes(
         )
     ]  # fmt: skip
     if best.leap_assumed:
-        messages.append(note("import.leap_seconds_assumed", file=file, leap=LEAP_SECONDS_NOW))
+        messages.append(note("import.leap_seconds_assumed", file=file, leap=CURRENT_LEAP_SECONDS))
     if rivals := equally_good_matches(matches):
         shifts = tuple(note("import.shift", shift=match.shift) for match in rivals)
         messages.append(note("import.other_shifts_fit", file=file, shifts=shifts))
@@ -164,13 +165,13 @@ def no_overlap_error(
     file : str
         Path of the file of the line.
     """
-    others = [] if other.is_given or line_base.base is None else [
+    other_bases = [] if other.is_given or line_base.base is None else [
         base for base in plausible_bases(track)
         if base is not other.base
         and find_time_matches(times, track, point_bases=(line_base.base,), trajectory_bases=(base,))
     ]  # fmt: skip
-    if others:
-        options = [f"--trajectory-option time={base.key}" for base in others]
+    if other_bases:
+        options = [f"--trajectory-option time={base.key}" for base in other_bases]
         return error(
             "time_base.other_trajectory_base", file=file, base=line_base.message,
             trajectory_base=other.message, options=options,

@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-PASS_GAP = 5.0
-"""Smallest pause in seconds that may separate two lines in one file."""
-COARSE_SHARE = 0.5
-"""Smallest share of long gaps between distinct times for which the times count as coarse."""
-POINTS_PER_TIME = 1.5
-"""Mean number of first returns with the same time from which times count as coarse."""
+MIN_LINE_PAUSE_S = 5.0
+"""Pause above which points may belong to two lines in one file."""
+MIN_LONG_GAP_SHARE = 0.5
+"""Smallest share of long gaps among the gaps between distinct times, for coarse times."""
+MIN_POINTS_PER_COARSE_TIME = 1.5
+"""Smallest mean number of first returns with the same time, for coarse times."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class LineAudit:
         Number of used points by value, for the attributes that distinguish scanners and lines.
     spans : list of [float, float], seconds
         Time spans with points, in the file's time base, rounded to whole seconds; separated by at
-        least `PASS_GAP`.
+        least `MIN_LINE_PAUSE_S`.
     mean_range : float, metres
     sketch : list of int
         The smallest hashes of the points used (bottom-k sketch, Broder 1997).
@@ -84,13 +84,13 @@ def shared_point_fraction(one: LineAudit, other: LineAudit) -> float:
     return len(first & second) / fewest if fewest else 0.0
 
 
-SKETCH = 2048
+SKETCH_HASHES = 2048
 """Number of hashes in a sketch: shares are accurate to 2 %, and detected from 0.2 % on."""
 
 
 def _sketch_limit(sketch: list[int]) -> int:
     """Largest hash up to which a sketch is complete."""
-    return max(sketch) if len(sketch) >= SKETCH else np.iinfo(np.int64).max
+    return max(sketch) if len(sketch) >= SKETCH_HASHES else np.iinfo(np.int64).max
 
 
 def usual_time_step(gaps: NDArray[np.int64], sums: NDArray[np.float64], changes: int) -> float:
@@ -99,38 +99,44 @@ def usual_time_step(gaps: NDArray[np.int64], sums: NDArray[np.float64], changes:
     Parameters
     ----------
     gaps : ndarray of shape (m,)
-        Number of gaps by length.
+        Number of long gaps by length.
     sums : ndarray of shape (m,), seconds
         Their total length.
     changes : int
-        Number of gaps of any length.
+        Number of changes of the time, the first time included.
     """
-    if gaps.sum() < COARSE_SHARE * max(changes - 1, 1):
+    if gaps.sum() < MIN_LONG_GAP_SHARE * max(changes - 1, 1):
         return 0.0
     k = int(gaps.argmax())
     near = slice(max(0, k - 1), k + 2)  # rounding spreads one step over neighbouring bins
     return float(sums[near].sum() / gaps[near].sum())
 
 
-GRID_STEPS = (1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001)
-"""Steps to which times may be rounded, seconds, the coarsest first."""
-GRID_TOLERANCE = 1e-6
-"""Tolerance for multiples of a step, seconds: rounding of a time since 1980 in 64 bits."""
+TIME_GRID_STEPS_S = (1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001)
+"""Steps to which times may be rounded, the coarsest first."""
+TIME_GRID_TOLERANCE_S = 1e-6
+"""Tolerance for multiples of a step: rounding of a time since 1980 in 64 bits."""
 
 
 def time_grid_step(times: NDArray[np.float64]) -> float:
     """Coarsest step of which all ``times`` (n,), seconds, are multiples; 0 if there is none."""
-    for step in GRID_STEPS:
-        if np.abs(times - np.round(times / step) * step).max(initial=0.0) <= GRID_TOLERANCE:
+    for step in TIME_GRID_STEPS_S:
+        if np.abs(times - np.round(times / step) * step).max(initial=0.0) <= TIME_GRID_TOLERANCE_S:
             return step
     return 0.0
 
 
 def time_spans(seconds: NDArray[np.int64]) -> list[list[float]]:
-    """Time spans from ``seconds`` (n,), ascending seconds with points, separated by `PASS_GAP`."""
+    """Time spans of points, separated by pauses above `MIN_LINE_PAUSE_S`.
+
+    Parameters
+    ----------
+    seconds : ndarray of shape (n,), int, ascending
+        Whole seconds that contain points.
+    """
     if not len(seconds):
         return []
-    breaks = np.flatnonzero(np.diff(seconds) > PASS_GAP)
+    breaks = np.flatnonzero(np.diff(seconds) > MIN_LINE_PAUSE_S)
     starts = seconds[np.r_[0, breaks + 1]]
     ends = seconds[np.r_[breaks, len(seconds) - 1]] + 1
     return [[float(start), float(end)] for start, end in zip(starts, ends, strict=True)]

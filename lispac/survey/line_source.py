@@ -10,15 +10,15 @@ from numpy.typing import NDArray
 from lispac.former_names import accept_script_names, renamed_options
 from lispac.survey.time_rollover import resolve_rollover, restore_rollover
 
-TIME_ROLLOVER = "time_rollover"
+TIME_ROLLOVER_OPTION = "time_rollover"
 """Name of the option for the time rollover of a line, which all point formats have."""
-OTHER_SURROGATES = re.compile(r"[\ud800-\udc7f\udd00-\udfff]")
+INVALID_SURROGATES = re.compile(r"[\ud800-\udc7f\udd00-\udfff]")
 """Pattern of surrogates that do not represent a byte of a file name in Python."""
 
 
 def printable(name: str) -> str:
     """A file name as text that can be shown and stored: bytes that are not UTF-8 are replaced."""
-    whole = OTHER_SURROGATES.sub("\ufffd", name)
+    whole = INVALID_SURROGATES.sub("\ufffd", name)
     return whole.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
 
 
@@ -48,7 +48,7 @@ class Reading:
     @property
     def time_rollover(self) -> str:
         """Kind of the time rollover of a line, such as midnight; empty if there is none."""
-        return dict(self.options).get(TIME_ROLLOVER, "")
+        return dict(self.options).get(TIME_ROLLOVER_OPTION, "")
 
     def to_trajectory_time(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
         """Convert times (n,) of a line, seconds, from its file to the trajectory's time base."""
@@ -56,13 +56,13 @@ class Reading:
         return resolved + self.time_shift if self.time_shift else resolved
 
     def to_file_time(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The inverse of `to_trajectory_time`, to the last digit of a double."""
+        """The inverse of `to_trajectory_time`, except for rounding."""
         return restore_rollover(
             times - self.time_shift if self.time_shift else times, self.time_rollover
         )
 
 
-USUAL = Reading()
+DEFAULT_READING = Reading()
 """Default: no options and no time shift."""
 
 
@@ -79,4 +79,4 @@ class LineSource:
     name: str
     path: Path
     columns: tuple[str, ...] = ()
-    reading: Reading = USUAL
+    reading: Reading = DEFAULT_READING

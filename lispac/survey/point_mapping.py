@@ -2,7 +2,7 @@
 
 PROJ is used to fit and check a `SmoothMap` around the trajectory. Points that it does not cover,
 beyond the range of the scanner or at the cell boundaries of a geoid grid, are converted by PROJ
-individually. All results agree with PROJ within `ACCURACY`.
+individually. All results agree with PROJ within `MAP_ACCURACY_M`.
 """
 
 import os
@@ -23,10 +23,10 @@ from lispac.survey.trajectory import LocalTrajectory
 
 Array = NDArray[np.float64]
 
-PIECE = 1 << 17
+PIECE_POINTS = 1 << 17
 """Number of points that a thread processes at a time."""
-NEAREST_REACH, FARTHEST_REACH = 512.0, 8192.0
-"""Initial and largest distance from the trajectory covered by the polynomials, metres."""
+MIN_FIT_REACH_M, MAX_FIT_REACH_M = 512.0, 8192.0
+"""Smallest and largest distance from the trajectory for which polynomials are fitted."""
 
 
 class ScannerPointConverter:
@@ -101,7 +101,7 @@ class ScannerPointConverter:
         fit = self.fit_to(points_lidar)
 
         def run(start: int) -> None:
-            rows = slice(start, start + PIECE)
+            rows = slice(start, start + PIECE_POINTS)
             if fit is None:
                 good = kernels.georeference_in_place(
                     points_lidar[rows], time[rows], *self._arguments, points[rows]
@@ -141,7 +141,7 @@ class ScannerPointConverter:
         fit = self._fits.to_local(points) if self._fits is not None else None
 
         def run(start: int) -> None:
-            rows = slice(start, start + PIECE)
+            rows = slice(start, start + PIECE_POINTS)
             piece = points[rows]
             if fit is not None and self.system is not None:
                 missed = fit.apply(piece)
@@ -175,7 +175,7 @@ class _FittedMaps:
     def to_map(self, reach: float) -> SmoothMap:
         """Local frame to map, within ``reach`` metres of the trajectory."""
         with self._lock:
-            known = [each for each in self._forward if each >= min(reach, FARTHEST_REACH)]
+            known = [each for each in self._forward if each >= min(reach, MAX_FIT_REACH_M)]
             if known:
                 return self._forward[min(known)]
             needed_reach = _next_standard_reach(reach)
@@ -189,16 +189,16 @@ class _FittedMaps:
             return self._forward[needed_reach]
 
     def to_local(self, points_map: Array) -> SmoothMap:
-        """Map to local frame, about the trajectory and these points."""
+        """Map to local frame, around the trajectory and, if not too far away, these points."""
         low, high, _ = kernels.bounds_and_reach(points_map)
         with self._lock:
             for known_reach in sorted(self._backward):
-                if self._backward[known_reach].covers(low, high) or known_reach >= FARTHEST_REACH:
+                if self._backward[known_reach].covers(low, high) or known_reach >= MAX_FIT_REACH_M:
                     return self._backward[known_reach]
-            reach = 2 * max(self._backward) if self._backward else NEAREST_REACH
+            reach = 2 * max(self._backward) if self._backward else MIN_FIT_REACH_M
             while True:
                 self._backward[reach] = fit = self._fit_map_to_local(reach)
-                if fit.covers(low, high) or reach >= FARTHEST_REACH or not len(points_map):
+                if fit.covers(low, high) or reach >= MAX_FIT_REACH_M or not len(points_map):
                     return fit
                 reach *= 2
 
@@ -220,14 +220,14 @@ class _FittedMaps:
 
 
 def _next_standard_reach(reach: float) -> float:
-    standard = NEAREST_REACH
-    while standard < min(reach, FARTHEST_REACH):
+    standard = MIN_FIT_REACH_M
+    while standard < min(reach, MAX_FIT_REACH_M):
         standard *= 2
     return standard
 
 
 def _run_in_parallel(run: Callable[[int], Any], count: int, threads: int | None) -> None:
-    starts = range(0, count, PIECE)
+    starts = range(0, count, PIECE_POINTS)
     if len(starts) <= 1 or threads == 1:
         for start in starts:
             run(start)

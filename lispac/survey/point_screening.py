@@ -15,29 +15,35 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.messages import error
 from lispac.survey import screening_kernels as kernels
-from lispac.survey.line_audit import SKETCH, LineAudit, time_grid_step, time_spans, usual_time_step
+from lispac.survey.line_audit import (
+    SKETCH_HASHES,
+    LineAudit,
+    time_grid_step,
+    time_spans,
+    usual_time_step,
+)
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-LARGEST, LARGEST_TIME = 1e9, 1e11
+MAX_COORDINATE, MAX_TIME_S = 1e9, 1e11
 """Largest possible coordinate, in any unit, and largest possible time in seconds."""
-NEAREST = 0.001
-"""Smallest range, metres; points nearer to the optical centre are pulses without an echo."""
-MAX_RANGE = 10_000.0
-"""Largest range of any scanner, metres."""
+MIN_RANGE_M = 0.001
+"""Smallest range; points nearer to the optical centre are pulses without an echo."""
+MAX_RANGE_M = 10_000.0
+"""Largest range of any scanner."""
 NOISE_CLASSES = (7, 18)
 """Low and high noise (ASPRS LAS 1.4 R15, table 17)."""
-GROUPS = (
+GROUP_ATTRIBUTES = (
     "scanner_channel", "point_source_id", "user_data", "scanner", "scanner_id", "head", "head_id",
     "device", "device_id", "sensor_id", "lidar_id",
 )  # fmt: skip
 """Attributes that distinguish scanners or lines in one file."""
-MAX_VALUES = 64
+MAX_GROUP_VALUES = 64
 """Largest number of values of such an attribute; one with more has another meaning."""
 TIMES_PER_CHUNK, MAX_TIME_CHUNKS = 1000, 20
-"""Number of times per chunk, and of chunks, used to detect the resolution of the times."""
-RANGE_STEP = 101
+"""Largest number of times per chunk, and of chunks, used to detect the resolution of the times."""
+RANGE_SAMPLING_STEP = 101
 """One point in this number is used for the mean range."""
 
 
@@ -81,7 +87,7 @@ class PointSelection:
     keep_withheld: bool = False
     excluded_classes: tuple[int, ...] = ()
     only: tuple[AttributeCondition, ...] = ()
-    max_range: float = MAX_RANGE
+    max_range: float = MAX_RANGE_M
 
     @classmethod
     def of(cls, choice: Mapping[str, Any]) -> "PointSelection":
@@ -139,10 +145,10 @@ def parse_largest_range(text: str) -> float:
         If the text is not a positive length.
     """
     try:
-        value = float(text) if text.strip() else MAX_RANGE
+        value = float(text) if text.strip() else MAX_RANGE_M
     except ValueError:
         value = 0.0
-    if not 0 < value <= LARGEST:
+    if not 0 < value <= MAX_COORDINATE:
         raise InputError(error("survey.not_a_range", text=text))
     return value
 
@@ -203,17 +209,17 @@ class PointScreen:
         """
         time = np.ascontiguousarray(time, dtype=np.float64)
         xyz = np.ascontiguousarray(xyz, dtype=np.float64)
-        status = self._selected(time, extra)
+        status = self._status_by_selection(time, extra)
         farthest = self.selection.max_range if self.ranged else -1.0
         self._counts += kernels.screen_values(
-            time, xyz, NEAREST, farthest, LARGEST, LARGEST_TIME, status
+            time, xyz, MIN_RANGE_M, farthest, MAX_COORDINATE, MAX_TIME_S, status
         )
         self._read += len(time)
         self._mark_duplicates(time, xyz, status)
         used = status == kernels.KEPT
         self._update_audit(time, extra, used)
         if self.ranged:
-            self.add_ranges(xyz[::RANGE_STEP][used[::RANGE_STEP]])
+            self.add_ranges(xyz[::RANGE_SAMPLING_STEP][used[::RANGE_SAMPLING_STEP]])
         return used
 
     def screen_recovered(self, points_lidar: Array) -> Mask:
@@ -226,7 +232,7 @@ class PointScreen:
         status, counts = _status_by_range(points_lidar, self.selection.max_range)
         self._counts += counts
         used = status == kernels.KEPT
-        self.add_ranges(points_lidar[::RANGE_STEP][used[::RANGE_STEP]])
+        self.add_ranges(points_lidar[::RANGE_SAMPLING_STEP][used[::RANGE_SAMPLING_STEP]])
         return np.asarray(used)
 
     def add_ranges(self, points_lidar: Array) -> None:
@@ -254,12 +260,12 @@ class PointScreen:
             groups={
                 name: {str(value): count for value, count in sorted(found.items())}
                 for name, found in self._groups.items()
-                if 1 < len(found) <= MAX_VALUES
+                if 1 < len(found) <= MAX_GROUP_VALUES
             },
             spans=time_spans(self._seconds),
             mean_range=self._range_sum / max(self._range_count, 1),
-            # Halved, since JSON readers take larger numbers for floating point.
-            sketch=[value >> 1 for value in sorted(self._sketch)[:SKETCH]],
+            # Halved, because readers of JSON may convert larger integers to floating point.
+            sketch=[value >> 1 for value in sorted(self._sketch)[:SKETCH_HASHES]],
             repeated=1.0 - len(self._sketch) / times if times else 0.0,
         )
 
@@ -275,7 +281,9 @@ class PointScreen:
 
     # -- parts -------------------------------------------------------------------------------
 
-    def _selected(self, time: Array, extra: Mapping[str, NDArray[Any]]) -> NDArray[np.uint8]:
+    def _status_by_selection(
+        self, time: Array, extra: Mapping[str, NDArray[Any]]
+    ) -> NDArray[np.uint8]:
         """Status of each point by flags, classes and conditions, shape (n,)."""
         status = np.zeros(len(time), np.uint8)
         if "withheld" in extra and not self.selection.keep_withheld:
@@ -311,15 +319,17 @@ class PointScreen:
             time, *bits, status, self._latest, self._tail, self._tables, self._fill,
             self._threshold, sampled,
         )  # fmt: skip
-        last = slice(max(0, len(time) - kernels.LONGEST_RUN), None)
+        last = slice(max(0, len(time) - kernels.MAX_RUN_POINTS), None)
         self._tail = np.column_stack([bits[0][last], bits[1][last]])
         self._counts[kernels.DUPLICATE] += found
         self._counts[kernels.KEPT] -= found
         values, times = _smallest_hashes(sampled[:count])
-        for value, repeats in zip(values[:SKETCH].tolist(), times[:SKETCH].tolist(), strict=True):
+        for value, repeats in zip(
+            values[:SKETCH_HASHES].tolist(), times[:SKETCH_HASHES].tolist(), strict=True
+        ):
             self._sketch[value] = self._sketch.get(value, 0) + repeats
-        if len(self._sketch) >= SKETCH:
-            kept = sorted(self._sketch)[:SKETCH]
+        if len(self._sketch) >= SKETCH_HASHES:
+            kept = sorted(self._sketch)[:SKETCH_HASHES]
             self._sketch = {value: self._sketch[value] for value in kept}
             self._threshold = np.uint64(kept[-1])
 
@@ -338,8 +348,8 @@ class PointScreen:
         if len(self._some_times) < MAX_TIME_CHUNKS:
             self._some_times.append(time[first][:: 1 + len(time) // TIMES_PER_CHUNK])
         all_used = bool(used.all())
-        for name in GROUPS:
-            if name in extra and len(self._groups.setdefault(name, {})) <= MAX_VALUES:
+        for name in GROUP_ATTRIBUTES:
+            if name in extra and len(self._groups.setdefault(name, {})) <= MAX_GROUP_VALUES:
                 values = np.asarray(extra[name])
                 _add_value_counts(self._groups[name], values if all_used else values[used])
         if "classification" in extra:
@@ -352,13 +362,13 @@ class PointScreen:
 
 
 def _smallest_hashes(hashes: NDArray[np.uint64]) -> tuple[NDArray[np.uint64], NDArray[np.int64]]:
-    """Smallest distinct hashes, at least `SKETCH` if there are as many, and their counts."""
-    enough = 2 * SKETCH
+    """Smallest distinct hashes, at least `SKETCH_HASHES` if there are so many; their counts."""
+    enough = 2 * SKETCH_HASHES
     if len(hashes) > 4 * enough:  # sorting all hashes would take longer than all other steps
         values, times = np.unique(
             hashes[hashes <= np.partition(hashes, enough)[enough]], return_counts=True
         )
-        if len(values) >= SKETCH:
+        if len(values) >= SKETCH_HASHES:
             return values, times
     return np.unique(hashes, return_counts=True)
 
@@ -380,8 +390,8 @@ def _status_by_range(
     """Status of each point by its range, and the number of points by status."""
     status = np.zeros(len(points_lidar), np.uint8)
     counts = kernels.screen_values(
-        np.zeros(len(points_lidar)), np.ascontiguousarray(points_lidar), NEAREST, max_range,
-        LARGEST, LARGEST_TIME, status,
+        np.zeros(len(points_lidar)), np.ascontiguousarray(points_lidar), MIN_RANGE_M, max_range,
+        MAX_COORDINATE, MAX_TIME_S, status,
     )  # fmt: skip
     return status, counts
 
@@ -399,7 +409,7 @@ def _attribute_values(name: str, time: Array, extra: Mapping[str, NDArray[Any]])
 
 
 def _add_value_counts(value_counts: dict[int, int], values: NDArray[Any]) -> None:
-    """Add the numbers of points by value; whole numbers only."""
+    """Add the number of points with each value; attributes with fractions are ignored."""
     if values.ndim != 1 or not len(values):
         return
     low, high = values.min(), values.max()
@@ -416,5 +426,5 @@ def _add_value_counts(value_counts: dict[int, int], values: NDArray[Any]) -> Non
     else:
         different, counts = np.unique(values, return_counts=True)
         pairs = list(zip(different.tolist(), counts.tolist(), strict=True))
-    for value, count in pairs[: MAX_VALUES + 1]:
+    for value, count in pairs[: MAX_GROUP_VALUES + 1]:
         value_counts[value] = value_counts.get(value, 0) + count

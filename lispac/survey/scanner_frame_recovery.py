@@ -25,8 +25,8 @@ from lispac.survey.trajectory import LocalTrajectory
 
 Array = NDArray[np.float64]
 
-MAX_DISTANCE = 5000.0
-"""Largest plausible distance of a point from the scanner, metres."""
+MAX_PLAUSIBLE_RANGE_M = 5000.0
+"""Largest plausible distance of a point from the scanner."""
 
 
 class MapPointChunk(Protocol):
@@ -47,7 +47,7 @@ class MapPointChunk(Protocol):
         """Other attributes of each point in the file."""
 
 
-C = TypeVar("C", bound=MapPointChunk)
+ChunkT = TypeVar("ChunkT", bound=MapPointChunk)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +81,7 @@ class RecoverySetup:
         """Conversion between scanner frame and map in both directions."""
         return ScannerPointConverter(self.system, self.trajectory, self.mounting)
 
-    def usable(self, time: Array) -> NDArray[np.bool_]:
+    def has_pose(self, time: Array) -> NDArray[np.bool_]:
         """Whether each time has a pose, shape (n,): inside the trajectory and not in a gap.
 
         Parameters
@@ -113,7 +113,9 @@ class RecoverySetup:
         return points_lidar
 
 
-def recover_scanner_points(chunks: Iterable[C], recovery: RecoverySetup) -> Iterator[tuple[C, int]]:
+def recover_scanner_points(
+    chunks: Iterable[ChunkT], recovery: RecoverySetup
+) -> Iterator[tuple[ChunkT, int]]:
     """Convert georeferenced points back to the scanner frame, chunk by chunk.
 
     Only one chunk is in memory at a time.
@@ -132,7 +134,7 @@ def recover_scanner_points(chunks: Iterable[C], recovery: RecoverySetup) -> Iter
         reference or the time base is wrong.
     """
     for chunk in chunks:
-        usable = recovery.usable(chunk.time)
+        usable = recovery.has_pose(chunk.time)
         lost = int(np.count_nonzero(~usable))
         if lost:
             chunk = _select_rows(chunk, usable)
@@ -153,24 +155,28 @@ def require_within_reach(points_lidar: Array, recovery: RecoverySetup) -> None:
     """
     if not len(points_lidar):
         return
-    near = np.einsum("ij,ij->i", points_lidar, points_lidar) <= MAX_DISTANCE**2
+    near = np.einsum("ij,ij->i", points_lidar, points_lidar) <= MAX_PLAUSIBLE_RANGE_M**2
     if 2 * np.count_nonzero(near) < len(near):
         if recovery.path is None:
             raise InputError(
-                error("survey.points_too_far", limit=MAX_DISTANCE, system=recovery.system.name)
+                error(
+                    "survey.points_too_far",
+                    limit=MAX_PLAUSIBLE_RANGE_M,
+                    system=recovery.system.name,
+                )
             )
         raise InputError(
             error(
                 "survey.points_of_file_too_far",
                 file=str(recovery.path),
-                limit=MAX_DISTANCE,
+                limit=MAX_PLAUSIBLE_RANGE_M,
                 system=recovery.system.name,
             )
         )
 
 
 EXAMINED_POINTS = 10_000
-"""Number of points of a chunk that are checked."""
+"""Approximate number of points of a line that are checked."""
 
 
 def require_scanner_frame(points_lidar: Array, path: Path) -> None:
@@ -180,26 +186,26 @@ def require_scanner_frame(points_lidar: Array, path: Path) -> None:
     ----------
     points_lidar : ndarray of shape (n, 3), metres
     path : Path
-        Of the line, for messages.
+        Path of the line, for messages.
 
     Raises
     ------
     InputError
     """
-    some = points_lidar[:: max(1, len(points_lidar) // EXAMINED_POINTS)]
-    near = np.einsum("ij,ij->i", some, some) <= MAX_DISTANCE**2
+    sample = points_lidar[:: max(1, len(points_lidar) // EXAMINED_POINTS)]
+    near = np.einsum("ij,ij->i", sample, sample) <= MAX_PLAUSIBLE_RANGE_M**2
     if 2 * np.count_nonzero(near) < len(near):
         raise InputError(
             error(
                 "survey.not_scanner_frame",
                 file=str(path),
-                limit=MAX_DISTANCE,
-                farthest=float(np.sqrt((some**2).sum(axis=1).max())),
+                limit=MAX_PLAUSIBLE_RANGE_M,
+                farthest=float(np.sqrt((sample**2).sum(axis=1).max())),
             )
         )
 
 
-def _select_rows(chunk: C, chosen: NDArray[np.bool_]) -> C:
+def _select_rows(chunk: ChunkT, chosen: NDArray[np.bool_]) -> ChunkT:
     kept: Callable[[Any], Any] = lambda values: values[chosen]  # noqa: E731
     return replace(
         chunk,

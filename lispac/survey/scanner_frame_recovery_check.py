@@ -1,8 +1,8 @@
 """Check whether points converted back to the scanner frame lie on its scan surfaces.
 
 These are a plane or a cone for a profiler, and one cone per laser for a spinning scanner. A wrong
-height reference, time, lever arm or attitude displaces the recovered points from this surface. Each
-of these causes is then tested, and the one that explains the displacement is reported with its
+height reference, time, lever arm or attitude displaces the recovered points from these surfaces.
+Each of these causes is then tested, and the one that explains the displacement is reported with its
 value.
 """
 
@@ -28,48 +28,51 @@ from lispac.warning_causes import Cause
 
 Array = NDArray[np.float64]
 
-MAX_POINTS = 4000
+MAX_TESTED_POINTS = 4000
 """Largest number of points with which a cause is tested."""
-MIN_POINTS = 200
+MIN_TESTED_POINTS = 200
 """Smallest number of points for a result."""
-MAX_RESIDUAL = 0.005
-"""Largest residual, metres, due to trajectory smoothing, rounding and jitter of the times."""
-MAX_ANGULAR = 0.0005
-"""Additional tolerance of the beam direction, radians."""
-SMALLEST_ARC = 0.35
-"""Smallest arc of the beams, radians, that distinguishes a cone from a wrong recovery."""
-PROFILER_RATIO = 0.1
+MAX_RESIDUAL_M = 0.005
+"""Largest residual due to trajectory smoothing, rounding and jitter of the times."""
+MAX_ANGULAR_RESIDUAL_RAD = 0.0005
+"""Additional tolerance of the beam direction."""
+MIN_BEAM_SPREAD_RAD = 0.35
+"""Smallest `beam_direction_spread` that distinguishes a cone from a wrong recovery."""
+MAX_PROFILER_RESIDUAL_RATIO = 0.1
 """Largest ratio of residual to range for a possible profiler if no cause explains the residual."""
-LARGEST_TURN = np.radians(2.0)
-"""Largest angle between the scan plane and the axes of the scanner, radians."""
-TURN_RATIO = 0.01
-"""Largest ratio of residual to extent of the points for a reliable direction of the plane."""
-MIN_REDUCTION = 3.0
+MAX_PLANE_TURN_RAD = np.radians(2.0)
+"""Largest angle between the normal of the scan plane and the nearest axis of the scanner."""
+MAX_PLANE_RESIDUAL_RATIO = 0.01
+"""Largest ratio of the residual to the extent of the points for a reliable scan plane."""
+MIN_RESIDUAL_REDUCTION = 3.0
 """Smallest factor by which a cause has to reduce the residual."""
-RIVAL_RATIO = 1.5
-"""Ratio of the residuals of the next and the best cause from which only the best is reported."""
-HEIGHTS = np.arange(-120.0, 121.0, 2.0)
-"""Height offsets to be tested, metres; the geoid is between 107 m below and 86 m above."""
-TIMES = (-37.0, -19.0, -18.0, -2.0, -1.0, -0.5, -0.2, -0.1, -0.05, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0,
-         18.0, 19.0, 37.0)  # fmt: skip
-"""Time offsets to be tested, seconds: leap seconds between time bases, and possible latencies."""
-LEVERS = np.linspace(-3.0, 3.0, 25)
-"""Errors of the lever arm to be tested, metres."""
-RINGS = ("ring", "ring_number", "laser_id", "laser_number", "laser", "beam_id", "channel")
+UNAMBIGUOUS_RESIDUAL_RATIO = 1.5
+"""Smallest ratio of the residuals of the second and the best cause to report the best one only."""
+TESTED_HEIGHT_OFFSETS_M = np.arange(-120.0, 121.0, 2.0)
+"""Height offsets to be tested; the geoid is 107 m below to 86 m above the ellipsoid."""
+TESTED_TIME_OFFSETS_S = (
+    -37.0, -19.0, -18.0, -2.0, -1.0, -0.5, -0.2, -0.1, -0.05,
+    0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 18.0, 19.0, 37.0,
+)  # fmt: skip
+"""Time offsets to be tested: leap seconds between time bases, and possible latencies."""
+TESTED_LEVER_ARM_ERRORS_M = np.linspace(-3.0, 3.0, 25)
+"""Errors of the lever arm to be tested."""
+RING_ATTRIBUTES = ("ring", "ring_number", "laser_id", "laser_number", "laser", "beam_id", "channel")
 """Attributes that number the lasers of a spinning scanner."""
 MAX_RINGS = 256
+"""Largest number of values of an attribute that is assumed to number lasers."""
 
 
 @dataclass(frozen=True, eq=False)
 class LineSample:
-    """Some points of a georeferenced line.
+    """Sample of the points of a georeferenced line.
 
     Attributes
     ----------
     points_map : ndarray of shape (n, 3), in the unit and axes of the coordinate system
     time : ndarray of shape (n,), seconds, in the trajectory's time base
     ring : ndarray of shape (n,), int, or None
-        Number of the laser of a spinning scanner, where the file has it.
+        Number of the laser of a spinning scanner, if the file contains it.
     """
 
     points_map: Array
@@ -105,8 +108,8 @@ class LineSample:
 
 
 def ring_numbers(attributes: Mapping[str, NDArray[Any]]) -> NDArray[np.int64] | None:
-    """Number of each point's laser, shape (n,), where the attributes of a file have it."""
-    for name in RINGS:
+    """Number of the laser of each point, shape (n,); None if no attribute contains it."""
+    for name in RING_ATTRIBUTES:
         if name in attributes and np.issubdtype(attributes[name].dtype, np.integer):
             return np.asarray(attributes[name], dtype=np.int64)
     return None
@@ -133,7 +136,9 @@ class ResidualCause:
 def recovery_messages(
     name: str, sample: LineSample, recovery: RecoverySetup
 ) -> tuple[Message, ...]:
-    """Messages about a line whose recovered points do not lie where a profiler measures.
+    """Messages about a line whose recovered points are not on scan surfaces of its scanner.
+
+    There is also a message if they are, but the scan plane is not normal to an axis of the scanner.
 
     Parameters
     ----------
@@ -144,23 +149,23 @@ def recovery_messages(
     recovery : RecoverySetup
         Setup with which the line is recovered.
     """
-    sample = sample.thinned(MAX_POINTS)
-    if len(sample.time) < MIN_POINTS:
+    sample = sample.thinned(MAX_TESTED_POINTS)
+    if len(sample.time) < MIN_TESTED_POINTS:
         return ()
-    found = _recover_sample(sample, recovery)
-    if found is None:
+    recovered = _recover_sample(sample, recovery)
+    if recovered is None:
         return ()
-    points = found.points
-    shapes = tuple(_possible_beam_shapes(found))
-    fitted = [shape(found) for shape in shapes]
+    points = recovered.points
+    shapes = tuple(_possible_beam_shapes(recovered))
+    fitted = [shape(recovered) for shape in shapes]
     distance = float(np.median(np.linalg.norm(points, axis=1)))
-    allowed = MAX_RESIDUAL + MAX_ANGULAR * distance
+    allowed = MAX_RESIDUAL_M + MAX_ANGULAR_RESIDUAL_RAD * distance
     first = fitted[0]
-    if found.ring is None and first.residual <= allowed:
+    if recovered.ring is None and first.residual <= allowed:
         turn = float(np.arccos(min(1.0, np.abs(first.axis).max())))
         if (
-            turn < LARGEST_TURN
-            or first.residual > TURN_RATIO * beam_direction_spread(points) * distance
+            turn < MAX_PLANE_TURN_RAD
+            or first.residual > MAX_PLANE_RESIDUAL_RATIO * beam_direction_spread(points) * distance
         ):
             return ()
         return (
@@ -171,19 +176,19 @@ def recovery_messages(
         )  # fmt: skip
     if any(each.residual <= allowed for each in fitted):
         return ()
-    tried = [
-        sorted(_evaluate_causes(sample, recovery, found, shape), key=lambda each: each.residual)
+    explanations_by_shape = [
+        sorted(_evaluate_causes(sample, recovery, recovered, shape), key=lambda each: each.residual)
         for shape in shapes
     ]
-    for cone, explanations in zip(fitted, tried, strict=True):
+    for cone, explanations in zip(fitted, explanations_by_shape, strict=True):
         if fitting := _sufficient_explanations(cone, explanations, allowed):
             return (_causes_message(name, cone if np.isfinite(cone.residual) else first, fitting),)
     # A larger residual may be due to two errors or a rough trajectory, up to a limit.
-    if len(shapes) == 1 or first.residual <= PROFILER_RATIO * distance:
-        limit = max(allowed, RIVAL_RATIO * tried[0][0].residual)
-        if fitting := _sufficient_explanations(first, tried[0], limit):
+    if len(shapes) == 1 or first.residual <= MAX_PROFILER_RESIDUAL_RATIO * distance:
+        limit = max(allowed, UNAMBIGUOUS_RESIDUAL_RATIO * explanations_by_shape[0][0].residual)
+        if fitting := _sufficient_explanations(first, explanations_by_shape[0], limit):
             return (_causes_message(name, first, fitting),)
-    if found.ring is None and first.residual > PROFILER_RATIO * distance:
+    if recovered.ring is None and first.residual > MAX_PROFILER_RESIDUAL_RATIO * distance:
         return ()  # a scanner of another kind
     return (_residual_warning(name, "recovery.unexplained", first, None),)
 
@@ -192,15 +197,21 @@ def _sufficient_explanations(
     cone: BeamCone, tried: list[ResidualCause], limit: float
 ) -> list[ResidualCause]:
     """Explanations that reduce the residual enough, and to at most ``limit``."""
-    return [each for each in tried if each.residual <= min(cone.residual / MIN_REDUCTION, limit)]
+    return [
+        each
+        for each in tried
+        if each.residual <= min(cone.residual / MIN_RESIDUAL_REDUCTION, limit)
+    ]
 
 
 def _causes_message(name: str, cone: BeamCone, fitting: list[ResidualCause]) -> Message:
     """Message with the causes that explain the residual, the best first."""
     best = fitting[0]
-    rivals = [each for each in fitting[1:] if each.residual < RIVAL_RATIO * best.residual]
+    rivals = [
+        each for each in fitting[1:] if each.residual < UNAMBIGUOUS_RESIDUAL_RATIO * best.residual
+    ]
     if rivals:
-        causes = tuple(TITLES[each.cause] for each in (best, *rivals))
+        causes = tuple(CAUSE_NAMES[each.cause] for each in (best, *rivals))
         return _residual_warning(name, "recovery.several_causes", cone, best, {"causes": causes})
     return _residual_warning(name, f"recovery.{best.cause}", cone, best)
 
@@ -219,7 +230,8 @@ class _RecoveredPoints:
     ring: NDArray[np.int64] | None
 
 
-Shape = Callable[[_RecoveredPoints], BeamCone]
+BeamFit = Callable[[_RecoveredPoints], BeamCone]
+"""Function that fits a scan surface to recovered points."""
 
 
 def _fit_beam_plane(points: _RecoveredPoints) -> BeamCone:
@@ -227,11 +239,11 @@ def _fit_beam_plane(points: _RecoveredPoints) -> BeamCone:
 
 
 def _fit_beam_cone(points: _RecoveredPoints) -> BeamCone:
-    """Fitted cone, if the beams distinguish it from a plane or a point."""
+    """Fit a cone; its residual is infinite if the beams spread too little to determine it."""
     cone = fit_cone(points.points)
     return (
         cone
-        if beam_direction_spread(points.points) > SMALLEST_ARC
+        if beam_direction_spread(points.points) > MIN_BEAM_SPREAD_RAD
         else replace(cone, residual=np.inf)
     )
 
@@ -241,8 +253,8 @@ def _fit_beam_cones(points: _RecoveredPoints) -> BeamCone:
     return fit_cones(points.points, points.ring)
 
 
-def _possible_beam_shapes(points: _RecoveredPoints) -> Iterator[Shape]:
-    """Shapes that the beams can have."""
+def _possible_beam_shapes(points: _RecoveredPoints) -> Iterator[BeamFit]:
+    """Functions that fit the scan surfaces that the beams can have."""
     if points.ring is not None:
         yield _fit_beam_cones
         return
@@ -250,7 +262,7 @@ def _possible_beam_shapes(points: _RecoveredPoints) -> Iterator[Shape]:
     yield _fit_beam_cone
 
 
-TITLES = {
+CAUSE_NAMES = {
     "height_offset": note("suspect.heights"),
     "time_offset": note("suspect.time"),
     "lever_arm_x": note("quantity.lever_x"),
@@ -279,7 +291,7 @@ def _residual_warning(
 
 
 def _evaluate_causes(
-    sample: LineSample, recovery: RecoverySetup, recovered: _RecoveredPoints, shape: Shape
+    sample: LineSample, recovery: RecoverySetup, recovered: _RecoveredPoints, shape: BeamFit
 ) -> Iterator[ResidualCause]:
     """Evaluate each cause with its best value."""
     points = recovered.points
@@ -290,17 +302,20 @@ def _evaluate_causes(
         # A shift of the map moves recovered points in proportion.
         per_metre = up.points - points
         yield _best_explanation(
-            "height_offset", HEIGHTS,
+            "height_offset", TESTED_HEIGHT_OFFSETS_M,
             lambda value: replace(recovered, points=points + value * per_metre), shape,
         )  # fmt: skip
     # An error of the lever arm moves all points of the LiDAR frame alike.
     for axis, title in enumerate("xyz"):
         along = recovery.mounting.rotation_body_lidar[axis]  # in the LiDAR frame
         yield _best_explanation(
-            f"lever_arm_{title}", LEVERS, partial(_shift_points, recovered, along), shape
+            f"lever_arm_{title}",
+            TESTED_LEVER_ARM_ERRORS_M,
+            partial(_shift_points, recovered, along),
+            shape,
         )
     yield _best_explanation(
-        "time_offset", np.array(TIMES),
+        "time_offset", np.array(TESTED_TIME_OFFSETS_S),
         lambda value: _recover_sample(replace(sample, time=sample.time + value), recovery), shape,
     )  # fmt: skip
     for cause, signs in (
@@ -322,7 +337,7 @@ def _best_explanation(
     cause: str,
     values: Array,
     points_with_value: Callable[[float], _RecoveredPoints | None],
-    shape: Shape,
+    shape: BeamFit,
 ) -> ResidualCause:
     """Value of a cause with the smallest residual, refined around the best of given values."""
 
@@ -334,25 +349,25 @@ def _best_explanation(
     k = int(found.argmin())
     low = float(values[max(0, k - 1)])
     high = float(values[min(len(values) - 1, k + 1)])
-    value, least = float(values[k]), float(found[k])
-    for _ in range(REFINEMENTS):
+    value, smallest = float(values[k]), float(found[k])
+    for _ in range(REFINEMENT_STEPS):
         third = (high - low) / 3
         left, right = residual(low + third), residual(high - third)
         low, high = (low, high - third) if left < right else (low + third, high)
         nearest = low + third if left < right else high - third
-        if min(left, right) < least:
-            value, least = nearest, min(left, right)
-    return ResidualCause(cause, value, least)
+        if min(left, right) < smallest:
+            value, smallest = nearest, min(left, right)
+    return ResidualCause(cause, value, smallest)
 
 
-REFINEMENTS = 16
+REFINEMENT_STEPS = 16
 """Steps of the refinement, each of which narrows the interval to two thirds."""
 
 
 def _recover_sample(sample: LineSample, recovery: RecoverySetup) -> _RecoveredPoints | None:
     """Points with a pose in the LiDAR frame; None if there are too few."""
-    usable = recovery.usable(sample.time)
-    if np.count_nonzero(usable) < MIN_POINTS:
+    usable = recovery.has_pose(sample.time)
+    if np.count_nonzero(usable) < MIN_TESTED_POINTS:
         return None
     sample = sample.where(usable)
     try:

@@ -1,10 +1,10 @@
-"""Compiled passes that screen the points of a line: usable values, copies, steps of time.
+"""Compiled functions that screen the points of a line: usable values, copies, steps of time.
 
-Times are counted and copies found by hashes, as the audit needs them
-(`lispac.survey.line_audit`; hash by A. Appleby, MurmurHash3 (2011)).
+Copies are found by hashes (MurmurHash3 by A. Appleby, 2011). Distinct times are counted for the
+audit (`lispac.survey.line_audit`).
 
-Each function works on one chunk in the order of the file and carries its state in arrays, so that
-a line of any length is screened in constant memory.
+Each function processes one chunk in the order of the file and keeps its state in arrays, so that a
+line of any length is screened in constant memory.
 """
 
 import numpy as np
@@ -16,16 +16,16 @@ KEPT, NOT_FINITE, NO_RANGE, TOO_FAR, DUPLICATE, EXCLUDED = range(6)
 
 WINDOW_SLOTS = 1 << 17
 """Number of slots of a hash table of recent points, which is cleared when half full."""
-LONGEST_RUN = 64
+MAX_RUN_POINTS = 64
 """Largest number of points with the same time that are compared individually."""
 GAP_BINS = 200
-"""Bins of gaps between distinct times, eight to an octave from `MIN_GAP`."""
-MIN_GAP = 1e-4
-"""Gap between distinct times below which their resolution is sufficient, seconds."""
-MAX_GAP = 10.0
-"""Gap above which times are separated by a pause, seconds."""
+"""Number of bins of gaps between distinct times: eight per doubling of the gap from `MIN_GAP_S`."""
+MIN_GAP_S = 1e-4
+"""Gap between distinct times below which their resolution is sufficient."""
+MAX_GAP_S = 10.0
+"""Gap from which times are separated by a pause."""
 
-# Numba has no types mypy could check, hence the marks.
+# mypy cannot check functions of Numba, hence the comments "type: ignore".
 
 
 @njit(nogil=True, cache=True)
@@ -52,8 +52,8 @@ def point_hash(t, x, y, z):  # type: ignore[no-untyped-def]
 def screen_values(time, xyz, nearest, farthest, largest, largest_time, status):  # type: ignore[no-untyped-def]
     """Mark points that are not finite, have no range, or are too far; count points by status.
 
-    ``status`` (n,) holds `EXCLUDED` where a point was excluded before, else `KEPT`. A negative
-    ``farthest`` leaves ranges unchecked.
+    ``status`` (n,) contains `EXCLUDED` for points that were excluded before, otherwise `KEPT`.
+    Ranges are not checked if ``farthest`` is negative.
     """
     ranged = farthest >= 0
     near, far = nearest * nearest, farthest * farthest
@@ -65,7 +65,7 @@ def screen_values(time, xyz, nearest, farthest, largest, largest_time, status): 
             continue
         t, x, y, z = time[i], xyz[i, 0], xyz[i, 1], xyz[i, 2]
         r2 = x * x + y * y + z * z
-        # Nearly all points pass here; of those that do not, the reason is searched for.
+        # Nearly all points are accepted here; for the others, the reason is determined below.
         if low < r2 <= high and -largest_time <= t <= largest_time and (x != y or y != z):
             continue
         if not (
@@ -76,7 +76,7 @@ def screen_values(time, xyz, nearest, farthest, largest, largest_time, status): 
         ):
             status[i] = NOT_FINITE
         elif ranged and (r2 <= near or (x == y and y == z)):
-            status[i] = NO_RANGE  # scanners fill in one value, 0 or -9999, where no echo comes
+            status[i] = NO_RANGE  # without an echo, scanners write one value, such as 0 or -9999
         elif ranged and r2 > far:
             status[i] = TOO_FAR
         if status[i] != KEPT:
@@ -87,7 +87,7 @@ def screen_values(time, xyz, nearest, farthest, largest, largest_time, status): 
 
 @njit(nogil=True, cache=True)
 def _table_contains(table, h):  # type: ignore[no-untyped-def]
-    """Whether an open-addressing table holds a hash."""
+    """Whether an open-addressing table contains a hash."""
     mask = np.uint64(len(table) - 1)
     k = h & mask
     while table[k] != 0:
@@ -145,12 +145,13 @@ def mark_duplicates(  # type: ignore[no-untyped-def]
 ):
     """Mark points equal to an earlier one, and collect the hashes up to a threshold.
 
-    Copies have the same time. While times do not run backward, only the points of the same time
-    just before can be equal; ``tail`` (m, 4) are the last points of the chunk before. Otherwise, or
-    where many points share a time, hashes of recent points are kept in ``tables`` (2, m), the
-    current and the former half. ``fill`` (3,) counts the current one, holds which it is, and
-    whether tables are in use; ``latest`` (1,) is the latest time before. Hashes up to ``threshold``
-    are written to ``sampled``. Returns the numbers of duplicates and of these hashes.
+    Copies have the same time. As long as times do not decrease, only the preceding points with the
+    same time can be equal; ``tail`` (m, 4) contains the last points of the previous chunk.
+    Otherwise, or if many points have the same time, hashes of recent points are kept in ``tables``
+    (2, m), the current and the previous table. ``fill`` (3,) contains the number of hashes in the
+    current table, its index, and whether tables are in use; ``latest`` (1,) is the latest time
+    before this chunk. Hashes up to ``threshold`` are written to ``sampled``. Returns the numbers of
+    duplicates and of these hashes.
     """
     count = found = 0
     capacity = tables.shape[1] // 2
@@ -162,7 +163,7 @@ def mark_duplicates(  # type: ignore[no-untyped-def]
         if fill[2] == 0:
             if not t <= newest:
                 run, newest = i, t
-            elif t < newest or i - run > LONGEST_RUN:
+            elif t < newest or i - run > MAX_RUN_POINTS:
                 fill[2] = 1
                 for j in range(max(0, i - capacity + 1), i):
                     if status[j] == KEPT:
@@ -196,11 +197,11 @@ def mark_duplicates(  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True)
 def time_steps(time, used, last, gaps, sums, seconds):  # type: ignore[no-untyped-def]
-    """Count distinct times, gaps between them by length, and whole seconds that hold points.
+    """Count distinct times and the gaps between them, and list the whole seconds with points.
 
-    ``used`` (n,) marks the points that count; ``last`` (1,) is the last time before. Gaps go to
-    ``gaps`` and their lengths to ``sums``, both (GAP_BINS,). Returns the numbers of points used, of
-    changes of the time, and of entries of ``seconds``.
+    ``used`` (n,) is the mask of the points to be counted; ``last`` (1,) is the last time of the
+    previous chunk. Gaps are added to ``gaps`` and their lengths to ``sums``, both (GAP_BINS,).
+    Returns the numbers of points used, of changes of the time, and of entries of ``seconds``.
     """
     points = changes = entries = 0
     previous, second = last[0], np.nan
@@ -213,8 +214,8 @@ def time_steps(time, used, last, gaps, sums, seconds):  # type: ignore[no-untype
             continue
         changes += 1
         gap = t - previous
-        if MIN_GAP <= gap < MAX_GAP:
-            k = int(8 * np.log2(gap / MIN_GAP))
+        if MIN_GAP_S <= gap < MAX_GAP_S:
+            k = int(8 * np.log2(gap / MIN_GAP_S))
             gaps[k] += 1
             sums[k] += gap
         previous = t

@@ -14,15 +14,15 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-LIMIT = np.array([1e-4] * 3 + [float(np.radians(1e-4))] * 3)
+MAX_INTERPOLATION_ERROR = np.array([1e-4] * 3 + [float(np.radians(1e-4))] * 3)
 """Largest error of linear interpolation between the inserted states, metres and radians."""
 MAX_PARTS = 20
 """Largest number of parts into which an interval is divided."""
 MAX_ERROR_RATIO = 0.5
 """Largest ratio of the errors of cubic and linear interpolation for which the cubic is used."""
-MIN_STATES = 20
+MIN_TEST_STATES = 20
 """Smallest number of test states; with fewer, no states are inserted."""
-QUANTILE = 0.995
+ERROR_QUANTILE = 0.995
 """Quantile of the intervals that determines the number of parts."""
 
 
@@ -39,7 +39,7 @@ class DenseStates:
     unused : tuple of int
         Components whose derivatives contradict the states; they are interpolated linearly.
     parts : int
-        Number of intervals into which each interval between given states was divided.
+        Number of intervals into which each interval between given states, except gaps, was divided.
     """
 
     time: Array
@@ -52,7 +52,7 @@ class DenseStates:
 def insert_states(
     time: Array, states: Array, derivatives: Array, longest_gap: float
 ) -> DenseStates:
-    """Insert states if the error of linear interpolation between the given ones exceeds `LIMIT`.
+    """Insert states if linear interpolation has errors above `MAX_INTERPOLATION_ERROR`.
 
     The derivatives of a component are used only if the cubic predicts omitted states clearly better
     than a straight line. This is not the case for velocities along other axes or with another sign,
@@ -71,7 +71,7 @@ def insert_states(
     steps = np.diff(time)
     bridged = steps <= longest_gap
     inner = np.flatnonzero(bridged[1:] & bridged[:-1]) + 1
-    if len(inner) < MIN_STATES:
+    if len(inner) < MIN_TEST_STATES:
         return DenseStates(time, states)
     # Prediction of each inner state from its neighbours, over twice the interval.
     span = time[inner + 1] - time[inner - 1]
@@ -83,17 +83,17 @@ def insert_states(
     error_straight = np.abs(straight).mean(axis=0)
     used = np.abs(error_cubic).mean(axis=0) < MAX_ERROR_RATIO * error_straight
     # For a parabola, the error over one interval is a quarter of that over two.
-    needed = np.quantile(np.abs(straight), QUANTILE, axis=0) / 4
-    coarse = needed > LIMIT
+    needed = np.quantile(np.abs(straight), ERROR_QUANTILE, axis=0) / 4
+    coarse = needed > MAX_INTERPOLATION_ERROR
     unused = tuple(np.flatnonzero(coarse & ~used & derivatives.any(axis=0)).tolist())
-    parts = int(np.ceil(np.sqrt(np.max(needed / LIMIT, where=used, initial=0.0))))
+    parts = int(np.ceil(np.sqrt(np.max(needed / MAX_INTERPOLATION_ERROR, where=used, initial=0.0))))
     parts = min(parts, MAX_PARTS)
     if parts <= 1:
         return DenseStates(time, states, unused=unused)
     # For a polynomial of fourth degree, a sixteenth; the omitted states give the error.
-    off = np.zeros_like(states)
-    off[inner] = error_cubic / 16 * used
-    return _insert_parts(time, states, derivatives, bridged, used, off, parts, unused)
+    cubic_errors = np.zeros_like(states)
+    cubic_errors[inner] = error_cubic / 16 * used
+    return _insert_parts(time, states, derivatives, bridged, used, cubic_errors, parts, unused)
 
 
 def _insert_parts(

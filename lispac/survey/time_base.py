@@ -1,9 +1,9 @@
 """Time bases: identification, and conversion between them.
 
 During a survey without a leap second, two time bases differ by a constant: the difference of their
-origins, the leap seconds, and whole days or weeks if a base restarts at midnight or on Sunday. A
-conversion is therefore a single shift in seconds. The number of whole days or weeks is chosen so
-that the times of two files overlap.
+origins, the leap seconds, and whole hours, days or weeks if a base has a rollover. A conversion is
+therefore a single shift in seconds. The number of whole periods is chosen so that the times of two
+files overlap.
 """
 
 from collections.abc import Iterable
@@ -19,14 +19,14 @@ from lispac.messages import error
 Array = NDArray[np.float64]
 
 HOUR, DAY, WEEK = 3600.0, 86_400.0, 604_800.0
-GPS_AFTER_TAI = 19.0
-"""Constant difference of TAI minus GPS time, seconds."""
+TAI_MINUS_GPS_S = 19.0
+"""Constant difference of TAI minus GPS time."""
 GPS_EPOCH = datetime(1980, 1, 6, tzinfo=UTC).timestamp()
 """Unix time of the origin of GPS time, seconds."""
-NEAR_START = 60.0
-"""Time in seconds before and after midnight or the end of a week to detect a rollover."""
+ROLLOVER_MARGIN_S = 60.0
+"""Largest time before and after the end of a period for a rollover."""
 
-LEAP_DATES = (
+LEAP_SECOND_DATES = (
     date(1981, 7, 1), date(1982, 7, 1), date(1983, 7, 1), date(1985, 7, 1), date(1988, 1, 1),
     date(1990, 1, 1), date(1991, 1, 1), date(1992, 7, 1), date(1993, 7, 1), date(1994, 7, 1),
     date(1996, 1, 1), date(1997, 7, 1), date(1999, 1, 1), date(2006, 1, 1), date(2009, 1, 1),
@@ -34,10 +34,14 @@ LEAP_DATES = (
 )  # fmt: skip
 """Dates from which GPS minus UTC is one second larger (IERS Bulletin C); none after 2017."""
 
-_LEAP_UTC = np.array(
-    [datetime(d.year, d.month, d.day, tzinfo=UTC).timestamp() - GPS_EPOCH for d in LEAP_DATES]
+_LEAP_SECOND_TIMES_UTC = np.array(
+    [
+        datetime(d.year, d.month, d.day, tzinfo=UTC).timestamp() - GPS_EPOCH
+        for d in LEAP_SECOND_DATES
+    ]
 )
-LEAP_SECONDS_NOW = len(LEAP_DATES)
+CURRENT_LEAP_SECONDS = len(LEAP_SECOND_DATES)
+"""GPS minus UTC since 2017, seconds."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +55,7 @@ class TimeBase:
     offset : float, seconds
         Time since 1980-01-06 at its origin, without leap seconds.
     period : float or None, seconds
-        Period after which it restarts; None if it never does.
+        Period of its rollover; None if it has none.
     utc : bool
         Whether leap seconds are not counted, unlike in GPS time.
     lowest, highest : float, seconds
@@ -73,7 +77,7 @@ def _absolute_base(key: str, offset: float, utc: bool) -> TimeBase:
     return TimeBase(key, offset, None, utc, first - offset, last - offset)
 
 
-BASES = (
+TIME_BASES = (
     TimeBase("gps-week", 0.0, WEEK, False, 0.0, 2 * WEEK),
     TimeBase("gps-day", 0.0, DAY, False, 0.0, 2 * DAY),
     TimeBase("utc-day", 0.0, DAY, True, 0.0, 2 * DAY),
@@ -81,12 +85,12 @@ BASES = (
     _absolute_base("gps-adjusted", 1e9, False),
     _absolute_base("gps-full", 0.0, False),
     _absolute_base("unix", -GPS_EPOCH, True),
-    _absolute_base("tai", -GPS_EPOCH - GPS_AFTER_TAI, False),
+    _absolute_base("tai", -GPS_EPOCH - TAI_MINUS_GPS_S, False),
     TimeBase("utc-hour", 0.0, HOUR, True, 0.0, 2 * HOUR),
 )
 """All time bases, the more common ones first."""
 
-KEYS = tuple(base.key for base in BASES)
+TIME_BASE_KEYS = tuple(base.key for base in TIME_BASES)
 
 
 def base_of_key(key: str) -> TimeBase:
@@ -97,10 +101,10 @@ def base_of_key(key: str) -> TimeBase:
     InputError
         If no time base has that key.
     """
-    for base in BASES:
+    for base in TIME_BASES:
         if base.key == key:
             return base
-    raise InputError(error("time.unknown_base", base=key, bases=KEYS))
+    raise InputError(error("time.unknown_base", base=key, bases=TIME_BASE_KEYS))
 
 
 def plausible_bases(times: Array) -> tuple[TimeBase, ...]:
@@ -123,17 +127,17 @@ def plausible_bases(times: Array) -> tuple[TimeBase, ...]:
             return False
         return base.lowest <= low and high < base.highest
 
-    return tuple(base for base in BASES if possible(base))
+    return tuple(base for base in TIME_BASES if possible(base))
 
 
 def leap_seconds(utc: Array | float) -> Array:
     """GPS minus UTC, seconds, at ``utc`` (...), seconds of UTC days since 1980-01-06."""
-    return np.searchsorted(_LEAP_UTC, utc, side="right").astype(np.float64)
+    return np.searchsorted(_LEAP_SECOND_TIMES_UTC, utc, side="right").astype(np.float64)
 
 
 def leap_seconds_at_gps(gps: Array | float) -> Array:
     """GPS minus UTC, seconds, at ``gps`` (...), GPS seconds since 1980-01-06."""
-    starts = _LEAP_UTC + np.arange(1, len(_LEAP_UTC) + 1)
+    starts = _LEAP_SECOND_TIMES_UTC + np.arange(1, len(_LEAP_SECOND_TIMES_UTC) + 1)
     return np.searchsorted(starts, gps, side="right").astype(np.float64)
 
 
@@ -144,7 +148,7 @@ def to_gps(times: Array, base: TimeBase, near: float | None = None) -> Array:
     ----------
     times : ndarray of shape (n,), seconds in ``base``, with rollovers resolved (`unroll_times`)
     near : float, GPS seconds since 1980-01-06
-        For a base that restarts every day or week: a time within half a period of the first time.
+        For a base with a period: a time within half a period of the first time.
 
     Raises
     ------
@@ -176,10 +180,10 @@ def from_gps(gps: Array, base: TimeBase) -> Array:
 
 
 def unroll_times(times: Array) -> tuple[Array, int]:
-    """Times with the rollover at midnight or end of the week resolved.
+    """Times with the rollovers at a full hour, midnight or end of the week resolved.
 
-    A step backwards counts as a rollover if it leads from the last minute of a day or week to the
-    first minute of the next one, with at most a minute in between.
+    A step backwards counts as a rollover if it leads from the last minute of an hour, day or week
+    to the first minute of the next one.
 
     Parameters
     ----------
@@ -193,15 +197,15 @@ def unroll_times(times: Array) -> tuple[Array, int]:
     """
     times = np.asarray(times, dtype=np.float64)
     added, count = np.zeros(len(times)), 0
-    for k in np.flatnonzero(np.diff(times) < -HOUR + NEAR_START):
+    for k in np.flatnonzero(np.diff(times) < -HOUR + ROLLOVER_MARGIN_S):
         if period := period_between(float(times[k]), float(times[k + 1])):
             added[k + 1 :] += period
             count += 1
     return (times + added, count) if count else (times, 0)
 
 
-def period_between(before: float, after: float, leeway: float = NEAR_START) -> float:
-    """Period in seconds, a day or a week, that restarts between two times; 0 if none does.
+def period_between(before: float, after: float, leeway: float = ROLLOVER_MARGIN_S) -> float:
+    """Period of the rollover between two times, seconds: an hour, a day or a week; 0 if none.
 
     Parameters
     ----------
@@ -309,7 +313,7 @@ def _possible_shifts(
         elif other.period is None:
             leap = float(leap_seconds(goal + other.offset))
         else:
-            leap, assumed = float(LEAP_SECONDS_NOW), True
+            leap, assumed = float(CURRENT_LEAP_SECONDS), True
     shift = line_base.offset - other.offset + leap * (float(line_base.utc) - float(other.utc))
     periods = [base.period for base in (line_base, other) if base.period is not None]
     if not periods:
@@ -320,7 +324,10 @@ def _possible_shifts(
 
 
 def _match_rank(match: TimeMatch) -> tuple[float, bool, int]:
-    usual = min(KEYS.index(own.key) + KEYS.index(other.key) for own, other in match.pairs)
+    usual = min(
+        TIME_BASE_KEYS.index(own.key) + TIME_BASE_KEYS.index(other.key)
+        for own, other in match.pairs
+    )
     return -round(match.share, 3), abs(match.shift) > 1e-9, usual
 
 

@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.messages import Message, note, warning
-from lispac.untrusted_values import LEAST_AMOUNT
+from lispac.untrusted_values import MIN_AMOUNT
 
 Array = NDArray[np.float64]
 
-COARSEST_HARMLESS = 1e-4
-"""Coarsest harmless resolution of times, seconds: a vessel at 10 m/s moves by 1 mm."""
+MAX_HARMLESS_TIME_STEP_S = 1e-4
+"""Coarsest harmless resolution of times: a vessel at 10 m/s moves by 1 mm."""
 
 
 @dataclass(frozen=True)
@@ -58,11 +58,11 @@ def assess_times(times: Array) -> TimeQuality:
     times = np.asarray(times, dtype=np.float64)
     with np.errstate(over="ignore", invalid="ignore"):
         steps = np.diff(times)
-    disorder = np.flatnonzero(~(steps >= LEAST_AMOUNT))
+    disorder = np.flatnonzero(~(steps >= MIN_AMOUNT))
     return TimeQuality(
         len(times),
-        int((np.abs(steps) < LEAST_AMOUNT).sum()),
-        int((steps <= -LEAST_AMOUNT).sum()),
+        int((np.abs(steps) < MIN_AMOUNT).sum()),
+        int((steps <= -MIN_AMOUNT).sum()),
         int(disorder[0]) + 1 if disorder.size else None,
         _float32_step(times),
     )
@@ -81,7 +81,7 @@ def _float32_step(times: Array) -> float | None:
     finest = float(np.spacing(np.float32(np.abs(times).min())))
     coarsest = float(np.spacing(np.float32(np.abs(times).max())))
     steps = np.abs(np.diff(times)) / finest
-    if coarsest < COARSEST_HARMLESS or not steps.any() or steps.max() > 2.0**62:
+    if coarsest < MAX_HARMLESS_TIME_STEP_S or not steps.any() or steps.max() > 2.0**62:
         return None
     common = int(np.gcd.reduce(np.unique(steps.astype(np.int64))))
     return coarsest if common * finest <= coarsest else None
@@ -166,12 +166,12 @@ def assess_coverage(
     )
 
 
-SHORT = 2.0
-"""Time in seconds without accuracies at the ends of the trajectory that gives no message."""
+MAX_UNCOVERED_TIME_S = 2.0
+"""Longest time without accuracies at an end of the trajectory that gives no warning."""
 
 
 def accuracy_coverage_warning(accuracy_times: Array, track: Array, file: str) -> Message | None:
-    """Warning that accuracies do not cover the whole trajectory; None if they do.
+    """Warning that accuracies do not cover the trajectory, up to short ends; None if they do.
 
     Parameters
     ----------
@@ -180,7 +180,7 @@ def accuracy_coverage_warning(accuracy_times: Array, track: Array, file: str) ->
     file : str
         Name of the file of accuracies.
     """
-    if max(accuracy_times[0] - track[0], track[-1] - accuracy_times[-1]) <= SHORT:
+    if max(accuracy_times[0] - track[0], track[-1] - accuracy_times[-1]) <= MAX_UNCOVERED_TIME_S:
         return None
     return warning(
         "import.accuracy_too_short", file=file,
@@ -201,19 +201,19 @@ def exclusion_notes(covered: TrajectoryCoverage, lost: int, file: str) -> tuple[
     file : str
         Name of the file of the line.
     """
-    found, total = [], covered.count
+    notes, total = [], covered.count
     if covered.outside:
-        found.append(note("import.excluded_outside", file=file, count=covered.outside, total=total))
+        notes.append(note("import.excluded_outside", file=file, count=covered.outside, total=total))
     if covered.in_gaps:
-        found.append(
+        notes.append(
             note(
                 "import.excluded_in_gaps", file=file, count=covered.in_gaps, total=total,
                 limit=covered.longest_gap,
             )
         )  # fmt: skip
     if steep := lost - covered.outside - covered.in_gaps:
-        found.append(note("import.excluded_steep", file=file, count=steep, total=total))
-    return tuple(found)
+        notes.append(note("import.excluded_steep", file=file, count=steep, total=total))
+    return tuple(notes)
 
 
 def join_coverages(parts: list[TrajectoryCoverage]) -> TrajectoryCoverage:

@@ -14,15 +14,16 @@ from lispac.survey.state_densification import insert_states
 
 Array = NDArray[np.float64]
 
-LONGEST_GAP = 1.5
-"""Default for the longest interval between two states over which positions are interpolated,
-seconds; text exports have 1 Hz."""
-TICK = 1e-4
-"""Step in seconds for the conversion of angular rates to another frame."""
-COMPONENTS = ("north", "west", "up", "roll", "pitch", "heading")
-STEEPEST = float(np.radians(80.0))
-"""Pitch in radians beyond which roll and heading change too fast for interpolation; at 90 deg they
-are not separable."""
+DEFAULT_LONGEST_GAP_S = 1.5
+"""Default for the longest interval between two states over which positions are interpolated; text
+exports have states at 1 Hz."""
+RATE_CONVERSION_STEP_S = 1e-4
+"""Time step for the conversion of angular rates to another frame."""
+STATE_COMPONENTS = ("north", "west", "up", "roll", "pitch", "heading")
+"""Names of the components of a state in a local frame."""
+MAX_PITCH_RAD = float(np.radians(80.0))
+"""Pitch beyond which roll and heading change too fast for interpolation; at 90 deg they are not
+separable."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,13 +41,13 @@ class Trajectory:
     attitude : ndarray of shape (n, 3), radians
         Roll, pitch (positive bow down), heading (clockwise from true north at the vessel).
     assumptions : tuple of Message
-        What the reader takes for granted.
+        Assumptions of the reader.
     messages : tuple of Message
         Warnings and notes about the states.
     velocity : ndarray of shape (n, 3), metres a second, or None
-        Towards north, west, up, where the file has it.
+        Towards north, west, up, if the file contains it.
     attitude_rate : ndarray of shape (n, 3), radians a second, or None
-        Derivatives of ``attitude``, where the file has angular rates.
+        Derivatives of ``attitude``, if the file contains angular rates.
     """
 
     time: Array
@@ -192,14 +193,14 @@ class LocalTrajectory:
     time: Array
     position: Array
     attitude: Array
-    longest_gap: float = LONGEST_GAP
+    longest_gap: float = DEFAULT_LONGEST_GAP_S
     messages: tuple[Message, ...] = ()
     curve_error: Array | None = None
     parts: int = 1
 
     @classmethod
     def of(
-        cls, trajectory: Trajectory, frame: LocalFrame, longest_gap: float = LONGEST_GAP
+        cls, trajectory: Trajectory, frame: LocalFrame, longest_gap: float = DEFAULT_LONGEST_GAP_S
     ) -> "LocalTrajectory":
         """Convert positions and attitudes of a trajectory to a local frame.
 
@@ -209,14 +210,14 @@ class LocalTrajectory:
         Raises
         ------
         InputError
-            If the body frame points up or down nearly all the time.
+            If the pitch exceeds `MAX_PITCH_RAD` in more than half of the states.
         """
         position = frame.to_local(trajectory.latitude, trajectory.longitude, trajectory.height)
         rotation_level_body = rotation_matrix(*trajectory.attitude.T)
         rotation_local_level = frame.rotation_local_level(trajectory.latitude, trajectory.longitude)
         attitude = rotation_angles(rotation_local_level @ rotation_level_body)
-        if (np.abs(attitude[:, 1]) > STEEPEST).mean() > 0.5:
-            raise InputError(error("survey.trajectory_steep", limit=float(STEEPEST)))
+        if (np.abs(attitude[:, 1]) > MAX_PITCH_RAD).mean() > 0.5:
+            raise InputError(error("survey.trajectory_steep", limit=float(MAX_PITCH_RAD)))
         attitude = np.unwrap(attitude, axis=0)
         if trajectory.velocity is None and trajectory.attitude_rate is None:
             return cls(frame, trajectory.time, position, attitude, longest_gap, trajectory.messages)
@@ -225,14 +226,18 @@ class LocalTrajectory:
             velocity = trajectory.velocity[:, :, None]
             derivatives[:, :3] = (rotation_local_level @ velocity)[:, :, 0]
         if trajectory.attitude_rate is not None:
-            ahead = rotation_matrix(*(trajectory.attitude + TICK * trajectory.attitude_rate).T)
+            ahead = rotation_matrix(
+                *(trajectory.attitude + RATE_CONVERSION_STEP_S * trajectory.attitude_rate).T
+            )
             turned = rotation_angles(rotation_local_level @ ahead) - attitude
-            derivatives[:, 3:] = (np.remainder(turned + np.pi, 2 * np.pi) - np.pi) / TICK
+            derivatives[:, 3:] = (
+                np.remainder(turned + np.pi, 2 * np.pi) - np.pi
+            ) / RATE_CONVERSION_STEP_S
         states = np.hstack([position, attitude])
         dense = insert_states(trajectory.time, states, derivatives, longest_gap)
         messages = trajectory.messages
         if dense.unused:
-            names = tuple(COMPONENTS[k] for k in dense.unused)
+            names = tuple(STATE_COMPONENTS[k] for k in dense.unused)
             messages += (Message("trajectory.rates_not_used", Level.NOTE, {"names": names}),)
         return cls(
             frame, dense.time, dense.states[:, :3], dense.states[:, 3:], longest_gap, messages,
@@ -258,7 +263,7 @@ class LocalTrajectory:
     @cached_property
     def _gap_intervals(self) -> NDArray[np.bool_]:
         """Whether each interval between states is too long or has too steep a pitch, (n - 1,)."""
-        steep = np.abs(self.attitude[:, 1]) > STEEPEST
+        steep = np.abs(self.attitude[:, 1]) > MAX_PITCH_RAD
         return np.asarray((np.diff(self.time) > self.longest_gap) | steep[:-1] | steep[1:])
 
     def covers(self, time: Array) -> NDArray[np.bool_]:
@@ -300,7 +305,7 @@ class LocalTrajectory:
         Raises
         ------
         InputError
-            If a time lies outside the trajectory.
+            If the earliest or the latest time has no pose, see `covers`.
         """
         if len(time) and not self.covers(np.array([np.min(time), np.max(time)])).all():
             raise InputError(outside_trajectory_message(time, self.time))
@@ -320,9 +325,9 @@ def outside_trajectory_message(time: Array, known: Array) -> Message:
     Parameters
     ----------
     time : ndarray of shape (n,), seconds
-        Of the points.
+        Times of the points.
     known : ndarray of shape (m,), seconds, increasing
-        Of the states.
+        Times of the states.
     """
     return error(
         "survey.outside_trajectory",

@@ -13,9 +13,9 @@ Array = NDArray[np.float64]
 
 MAX_ERROR_SHARE = 0.1
 """Largest ratio of the interpolation error to the given accuracy."""
-WINDOW = 0.25
-"""Averaging time in seconds, which removes vibration but not the motion in waves."""
-QUANTILE = 0.95
+AVERAGING_TIME_S = 0.25
+"""Averaging time, which removes vibration but not the motion in waves."""
+ERROR_QUANTILE = 0.95
 """Quantile over the points of a line of the error that is reported."""
 
 
@@ -35,14 +35,14 @@ def interpolation_error(trajectory: LocalTrajectory) -> Array:
     ndarray of shape (n - 1, 6), metres and radians
     """
     states = np.hstack([trajectory.position, trajectory.attitude])
-    from scipy.ndimage import uniform_filter1d  # only where a survey is loaded
+    from scipy.ndimage import uniform_filter1d  # imported only when a survey is loaded
 
     steps = np.diff(trajectory.time)
     slopes = np.diff(states, axis=0) / steps[:, None]
     curvature = np.diff(slopes, axis=0) / (0.5 * (steps[:-1] + steps[1:]))[:, None]
     # Noise of states and vibration change their sign from state to state and average out
     # over a target; the mean over the window is the error due to the motion.
-    width = max(1, round(WINDOW / float(np.median(steps))))
+    width = max(1, round(AVERAGING_TIME_S / float(np.median(steps))))
     smooth = uniform_filter1d(curvature, width, axis=0, mode="nearest")
     ends = np.abs(np.vstack([smooth[:1], smooth, smooth[-1:]]))
     straight = 0.5 * (ends[:-1] + ends[1:]) * steps[:, None] ** 2 / 8
@@ -61,7 +61,8 @@ def interpolation_messages(
     Parameters
     ----------
     times : mapping of str to ndarray of shape (n,), seconds
-        Times of some points of each line, by its name; intervals without points do not count.
+        Times of a sample of the points of each line, by its name; intervals without points are
+        ignored.
     """
     if len(trajectory.time) < 3:
         return ()
@@ -71,16 +72,17 @@ def interpolation_messages(
     found = []
     for name, own in times.items():
         own = own[(own >= trajectory.time[0]) & (own < trajectory.time[-1])]
-        of_line = np.searchsorted(trajectory.time, own, side="right") - 1  # interval of each point
-        bridged = steps[of_line] <= trajectory.longest_gap
-        own, of_line = own[bridged], of_line[bridged]
-        if len(of_line) < 2:
+        # Interval of each point
+        intervals = np.searchsorted(trajectory.time, own, side="right") - 1
+        bridged = steps[intervals] <= trajectory.longest_gap
+        own, intervals = own[bridged], intervals[bridged]
+        if len(intervals) < 2:
             continue
         # The error has its maximum in the middle of an interval and is zero at the states.
-        u = (own - trajectory.time[of_line]) / steps[of_line]
-        error = np.quantile(errors[of_line] * (4 * u * (1 - u))[:, None], QUANTILE, axis=0)
+        u = (own - trajectory.time[intervals]) / steps[intervals]
+        error = np.quantile(errors[intervals] * (4 * u * (1 - u))[:, None], ERROR_QUANTILE, axis=0)
         position_sigma, attitude_sigma = (
-            values.mean(axis=0) for values in accuracy.at(middle[of_line])
+            values.mean(axis=0) for values in accuracy.at(middle[intervals])
         )
         position, turn = float(error[:3].max()), float(error[3:].max())
         share = max(
@@ -94,7 +96,7 @@ def interpolation_messages(
                     Level.WARNING,
                     {
                         "line": name,
-                        "rate": 1.0 / (trajectory.parts * float(np.median(steps[of_line]))),
+                        "rate": 1.0 / (trajectory.parts * float(np.median(steps[intervals]))),
                         "shift": position,
                         "turn": turn,
                         "share": share,

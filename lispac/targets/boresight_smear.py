@@ -7,12 +7,14 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-PRIOR_OFF, ROUGHLY_OFF = radians(2.0), radians(0.2)
+PRIOR_BORESIGHT_SIGMA, ROUGH_BORESIGHT_SIGMA = radians(2.0), radians(0.2)
 """Sigma in radians of each boresight angle: for a boresight without an estimate, and for a rough
 one with which the lines nearly coincide."""
 
 
-def remove_smear(placed: Array, off: Array, moves: Array, noise: float, off_by: float) -> Array:
+def remove_smear(
+    placed: Array, off: Array, moves: Array, noise: float, boresight_sigma: float
+) -> Array:
     """Distances without the part that a boresight error can explain.
 
     A boresight error shifts the points of a board along its normal. If the platform turns or moves
@@ -29,8 +31,8 @@ def remove_smear(placed: Array, off: Array, moves: Array, noise: float, off_by: 
         Derivatives of these distances with respect to the boresight angles.
     noise : float, metres
         Standard deviation of the distance of a point.
-    off_by : float, radians
-        Sigma of each angle of the boresight: `PRIOR_OFF` or `ROUGHLY_OFF`.
+    boresight_sigma : float, radians
+        Sigma of each angle of the boresight: `PRIOR_BORESIGHT_SIGMA` or `ROUGH_BORESIGHT_SIGMA`.
 
     Returns
     -------
@@ -38,7 +40,7 @@ def remove_smear(placed: Array, off: Array, moves: Array, noise: float, off_by: 
         Distances from the adjusted plane without the effect of the boresight error.
     """
     scale = max(float(np.abs(placed).max()), 1e-6)
-    design = np.column_stack([np.ones(len(off)), placed / scale, moves * off_by])
+    design = np.column_stack([np.ones(len(off)), placed / scale, moves * boresight_sigma])
     normal = np.einsum("ni,nj->ij", design, design) / noise**2
     normal[[3, 4, 5], [3, 4, 5]] += 1.0  # the angles in units of their sigma
     right = np.einsum("ni,n->i", design, off) / noise**2

@@ -16,11 +16,13 @@ from lispac.geometry.radius_search import cell_keys, finite_bounds
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# Coarse to fine: side of a voxel at each level, metres; the kernel reaches two voxels.
-LEVELS = (0.2, 0.1, 0.05)
-# Number of candidates passed from one level to the next, and their smallest difference, in voxels.
+# Sides of the voxels from coarse to fine, metres. Voxels up to two voxels from a filled one count
+# as close to it.
+VOXEL_SIDES = (0.2, 0.1, 0.05)
+# Largest number of candidates passed from one voxel size to the next, and smallest distance
+# between them, in voxels.
 MAX_CANDIDATES = 24
-MIN_SEPARATION = 1.5
+MIN_SEPARATION_VOXELS = 1.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,8 +33,9 @@ class CloudShift:
     ----------
     vector : ndarray of shape (3,), metres, local frame
         Vector to be added to the points of the first cloud.
-    score : float, in [0, 1]
-        Weighted share of the first cloud's points that coincide with the second cloud.
+    score : float
+        Weighted mean closeness of the points of the first cloud to the second cloud, from 0 to 1,
+        minus a reduction for the length of the translation.
     """
 
     vector: Array
@@ -44,8 +47,8 @@ def find_shifts(
 ) -> list[CloudShift]:
     """Find translations of the first cloud onto the second, the best first.
 
-    All translations up to ``max_shift`` on each axis are tried on coarse voxels; the best of them
-    are refined on finer ones.
+    All translations no longer than ``max_shift`` are tried on coarse voxels; the best of them are
+    refined on finer voxels.
 
     Parameters
     ----------
@@ -60,17 +63,17 @@ def find_shifts(
 
     Returns
     -------
-    list of Shift
+    list of CloudShift
         Translations that differ from each other; empty if nothing matches.
     """
     origin = first.mean(axis=0)
     first, second = first - origin, second - origin
-    steps = int(np.ceil(max_shift / LEVELS[0]))
-    axis = np.arange(-steps, steps + 1) * LEVELS[0]
+    steps = int(np.ceil(max_shift / VOXEL_SIDES[0]))
+    axis = np.arange(-steps, steps + 1) * VOXEL_SIDES[0]
     tried: Array = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
-    tried = tried[np.linalg.norm(tried, axis=1) <= max_shift + 0.5 * LEVELS[0]]
+    tried = tried[np.linalg.norm(tried, axis=1) <= max_shift + 0.5 * VOXEL_SIDES[0]]
     found: list[CloudShift] = []
-    for level, voxel in enumerate(LEVELS):
+    for level, voxel in enumerate(VOXEL_SIDES):
         if level > 0:
             around = np.stack(np.meshgrid(*[[-voxel, 0.0, voxel]] * 3, indexing="ij"), axis=-1)
             tried = np.concatenate([s.vector + around.reshape(-1, 3) for s in found])
@@ -79,7 +82,7 @@ def find_shifts(
         scores = _shift_scores(first, weights, second, tried, voxel)
         scores -= prefer_small * np.linalg.norm(tried, axis=1)
         found = _distinct_best_shifts(
-            tried, scores, MIN_SEPARATION * voxel if level < 2 else 2.0 * LEVELS[0]
+            tried, scores, MIN_SEPARATION_VOXELS * voxel if level < 2 else 2.0 * VOXEL_SIDES[0]
         )
         if not found:
             return []
@@ -100,7 +103,7 @@ def rate_shifts(
     if len(vectors) == 0:
         return []
     origin = first.mean(axis=0)
-    scores = _shift_scores(first - origin, weights, second - origin, vectors, LEVELS[-1])
+    scores = _shift_scores(first - origin, weights, second - origin, vectors, VOXEL_SIDES[-1])
     scores -= prefer_small * np.linalg.norm(vectors, axis=1)
     return [CloudShift(vector, float(score)) for vector, score in zip(vectors, scores, strict=True)]
 
@@ -126,7 +129,7 @@ def voxel_numbers(points: Array, voxel: float) -> Indices:
 
 
 def _voxel_means(points: Array, weights: Array, voxel: float) -> tuple[Array, Array]:
-    """Mean point and largest weight in each voxel, so that dense parts have no more influence."""
+    """Mean point and mean weight of each voxel, so that dense parts have no more influence."""
     _, group, count = np.unique(
         voxel_numbers(points, voxel), return_inverse=True, return_counts=True
     )
@@ -151,7 +154,7 @@ def _distinct_best_shifts(tried: Array, scores: Array, min_distance: float) -> l
 def _closeness_field(
     points: Array, low: Array, voxel: float, shape: Indices
 ) -> NDArray[np.float32]:  # pragma: no cover - compiled
-    """Closeness to the nearest filled voxel: 1 inside, falling to 0 two voxels away."""
+    """Closeness to the nearest filled voxel: 1 inside, falling to 0 at 2.5 voxels."""
     field = np.zeros((shape[0], shape[1], shape[2]), np.float32)
     kernel = np.empty((5, 5, 5), np.float32)
     for i in range(5):
@@ -185,22 +188,24 @@ def _mean_closeness(
     """
     flat = field.reshape(-1)
     scores = np.zeros(steps.shape[0])
-    at = np.empty(places.shape[0], np.int64)
-    rest, last = np.empty(3), np.full(3, -1.0)
+    voxel_index = np.empty(places.shape[0], np.int64)
+    fraction, last = np.empty(3), np.full(3, -1.0)
     for t in range(steps.shape[0]):
         moved = 0
         for k in range(3):
-            whole = np.floor(steps[t, k] + 1e-6)
-            rest[k] = steps[t, k] - whole
-            moved = moved * field.shape[k] + int(whole)
-        if np.abs(rest - last).max() > 1e-6:
-            last[:] = rest
+            whole_step = np.floor(steps[t, k] + 1e-6)
+            fraction[k] = steps[t, k] - whole_step
+            moved = moved * field.shape[k] + int(whole_step)
+        if np.abs(fraction - last).max() > 1e-6:
+            last[:] = fraction
             for n in range(places.shape[0]):
-                at[n] = 0
+                voxel_index[n] = 0
                 for k in range(3):
-                    at[n] = at[n] * field.shape[k] + int(places[n, k] + rest[k])
+                    voxel_index[n] = voxel_index[n] * field.shape[k] + int(
+                        places[n, k] + fraction[k]
+                    )
         total = 0.0
         for n in range(places.shape[0]):
-            total += mass[n] * flat[at[n] + moved]
+            total += mass[n] * flat[voxel_index[n] + moved]
         scores[t] = total
     return scores

@@ -1,7 +1,7 @@
 """Cross-sections: the points of all lines in a thin strip, drawn to scale.
 
-A cross-section shows differences between lines. Across a board, the points of each line form a
-stroke, and an offset or tilt between the strokes is that between the lines.
+A cross-section shows differences between lines. In a section across a board, the points of each
+line appear as a stroke. The strokes are offset or tilted as the lines are.
 """
 
 from collections.abc import Iterable
@@ -16,10 +16,10 @@ from lispac.messages import error
 from lispac.survey.cloud import Cloud
 
 Array = NDArray[np.float64]
-UP = np.array([0.0, 0.0, 1.0])
+UP_DIRECTION = np.array([0.0, 0.0, 1.0])
 
-LEVEL = np.cos(np.radians(80.0))
-"""Horizontal component of a normal below which the target is horizontal and has no azimuth."""
+MIN_HORIZONTAL_COMPONENT = np.cos(np.radians(80.0))
+"""Horizontal component of a unit normal below which a target is horizontal and has no azimuth."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,14 +116,14 @@ def section_across_target(
     """
     ahead = np.array([normal[0], normal[1], 0.0])
     away = np.array([*(centre - eye)[:2], 0.0])
-    if np.linalg.norm(ahead) < LEVEL:
+    if np.linalg.norm(ahead) < MIN_HORIZONTAL_COMPONENT:
         ahead = away if np.linalg.norm(away) > 0 else np.array([1.0, 0.0, 0.0])
     ahead = ahead / np.linalg.norm(ahead)
     if ahead @ away < 0:
         ahead = -ahead
     if level:
-        return Section(centre, np.cross(ahead, UP), ahead, size, size, thickness)
-    return Section(centre, ahead, UP, size, size, thickness)
+        return Section(centre, np.cross(ahead, UP_DIRECTION), ahead, size, size, thickness)
+    return Section(centre, ahead, UP_DIRECTION, size, size, thickness)
 
 
 def section_between(
@@ -148,4 +148,4 @@ def section_between(
     if length < 0.01:
         raise InputError(error("target.section_vertical"))
     high = max(length, 2.0) if height is None else height
-    return Section(0.5 * (first + second), way / length, UP, length, high, thickness)
+    return Section(0.5 * (first + second), way / length, UP_DIRECTION, length, high, thickness)

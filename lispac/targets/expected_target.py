@@ -11,9 +11,11 @@ from lispac.messages import Message, error, note
 
 Array = NDArray[np.float64]
 
-# The outline is accurate to about one point spacing on each side.
-TOLERANCE, RELATIVE_TOLERANCE = 0.10, 0.08
-# The prior boresight may be off by two degrees on each axis.
+# Accepted difference of a side from its expected length, in metres or as a fraction of the length,
+# whichever is larger. The outline is accurate to about one point spacing on each side.
+SIZE_TOLERANCE, RELATIVE_SIZE_TOLERANCE = 0.10, 0.08
+# Accepted difference of the inclination, radians. The prior boresight may be wrong by two
+# degrees on each axis.
 TILT_TOLERANCE = radians(5.0)
 
 
@@ -63,7 +65,7 @@ def deviations_from_expected(
     )
     for too_large, too_small, expected_size, size in sides:
         off = size - expected_size
-        if abs(off) > max(TOLERANCE, RELATIVE_TOLERANCE * expected_size):
+        if abs(off) > max(SIZE_TOLERANCE, RELATIVE_SIZE_TOLERANCE * expected_size):
             code = too_large if off > 0 else too_small
             found.append(note(code, size=size, off=abs(off), expected=expected_size))
     if expected.inclination is not None:

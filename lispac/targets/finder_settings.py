@@ -7,13 +7,16 @@ from typing import Any
 from lispac.errors import InputError
 from lispac.messages import error
 
-THRESHOLDS, RADII = (1e-6, 100.0), (1e-3, 1e6)
+THRESHOLD_LIMITS, RADIUS_LIMITS = (1e-6, 100.0), (1e-3, 1e6)
 """Smallest and largest distance threshold and search radius, metres."""
 
 
 def is_possible_search(threshold: float, radius: float) -> bool:
     """Whether planes can be searched for with a threshold and a radius, both in metres."""
-    return THRESHOLDS[0] <= threshold <= THRESHOLDS[1] and RADII[0] <= radius <= RADII[1]
+    return (
+        THRESHOLD_LIMITS[0] <= threshold <= THRESHOLD_LIMITS[1]
+        and RADIUS_LIMITS[0] <= radius <= RADIUS_LIMITS[1]
+    )
 
 
 @dataclass(frozen=True)
@@ -52,8 +55,8 @@ class FinderSettings:
 
     def __post_init__(self) -> None:
         for name, good in (
-            ("radius", RADII[0] <= self.radius <= RADII[1]),
-            ("threshold", THRESHOLDS[0] <= self.threshold <= THRESHOLDS[1]),
+            ("radius", RADIUS_LIMITS[0] <= self.radius <= RADIUS_LIMITS[1]),
+            ("threshold", THRESHOLD_LIMITS[0] <= self.threshold <= THRESHOLD_LIMITS[1]),
             ("stop", 0.0 < self.stop < 1.0),
             ("min_points", self.min_points >= 3),
             ("max_tilt", 0.0 < self.max_tilt <= pi / 2),
@@ -83,7 +86,7 @@ class FinderChoices:
         self.settings()
 
     def settings(self, **others: Any) -> FinderSettings:
-        """Settings with these choices.
+        """Settings with these choices, and with the other settings given by name.
 
         Raises
         ------
@@ -93,5 +96,5 @@ class FinderChoices:
         return FinderSettings(**asdict(self), **others)
 
 
-USUAL = FinderChoices()
+DEFAULT_CHOICES = FinderChoices()
 """Default choices."""

@@ -20,12 +20,12 @@ from lispac.targets import outline
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# Points used for the normal of a point: a square of four by four points without its corners.
-NEIGHBOURS = 12
-# Largest angle between the normals of a neighbour and of the region.
-TURN = cos(radians(20.0))
-# Smallest side of a voxel, in thresholds; in smaller ones noise dominates the normals.
-WIDE = 1.7
+# Number of points from which a normal is computed: a square of four by four without its corners.
+NEIGHBOURS_PER_NORMAL = 12
+# Smallest cosine of the angle between the normals of a neighbour and of the region.
+MIN_NORMAL_COSINE = cos(radians(20.0))
+# Smallest side of a voxel, in thresholds. In smaller voxels, noise dominates the normals.
+MIN_VOXEL_THRESHOLDS = 1.7
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,12 +70,18 @@ class FlatPatches:
 
 
 def voxel_side(threshold: float, finest: float = 0.04) -> float:
-    """Side of the voxels for thinning a cloud with this noise, metres."""
-    return max(finest, WIDE * threshold)
+    """Side of the voxels for thinning a cloud, metres, at least ``finest``.
+
+    Parameters
+    ----------
+    threshold, finest : float, metres
+        Largest distance of a point from its patch, and smallest side of a voxel.
+    """
+    return max(finest, MIN_VOXEL_THRESHOLDS * threshold)
 
 
 def find_flat_patches(
-    points: Array, threshold: float, *, voxel: float | None = None, least: int = 12
+    points: Array, threshold: float, *, voxel: float | None = None, min_points: int = 12
 ) -> FlatPatches:
     """Find every flat patch.
 
@@ -88,22 +94,24 @@ def find_flat_patches(
     voxel : float, metres, optional
         Side of the voxels; the first point in each voxel is used. If omitted, `voxel_side` of the
         threshold.
-    least : int
+    min_points : int
         Smallest number of points of the thinned cloud in a patch.
     """
     voxel = voxel or voxel_side(threshold)
     thinned = _thin_to_voxels(points, voxel)
     none = np.full(len(thinned), -1, dtype=np.int64)
-    if len(thinned) < max(least, NEIGHBOURS):
+    if len(thinned) < max(min_points, NEIGHBOURS_PER_NORMAL):
         return FlatPatches((), thinned, none)
-    _, neighbours = build_tree(thinned).query(thinned, NEIGHBOURS, workers=1)
+    _, neighbours = build_tree(thinned).query(thinned, NEIGHBOURS_PER_NORMAL, workers=1)
     neighbours = np.ascontiguousarray(neighbours, dtype=np.int64)
     centroids, normals = local_planes(thinned, neighbours)
     uneven = _neighbourhood_rms(thinned, neighbours, centroids, normals)
     order = np.argsort(uneven, kind="stable")
     # Points on a straight line have NaN, which is sorted last; they do not start a region.
     order = order[: np.count_nonzero(uneven <= threshold)]
-    label, count = _grow_regions(thinned, neighbours, normals, order, threshold, TURN, least)
+    label, count = _grow_regions(
+        thinned, neighbours, normals, order, threshold, MIN_NORMAL_COSINE, min_points
+    )
     patches = [_build_patch(thinned[label == k], voxel) for k in range(count)]
     ranked = sorted(range(count), key=lambda k: -patches[k].area)
     rank = np.empty(count + 1, dtype=np.int64)
@@ -154,8 +162,8 @@ def _grow_regions(
     normals: Array,
     order: Indices,
     threshold: float,
-    turn: float,
-    least: int,
+    min_cosine: float,
+    min_points: int,
 ) -> tuple[Indices, int]:  # pragma: no cover - compiled
     n = len(points)
     label = np.full(n, -1, np.int64)
@@ -173,7 +181,7 @@ def _grow_regions(
         products[:] = 0.0
         label[seed] = count
         queue[0] = seed
-        head, tail, refit = 0, 1, NEIGHBOURS
+        head, tail, refit = 0, 1, NEIGHBOURS_PER_NORMAL
         while head < tail:
             here = queue[head]
             head += 1
@@ -184,7 +192,7 @@ def _grow_regions(
                 for k in range(3):
                     off += (points[there, k] - centre[k]) * normal[k]
                     along += normals[there, k] * normal[k]
-                if abs(off) <= threshold and abs(along) >= turn:
+                if abs(off) <= threshold and abs(along) >= min_cosine:
                     label[there] = count
                     queue[tail] = there
                     tail += 1
@@ -200,8 +208,8 @@ def _grow_regions(
                 _, axes = np.linalg.eigh(scatter)
                 normal[:] = axes[:, 0]
                 centre[:] = mean + points[seed]
-                refit = refit + max(NEIGHBOURS, refit // 2)
-        if tail < least:
+                refit = refit + max(NEIGHBOURS_PER_NORMAL, refit // 2)
+        if tail < min_points:
             for i in range(tail):
                 label[queue[i]] = -1
                 tried[queue[i]] = True

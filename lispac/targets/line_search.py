@@ -27,15 +27,18 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Patch = TypeVar("Patch")
 
-# Weight of the patch when the translation is determined; its surroundings have the remainder.
-PATCH_SHARE = 0.5
+# Share of the patch in the total weight that determines the translation; its surroundings have the
+# remainder.
+PATCH_WEIGHT_SHARE = 0.5
 # A seed within this distance of a point of a line, metres, is considered a point of that line:
 # coordinates are often written with three decimals.
-CLICK_GAP = 0.002
-# Number of translations tested, and the ratio to the best score from which a patch is ambiguous.
-MAX_CANDIDATES, MIN_SCORE_RATIO = 6, 0.97
-# A match whose score is below this share of the translation's score differs from the reference.
-MIN_MATCH = 0.9
+MAX_CLICK_DISTANCE = 0.002
+# Largest number of translations tested, and ratio to the best score above which another patch is
+# considered about as good.
+MAX_TESTED_SHIFTS, AMBIGUOUS_SCORE_RATIO = 6, 0.97
+# If the best match has a score below this share of the best translation's score, it differs from
+# the reference, and more translations are tested.
+MIN_MATCH_SCORE_RATIO = 0.9
 
 
 @dataclass(frozen=True)
@@ -152,7 +155,7 @@ def surroundings_of_patch(
     seed: Array,
     settings: FinderSettings,
 ) -> WeightedSurroundings:
-    """Surroundings of a patch out to the search radius.
+    """Points within the search radius of the seed, with weights that favour those near the patch.
 
     Parameters
     ----------
@@ -172,7 +175,9 @@ def surroundings_of_patch(
         ratio = _count_filled_voxels(cloud[around[on_patch]]) / max(
             1, _count_filled_voxels(cloud[around[beside]])
         )
-        weights[beside] *= ratio * (1.0 - PATCH_SHARE) / PATCH_SHARE / weights[beside].mean()
+        weights[beside] *= (
+            ratio * (1.0 - PATCH_WEIGHT_SHARE) / PATCH_WEIGHT_SHARE / weights[beside].mean()
+        )
         weights[on_patch] = 1.0
     return WeightedSurroundings(cloud[around], weights)
 
@@ -207,16 +212,16 @@ def find_shifts_into_line(
     shifts = find_shifts(reference.points, reference.weights, around, settings.max_shift)
     if not shifts:
         raise TargetNotFound(error("finder.not_alike"))
-    return shifts[:MAX_CANDIDATES]
+    return shifts[:MAX_TESTED_SHIFTS]
 
 
 def best_match(
     shifts: list[CloudShift],
     match: Callable[[CloudShift], tuple[Patch, float]],
     contradiction: Callable[[Patch, Patch], Message | str | None],
-    further: Callable[[], list[CloudShift]] = list,
-    closer: Callable[[list[CloudShift]], list[float]] | None = None,
-    same: Callable[[Patch, Patch], bool] = lambda best, other: False,
+    more_shifts: Callable[[], list[CloudShift]] = list,
+    finer_scores: Callable[[list[CloudShift]], list[float]] | None = None,
+    is_same: Callable[[Patch, Patch], bool] = lambda best, other: False,
 ) -> Patch:
     """Patch that matches the reference best, among those at the most likely translations.
 
@@ -228,12 +233,12 @@ def best_match(
         translation; raises TargetNotFound.
     contradiction : callable of the best patch and another
         Gives a message if only one of the two can be the target, otherwise None.
-    further : callable
-        Gives more translations, the best first; used if these lead to no patch that resembles the
+    more_shifts : callable
+        Gives more translations, the best first; used if no match at ``shifts`` resembles the
         reference.
-    closer : callable of translations, optional
+    finer_scores : callable of translations, optional
         Gives scores by a finer comparison; used if several matches are about equally good.
-    same : callable of the best patch and another
+    is_same : callable of the best patch and another
         Whether both are the same patch, so that no decision is needed.
 
     Raises
@@ -243,16 +248,21 @@ def best_match(
     """
     refused: list[TargetNotFound] = []
     matches = _match_shifts(shifts, match, refused)
-    if max((score for _, score, _ in matches), default=0.0) < MIN_MATCH * shifts[0].score:
-        matches += _match_shifts(further(), match, refused)
+    if (
+        max((score for _, score, _ in matches), default=0.0)
+        < MIN_MATCH_SCORE_RATIO * shifts[0].score
+    ):
+        matches += _match_shifts(more_shifts(), match, refused)
     if not matches:
         raise TargetNotFound(refused[0].reason)
     matches = _rivals_of_best(matches)
-    if closer is not None and not all(same(matches[0][0], other) for other, _, _ in matches[1:]):
-        scores = closer([shift for _, _, shift in matches])
+    if finer_scores is not None and not all(
+        is_same(matches[0][0], other) for other, _, _ in matches[1:]
+    ):
+        scores = finer_scores([shift for _, _, shift in matches])
         matches = _rivals_of_best([
-            (patch, score * closely / shift.score, shift)
-            for (patch, score, shift), closely in zip(matches, scores, strict=True)
+            (patch, score * fine_score / shift.score, shift)
+            for (patch, score, shift), fine_score in zip(matches, scores, strict=True)
         ])  # fmt: skip
     best = matches[0][0]
     for other, _, _ in matches[1:]:
@@ -267,7 +277,7 @@ def _rivals_of_best(
 ) -> list[tuple[Patch, float, CloudShift]]:
     """Matches that are about as good as the best one, which comes first."""
     ranked = sorted(matches, key=lambda scored: -scored[1])
-    return [scored for scored in ranked if scored[1] > MIN_SCORE_RATIO * ranked[0][1]]
+    return [scored for scored in ranked if scored[1] > AMBIGUOUS_SCORE_RATIO * ranked[0][1]]
 
 
 def _match_shifts(
@@ -277,7 +287,7 @@ def _match_shifts(
 ) -> list[tuple[Patch, float, CloudShift]]:
     found: list[tuple[Patch, float, CloudShift]] = []
     for shift in shifts:
-        if found and shift.score < MIN_SCORE_RATIO * max(score for _, score, _ in found):
+        if found and shift.score < AMBIGUOUS_SCORE_RATIO * max(score for _, score, _ in found):
             break  # a match never has a higher score than its translation: no better one can follow
         try:
             found.append((*match(shift), shift))
@@ -337,10 +347,10 @@ def _search_from_reference(
 def _clicked_line(
     clouds: Mapping[str, Array], grids: Mapping[str, PointGrid], seed: Array
 ) -> str | None:
-    """Line with the point nearest to the seed, if it is within `CLICK_GAP`; otherwise None."""
+    """Line with a point within `MAX_CLICK_DISTANCE` of the seed, the nearest; None without one."""
     nearest: tuple[float, str] | None = None
     for name, cloud in clouds.items():
-        at_seed = indices_near(cloud, grids.get(name), seed, CLICK_GAP)
+        at_seed = indices_near(cloud, grids.get(name), seed, MAX_CLICK_DISTANCE)
         if len(at_seed):
             off = float(np.linalg.norm(cloud[at_seed] - seed, axis=1).min())
             nearest = min(nearest, (off, name)) if nearest else (off, name)

@@ -16,12 +16,12 @@ from lispac.messages import Message, note
 Array = NDArray[np.float64]
 
 MAX_EXTENT_RATIO = 1.5
-"""Extent of a plane, in search radii, from which the plane is cut by the search radius."""
-EXTENT_LIMITS = (0.7, 0.5)
+"""Extent of a plane, in search radii, from which on the search radius cuts the plane."""
+VISIBLE_SHARE_LIMITS = (0.7, 0.5)
 """Visible shares below which a sighting is doubtful and poor; the same limits apply where points
 are missing inside the outline."""
-MIN_LINES = 3
-"""Number of other lines from which a single line with a far larger extent is considered wrong."""
+MIN_OTHER_LINES = 3
+"""Smallest number of other lines for which a single far larger extent is considered wrong."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,28 +30,28 @@ class ObservedExtent:
 
     Attributes
     ----------
-    size, elsewhere : ndarray of shape (2,), metres
+    size, size_in_others : ndarray of shape (2,), metres
         Width (horizontal) and height (up the slope) in this line and in the other lines.
     share : float, in [0, 1]
         Share of the extent in the other lines that this line shows.
-    alone : bool
+    is_far_larger : bool
         Whether this line shows far more than each of several other lines.
     """
 
     size: Array
-    elsewhere: Array
+    size_in_others: Array
     share: float
-    alone: bool
+    is_far_larger: bool
 
     @property
     def message(self) -> Message:
-        """Reason if the line shows too little, or implausibly more than others; otherwise None."""
+        """Message that the line shows less than the other lines, or implausibly more."""
         width, height = (
             (float(here), float(there))
-            for here, there in zip(self.size, self.elsewhere, strict=True)
+            for here, there in zip(self.size, self.size_in_others, strict=True)
         )
         sides = []
-        if self.alone:
+        if self.is_far_larger:
             if width[0] > width[1]:
                 sides.append(note("quality.width_alone", here=width[0], there=width[1]))
             if height[0] > height[1]:
@@ -70,7 +70,7 @@ def does_plane_end_within(radius: float, extents: Sequence[Array]) -> bool:
 
 
 def compare_observed_extents(
-    sightings: Sequence[Array], believed: Sequence[bool], separation: float
+    sightings: Sequence[Array], reliable: Sequence[bool], separation: float
 ) -> tuple[ObservedExtent | None, ...]:
     """Compare the extent of a plane in each line with that in the other lines.
 
@@ -78,7 +78,7 @@ def compare_observed_extents(
     ----------
     sightings : sequence of ndarray of shape (n, 3), metres
         Points of the plane in each line; the lines nearly coincide.
-    believed : sequence of bool
+    reliable : sequence of bool
         Whether each sighting is reliable, so that others may be compared with it.
     separation : float, metres
         Remaining displacement between two lines.
@@ -103,20 +103,23 @@ def compare_observed_extents(
     size = high - low
     found: list[ObservedExtent | None] = []
     for k in range(len(placed)):
-        others = np.flatnonzero([j != k and used for j, used in enumerate(believed)])
+        others = np.flatnonzero([j != k and used for j, used in enumerate(reliable)])
         if not len(others):
             found.append(None)
             continue
         areas = size[others].prod(axis=1)
-        largest, enough = float(areas.max()), len(others) >= MIN_LINES
-        alone = enough and largest < EXTENT_LIMITS[0] * float(size[k].prod())
-        without = np.delete(others, areas.argmax())
-        if enough and float(size[without].prod(axis=1).max()) < EXTENT_LIMITS[0] * largest:
-            others = without
+        largest, enough = float(areas.max()), len(others) >= MIN_OTHER_LINES
+        is_far_larger = enough and largest < VISIBLE_SHARE_LIMITS[0] * float(size[k].prod())
+        all_but_largest = np.delete(others, areas.argmax())
+        if (
+            enough
+            and float(size[all_but_largest].prod(axis=1).max()) < VISIBLE_SHARE_LIMITS[0] * largest
+        ):
+            others = all_but_largest
         # Each line may show another part of it; where they do not quite meet, together they
         # seem to show more than there is.
         together = high[others].max(axis=0) - low[others].min(axis=0) - 2.0 * separation
-        elsewhere = np.maximum(size[others].max(axis=0), together)
-        share = np.minimum(size[k] / np.maximum(elsewhere, 1e-9), 1.0).prod()
-        found.append(ObservedExtent(size[k], elsewhere, float(share), alone))
+        size_in_others = np.maximum(size[others].max(axis=0), together)
+        share = np.minimum(size[k] / np.maximum(size_in_others, 1e-9), 1.0).prod()
+        found.append(ObservedExtent(size[k], size_in_others, float(share), is_far_larger))
     return tuple(found)

@@ -11,7 +11,7 @@ Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 # Largest number of cells on each side of a raster; larger areas get larger cells.
-MAX_CELLS = 1500
+MAX_CELLS_PER_SIDE = 1500
 
 
 def outline_cell_size(placed: Array, votes: Array) -> float:
@@ -54,10 +54,10 @@ def is_connected(placed: Array, votes: Array, cell: float) -> Flags:
     ndarray of shape (n,), bool
     """
     low, high = finite_bounds(placed)
-    at, shape = cell_keys(placed, low, _limit_cell_count(cell, low, high), 1)
+    cell_index, shape = cell_keys(placed, low, _limit_cell_count(cell, low, high), 1)
     filled = np.zeros(int(shape[0] * shape[1]), dtype=np.bool_)
-    filled[at] = True
-    label = _label_components(filled, int(shape[1]))[at]
+    filled[cell_index] = True
+    label = _label_components(filled, int(shape[1]))[cell_index]
     winner = np.argmax(np.bincount(label, weights=votes))
     same: Flags = label == winner
     return same
@@ -77,8 +77,10 @@ def share_in_cell(placed: Array, chosen: Flags, cell: float) -> Array:
     ndarray of shape (n,)
     """
     low, high = finite_bounds(placed)
-    at, _ = cell_keys(placed, low, _limit_cell_count(cell, low, high))
-    share: Array = (np.bincount(at, weights=chosen) / np.maximum(np.bincount(at), 1))[at]
+    cell_index, _ = cell_keys(placed, low, _limit_cell_count(cell, low, high))
+    share: Array = (
+        np.bincount(cell_index, weights=chosen) / np.maximum(np.bincount(cell_index), 1)
+    )[cell_index]
     return share
 
 
@@ -101,12 +103,12 @@ def is_covered(placed: Array, other: Array, cell: float) -> Flags:
 
 def filled_area(placed: Array, cell: float) -> float:
     """Area of the raster cells that points ``placed`` (n, 2), metres, fill, square metres."""
-    at, _ = cell_keys(placed, finite_bounds(placed)[0], cell)
-    return len(np.unique(at)) * cell * cell
+    cell_index, _ = cell_keys(placed, finite_bounds(placed)[0], cell)
+    return len(np.unique(cell_index)) * cell * cell
 
 
 def _limit_cell_count(cell: float, low: Array, high: Array) -> float:
-    return max(cell, float((high - low).max()) / MAX_CELLS)
+    return max(cell, float((high - low).max()) / MAX_CELLS_PER_SIDE)
 
 
 @njit(nogil=True, cache=True)

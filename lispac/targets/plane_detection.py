@@ -24,8 +24,10 @@ from lispac.targets.planes_across_lines import find_in_lines
 
 Array = NDArray[np.float64]
 
-Found = tuple[Mapping[str, PlanePatch], Mapping[str, Message]]
-Find = Callable[[Array, str, Progress], Found]
+PatchesAndReasons = tuple[Mapping[str, PlanePatch], Mapping[str, Message]]
+"""Patch of each line, and reason for each line without one."""
+PlaneSearch = Callable[[Array, str, Progress], PatchesAndReasons]
+"""Search for the plane at a seed in all lines, starting with the line of this name."""
 
 
 class IndexedPoints(Protocol):
@@ -35,17 +37,18 @@ class IndexedPoints(Protocol):
 
 
 # Side of the voxels of the coarse search, metres; a board of half a metre still covers 25 voxels.
-VOXEL = 0.1
+COARSE_VOXEL_SIDE = 0.1
 # Smallest area (square metres) and mean width (metres) of a candidate: posts and rails
 # are narrow strips.
 MIN_AREA, MIN_WIDTH = 0.4, 0.3
 # Largest number of surfaces searched for in the lines. A smeared or rough surface is detected in
 # pieces that differ between lines; pieces of a surface that was already found do not count.
 MAX_SURFACES = 12
-# Area, square metres, from which a larger area gives no advantage: the search radius cuts it.
-LARGE_AREA = 12.0
-# Share of common points from which two planes found are the same.
-MIN_SHARED = 0.2
+# Area, square metres, above which larger surfaces are not preferred, since the search radius cuts
+# them.
+MAX_RANKED_AREA = 12.0
+# Share of common points from which on two planes are considered the same.
+MIN_COMMON_POINT_SHARE = 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +84,7 @@ def detect_planes(
     settings: FinderSettings,
     *,
     lines: Mapping[str, IndexedPoints] | None = None,
-    find: Find | None = None,
+    find: PlaneSearch | None = None,
     max_surfaces: int = MAX_SURFACES,
     progress: Progress = no_progress,
 ) -> tuple[DetectedPlane, ...]:
@@ -106,7 +109,7 @@ def detect_planes(
             clouds, seed, settings, first_line=line, progress=step
         )
     )
-    voxel = voxel_side(settings.threshold, VOXEL)
+    voxel = voxel_side(settings.threshold, COARSE_VOXEL_SIDE)
     progress(0.0, gettext_lazy("Detecting planes in every line"))
     with ThreadPoolExecutor(max(1, min(os.cpu_count() or 1, len(clouds)))) as pool:
         planes = pool.map(
@@ -162,7 +165,9 @@ def _distinct_surfaces(
             and 0.3 <= other.area / patch.area <= 3.0
         }
         shown.append(len(alike))
-    order = sorted(range(len(every)), key=lambda k: (-shown[k], -min(every[k][1].area, LARGE_AREA)))
+    order = sorted(
+        range(len(every)), key=lambda k: (-shown[k], -min(every[k][1].area, MAX_RANKED_AREA))
+    )
     kept: list[tuple[str, FlatPatch]] = []
     for k in order:
         line, patch = every[k]
@@ -190,7 +195,7 @@ def _plane_contains_seed(
     patch = plane.found.get(line)
     if patch is None or abs(float(patch.plane.distances(seed))) > settings.threshold:
         return False
-    return float(np.linalg.norm(points[patch.indices] - seed, axis=1).min()) < VOXEL
+    return float(np.linalg.norm(points[patch.indices] - seed, axis=1).min()) < COARSE_VOXEL_SIDE
 
 
 def _are_planes_equal(first: Mapping[str, PlanePatch], second: Mapping[str, PlanePatch]) -> bool:
@@ -199,4 +204,4 @@ def _are_planes_equal(first: Mapping[str, PlanePatch], second: Mapping[str, Plan
         for line in first
         if line in second
     ]
-    return bool(shared) and float(np.median(shared)) >= MIN_SHARED
+    return bool(shared) and float(np.median(shared)) >= MIN_COMMON_POINT_SHARE

@@ -28,7 +28,7 @@ __all__ = ["FinderSettings", "PlanePatch", "find_plane"]
 
 # Distance from the seed within which points have full weight in the choice of the plane, metres.
 FULL_VOTE_DISTANCE = 0.25
-# Number of points whose median is taken as the clicked place.
+# Number of points near the seed whose median is the clicked position.
 CLICKED_POINTS = 15
 
 
@@ -66,7 +66,7 @@ def find_plane(
     *,
     index: PointGrid | None = None,
     expected_normal: Array | None = None,
-    beside: Array | None = None,
+    points_at_seed: Array | None = None,
 ) -> PlanePatch:
     """Find the plane on which the seed lies.
 
@@ -86,7 +86,7 @@ def find_plane(
         Prepared cells of the same points.
     expected_normal : ndarray of shape (3,), local frame, optional
         Only planes within ``settings.max_tilt`` of this normal are accepted.
-    beside : ndarray of shape (m, 3), metres, local frame, optional
+    points_at_seed : ndarray of shape (m, 3), metres, local frame, optional
         If ``points_local`` is a sample: all points of the line close to the seed, the nearest
         first. They only determine the clicked place; as votes they would have too much weight.
 
@@ -98,7 +98,7 @@ def find_plane(
     seed = require_seed(seed)
     near = neighbourhood_of(points_local, seed, settings, index=index)
     points = points_local[near]
-    about = points if beside is None or not len(beside) else beside
+    about = points if points_at_seed is None or not len(points_at_seed) else points_at_seed
     # The seed itself may lie in front of the surface; the nearest point is on a surface.
     reach = np.linalg.norm(points - about[0], axis=1)
     # Distant points also vote, but with a weight that gives the few points near the seed priority.
@@ -273,21 +273,21 @@ def patch_of(points_local: Array, indices: Indices, direction: Array) -> PlanePa
     return _build_patch(points, indices, fit_plane(points).facing(direction))
 
 
-def extend_sample_patch(points_local: Array, some: Array, plane: Plane) -> PlanePatch:
+def extend_sample_patch(points_local: Array, sample_points: Array, plane: Plane) -> PlanePatch:
     """Extend a patch found in a sample to all points of the cloud.
 
     Parameters
     ----------
     points_local : ndarray of shape (n, 3), metres
-    some : ndarray of shape (m, 3), metres, local frame
+    sample_points : ndarray of shape (m, 3), metres, local frame
         Points of the patch in the sample, without outliers.
     plane : Plane
         Plane through these points.
     """
-    near = np.abs(plane.distances(points_local)) <= np.abs(plane.distances(some)).max()
+    near = np.abs(plane.distances(points_local)) <= np.abs(plane.distances(sample_points)).max()
     indices = np.flatnonzero(near)
     axes = plane_axes(plane.normal)
-    placed, shown = points_local[indices] @ axes.T, some @ axes.T
+    placed, shown = points_local[indices] @ axes.T, sample_points @ axes.T
     # Cells as wide as the spacing of the sample: points beyond its outline are not included.
     spacing = outline.outline_cell_size(shown, np.ones(len(shown))) / 3.0
     return patch_of(points_local, indices[outline.is_covered(placed, shown, spacing)], plane.normal)

@@ -12,20 +12,22 @@ from lispac.targets.finder_settings import FinderSettings
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# Largest number of points on which hypotheses are evaluated.
-SAMPLE = 4000
+# Size of the sample on which hypotheses are evaluated: of more points, every k-th one is
+# used, which gives between this number and twice this number.
+SAMPLE_SIZE = 4000
 # Hypotheses per batch, after which the stop criterion is checked, and largest number of batches.
-BATCH, MAX_BATCHES = 128, 12
-# Largest triangle that gives a hypothesis, as a share of the search radius.
-LOCAL = 0.5
-# Distance from the plane, in thresholds, up to which points beside it count against it, and the
-# weight of these votes: unlike a real surface, a plane across other surfaces has points beside it.
-BESIDE, AGAINST = 3.0, 0.3
+BATCH_SIZE, MAX_BATCHES = 128, 12
+# Largest distance between the first and another corner of a triangle, as a share of the search
+# radius.
+MAX_TRIANGLE_SHARE = 0.5
+# Points between one threshold and this number of thresholds from the plane count against it, and
+# weight of these votes. A real surface has few such points, a plane across other surfaces many.
+PENALTY_BAND, PENALTY_WEIGHT = 3.0, 0.3
 # Angle from the expected normal at which a hypothesis has half of its score, radians.
-LEAN = radians(10.0)
+HALF_SCORE_TILT = radians(10.0)
 # Hypotheses for region growing: largest number, smallest ratio to the best score, and smallest
 # difference in tilt (radians).
-MAX_CONTENDERS, MIN_SCORE_RATIO, MIN_TILT = 6, 0.7, radians(2.0)
+MAX_CONTENDERS, MIN_SCORE_RATIO, MIN_TILT_DIFFERENCE = 6, 0.7, radians(2.0)
 
 
 def draw_planes(
@@ -48,7 +50,7 @@ def draw_planes(
         A point that the plane has to contain.
     """
     rng = np.random.default_rng(settings.seed)
-    step = max(1, len(points) // SAMPLE)
+    step = max(1, len(points) // SAMPLE_SIZE)
     sample, weights = points[::step], votes[::step]
     chance = np.cumsum(weights / weights.sum())
     normal = np.zeros(3) if expected_normal is None else np.asarray(expected_normal, np.float64)
@@ -56,11 +58,11 @@ def draw_planes(
     fixed = np.full(3, np.nan) if through is None else through
     hypotheses = np.empty((0, 6))
     for batch in range(1, MAX_BATCHES + 1):
-        first = np.minimum(np.searchsorted(chance, rng.random(BATCH)), len(sample) - 1)
+        first = np.minimum(np.searchsorted(chance, rng.random(BATCH_SIZE)), len(sample) - 1)
         # From the point spacing up to the size of a board: small surfaces need small triangles,
         # noisy ones large triangles, and the kind of surface is not known in advance.
-        reach = settings.radius * LOCAL * 2.0 ** -rng.uniform(0.0, 4.0, BATCH)
-        picks = rng.random((BATCH, 2))
+        reach = settings.radius * MAX_TRIANGLE_SHARE * 2.0 ** -rng.uniform(0.0, 4.0, BATCH_SIZE)
+        picks = rng.random((BATCH_SIZE, 2))
         drawn = _score_triangles(
             sample, weights, first, reach, picks, settings.threshold, normal, tilt_limit, fixed
         )
@@ -69,7 +71,7 @@ def draw_planes(
         if len(hypotheses) == 0:
             continue
         share = float(hypotheses[np.argmax(hypotheses[:, 0]), 1])
-        if (1.0 - share**3) ** (batch * BATCH) <= 1.0 - settings.stop:
+        if (1.0 - share**3) ** (batch * BATCH_SIZE) <= 1.0 - settings.stop:
             break
     return _distinct_best_planes(hypotheses, settings.threshold)
 
@@ -83,7 +85,7 @@ def _distinct_best_planes(hypotheses: Array, threshold: float) -> list[Plane]:
     for row in ranked[ranked[:, 0] >= MIN_SCORE_RATIO * ranked[0, 0]]:
         plane = Plane(row[2:5].copy(), float(row[5]))
         if all(
-            plane.tilt_to(other) > MIN_TILT
+            plane.tilt_to(other) > MIN_TILT_DIFFERENCE
             or abs(plane.facing(other.normal).d - other.d) > 0.5 * threshold
             for other in kept
         ):
@@ -107,10 +109,10 @@ def _score_triangles(
 ) -> Array:  # pragma: no cover - compiled
     """Score, share of the votes, normal and d of each triangle; zeros if it is unusable."""
     n = points.shape[0]
-    judged = np.zeros((first.size, 6))
+    scored_triangles = np.zeros((first.size, 6))
     near = np.empty(n, np.int64)
     limit = threshold * threshold
-    beside = (BESIDE * threshold) ** 2
+    beside = (PENALTY_BAND * threshold) ** 2
     total = weights.sum()
     for trial in range(first.size):
         a = points[first[trial]]
@@ -136,12 +138,12 @@ def _score_triangles(
         if longest == 0.0 or twice_area < 0.2 * longest:
             continue
         normal /= twice_area
-        trust = 1.0
+        tilt_factor = 1.0
         if max_tilt > 0.0:
             tilt = np.arccos(min(1.0, abs((normal * expected).sum())))
             if tilt > max_tilt:
                 continue
-            trust = 1.0 / (1.0 + (tilt / LEAN) ** 2)
+            tilt_factor = 1.0 / (1.0 + (tilt / HALF_SCORE_TILT) ** 2)
         d = -(normal * a).sum()
         if abs((normal * through).sum() + d) > threshold:  # false where it is NaN: not given
             continue
@@ -154,10 +156,10 @@ def _score_triangles(
                 score += weights[i] * (1.0 - off * off / limit) ** 2
                 share += weights[i]
             elif off * off <= beside:
-                score -= weights[i] * AGAINST
-        score *= trust
-        judged[trial, 0] = score
-        judged[trial, 1] = share / total
-        judged[trial, 2:5] = normal
-        judged[trial, 5] = d
-    return judged
+                score -= weights[i] * PENALTY_WEIGHT
+        score *= tilt_factor
+        scored_triangles[trial, 0] = score
+        scored_triangles[trial, 1] = share / total
+        scored_triangles[trial, 2:5] = normal
+        scored_triangles[trial, 5] = d
+    return scored_triangles

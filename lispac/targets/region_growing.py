@@ -6,20 +6,21 @@ from numpy.typing import NDArray
 from lispac.geometry.planes import Plane, fit_plane, plane_axes
 from lispac.targets import outline
 from lispac.targets.finder_settings import FinderSettings
-from lispac.targets.plane_ransac import BESIDE, SAMPLE
+from lispac.targets.plane_ransac import PENALTY_BAND, SAMPLE_SIZE
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 # A cell belongs to the patch if its share of points on the plane is at least this fraction of the
 # share around the seed; it is far smaller where another surface intersects the plane.
-MIN_PURITY = 0.6
+MIN_ON_PLANE_RATIO = 0.6
 # Rounds of growing and fitting; they converge in two to five.
 MAX_ROUNDS = 12
 # Steps of the weighted fit in one round of growing.
-ROBUST_ROUNDS = 5
-# For normal noise, a point beyond three sigma is more likely a mixed pixel.
-TRIM = 3.0
+ROBUST_FIT_STEPS = 5
+# Largest residual of a point of the plane, in sigmas. Beyond it, a point is more likely a mixed
+# pixel than a point with normal noise.
+TRIM_LIMIT_SIGMAS = 3.0
 
 
 def grow_plane(
@@ -76,7 +77,7 @@ def grow_best_contender(
     """
     if len(contenders) == 1:
         return contenders[0]
-    step = max(1, len(points) // SAMPLE)
+    step = max(1, len(points) // SAMPLE_SIZE)
     sample, weights = points[::step], votes[::step]
     best_merit, best = -1.0, contenders[0]
     for plane in contenders:
@@ -98,7 +99,7 @@ def _fit_plane_robustly(points: Array, plane: Plane, threshold: float) -> Plane:
     unweighted fit of all points within the threshold could give a tilted plane with residuals
     spread evenly over the threshold.
     """
-    for _ in range(ROBUST_ROUNDS):
+    for _ in range(ROBUST_FIT_STEPS):
         off = plane.distances(points) / threshold
         weights = np.maximum(1.0 - off * off, 0.0) ** 2
         if np.count_nonzero(weights) < 3:
@@ -111,7 +112,7 @@ def _connected_points_on_plane(
     points: Array, votes: Array, plane: Plane, threshold: float
 ) -> Indices:
     off = np.abs(plane.distances(points))
-    band = np.flatnonzero(off <= BESIDE * threshold)
+    band = np.flatnonzero(off <= PENALTY_BAND * threshold)
     on = off[band] <= threshold
     if np.count_nonzero(on) < 3:
         return band[on]
@@ -119,7 +120,7 @@ def _connected_points_on_plane(
     weights = votes[band] * on
     cell = outline.outline_cell_size(placed[on], weights[on])
     share = outline.share_in_cell(placed, on, cell)
-    on &= share >= MIN_PURITY * np.average(share, weights=weights)
+    on &= share >= MIN_ON_PLANE_RATIO * np.average(share, weights=weights)
     if np.count_nonzero(on) < 3:
         return band[on]
     return band[on][outline.is_connected(placed[on], weights[on], cell)]
@@ -143,7 +144,7 @@ def trim_outliers(points: Array, on: Indices, settings: FinderSettings) -> Indic
     plane = fit_plane(points[on])
     residuals = plane.distances(points[on])
     sigma = 1.4826 * float(np.median(np.abs(residuals)))
-    limit = min(settings.threshold, TRIM * sigma)
+    limit = min(settings.threshold, TRIM_LIMIT_SIGMAS * sigma)
     kept = on[np.abs(residuals) <= limit]
     # Sigma of noise-free points is zero; all of them are kept.
     return kept if len(kept) >= max(3, len(on) // 2) else on

@@ -1,6 +1,6 @@
 """Rough boresight from the whole scene, used to find targets in all lines.
 
-With the prior boresight, the positions of a target in different lines differ by a metre or more. If
+With the prior boresight, the positions of a target in different lines may differ by a metre. If
 the platform turns or the range changes along the target, it also appears bent. Both effects depend
 on the three boresight angles, which can be determined from the whole scene to a tenth of a degree
 before targets are picked. The method is the iterative closest point algorithm with point-to-plane
@@ -22,54 +22,54 @@ from lispac.geometry.nearest_neighbours import build_tree, local_planes
 from lispac.geometry.radius_search import cell_keys, finite_bounds
 from lispac.survey.cloud import Cloud, place_clouds
 from lispac.survey.georeferencing import Georeferencer, Mounting
-from lispac.targets.boresight_smear import ROUGHLY_OFF
+from lispac.targets.boresight_smear import ROUGH_BORESIGHT_SIGMA
 from lispac.targets.sighting_agreement import PlacementAccuracy
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
-EXAMINED_POINTS, MAX_POINTS = 200_000, 3_000
+MAX_READ_POINTS, MAX_USED_POINTS = 200_000, 3_000
 """Largest number of points of a line that are read, and largest number that are used. The points
 used are spread evenly over the scene and contain nearly the same information as all."""
-FINEST = 0.1
+MIN_POINT_SPACING = 0.1
 """Smallest spacing of the points used, metres."""
-NEIGHBOURS = 10
+NEIGHBOURS_PER_NORMAL = 10
 """Number of nearest points from which the normal of a point is computed."""
-UNEVEN, ROUGH = 0.25, 0.08
+MAX_RELATIVE_ROUGHNESS, MAX_ROUGHNESS = 0.25, 0.08
 """Largest RMS distance of a neighbourhood from its plane: a fraction of the point spacing, or a
 length in metres, whichever is larger. A wall smeared by the boresight is accepted, a shrub not."""
-MIN_COSINE = 0.94
+MIN_NORMAL_COSINE = 0.94
 """Smallest cosine of the angle between the normals of corresponding points."""
-REACHES = (2.5, 1.5, 1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.15)
+STAGE_DISTANCES = (2.5, 1.5, 1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.15)
 """Largest distance between corresponding points in each stage, metres."""
-ROUNDS, STEP_TOLERANCE = 2, radians(0.02)
+MAX_STEPS_PER_STAGE, STEP_TOLERANCE = 2, radians(0.02)
 """Largest number of steps of a stage, and the step size in radians at which a stage ends."""
-STEP = radians(0.01)
+DERIVATIVE_STEP = radians(0.01)
 """Step of the boresight angles, radians, for numerical derivatives of the points; small enough for
 a linear change."""
-LIKELY, SPREAD = radians(1.0), 0.01
+PRIOR_ANGLE_SIGMA, SURFACE_DISTANCE_SIGMA = radians(1.0), 0.01
 """Prior standard deviation of each boresight angle (radians), and standard deviation of the
 distance between surfaces with the correct boresight (metres). With this prior, an angle that the
 scene does not determine stays near its prior value."""
-MIN_LEVERAGE = 2.0
+MIN_SENSITIVITY = 2.0
 """Smallest sensitivity, metres per radian, for which a combination of the boresight angles counts
 as determined. The sensitivity is the RMS of the shifts of surfaces along their normals per radian.
 At this limit, an offset of 5 cm between lines for another reason, such as a GNSS jump, changes the
 angles by 1.5 degrees. For a quay wall or a floor alone, the sensitivity is below one for the
 undetermined combinations; in harbours and for vehicles it is four or more."""
-STARTS, REFINED, COARSE_POINTS = radians(1.2), 3, 800
+START_ANGLE_CHANGE, REFINED_STARTS, COMPARISON_POINTS = radians(1.2), 3, 800
 """Alternative starts, used if the lines do not coincide after the search from the prior boresight:
 change of each angle in both directions (radians), number of the best starts that are refined, and
 number of points of a line with which all starts are compared."""
-MAX_GAP, MAX_DISTANCE = 0.15, 1.0
+MAX_SURFACE_DISTANCE, MAX_POINT_DISTANCE = 0.15, 1.0
 """Criteria for a match of two lines at a point, metres: largest distance between their surfaces,
 and largest distance from the nearest point of the other line."""
-MIN_SEPARATION = 0.02
+MIN_SEPARATION_SIGMA = 0.02
 """Smallest standard deviation assumed for the distance between surfaces of two lines, metres."""
-NORMAL_MAD = 1.4826
+SIGMA_PER_MAD = 1.4826
 """Ratio of the standard deviation of a normal distribution to its median absolute deviation."""
-MIN_MATCHED = 0.75
+MIN_MATCHED_SHARE = 0.75
 """Smallest share of points that match another line for lines to count as aligned."""
 
 
@@ -88,7 +88,7 @@ class Alignment:
     determined : bool
         Whether all three angles are determined. A single wall is not enough, since lines shifted
         along it also coincide.
-    apart : float, metres
+    separation : float, metres
         Robust standard deviation of the distance between the surfaces of two lines.
     """
 
@@ -107,14 +107,14 @@ class Alignment:
     @property
     def is_aligned(self) -> bool:
         """Whether targets are expected at about the same position in every line."""
-        return self.determined and self.matched_share >= MIN_MATCHED
+        return self.determined and self.matched_share >= MIN_MATCHED_SHARE
 
     @property
     def accuracy(self) -> PlacementAccuracy:
         """Relative accuracy of the positions of the lines."""
         if not self.is_aligned:
             return PlacementAccuracy()
-        return PlacementAccuracy(ROUGHLY_OFF, max(self.separation, MIN_SEPARATION))
+        return PlacementAccuracy(ROUGH_BORESIGHT_SIGMA, max(self.separation, MIN_SEPARATION_SIGMA))
 
 
 def align_lines(clouds: Mapping[str, Cloud]) -> Alignment:
@@ -139,9 +139,9 @@ def align_lines(clouds: Mapping[str, Cloud]) -> Alignment:
         share = scene.matched_share(boresight)
         if share > matched:
             best, matched = boresight, share
-        if matched >= MIN_MATCHED:
+        if matched >= MIN_MATCHED_SHARE:
             break
-    determined, separation = scene.determines(best), scene.separation(best)
+    determined, separation = scene.determines_all_angles(best), scene.separation(best)
     if best is prior:
         return Alignment(clouds, clouds, matched, before, determined, separation)
     nearer = scene.place.mounting.with_boresight(best)
@@ -151,35 +151,50 @@ def align_lines(clouds: Mapping[str, Cloud]) -> Alignment:
 
 @dataclass(frozen=True, eq=False)
 class _LineSample:
-    """Sample of the points of a line in the scanner frame, with the neighbours for normals."""
+    """Sample of the points of a line in the scanner frame.
+
+    ``neighbours`` has shape (n, k) and contains the indices of the points from which the normal of
+    each point is computed. ``max_roughness`` is the largest RMS distance of such points from their
+    plane, metres, for which the normal is used.
+    """
 
     points_lidar: Array
     time: Array
     neighbours: Indices
-    rough: float
+    max_roughness: float
 
     @classmethod
     def of(cls, cloud: Cloud, count: int) -> "_LineSample":
-        numbers = np.arange(0, len(cloud.sample), -(-len(cloud.sample) // EXAMINED_POINTS) or 1)
+        numbers = np.arange(0, len(cloud.sample), -(-len(cloud.sample) // MAX_READ_POINTS) or 1)
         numbers = numbers[_thin_to_count(cloud.sample[numbers], count)]
         points = cloud.sample[numbers]
         # The neighbours are determined once and used for every boresight.
-        distance, neighbours = build_tree(points).query(points, min(NEIGHBOURS, len(points)))
-        rough = max(UNEVEN * float(np.median(distance[:, 1])), ROUGH)
+        distance, neighbours = build_tree(points).query(
+            points, min(NEIGHBOURS_PER_NORMAL, len(points))
+        )
+        max_roughness = max(
+            MAX_RELATIVE_ROUGHNESS * float(np.median(distance[:, 1])), MAX_ROUGHNESS
+        )
         return cls(
-            *cloud.sample_lidar(numbers), np.ascontiguousarray(neighbours, dtype=np.int64), rough
+            *cloud.sample_lidar(numbers),
+            np.ascontiguousarray(neighbours, dtype=np.int64),
+            max_roughness,
         )
 
-    def faces(self, placed: Array) -> tuple[Array, Flags]:
+    def normals_and_flatness(self, placed: Array) -> tuple[Array, Flags]:
         """Normal at each point, and whether its neighbourhood is flat enough for a normal."""
         centroids, normals = local_planes(placed, self.neighbours)
         off = np.einsum("nmk,nk->nm", placed[self.neighbours] - centroids[:, None], normals)
-        return normals, np.sqrt((off * off).mean(axis=1)) < self.rough
+        return normals, np.sqrt((off * off).mean(axis=1)) < self.max_roughness
 
 
 @dataclass(frozen=True, eq=False)
 class _PointPairs:
-    """Corresponding points of two lines, shape (n,), with the normals (n, 3) of the second line."""
+    """Corresponding points of two lines, with the normals (n, 3) at the points of the second line.
+
+    ``first`` and ``second`` are the indices of the lines, ``here`` and ``there`` (n,) those of the
+    points in these lines.
+    """
 
     first: int
     second: int
@@ -196,11 +211,11 @@ class _SceneLines:
     place: Georeferencer
 
     @classmethod
-    def of(cls, clouds: Mapping[str, Cloud], count: int = MAX_POINTS) -> "_SceneLines":
+    def of(cls, clouds: Mapping[str, Cloud], count: int = MAX_USED_POINTS) -> "_SceneLines":
         lines = [
             _LineSample.of(cloud, count)
             for cloud in clouds.values()
-            if len(cloud.sample) >= NEIGHBOURS
+            if len(cloud.sample) >= NEIGHBOURS_PER_NORMAL
         ]
         return cls(tuple(lines), next(iter(clouds.values())).place)
 
@@ -209,7 +224,7 @@ class _SceneLines:
         """Prior boresight, shape (3,), radians."""
         return self.place.mounting.boresight
 
-    def placed(self, boresight: Array) -> list[Array]:
+    def place_points(self, boresight: Array) -> list[Array]:
         """Points of each line placed with a boresight, shape (n, 3), metres, local frame."""
         mounting = self.place.mounting.with_boresight(boresight)
         place = Georeferencer.of(self.place.trajectory, mounting)
@@ -218,6 +233,8 @@ class _SceneLines:
     def starting_boresights(self, clouds: Mapping[str, Cloud]) -> Iterator[Array]:
         """Yield the prior boresight, then the alternative starts with most matching points.
 
+        The alternative starts are yielded after one Gauss-Newton step.
+
         Parameters
         ----------
         clouds : mapping of line name to Cloud
@@ -225,18 +242,24 @@ class _SceneLines:
         """
         yield self.boresight
         coarse = _SceneLines.of(
-            clouds, COARSE_POINTS
+            clouds, COMPARISON_POINTS
         )  # computed only if the search from the prior boresight failed
-        turns = [STARTS * np.array(turn) for turn in product((-1, 0, 1), repeat=3) if any(turn)]
-        stepped = [coarse.gauss_newton_step(self.boresight + turn, REACHES[0]) for turn in turns]
+        turns = [
+            START_ANGLE_CHANGE * np.array(turn)
+            for turn in product((-1, 0, 1), repeat=3)
+            if any(turn)
+        ]
+        stepped = [
+            coarse.gauss_newton_step(self.boresight + turn, STAGE_DISTANCES[0]) for turn in turns
+        ]
         shares = np.array([coarse.matched_share(boresight) for boresight in stepped])
-        for k in np.argsort(-shares, kind="stable")[:REFINED]:
+        for k in np.argsort(-shares, kind="stable")[:REFINED_STARTS]:
             yield stepped[k]
 
     def refine_boresight(self, boresight: Array) -> Array:
         """Refine a boresight in stages with decreasing distances between corresponding points."""
-        for reach in REACHES:
-            for _ in range(ROUNDS):
+        for reach in STAGE_DISTANCES:
+            for _ in range(MAX_STEPS_PER_STAGE):
                 before, boresight = boresight, self.gauss_newton_step(boresight, reach)
                 if np.abs(boresight - before).max() < STEP_TOLERANCE:
                     break
@@ -247,14 +270,14 @@ class _SceneLines:
         information, gradient = self._normal_equations(boresight, reach)
         # Errors of the points are correlated: together they have the weight of one observation, so
         # that the prior keeps its influence.
-        prior = (SPREAD / LIKELY) ** 2
+        prior = (SURFACE_DISTANCE_SIGMA / PRIOR_ANGLE_SIGMA) ** 2
         gradient = gradient + prior * (boresight - self.boresight)
         return np.asarray(boresight - np.linalg.solve(information + prior * np.eye(3), gradient))
 
-    def determines(self, boresight: Array) -> bool:
+    def determines_all_angles(self, boresight: Array) -> bool:
         """Whether the overlapping parts of the lines determine all three angles."""
-        information, _ = self._normal_equations(boresight, REACHES[-1])
-        return bool(np.linalg.eigvalsh(information)[0] >= MIN_LEVERAGE**2)
+        information, _ = self._normal_equations(boresight, STAGE_DISTANCES[-1])
+        return bool(np.linalg.eigvalsh(information)[0] >= MIN_SENSITIVITY**2)
 
     def _normal_equations(self, boresight: Array, reach: float) -> tuple[Array, Array]:
         """Normal equations of the angles: weighted mean over the pairs of points.
@@ -264,14 +287,14 @@ class _SceneLines:
         information : ndarray of shape (3, 3), (metres / radian)^2
         gradient : ndarray of shape (3,), metres^2 / radian
         """
-        placed = self.placed(boresight)
-        turned = [self.placed(boresight + STEP * axis) for axis in np.eye(3)]
+        placed = self.place_points(boresight)
+        turned = [self.place_points(boresight + DERIVATIVE_STEP * axis) for axis in np.eye(3)]
         moves = [
-            np.stack([(other[k] - points) / STEP for other in turned], axis=-1)
+            np.stack([(other[k] - points) / DERIVATIVE_STEP for other in turned], axis=-1)
             for k, points in enumerate(placed)
         ]
         information, gradient, total = np.zeros((3, 3)), np.zeros(3), 0.0
-        for pair in self._pairs(placed, reach):
+        for pair in self._find_pairs(placed, reach):
             off = _distances_to_plane(placed, pair)
             moved = moves[pair.first][pair.here] - moves[pair.second][pair.there]
             rows = np.einsum("nk,nkb->nb", pair.normals, moved)
@@ -283,25 +306,31 @@ class _SceneLines:
 
     def matched_share(self, boresight: Array) -> float:
         """See `Alignment`."""
-        placed = self.placed(boresight)
+        placed = self.place_points(boresight)
         matched = count = 0
-        for pair in self._pairs(placed, REACHES[0]):
+        for pair in self._find_pairs(placed, STAGE_DISTANCES[0]):
             difference = placed[pair.first][pair.here] - placed[pair.second][pair.there]
-            near = np.linalg.norm(difference, axis=1) < MAX_DISTANCE
-            near &= np.abs(_distances_to_plane(placed, pair)) < MAX_GAP
+            near = np.linalg.norm(difference, axis=1) < MAX_POINT_DISTANCE
+            near &= np.abs(_distances_to_plane(placed, pair)) < MAX_SURFACE_DISTANCE
             matched += int(np.count_nonzero(near))
             count += len(pair.here)
         return matched / max(count, 1)
 
     def separation(self, boresight: Array) -> float:
         """Distance between the lines in metres, as in `Alignment`; 0 without common surfaces."""
-        placed = self.placed(boresight)
-        off = [_distances_to_plane(placed, pair) for pair in self._pairs(placed, MAX_DISTANCE)]
+        placed = self.place_points(boresight)
+        off = [
+            _distances_to_plane(placed, pair)
+            for pair in self._find_pairs(placed, MAX_POINT_DISTANCE)
+        ]
         every = np.concatenate([np.empty(0), *off])
-        return NORMAL_MAD * float(np.median(np.abs(every))) if len(every) else 0.0
+        return SIGMA_PER_MAD * float(np.median(np.abs(every))) if len(every) else 0.0
 
-    def _pairs(self, placed: list[Array], reach: float) -> Iterator[_PointPairs]:
-        faces = [line.faces(points) for line, points in zip(self.lines, placed, strict=True)]
+    def _find_pairs(self, placed: list[Array], reach: float) -> Iterator[_PointPairs]:
+        faces = [
+            line.normals_and_flatness(points)
+            for line, points in zip(self.lines, placed, strict=True)
+        ]
         trees = [build_tree(points) for points in placed]
         for first, second in combinations(range(len(placed)), 2):
             (own, own_flat), (normals, flat) = faces[first], faces[second]
@@ -309,7 +338,7 @@ class _SceneLines:
             distance, nearest = trees[second].query(placed[first][here], distance_upper_bound=reach)
             near = np.isfinite(distance)
             here, there = here[near], nearest[near]
-            facing = np.abs((own[here] * normals[there]).sum(axis=1)) > MIN_COSINE
+            facing = np.abs((own[here] * normals[there]).sum(axis=1)) > MIN_NORMAL_COSINE
             alike = facing & flat[there]
             yield _PointPairs(first, second, here[alike], there[alike], normals[there[alike]])
 
@@ -323,7 +352,7 @@ def _distances_to_plane(placed: list[Array], pair: _PointPairs) -> Array:
 def _thin_to_count(points: Array, count: int) -> Indices:
     """Indices of at most ``count`` points, spread evenly: the first one in each voxel."""
     kept = np.flatnonzero(np.isfinite(points).all(axis=1))
-    low, voxel = finite_bounds(points[kept])[0], FINEST
+    low, voxel = finite_bounds(points[kept])[0], MIN_POINT_SPACING
     while True:
         _, first = np.unique(cell_keys(points[kept], low, voxel)[0], return_index=True)
         kept = kept[np.sort(first)]

@@ -19,30 +19,30 @@ from lispac.geometry.planes import plane_axes
 from lispac.messages import Message, note
 from lispac.survey.cloud import Cloud
 from lispac.targets import outline
-from lispac.targets.boresight_smear import PRIOR_OFF
+from lispac.targets.boresight_smear import PRIOR_BORESIGHT_SIGMA
 from lispac.targets.occlusion import does_plane_end_within
 from lispac.targets.plane_finder import PlanePatch
 from lispac.targets.sphere_finder import SpherePatch
 
 Array = NDArray[np.float64]
 
-SIGNIFICANCE = 1e-3
+SIGNIFICANCE_LEVEL = 1e-3
 """Significance level of the tests: probability of rejecting a sighting of the same surface."""
 EFFECTIVE_POINTS = 4
 """Number of independent points assumed for a sighting. The scatter of its points about the plane is
 mainly form error and POS error, which neighbouring points share; lines may also show different
 parts of an uneven surface such as a tarpaulin."""
-MAX_POINTS = 500
+MAX_TESTED_POINTS = 500
 """Largest number of points of a sighting used in the tests."""
-TURN = radians(0.01)
-"""Step of the numerical derivatives with respect to the boresight angles."""
+DERIVATIVE_STEP = radians(0.01)
+"""Step of the numerical derivatives with respect to the boresight angles, radians."""
 MIN_OVERLAP = 0.5
 """Smallest share of the points of one of two sightings inside the outline of the other one."""
-SAME_SIZE = 0.8
-"""Smallest ratio of the sides for which two outlines count as complete views of one surface."""
-BOARD = 2.0
-"""Largest search radius used for boards, metres."""
-SPHERE_CENTRE = 0.5
+MIN_COMPLETE_SIZE_RATIO = 0.8
+"""Smallest ratio of the sides of an outline to the largest ones for it to count as complete."""
+MAX_BOARD_SEARCH_RADIUS = 2.0
+"""Radius, metres, that replaces a larger search radius in the test whether planes are boards."""
+SPHERE_CENTRE_SIGMA = 0.5
 """Standard deviation of the centre of a sphere from one line, which shows only a part, in radii."""
 
 Patch = TypeVar("Patch", bound=PlanePatch | SpherePatch)
@@ -60,7 +60,7 @@ class PlacementAccuracy:
         Standard deviation of the distance between surfaces of two lines due to other causes (POS).
     """
 
-    boresight: float = PRIOR_OFF
+    boresight: float = PRIOR_BORESIGHT_SIGMA
     offset: float = 0.05
 
 
@@ -115,7 +115,7 @@ def split_by_agreement(
         if name not in rejected and isinstance(each.patch, PlanePatch)
     }
     extents = [each.extent for each in planes.values()]
-    if len(planes) > 1 and does_plane_end_within(min(radius, BOARD), extents):
+    if len(planes) > 1 and does_plane_end_within(min(radius, MAX_BOARD_SEARCH_RADIUS), extents):
         rejected |= _reject_separate_planes(planes, accuracy, first_line)
         largest = np.max([planes[n].extent for n in planes if n not in rejected], axis=0)
         reject(lambda first, second: _position_disagreement(first, second, accuracy, largest))
@@ -196,16 +196,16 @@ class _SightingSample:
 
     @classmethod
     def of(cls, patch: PlanePatch | SpherePatch, cloud: Cloud) -> "_SightingSample":
-        indices = patch.indices[:: 1 + len(patch.indices) // MAX_POINTS]
+        indices = patch.indices[:: 1 + len(patch.indices) // MAX_TESTED_POINTS]
         mounting = cloud.place.mounting
         points = cloud[indices]
         turned = [
-            cloud.georeferenced_with(mounting.with_boresight(mounting.boresight + TURN * axis))[
-                indices
-            ]
+            cloud.georeferenced_with(
+                mounting.with_boresight(mounting.boresight + DERIVATIVE_STEP * axis)
+            )[indices]
             for axis in np.eye(3)
         ]
-        return cls(patch, points, np.stack([(each - points) / TURN for each in turned]))
+        return cls(patch, points, np.stack([(each - points) / DERIVATIVE_STEP for each in turned]))
 
 
 def _surface_disagreement(
@@ -216,7 +216,7 @@ def _surface_disagreement(
     if isinstance(first, PlanePatch) and isinstance(second, PlanePatch):
         return _plane_disagreement(reference, other, first, second, accuracy)
     if isinstance(first, SpherePatch) and isinstance(second, SpherePatch):
-        centre_sigma = SPHERE_CENTRE * max(first.sphere.radius, second.sphere.radius)
+        centre_sigma = SPHERE_CENTRE_SIGMA * max(first.sphere.radius, second.sphere.radius)
         allowed = _allowed_shift(reference, other, accuracy, centre_sigma)
         distance = float(np.linalg.norm(second.centre - first.centre))
         if distance > allowed:
@@ -249,7 +249,7 @@ def _plane_disagreement(
     if own[2] > 0.0:
         deviation = np.array([-own[0] / own[2], -own[1] / own[2], offset])
         statistic = float(deviation @ np.linalg.solve(covariance, deviation))
-    if statistic <= chdtri(3, SIGNIFICANCE):
+    if statistic <= chdtri(3, SIGNIFICANCE_LEVEL):
         return None
     tilt = patch.plane.tilt_to(plane.plane)
     return note("agreement.other_plane", tilt=tilt, offset=abs(offset))
@@ -259,12 +259,12 @@ def _position_disagreement(
     reference: _SightingSample, other: _SightingSample, accuracy: PlacementAccuracy, largest: Array
 ) -> Message | None:
     """Test the position along the surface, if both lines show all of it."""
-    if any((each.extent < SAME_SIZE * largest).any() for each in (reference, other)):
+    if any((each.extent < MIN_COMPLETE_SIZE_RATIO * largest).any() for each in (reference, other)):
         return None
     first, second = _in_plane_coordinates(reference, other)
     # Different edges of the target may be missing, as far as both outlines count as complete.
-    lacking = (1.0 - SAME_SIZE) * float(np.linalg.norm(largest))
-    allowed = _allowed_shift(reference, other, accuracy, 0.0) + lacking
+    max_missing = (1.0 - MIN_COMPLETE_SIZE_RATIO) * float(np.linalg.norm(largest))
+    allowed = _allowed_shift(reference, other, accuracy, 0.0) + max_missing
     middles = [(each.min(axis=0) + each.max(axis=0)) / 2.0 for each in (first, second)]
     distance = float(np.linalg.norm(middles[1] - middles[0]))
     if distance <= allowed:
@@ -297,16 +297,19 @@ def _in_plane_coordinates(
 
 
 def _allowed_shift(
-    reference: _SightingSample, other: _SightingSample, accuracy: PlacementAccuracy, further: float
+    reference: _SightingSample,
+    other: _SightingSample,
+    accuracy: PlacementAccuracy,
+    position_sigma: float,
 ) -> float:
     """Largest distance between two sightings of one target, metres.
 
-    ``further`` is an additional standard deviation of the position of each sighting, metres.
+    ``position_sigma`` is an additional standard deviation of the position of each sighting, metres.
     """
     middles = [each.moves.mean(axis=1) for each in (reference, other)]
     by_boresight = accuracy.boresight * float(np.linalg.norm(middles[1] - middles[0]))
-    sigmas = -NormalDist().inv_cdf(SIGNIFICANCE / 2.0)
-    return sigmas * sqrt(by_boresight**2 + accuracy.offset**2 + 2.0 * further**2)
+    sigmas = -NormalDist().inv_cdf(SIGNIFICANCE_LEVEL / 2.0)
+    return sigmas * sqrt(by_boresight**2 + accuracy.offset**2 + 2.0 * position_sigma**2)
 
 
 def _plane_derivatives(sighting: _SightingSample, axes: Array, middle: Array) -> Array:

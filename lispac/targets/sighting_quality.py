@@ -11,8 +11,8 @@ from lispac.geometry.planes import Plane, extent_in_plane, plane_axes, rms_dista
 from lispac.geometry.spheres import Sphere, rms_from_sphere, visible_share
 from lispac.messages import Level, Message, Value, note
 from lispac.targets import outline
-from lispac.targets.boresight_smear import PRIOR_OFF, beam_intersections, remove_smear
-from lispac.targets.occlusion import EXTENT_LIMITS, ObservedExtent
+from lispac.targets.boresight_smear import PRIOR_BORESIGHT_SIGMA, beam_intersections, remove_smear
+from lispac.targets.occlusion import VISIBLE_SHARE_LIMITS, ObservedExtent
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -20,26 +20,27 @@ Rating = Literal["good", "doubtful", "poor"]
 
 # Pairs of limits: a sighting is doubtful beyond the first and poor beyond the second.
 # Number of points; with fewer, outliers and random gaps in the outline dominate the plane.
-POINT_LIMITS = (200, 50)
+POINT_COUNT_LIMITS = (200, 50)
 # RMS divided by the noise: 1 with noise alone; mixed pixels add a tenth.
-NOISE_LIMITS = (2.0, 3.0)
-# RMS divided by the threshold of the search. The ratio is 0.58 if the points are spread evenly up
-# to the threshold; more of the surface then lies beyond it, and a rough surface is rated poor.
-FILLED = 0.5
-# Angle of incidence, degrees; the beam footprint grows with the tangent, to four times at 75.
-OBLIQUE_DEG = (65.0, 75.0)
+NOISE_RATIO_LIMITS = (2.0, 3.0)
+# Ratio of the RMS to the threshold of the search above which more of the surface probably lies
+# beyond the threshold; it is 0.58 if the points are spread evenly up to the threshold. A surface
+# whose RMS exceeds the first limit of the noise is then rated poor.
+MAX_RMS_TO_THRESHOLD = 0.5
+# Angle of incidence, degrees; the beam footprint grows with 1 / cosine, to four times at 75.
+INCIDENCE_LIMITS_DEG = (65.0, 75.0)
 # Share of the outline with points; if half is missing, the tilt depends on the remaining parts.
-FILL_LIMITS = (0.7, 0.5)
+COVERAGE_LIMITS = (0.7, 0.5)
 # Deviation of the surface from a plane, divided by the noise of a point: the sagitta for a bend,
 # and the RMS for roughness. The first limit is the noise of a single point; at the second one, the
 # deviation shifts the plane by more than its noise. A sagitta of three times the noise has an RMS
 # of once the noise; roughness averages out more than a bend.
-CURVED, UNEVEN = (1.0, 3.0), (1.0, 1.5)
+SAGITTA_LIMITS, ROUGHNESS_LIMITS = (1.0, 3.0), (1.0, 1.5)
 # Significance level of the tests whether a deviation exists, and whether it exceeds a limit.
 TEST_LEVEL = 1e-3
-SIGMAS = -NormalDist().inv_cdf(TEST_LEVEL)
+TEST_LIMIT_SIGMAS = -NormalDist().inv_cdf(TEST_LEVEL)
 # Share of a sphere's surface; a full view shows half of it.
-SPHERE_LIMITS = (0.2, 0.12)
+SPHERE_SHARE_LIMITS = (0.2, 0.12)
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +72,7 @@ class SightingQuality:
         RMS of the deviations that an error of the boresight can explain. They are removed before
         RMS, curvature and roughness are rated. None if the boresight is an estimated one.
     visible_share : float or None, in [0, 1]
-        Visible share of the extent in the other lines; None if it cannot be compared.
+        Share of the extent in the other lines that this line shows; None if it cannot be compared.
     flatness : "good", "doubtful" or "poor"
         Rating by RMS, curvature and roughness alone.
     rating : "good", "doubtful" or "poor"
@@ -132,9 +133,9 @@ def plane_quality(
     *,
     scanner_local: Array | None = None,
     turns_local: Array | None = None,
-    boresight_off: float = PRIOR_OFF,
+    boresight_sigma: float = PRIOR_BORESIGHT_SIGMA,
     threshold: float | None = None,
-    shown: ObservedExtent | None = None,
+    observed_extent: ObservedExtent | None = None,
 ) -> SightingQuality:
     """Assess a plane in one line.
 
@@ -153,11 +154,11 @@ def plane_quality(
         Derivatives of the points of the sighting with respect to roll, pitch and yaw of the
         boresight. If given, deviations that a boresight error can explain are not rated; used as
         long as the boresight is not estimated.
-    boresight_off : float, radians
-        Sigma of the boresight error in each angle.
+    boresight_sigma : float, radians
+        Sigma of each boresight angle.
     threshold : float, metres, optional
         Distance threshold of the search for the points.
-    shown : ObservedExtent, optional
+    observed_extent : ObservedExtent, optional
         Comparison with the extent in other lines, if the plane ends within the search radius.
     """
     points = points_local[indices]
@@ -175,7 +176,7 @@ def plane_quality(
             hits, turns = beam_intersections(points, turns_local, off, beams, plane.normal)
         coordinates = (hits - points.mean(axis=0)) @ plane_axes(plane.normal).T
         moves = (turns @ plane.normal).T
-        own = remove_smear(coordinates, off, moves, noise, boresight_off)
+        own = remove_smear(coordinates, off, moves, noise, boresight_sigma)
     sagitta, uncertainty, curved, uneven = _form_error(placed, own, cell)
     incidence = None
     if beams is not None:
@@ -186,25 +187,29 @@ def plane_quality(
     flat = _grade_roughness(rms, rms_own, noise, threshold)
     if curved:
         flat += _grade_by_limits(
-            (sagitta - SIGMAS * uncertainty) / noise,
-            CURVED,
+            (sagitta - TEST_LIMIT_SIGMAS * uncertainty) / noise,
+            SAGITTA_LIMITS,
             note("quality.curved", sagitta=sagitta),
         )
-    flat += _grade_by_limits(uneven / noise, UNEVEN, note("quality.uneven", rms=uneven))
+    flat += _grade_by_limits(uneven / noise, ROUGHNESS_LIMITS, note("quality.uneven", rms=uneven))
     found = _grade_point_count(len(points))
     if incidence is not None:
         degrees = float(np.degrees(incidence))
-        found += _grade_by_limits(degrees, OBLIQUE_DEG, note("quality.oblique", angle=incidence))
+        found += _grade_by_limits(
+            degrees, INCIDENCE_LIMITS_DEG, note("quality.oblique", angle=incidence)
+        )
     found += _grade_by_limits(
-        -coverage, (-FILL_LIMITS[0], -FILL_LIMITS[1]), note("quality.sparse", share=coverage)
+        -coverage,
+        (-COVERAGE_LIMITS[0], -COVERAGE_LIMITS[1]),
+        note("quality.sparse", share=coverage),
     )
-    found += _grade_occlusion(shown) + flat
+    found += _grade_occlusion(observed_extent) + flat
     rating, reasons = _rating_of(found)
     return SightingQuality(
         len(points), rms, float(np.median(ranges)), len(points) / area, incidence,
         extent_in_plane(plane, points), coverage, sagitta, curved, uneven, rating, reasons,
         None if turns_local is None else float(np.sqrt(np.mean((off - own) ** 2))),
-        None if shown is None else shown.share, _rating_of(flat)[0],
+        None if observed_extent is None else observed_extent.share, _rating_of(flat)[0],
     )  # fmt: skip
 
 
@@ -218,7 +223,9 @@ def sphere_quality(
     flat = _grade_roughness(rms, rms, noise, None)
     found = _grade_point_count(len(points)) + flat
     found += _grade_by_limits(
-        -share, (-SPHERE_LIMITS[0], -SPHERE_LIMITS[1]), note("quality.sphere_part", share=share)
+        -share,
+        (-SPHERE_SHARE_LIMITS[0], -SPHERE_SHARE_LIMITS[1]),
+        note("quality.sphere_part", share=share),
     )
     rating, reasons = _rating_of(found)
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
@@ -228,22 +235,24 @@ def sphere_quality(
     )  # fmt: skip
 
 
-Graded = tuple[int, Message]
+GradedReason = tuple[int, Message]
 """A reason with its severity: 1 doubtful, 2 poor."""
 
 
-def _grade_point_count(points: int) -> list[Graded]:
+def _grade_point_count(points: int) -> list[GradedReason]:
     return _grade_by_limits(
-        -points, (-POINT_LIMITS[0], -POINT_LIMITS[1]), note("quality.few_points", count=points)
+        -points,
+        (-POINT_COUNT_LIMITS[0], -POINT_COUNT_LIMITS[1]),
+        note("quality.few_points", count=points),
     )
 
 
 def _grade_roughness(
     rms: float, own_noise: float, noise: float, threshold: float | None
-) -> list[Graded]:
+) -> list[GradedReason]:
     """Grade the RMS without the effect of the boresight; messages give the RMS of the points."""
     ratio, without = rms / noise, own_noise / noise
-    is_filled = threshold is not None and own_noise > FILLED * threshold
+    is_filled = threshold is not None and own_noise > MAX_RMS_TO_THRESHOLD * threshold
     if round(ratio, 1) == round(without, 1):
         code = "quality.rough_beyond_threshold" if is_filled else "quality.rough"
     else:
@@ -253,28 +262,34 @@ def _grade_roughness(
     params: dict[str, Value] = {"rms": rms, "ratio": ratio, "without": without}
     if threshold is not None:
         params["threshold"] = threshold
-    limits = (NOISE_LIMITS[0], NOISE_LIMITS[0]) if is_filled else NOISE_LIMITS
+    limits = (NOISE_RATIO_LIMITS[0], NOISE_RATIO_LIMITS[0]) if is_filled else NOISE_RATIO_LIMITS
     return _grade_by_limits(without, limits, Message(code, Level.NOTE, params))
 
 
-def _grade_occlusion(shown: ObservedExtent | None) -> list[Graded]:
-    if shown is None:
+def _grade_occlusion(observed_extent: ObservedExtent | None) -> list[GradedReason]:
+    if observed_extent is None:
         return []
-    if shown.alone:
-        return [(1, shown.message)]
-    return _grade_by_limits(-shown.share, (-EXTENT_LIMITS[0], -EXTENT_LIMITS[1]), shown.message)
+    if observed_extent.is_far_larger:
+        return [(1, observed_extent.message)]
+    return _grade_by_limits(
+        -observed_extent.share,
+        (-VISIBLE_SHARE_LIMITS[0], -VISIBLE_SHARE_LIMITS[1]),
+        observed_extent.message,
+    )
 
 
-def _grade_by_limits(value: float, limits: tuple[float, float], reason: Message) -> list[Graded]:
+def _grade_by_limits(
+    value: float, limits: tuple[float, float], reason: Message
+) -> list[GradedReason]:
     """Reason with its grade if a value is beyond the first limit; otherwise empty."""
     grade = int(value > limits[0]) + int(value > limits[1])
     return [(grade, reason)] if grade else []
 
 
-def _rating_of(graded: list[Graded]) -> tuple[Rating, tuple[Message, ...]]:
-    lights: tuple[Rating, ...] = ("good", "doubtful", "poor")
+def _rating_of(graded: list[GradedReason]) -> tuple[Rating, tuple[Message, ...]]:
+    ratings: tuple[Rating, ...] = ("good", "doubtful", "poor")
     ranked = sorted(graded, key=lambda each: -each[0])
-    return lights[ranked[0][0] if ranked else 0], tuple(reason for _, reason in ranked)
+    return ratings[ranked[0][0] if ranked else 0], tuple(reason for _, reason in ranked)
 
 
 def _coverage_cell_size(placed: Array) -> float:
@@ -293,9 +308,9 @@ def _outline_coverage(placed: Array, cell: float) -> float:
     from scipy.spatial import ConvexHull, QhullError
 
     low = placed.min(axis=0)
-    at = np.floor((placed - low) / cell).astype(np.int64)
-    filled = np.zeros(at.max(axis=0) + 1, dtype=bool)
-    filled[at[:, 0], at[:, 1]] = True
+    cell_index = np.floor((placed - low) / cell).astype(np.int64)
+    filled = np.zeros(cell_index.max(axis=0) + 1, dtype=bool)
+    filled[cell_index[:, 0], cell_index[:, 1]] = True
     middles = low + (np.argwhere(np.ones_like(filled)) + 0.5) * cell
     try:
         sides = ConvexHull(placed).equations
@@ -307,32 +322,34 @@ def _outline_coverage(placed: Array, cell: float) -> float:
 
 
 def _form_error(placed: Array, off: Array, cell: float) -> tuple[float, float, bool, float]:
-    """Sagitta of a fitted quadric, its sigma, its significance, and the roughness.
+    """Sagitta of a fitted quadric, its sigma, whether it is significant, and the roughness.
 
     The quadric is fitted to the means of cells, since the roughness at neighbouring points is
     correlated, while that of different cells is not.
     """
     from scipy.special import fdtrc
 
-    at = np.floor((placed - placed.min(axis=0)) / cell).astype(np.int64)
-    _, key, count = np.unique(at[:, 0] * (at[:, 1].max() + 1) + at[:, 1], False, True, True)
+    cell_index = np.floor((placed - placed.min(axis=0)) / cell).astype(np.int64)
+    _, key, count = np.unique(
+        cell_index[:, 0] * (cell_index[:, 1].max() + 1) + cell_index[:, 1], False, True, True
+    )
     key = key.reshape(-1)
     x, y, w = (np.bincount(key, values) / count for values in (*placed.T, off))
     if len(count) < 12:
         return 0.0, 0.0, False, 0.0
     root = np.sqrt(count)
     flat = np.stack([np.ones_like(x), x, y], axis=1)
-    bent = np.stack([*flat.T, x * x, x * y, y * y], axis=1)
-    left = []
-    for design in (flat, bent):
+    quadric = np.stack([*flat.T, x * x, x * y, y * y], axis=1)
+    residuals = []
+    for design in (flat, quadric):
         solved, inverse = _solve_least_squares(design, w, count.astype(float))
-        left.append(root * (w - np.einsum("nk,k->n", design, solved)))
+        residuals.append(root * (w - np.einsum("nk,k->n", design, solved)))
     _, _, _, xx, xy, yy = solved
     bends, directions = np.linalg.eigh(np.array([[2 * xx, xy], [xy, 2 * yy]]))
     lengths = np.ptp(placed @ directions, axis=0)
     sagittas = np.abs(bends) * lengths**2 / 8
     largest = int(np.argmax(sagittas))
-    plain, smooth = (float(each @ each) for each in left)
+    plain, smooth = (float(each @ each) for each in residuals)
     freedom = len(count) - 6
     ratio = (plain - smooth) / 3 / max(smooth / freedom, 1e-30)
     u, v = directions[:, largest]

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 MAX_SIZE_RATIO = 1.6
 """Largest ratio of the sizes of a similar surface and the target, or the inverse ratio."""
-MAX_TURN = np.radians(10.0)
+MAX_NORMAL_ANGLE = np.radians(10.0)
 """Largest angle between the normals, radians."""
 
 
@@ -53,7 +53,7 @@ def nearest_similar_surface(
             continue
         # The sighting itself is among the patches; another surface does not cover its centre.
         beside = np.abs(axes @ (patch.centre - points.mean(axis=0)))
-        if patch.plane.tilt_to(plane) <= MAX_TURN and (beside > 0.5 * extent).any():
+        if patch.plane.tilt_to(plane) <= MAX_NORMAL_ANGLE and (beside > 0.5 * extent).any():
             distances.append(float(np.linalg.norm(patch.centre - points.mean(axis=0))))
     nearest = min(distances, default=np.inf)
     return nearest if nearest <= reach else None

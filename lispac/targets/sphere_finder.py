@@ -19,8 +19,8 @@ from lispac.geometry.spheres import (
 from lispac.messages import Message, error, note
 from lispac.targets.finder_settings import FinderSettings
 from lispac.targets.plane_finder import neighbourhood_of, require_seed, seed_text
-from lispac.targets.plane_ransac import BESIDE
-from lispac.targets.region_growing import MAX_ROUNDS, ROBUST_ROUNDS, TRIM
+from lispac.targets.plane_ransac import PENALTY_BAND
+from lispac.targets.region_growing import MAX_ROUNDS, ROBUST_FIT_STEPS, TRIM_LIMIT_SIGMAS
 from lispac.targets.sphere_ransac import draw_spheres
 
 Array = NDArray[np.float64]
@@ -29,20 +29,21 @@ Indices = NDArray[np.int64]
 __all__ = ["RadiusRange", "SpherePatch", "find_sphere"]
 
 # Largest distance of a point of the sphere from the seed, in units of the largest radius.
-REACH = 3.0
-# Largest number of points used for the fit while the choice of points and the fit alternate, and
-# factor by which the radius may be outside the allowed range meanwhile.
-FIT_POINTS, MARGIN = 1000, 1.5
+MAX_SEED_DISTANCE_RADII = 3.0
+# While the choice of points and the fit alternate: size of the sample used for the fit (of more
+# points, between this number and twice this number), and factor by which the radius may be outside
+# the allowed range.
+FIT_SAMPLE_SIZE, RADIUS_MARGIN_FACTOR = 1000, 1.5
 # Half angle of the cap that is used. Beyond it, the beams graze the sphere, and mixed pixels behind
 # the rim lie near its surface.
-CAP = radians(80.0)
+CAP_HALF_ANGLE = radians(80.0)
 # Smallest visible share of the whole surface; an unobstructed view shows half of it.
-MIN_SHARE = 0.08
+MIN_VISIBLE_SHARE = 0.08
 # Largest ratio of the points inside the sphere, or up to three thresholds outside it, to the points
 # on it. A mast or a bracket adds few such points, a post or a wall that touches the sphere many.
-MAX_BESIDE = 0.3
+MAX_OFF_SPHERE_RATIO = 0.3
 # Smallest ratio of the residuals of a plane to those of the sphere.
-BETTER_THAN_FLAT = 2.0
+MIN_PLANE_RESIDUAL_RATIO = 2.0
 
 
 @dataclass(frozen=True)
@@ -146,7 +147,7 @@ def find_sphere(
     except PlaneNotFound as failure:  # its messages are about points only, not about planes
         raise SphereNotFound(failure.reason) from None
     distance = np.linalg.norm(points_local[near] - seed, axis=1)
-    reach = REACH * radius_range.max
+    reach = MAX_SEED_DISTANCE_RADII * radius_range.max
     near = near[distance <= reach]
     if len(near) < settings.min_points:
         raise SphereNotFound(
@@ -183,7 +184,7 @@ def find_sphere(
             )
         )
     _, sphere, on = best
-    _require_ball(local, sphere, on, radius_range, settings, seed)
+    _require_sphere(local, sphere, on, radius_range, settings, seed)
     indices = np.sort(near[on])
     return patch_on_sphere(points_local, indices, radius_range)
 
@@ -221,11 +222,15 @@ def _refine_sphere(
             if np.array_equal(grown, on):
                 break
             on = grown
-            sample = on[:: max(1, len(on) // FIT_POINTS)]
+            sample = on[:: max(1, len(on) // FIT_SAMPLE_SIZE)]
             sphere = _fit_sphere_robustly(
                 points[sample], sphere, radius_range.known, settings.threshold
             )
-            if not radius_range.min / MARGIN <= sphere.radius <= radius_range.max * MARGIN:
+            if (
+                not radius_range.min / RADIUS_MARGIN_FACTOR
+                <= sphere.radius
+                <= radius_range.max * RADIUS_MARGIN_FACTOR
+            ):
                 return None
         on = _trim_outliers(points, on, radius_range.known, settings)
         return fit_sphere(points[on], radius_range.known), on
@@ -239,7 +244,7 @@ def _points_on_cap(points: Array, sphere: Sphere, threshold: float) -> Indices:
     directions = sphere.directions(points[on])
     visible = np.ones(len(on), dtype=bool)
     for _ in range(2):  # points behind the rim have shifted the first centre of the cap
-        visible = directions @ cap_axis(directions[visible]) >= cos(CAP)
+        visible = directions @ cap_axis(directions[visible]) >= cos(CAP_HALF_ANGLE)
     return on[visible]
 
 
@@ -250,7 +255,7 @@ def _fit_sphere_robustly(
 
     The fit converges to the densest layer of the points.
     """
-    for _ in range(ROBUST_ROUNDS):
+    for _ in range(ROBUST_FIT_STEPS):
         off = sphere.distances(points) / threshold
         sphere = fit_sphere(points, radius, np.maximum(1.0 - off * off, 0.0) ** 2, sphere)
     return sphere
@@ -262,7 +267,7 @@ def _trim_outliers(
     """Remove points beyond three sigma, with sigma from the median of the residuals."""
     residuals = np.abs(fit_sphere(points[on], radius).distances(points[on]))
     sigma = 1.4826 * float(np.median(residuals))
-    kept = on[residuals <= min(settings.threshold, TRIM * sigma)]
+    kept = on[residuals <= min(settings.threshold, TRIM_LIMIT_SIGMAS * sigma)]
     # Sigma of noise-free points is zero; all of them are kept.
     return kept if len(kept) >= max(4, len(on) // 2) else on
 
@@ -274,7 +279,7 @@ def _sphere_votes(points: Array, votes: Array, sphere: Sphere, threshold: float)
     return float(votes @ (on - (off < -1.0)))
 
 
-def _require_ball(
+def _require_sphere(
     points: Array,
     sphere: Sphere,
     on: Indices,
@@ -317,9 +322,9 @@ def _require_ball(
         )
     off = sphere.distances(points)
     beside = (off < -settings.threshold) | (
-        (off > settings.threshold) & (off <= BESIDE * settings.threshold)
+        (off > settings.threshold) & (off <= PENALTY_BAND * settings.threshold)
     )
-    if np.count_nonzero(beside) > MAX_BESIDE * len(on):
+    if np.count_nonzero(beside) > MAX_OFF_SPHERE_RATIO * len(on):
         raise SphereNotFound(
             error(
                 "finder.sphere_continues",
@@ -330,10 +335,15 @@ def _require_ball(
             )
         )
     share = visible_share(sphere, points[on])
-    if share < MIN_SHARE:
+    if share < MIN_VISIBLE_SHARE:
         raise SphereNotFound(
-            error("finder.sphere_small_part", share=share, needed=MIN_SHARE, place=seed_text(seed))
+            error(
+                "finder.sphere_small_part",
+                share=share,
+                needed=MIN_VISIBLE_SHARE,
+                place=seed_text(seed),
+            )
         )
     flat = rms_distance(fit_plane(points[on]), points[on])
-    if flat < BETTER_THAN_FLAT * rms_from_sphere(sphere, points[on]):
+    if flat < MIN_PLANE_RESIDUAL_RATIO * rms_from_sphere(sphere, points[on]):
         raise SphereNotFound(error("finder.sphere_flat", place=seed_text(seed)))

@@ -6,19 +6,19 @@ from numpy.typing import NDArray
 from lispac.compiled_code import njit
 from lispac.geometry.spheres import Sphere
 from lispac.targets.finder_settings import FinderSettings
-from lispac.targets.plane_ransac import AGAINST, BATCH, BESIDE, MAX_BATCHES
+from lispac.targets.plane_ransac import BATCH_SIZE, MAX_BATCHES, PENALTY_BAND, PENALTY_WEIGHT
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 # Hypotheses are evaluated on all nearest points and on a sample of those farther away, so that a
 # sphere with some hundred points is not thinned like a wall with a hundred thousand.
-NEAREST, FARTHER = 2500, 2500
+MAX_NEAREST_POINTS, MAX_FARTHER_POINTS = 2500, 2500
 # The radius of a hypothesis from four noisy points may be outside the range by this fraction.
-ROUGH = 0.25
+RADIUS_MARGIN_SHARE = 0.25
 # Hypotheses to refine: largest number, smallest ratio to the best score, and smallest distance
 # between their centres as a fraction of the radius.
-MAX_CONTENDERS, MIN_SCORE_RATIO, MIN_GAP = 8, 0.6, 0.25
+MAX_CONTENDERS, MIN_SCORE_RATIO, MIN_CENTRE_DISTANCE = 8, 0.6, 0.25
 
 
 def draw_spheres(
@@ -36,27 +36,29 @@ def draw_spheres(
     settings : FinderSettings
     """
     rng = np.random.default_rng(settings.seed)
-    step = max(1, -(-(len(points) - NEAREST) // FARTHER))
-    sample = np.concatenate([points[:NEAREST], points[NEAREST::step]])
-    weights = np.concatenate([votes[:NEAREST], step * votes[NEAREST::step]])
+    step = max(1, -(-(len(points) - MAX_NEAREST_POINTS) // MAX_FARTHER_POINTS))
+    sample = np.concatenate([points[:MAX_NEAREST_POINTS], points[MAX_NEAREST_POINTS::step]])
+    weights = np.concatenate([votes[:MAX_NEAREST_POINTS], step * votes[MAX_NEAREST_POINTS::step]])
     chance = np.cumsum(weights / weights.sum())
     known = lower == upper
     need = 3 if known else 4
-    span = np.array([lower, upper]) * (1.0 if known else np.array([1.0 - ROUGH, 1.0 + ROUGH]))
+    radius_limits = np.array([lower, upper]) * (
+        1.0 if known else np.array([1.0 - RADIUS_MARGIN_SHARE, 1.0 + RADIUS_MARGIN_SHARE])
+    )
     hypotheses = np.empty((0, 6))
     for batch in range(1, MAX_BATCHES + 1):
-        first = np.minimum(np.searchsorted(chance, rng.random(BATCH)), len(sample) - 1)
+        first = np.minimum(np.searchsorted(chance, rng.random(BATCH_SIZE)), len(sample) - 1)
         # From a part of the smallest sphere up to the diameter of the largest one.
-        reach = np.exp(rng.uniform(np.log(0.5 * lower), np.log(2.0 * upper), BATCH))
-        picks = rng.random((BATCH, 3))
+        reach = np.exp(rng.uniform(np.log(0.5 * lower), np.log(2.0 * upper), BATCH_SIZE))
+        picks = rng.random((BATCH_SIZE, 3))
         drawn = _score_spheres(
-            sample, weights, first, reach, picks, settings.threshold, span, known
+            sample, weights, first, reach, picks, settings.threshold, radius_limits, known
         )
         hypotheses = np.concatenate([hypotheses, drawn[drawn[:, 0] > 0.0]])
         if len(hypotheses) == 0:
             continue
         share = float(hypotheses[np.argmax(hypotheses[:, 0]), 1])
-        if (1.0 - share**need) ** (batch * BATCH) <= 1.0 - settings.stop:
+        if (1.0 - share**need) ** (batch * BATCH_SIZE) <= 1.0 - settings.stop:
             break
     return _distinct_best_spheres(hypotheses)
 
@@ -70,7 +72,8 @@ def _distinct_best_spheres(hypotheses: Array) -> list[Sphere]:
     for row in ranked[ranked[:, 0] >= MIN_SCORE_RATIO * ranked[0, 0]]:
         sphere = Sphere(row[2:5].copy(), float(row[5]))
         if all(
-            np.linalg.norm(sphere.centre - other.centre) > MIN_GAP * other.radius for other in kept
+            np.linalg.norm(sphere.centre - other.centre) > MIN_CENTRE_DISTANCE * other.radius
+            for other in kept
         ):
             kept.append(sphere)
             if len(kept) == MAX_CONTENDERS:
@@ -86,12 +89,12 @@ def _score_spheres(
     reach: Array,
     picks: Array,
     threshold: float,
-    span: Array,
+    radius_limits: Array,
     known: bool,
 ) -> Array:  # pragma: no cover - compiled
     """Score, share of the votes, centre and radius of each hypothesis; zeros if unusable."""
     n = points.shape[0]
-    judged = np.zeros((first.size, 6))
+    scored_spheres = np.zeros((first.size, 6))
     near = np.empty(n, np.int64)
     centres = np.empty((2, 3))
     total = weights.sum()
@@ -119,7 +122,7 @@ def _score_spheres(
         if square < 0.01 * max(uu, vv) ** 2 or square == 0.0:
             continue
         if known:
-            radius = span[0]
+            radius = radius_limits[0]
             middle = np.cross(uu * v - vv * u, normal) / (2.0 * square)
             left = radius * radius - (middle * middle).sum()
             if left < 0.0:
@@ -135,7 +138,7 @@ def _score_spheres(
                 continue
             centres[0] = (uu * np.cross(v, w) + vv * np.cross(w, u) + ww * normal) / (2.0 * volume)
             radius = np.sqrt((centres[0] * centres[0]).sum())
-            if radius < span[0] or radius > span[1]:
+            if radius < radius_limits[0] or radius > radius_limits[1]:
                 continue
             sides = 1
         for side in range(sides):
@@ -147,19 +150,19 @@ def _score_spheres(
                 dy = points[i, 1] - c[1]
                 dz = points[i, 2] - c[2]
                 off = np.sqrt(dx * dx + dy * dy + dz * dz) - radius
-                if off > BESIDE * threshold:
+                if off > PENALTY_BAND * threshold:
                     continue
                 if abs(off) <= threshold:
                     # MSAC (Torr and Zisserman 2000) with a sharper peak, as for planes.
                     score += weights[i] * (1.0 - (off / threshold) ** 2) ** 2
                     share += weights[i]
                 elif off > 0.0:
-                    score -= weights[i] * AGAINST
+                    score -= weights[i] * PENALTY_WEIGHT
                 else:
                     score -= weights[i]  # a sphere is solid: there are no points inside it
-            if score > judged[trial, 0]:
-                judged[trial, 0] = score
-                judged[trial, 1] = share / total
-                judged[trial, 2:5] = c
-                judged[trial, 5] = radius
-    return judged
+            if score > scored_spheres[trial, 0]:
+                scored_spheres[trial, 0] = score
+                scored_spheres[trial, 1] = share / total
+                scored_spheres[trial, 2:5] = c
+                scored_spheres[trial, 5] = radius
+    return scored_spheres

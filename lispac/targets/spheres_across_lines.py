@@ -30,7 +30,7 @@ from lispac.targets.sphere_finder import RadiusRange, SpherePatch, find_sphere
 Array = NDArray[np.float64]
 
 # Distance from the predicted position at which a sphere has half of its score, metres.
-OFFSET = 0.2
+HALF_SCORE_OFFSET = 0.2
 # Largest ratio of the radii of two sightings of one sphere. A sphere of 0.10 m, scanned in a tenth
 # of a second from a pitching vessel, had radii of 0.08 m and 0.14 m.
 MAX_RADIUS_RATIO = 2.0
@@ -130,7 +130,7 @@ def _find_in_line(
                 )
             )
         off = float(np.linalg.norm(patch.centre - predicted))
-        likeness = 1.0 / (1.0 + (off / OFFSET) ** 2) / larger
+        likeness = 1.0 / (1.0 + (off / HALF_SCORE_OFFSET) ** 2) / larger
         return patch, shift.score * likeness
 
     shifts = find_shifts_into_line(cloud, grid, around, seed, settings)

@@ -27,15 +27,18 @@ from lispac.validation.reference_places import CorePointDistances
 Array = NDArray[np.float64]
 Kind = Literal["scan", "points"]
 
-NORMAL_95 = 1.96
-"""Half width of the 95 % interval of a normal variable, in standard deviations."""
-BINS = 60
-WITHIN = 0.5
-"""Percentage of the distances beyond either end of a histogram; the end bins contain them."""
-NARROWEST = 1e-6
-MIN_SHARE = 0.1
-"""Share of a line's places with a second surface within reach from which this is reported."""
+NORMAL_QUANTILE_975 = 1.96
+"""Half the width of the 95 % interval of a normal variable, in standard deviations."""
+HISTOGRAM_BINS = 60
+"""Number of bins of the histogram of signed distances."""
+TAIL_PERCENTAGE = 0.5
+"""Percentage of the distances beyond each end of the histogram; the end bins contain them."""
+MIN_HISTOGRAM_RANGE_M = 1e-6
+"""Smallest range of the histogram."""
+MIN_OTHER_SURFACE_SHARE = 0.1
+"""Smallest share of the places of a line with a second surface within reach that is reported."""
 ALL_LINES = "all lines"
+"""Name of the comparison of all lines together."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +54,7 @@ class SigmaSources:
         From the covariance of the estimated values; None for the prior boresight, whose covariance
         is unknown.
     scatter : float, metres
-        Contribution of the scatter of a line's places to the mean; 0 for values that are no mean.
+        Contribution of the scatter of the places of a line to its mean; 0 for other values.
     """
 
     reference: float
@@ -94,7 +97,7 @@ class AbsoluteState:
     @property
     def interval_95(self) -> float:
         """Half the 95 % interval of the signed mean, metres."""
-        return NORMAL_95 * self.mean_sigma.total
+        return NORMAL_QUANTILE_975 * self.mean_sigma.total
 
     @property
     def significant(self) -> bool:
@@ -222,7 +225,8 @@ class LinePlaces:
     measured : CorePointDistances
         Distances at n places.
     group : ndarray of shape (n,), int
-        Part of the reference that each place belongs to; errors of different parts are independent.
+        Number of the part of the reference to which each place belongs; errors of different parts
+        are independent.
     by_position, by_attitude : ndarrays of shape (n, 3), metres
         Shift of each distance by an error of one sigma in north, west, up and in roll, pitch,
         heading.
@@ -259,10 +263,10 @@ def check_lines(
     Parameters
     ----------
     group_sigma : ndarray of shape (g,), metres
-        Standard deviation of each part of the reference; all places on one part share its error.
+        Standard deviation of each part of the reference; all places on a part have the same error.
     correlation_times : pair of float, seconds
-        Correlation times of the position and attitude errors of the POS. Lines run within such a
-        time of each other share most of these errors.
+        Correlation times of the position and attitude errors of the POS. Lines that are surveyed
+        within such a time have most of these errors in common.
     """
     each = tuple(_line_check(line.line, [line], group_sigma, correlation_times) for line in lines)
     return each, _line_check(ALL_LINES, lines, group_sigma, correlation_times)
@@ -273,9 +277,11 @@ def shared_histogram(
 ) -> tuple[tuple[float, ...], tuple[int, ...], tuple[int, ...]]:
     """Histogram of all signed distances: edges in metres, counts before, and counts after."""
     before, after = (np.concatenate(values) for values in _distances_before_after(lines))
-    ends = np.percentile(np.concatenate([before, after]), (WITHIN, 100.0 - WITHIN))
+    ends = np.percentile(
+        np.concatenate([before, after]), (TAIL_PERCENTAGE, 100.0 - TAIL_PERCENTAGE)
+    )
     low, high = float(min(ends[0], 0.0)), float(max(ends[1], 0.0))
-    edges = np.linspace(low, max(high, low + NARROWEST), BINS + 1)
+    edges = np.linspace(low, max(high, low + MIN_HISTOGRAM_RANGE_M), HISTOGRAM_BINS + 1)
     counts = (
         tuple(int(n) for n in np.histogram(np.clip(d, edges[0], edges[-1]), edges)[0])
         for d in (before, after)
@@ -308,12 +314,12 @@ def check_points(
 
 
 def find_other_surfaces(lines: Sequence[LinePlaces]) -> tuple[OtherSurface, ...]:
-    """Lines that have another surface within reach at many of their places."""
+    """Find the lines that have a second surface within reach at many of their places."""
     found = []
     for line in lines:
         gaps = line.measured.to_other_surface
         gaps = gaps[np.isfinite(gaps)]
-        if len(gaps) >= MIN_SHARE * len(line.group):
+        if len(gaps) >= MIN_OTHER_SURFACE_SHARE * len(line.group):
             found.append(OtherSurface(line.line, len(gaps), float(np.median(gaps))))
     return tuple(found)
 
@@ -335,24 +341,26 @@ def _line_check(
     weights = np.concatenate([_equal_weights(line) / len(lines) for line in lines])
     parts = [np.bincount(line.group, minlength=len(group_sigma)) for line in lines]
     share = np.mean([part / part.sum() for part in parts], axis=0)
-    moves = [np.concatenate(values) for values in _derivatives_by_source(lines)]
+    shifts = [np.concatenate(values) for values in _derivatives_by_source(lines)]
     of_rms = SigmaSources(
         float(np.sqrt(share @ group_sigma**2)),
-        *(float(np.sqrt(weights @ (move**2).sum(axis=1))) for move in moves),
+        *(float(np.sqrt(weights @ (move**2).sum(axis=1))) for move in shifts),
     )
     of_mean = SigmaSources(
         float(np.sqrt(share**2 @ group_sigma**2)),
         _pos_sigma_of_mean([line.by_position for line in lines], lines, correlation_times[0]),
         _pos_sigma_of_mean([line.by_attitude for line in lines], lines, correlation_times[1]),
-        float(np.linalg.norm(weights @ moves[2])),
+        float(np.linalg.norm(weights @ shifts[2])),
     )
     states = []
-    for which, distances in zip(("before", "after"), _distances_before_after(lines), strict=True):
-        found = [getattr(line.measured, which) for line in lines]
+    for state_name, distances in zip(
+        ("before", "after"), _distances_before_after(lines), strict=True
+    ):
+        found = [getattr(line.measured, state_name) for line in lines]
         scatter = float(np.linalg.norm([_scatter_sigma(each) for each in found])) / len(lines)
         rms = float(np.sqrt(weights @ np.concatenate(distances) ** 2))
         boresight = of_mean.boresight, of_rms.boresight
-        if which == "before":
+        if state_name == "before":
             boresight = None, None
         states.append(
             AbsoluteState(
@@ -374,15 +382,15 @@ def _line_check(
 
 
 def _equal_weights(line: LinePlaces) -> Array:
-    """Equal weights of the places in a line's mean."""
+    """Equal weights of the places in the mean of a line."""
     return np.full(len(line.group), 1.0 / len(line.group))
 
 
 def _scatter_sigma(distances: NormalDistances) -> float:
-    """Sigma of a line's mean from the scatter of its places, metres."""
+    """Sigma of the mean of a line due to the scatter of its places, metres."""
     within = float(np.sum((distances.distance - distances.distance.mean()) ** 2))
     # A single place has no scatter; its own interval gives its uncertainty.
-    own = float(np.sum((distances.half_width / NORMAL_95) ** 2))
+    own = float(np.sum((distances.half_width / NORMAL_QUANTILE_975) ** 2))
     return float(np.sqrt(max(within, own))) / len(distances.distance)
 
 
@@ -400,5 +408,5 @@ def _pos_sigma_of_mean(
     """Sigma of the mean due to POS errors that are constant in a line but drift between lines."""
     means = np.array([move.mean(axis=0) for move in moves]) / len(moves)
     time = np.array([line.time for line in lines])
-    alike = np.exp(-np.abs(time[:, None] - time) / correlation_time)
-    return float(np.sqrt(max(0.0, float(np.einsum("ik,ij,jk->", means, alike, means)))))
+    correlations = np.exp(-np.abs(time[:, None] - time) / correlation_time)
+    return float(np.sqrt(max(0.0, float(np.einsum("ik,ij,jk->", means, correlations, means)))))

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from lispac.messages import Message, note
 from lispac.validation.absolute_check import AbsoluteCheck, AbsoluteState
 
-Off = tuple[str, float, float]
+NamedMean = tuple[str, float, float]
 """A name, a mean, and half its 95 % interval, metres."""
 
 
@@ -23,35 +23,35 @@ def absolute_check_messages(check: AbsoluteCheck) -> tuple[Message, ...]:
     )
 
 
-def list_items_with_means(off: Sequence[Off]) -> list[Message]:
+def list_items_with_means(off: Sequence[NamedMean]) -> list[Message]:
     """Names with their means, as the items of a list."""
     return [
         note("item.mean_distance", name=name, mean=mean, interval=half) for name, mean, half in off
     ]
 
 
-MEANS = {
+MEAN_CODES = {
     ("after", True): "absolute.after_nearer",
     ("after", False): "absolute.after_farther",
     ("before", True): "absolute.before_nearer",
     ("before", False): "absolute.before_farther",
 }
 """Message code by state and by whether the lines are nearer to the vessel than the reference."""
-FINDINGS = {
+FINDING_CODES = {
     ("after", True): "absolute.not_explained",
     ("after", False): "absolute.explained",
     ("before", True): "absolute.not_explained_before",
     ("before", False): "absolute.explained_before",
 }
-"""Message code by state and by whether the mean is larger than its errors explain."""
+"""Message code by state and by whether the mean differs significantly from zero."""
 
 
 def _mean_message(absolute_state: AbsoluteState, state: str) -> Message:
     mean = absolute_state.signed.mean
     return note(
-        MEANS[state, mean > 0],
+        MEAN_CODES[state, mean > 0],
         mean=abs(mean), interval=absolute_state.interval_95,
-        finding=note(FINDINGS[state, absolute_state.significant]),
+        finding=note(FINDING_CODES[state, absolute_state.significant]),
     )  # fmt: skip
 
 
@@ -98,7 +98,7 @@ def _rms_message(check: AbsoluteCheck) -> Message:
 
 
 def _other_surface_messages(check: AbsoluteCheck) -> Iterator[Message]:
-    """Surfaces that may have been confused with the reference surface."""
+    """Notes on lines with a second surface, which may have been measured by mistake."""
     if check.other_surfaces is None:
         yield note("absolute.former_version")
     elif check.other_surfaces:

@@ -25,10 +25,11 @@ from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
 
-_CHUNK = 50_000
+_CHUNK_POINTS = 50_000
+"""Number of compared points that a thread processes at once."""
 
-COMPARED = ("validation.compared_shape", "validation.compared_not_finite")
-REFERENCE = ("validation.reference_shape", "validation.reference_not_finite")
+COMPARED_CODES = ("validation.compared_shape", "validation.compared_not_finite")
+REFERENCE_CODES = ("validation.reference_shape", "validation.reference_not_finite")
 """Codes of the messages that a cloud has a wrong shape, or coordinates that are not finite."""
 
 
@@ -61,8 +62,8 @@ def cloud_to_cloud(
     Raises
     ------
     InputError
-        A cloud that is not (n, 3) or holds NaN or infinity, an empty reference, or a maximum
-        distance that is not positive.
+        If a cloud is not (n, 3) or contains NaN or infinity, if the reference is empty, or if the
+        maximum distance is not positive.
 
     Notes
     -----
@@ -71,8 +72,8 @@ def cloud_to_cloud(
     is a height over the plane through its points, where CloudCompare takes the height along the
     coordinate axis nearest to that plane's normal, which is larger on oblique surfaces.
     """
-    compared = _checked_cloud(compared, COMPARED)
-    reference = _checked_cloud(reference, REFERENCE)
+    compared = _finite_cloud(compared, COMPARED_CODES)
+    reference = _finite_cloud(reference, REFERENCE_CODES)
     if max_distance is not None and not max_distance > 0.0:
         raise InputError(error("validation.max_distance", distance=max_distance))
     if len(compared) == 0:
@@ -82,11 +83,11 @@ def cloud_to_cloud(
 
     limit = np.inf if max_distance is None else max_distance
     progress(0.0, gettext_lazy("Indexing the point clouds"))
-    starts = range(0, len(compared), _CHUNK)
+    starts = range(0, len(compared), _CHUNK_POINTS)
     pool = ThreadPoolExecutor(max(2, min(os.cpu_count() or 1, len(starts))))
     try:
-        # Neighbours in space become neighbours in memory: the search and the plane fit then run
-        # from the processor's cache.
+        # Neighbours in space become neighbours in memory, so that the search and the plane fit use
+        # the cache of the processor.
         ordering = pool.submit(spatial_order, compared)
         reference = reference[spatial_order(reference)]
         tree = build_tree(reference)
@@ -94,7 +95,7 @@ def cloud_to_cloud(
         distances = np.empty(len(compared))
 
         def measure(start: int) -> None:
-            chosen = order[start : start + _CHUNK]
+            chosen = order[start : start + _CHUNK_POINTS]
             distances[chosen] = _chunk_distances(compared[chosen], reference, tree, model, limit)
 
         tasks = [pool.submit(measure, start) for start in starts]
@@ -102,7 +103,7 @@ def cloud_to_cloud(
             task.result()
             progress(0.2 + 0.8 * done / len(tasks), gettext_lazy("Computing distances"))
     finally:
-        # A cancelled run must not wait for chunks that have not started.
+        # After a cancellation, chunks that have not started are not computed.
         pool.shutdown(cancel_futures=True)
     return distances
 
@@ -124,7 +125,7 @@ def _chunk_distances(
     return np.asarray(distances)
 
 
-def _checked_cloud(points: ArrayLike, codes: tuple[str, str]) -> NDArray[np.float64]:
+def _finite_cloud(points: ArrayLike, codes: tuple[str, str]) -> NDArray[np.float64]:
     """Points as a contiguous (n, 3) array of finite numbers.
 
     Raises

@@ -13,11 +13,11 @@ from lispac.untrusted_values import ArrayShape
 from lispac.validation.distance_map import DistanceMap
 from lispac.validation.distance_profile import DistanceProfile
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
-from lispac.validation.normal_distance import NMAD, NormalDistances
+from lispac.validation.normal_distance import SIGMA_PER_MAD, NormalDistances
 from lispac.validation.plane_offset import PlaneOffset
 
-OUTLIER_LIMIT = 3.0
-"""Robust sigmas from the median beyond which a distance is counted as an outlier."""
+OUTLIER_LIMIT_SIGMAS = 3.0
+"""Number of robust sigmas above the median beyond which a distance is counted as an outlier."""
 
 
 @dataclass(frozen=True)
@@ -54,13 +54,13 @@ class DistanceStatistics:
         Raises
         ------
         InputError
-            There is none, or one is not a finite number.
+            If there is no distance, or one is not a finite number.
         """
         values = np.abs(np.asarray(distances, dtype=np.float64))
         if values.size == 0 or not np.isfinite(values).all():
             raise InputError(error("validation.no_distances"))
         median, p68, p95, p99 = np.percentile(values, (50.0, 68.0, 95.0, 99.0))
-        robust = NMAD * float(np.median(np.abs(values - median)))
+        robust = SIGMA_PER_MAD * float(np.median(np.abs(values - median)))
         return cls(
             n=int(values.size),
             mean=float(values.mean()),
@@ -71,7 +71,7 @@ class DistanceStatistics:
             p99=float(p99),
             maximum=float(values.max()),
             robust_sigma=robust,
-            outliers=int(np.count_nonzero(values > median + OUTLIER_LIMIT * robust)),
+            outliers=int(np.count_nonzero(values > median + OUTLIER_LIMIT_SIGMAS * robust)),
         )
 
 
@@ -111,7 +111,7 @@ class SignedStatistics:
             n=len(distance),
             mean=float(distance.mean()),
             median=median,
-            robust_sigma=NMAD * float(np.median(np.abs(distance - median))),
+            robust_sigma=SIGMA_PER_MAD * float(np.median(np.abs(distance - median))),
             half_width=float(np.median(half_width)),
             significant=float(np.mean(np.abs(distance) > half_width)),
             rms=float(np.sqrt(np.mean(distance**2))),

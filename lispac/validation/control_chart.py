@@ -22,16 +22,16 @@ from lispac.validation.repeatability import (
 
 Array = NDArray[np.float64]
 
-LIMIT = 3.0
+CONTROL_LIMIT_SIGMAS = 3.0
 """Number of sigmas of the difference from the mean beyond which the mounting has moved."""
-CHANCE = 2.0 * NormalDist().cdf(-LIMIT)
-"""Probability of a false alarm, for one angle and for the three together:
-less than one calibration in a hundred for either."""
+FALSE_ALARM_PROBABILITY = 2.0 * NormalDist().cdf(-CONTROL_LIMIT_SIGMAS)
+"""Probability of a false alarm in the test of one angle, 0.27 %, and in the joint test of all three
+angles."""
 
 
 @dataclass(frozen=True, eq=False)
 class ChartedCalibration:
-    """A calibration in its control chart.
+    """A calibration in a control chart.
 
     Attributes
     ----------
@@ -54,12 +54,12 @@ class ChartedCalibration:
         """Whether the mounting has moved since the calibrations before.
 
         True if one angle lies beyond its limits, or if the probability of the joint difference of
-        all three angles is below `CHANCE`.
+        all three angles is below `FALSE_ALARM_PROBABILITY`.
         """
         if self.change is None:
             return False
-        beyond = bool((np.abs(self.change.significance) > LIMIT).any())
-        return beyond or self.change.probability < CHANCE
+        beyond = bool((np.abs(self.change.significance) > CONTROL_LIMIT_SIGMAS).any())
+        return beyond or self.change.probability < FALSE_ALARM_PROBABILITY
 
 
 def control_chart(calibrations: Sequence[Calibration]) -> tuple[ChartedCalibration, ...]:
@@ -92,5 +92,5 @@ def control_limits(charted: ChartedCalibration) -> Array | None:
     """Lower and upper limits of the three angles, shape (2, 3), radians; None for the first."""
     if charted.before is None or charted.change is None:
         return None
-    reach = LIMIT * charted.change.sigma
+    reach = CONTROL_LIMIT_SIGMAS * charted.change.sigma
     return np.array([charted.before.boresight - reach, charted.before.boresight + reach])

@@ -18,30 +18,35 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-WIDE, NARROWEST, WIDEST = 2.0, 0.10, 0.60
+DIAMETER_FACTOR, MIN_DIAMETER_M, MAX_DIAMETER_M = 2.0, 0.10, 0.60
 """Diameter of a cylinder as a multiple of the distance to the twelfth neighbour, and its smallest
-and largest value in metres."""
-NEIGHBOURS = 12
-STEP = 1.15
+and largest value."""
+SPACING_NEIGHBOUR = 12
+"""Number, in order of distance, of the neighbour that determines the point spacing."""
+DIAMETER_STEP_RATIO = 1.15
 """Ratio of a diameter to the next smaller one."""
-REGION = 2 * WIDEST
-"""Side in metres of the cubes within which all places get the same diameter, the median."""
-MAX_PLACES, MAX_CANDIDATES, MAX_POINTS = 3_000, 60_000, 400_000
-SPARSER = 1.2
+REGION_SIDE_M = 2 * MAX_DIAMETER_M
+"""Side of the cubes within which all places have the same diameter, the median."""
+MAX_PLACES, MAX_CANDIDATES, MAX_SURFACE_POINTS = 3_000, 60_000, 400_000
+"""Largest numbers of selected places, of candidate places, and of points of a scan to find them."""
+SPACING_GROWTH_FACTOR = 1.2
+"""Factor by which the spacing is increased until there are few enough places."""
 
 
 def candidate_places(surface: Array) -> Array:
-    """Places spread evenly over a scan in its frame, (k, 3), as close together as cylinders may be.
+    """Places spread evenly over a scan, shape (k, 3), metres, local frame.
+
+    Their spacing is the smallest diameter of a cylinder, or more if there are too many places.
 
     Parameters
     ----------
     surface : ndarray of shape (n, 3), metres, local frame
         Points of the scan.
     """
-    some, side = surface[:: -(-len(surface) // MAX_POINTS)], NARROWEST
-    while len(kept := thin_points(some, side)) > MAX_CANDIDATES:
-        side *= SPARSER
-    return some[kept]
+    points, side = surface[:: -(-len(surface) // MAX_SURFACE_POINTS)], MIN_DIAMETER_M
+    while len(kept := thin_points(points, side)) > MAX_CANDIDATES:
+        side *= SPACING_GROWTH_FACTOR
+    return points[kept]
 
 
 def twelfth_neighbour_distance(tree: "cKDTree", places: Array) -> Array:
@@ -49,13 +54,15 @@ def twelfth_neighbour_distance(tree: "cKDTree", places: Array) -> Array:
 
     Parameters
     ----------
+    tree : cKDTree
+        Points to which the places belong.
     places : ndarray of shape (k, 3), metres, local frame
 
     Returns
     -------
     ndarray of shape (k,), metres
     """
-    far, _ = tree.query(places, k=[NEIGHBOURS + 1])
+    far, _ = tree.query(places, k=[SPACING_NEIGHBOUR + 1])
     return np.asarray(far[:, 0], dtype=np.float64)
 
 
@@ -65,9 +72,10 @@ def cylinder_diameters(line: "cKDTree", places: Array, reach: float) -> Array:
     Parameters
     ----------
     line : cKDTree
-        Of the line's points.
+        Points of the line.
     places : ndarray of shape (k, 3), metres, local frame
     reach : float, metres
+        Largest distance from a place at which a point of the line is searched for.
 
     Returns
     -------
@@ -79,15 +87,17 @@ def cylinder_diameters(line: "cKDTree", places: Array, reach: float) -> Array:
         return found
     distance, nearest = line.query(places, distance_upper_bound=reach)
     is_near = np.isfinite(distance)
-    at, back = np.unique(nearest[is_near], return_inverse=True)
+    nearest_points, inverse = np.unique(nearest[is_near], return_inverse=True)
     found[is_near] = np.clip(
-        WIDE * twelfth_neighbour_distance(line, line.data[at]), NARROWEST, WIDEST
-    )[back]
+        DIAMETER_FACTOR * twelfth_neighbour_distance(line, line.data[nearest_points]),
+        MIN_DIAMETER_M,
+        MAX_DIAMETER_M,
+    )[inverse]
     return found
 
 
 def select_separate_places(places: Array, diameters: Array) -> tuple[Indices, Array]:
-    """Select places that are one diameter apart, and the diameter at each.
+    """Select places that are at least one diameter apart, and the diameter at each.
 
     Parameters
     ----------
@@ -102,8 +112,11 @@ def select_separate_places(places: Array, diameters: Array) -> tuple[Indices, Ar
         Indices, ascending; at most `MAX_PLACES`, for which places farther apart are selected.
     diameters : ndarray of shape (m,), metres
     """
-    steps = np.round(np.log(median_by_region(places, diameters, REGION) / NARROWEST) / np.log(STEP))
-    usual = np.minimum(NARROWEST * STEP**steps, WIDEST)
+    steps = np.round(
+        np.log(median_by_region(places, diameters, REGION_SIDE_M) / MIN_DIAMETER_M)
+        / np.log(DIAMETER_STEP_RATIO)
+    )
+    usual = np.minimum(MIN_DIAMETER_M * DIAMETER_STEP_RATIO**steps, MAX_DIAMETER_M)
     spacing = 1.0
     while True:
         parts: list[Indices] = [np.zeros(0, dtype=np.intp)]
@@ -113,18 +126,18 @@ def select_separate_places(places: Array, diameters: Array) -> tuple[Indices, Ar
         chosen = np.sort(np.concatenate(parts))
         if len(chosen) <= MAX_PLACES:
             return chosen, usual[chosen]
-        spacing *= SPARSER
+        spacing *= SPACING_GROWTH_FACTOR
 
 
 def median_by_region(places: Array, values: Array, side: float) -> Array:
-    """The median of the values in the cube that each place lies in, shape (k,).
+    """Median of the values in the cube that contains each place, shape (k,).
 
     Parameters
     ----------
     places : ndarray of shape (k, 3), metres, local frame
     values : ndarray of shape (k,)
     side : float, metres
-        Of the cubes.
+        Side of the cubes.
     """
     region = region_numbers(places, side)
     count = np.bincount(region)
@@ -135,12 +148,13 @@ def median_by_region(places: Array, values: Array, side: float) -> Array:
 
 
 def region_numbers(places: Array, side: float) -> Indices:
-    """Number of the cube of that side, metres, that each place lies in, shape (k,).
+    """Number of the cube that contains each place, shape (k,).
 
     Parameters
     ----------
     places : ndarray of shape (k, 3), metres, local frame
     side : float, metres
+        Side of the cubes.
     """
     cubes = np.floor(places / side).astype(np.int64)
     _, region = np.unique(cubes, axis=0, return_inverse=True)

@@ -20,12 +20,13 @@ from lispac.validation.normal_distance import NormalDistances, distances_along_n
 
 Array = NDArray[np.float64]
 
-WIDE = 4.0
+CELL_SPACINGS = 4.0
 """Side of a cell as a multiple of the point spacing of the sparser line."""
-SMOOTH = 2.0
+NORMAL_SPHERE_FACTOR = 2.0
 """Diameter of the sphere of points used for a normal, as a multiple of the side of a cell."""
 MAX_CELLS = 1_500
-DIGITS = 6
+"""Largest number of cells in the rectangle around the common part of two lines."""
+STORED_DECIMALS = 6
 """Number of stored decimals of values in metres: micrometres."""
 
 
@@ -68,6 +69,7 @@ def distance_map(
     Parameters
     ----------
     lines : pair of str
+        Names of the lines.
     ours, theirs : pairs of ndarray of shape (n, 3), metres, local frame
         Points of the first and of the second line in their common part, before and after.
     facing : ndarray of shape (3,)
@@ -86,7 +88,7 @@ def distance_map(
     flat = after @ axes.T
     corner = flat.min(axis=0)
     flat = flat - corner
-    cell = max(WIDE * spacing, float(np.sqrt(np.prod(flat.max(axis=0)) / MAX_CELLS)))
+    cell = max(CELL_SPACINGS * spacing, float(np.sqrt(np.prod(flat.max(axis=0)) / MAX_CELLS)))
     chosen = thin_points(np.column_stack([flat, np.zeros(len(flat))]), cell)
     found: list[NormalDistances] = []
     try:
@@ -94,7 +96,7 @@ def distance_map(
             found.append(
                 distances_along_normal(
                     compared, reference, reference[chosen], facing=facing,
-                    normal_scale=SMOOTH * cell, diameter=cell, depth=depth + cell,
+                    normal_scale=NORMAL_SPHERE_FACTOR * cell, diameter=cell, depth=depth + cell,
                 )
             )  # fmt: skip
     except NotComparable:
@@ -102,7 +104,9 @@ def distance_map(
     common = np.intersect1d(found[0].at, found[1].at)
     if not len(common):
         return None
-    before, after = (np.round(state.select_cores(common).distance, DIGITS) for state in found)
+    before, after = (
+        np.round(state.select_cores(common).distance, STORED_DECIMALS) for state in found
+    )
     middles = cell * (np.floor(flat[chosen[common]] / cell) + 0.5)
-    across, up = np.round(middles, DIGITS).T
-    return DistanceMap(*lines, round(cell, DIGITS), across, up, before, after)
+    across, up = np.round(middles, STORED_DECIMALS).T
+    return DistanceMap(*lines, round(cell, STORED_DECIMALS), across, up, before, after)

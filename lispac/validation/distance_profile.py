@@ -14,8 +14,9 @@ from lispac.untrusted_values import ArrayShape
 
 Array = NDArray[np.float64]
 
-BINS = 12
-FEWEST = 30
+PROFILE_BINS = 12
+"""Default number of bins of a profile."""
+MIN_DISTANCES_PER_BIN = 30
 """Smallest number of distances in a bin for statistics."""
 
 
@@ -28,7 +29,7 @@ class DistanceProfile:
     edges : ndarray of shape (k + 1,), metres
     n : ndarray of shape (k,), int64
     median_before, median_after, p95_before, p95_after : ndarrays of shape (k,), metres
-        Of the unsigned distances; NaN where a bin holds fewer than 30.
+        Of the unsigned distances; NaN where a bin contains fewer than 30.
     """
 
     edges: Annotated[Array, ArrayShape("k+1")]
@@ -39,15 +40,17 @@ class DistanceProfile:
     p95_after: Annotated[Array, ArrayShape("k")]
 
     @classmethod
-    def of(cls, against: Array, before: Array, after: Array, bins: int = BINS) -> "DistanceProfile":
+    def of(
+        cls, against: Array, before: Array, after: Array, bins: int = PROFILE_BINS
+    ) -> "DistanceProfile":
         """Bin distances ``before`` and ``after`` by a quantity ``against``; each (n,), metres."""
         low, high = float(against.min()), float(against.max())
         edges = np.linspace(low, high if high > low else low + 1.0, bins + 1)
-        at = np.clip(np.searchsorted(edges, against, side="right") - 1, 0, bins - 1)
-        figures = np.full((4, bins), np.nan)
-        counts = np.bincount(at, minlength=bins).astype(np.int64)
-        for k in np.flatnonzero(counts >= FEWEST):
-            here = at == k
-            figures[:2, k] = np.median(before[here]), np.median(after[here])
-            figures[2:, k] = [np.percentile(d[here], 95.0) for d in (before, after)]
-        return cls(edges, counts, *figures)
+        bin_of = np.clip(np.searchsorted(edges, against, side="right") - 1, 0, bins - 1)
+        statistics = np.full((4, bins), np.nan)
+        counts = np.bincount(bin_of, minlength=bins).astype(np.int64)
+        for k in np.flatnonzero(counts >= MIN_DISTANCES_PER_BIN):
+            in_bin = bin_of == k
+            statistics[:2, k] = np.median(before[in_bin]), np.median(after[in_bin])
+            statistics[2:, k] = [np.percentile(d[in_bin], 95.0) for d in (before, after)]
+        return cls(edges, counts, *statistics)

@@ -17,24 +17,29 @@ from lispac.errors import NotComparable
 from lispac.geometry.nearest_neighbours import build_tree
 from lispac.messages import error
 from lispac.validation.cylinder_diameters import (
-    WIDE,
-    WIDEST,
+    DIAMETER_FACTOR,
+    MAX_DIAMETER_M,
     candidate_places,
     cylinder_diameters,
     select_separate_places,
     twelfth_neighbour_distance,
 )
-from lispac.validation.reference_places import SMOOTH, is_reference_flat, measure_to_surface
+from lispac.validation.reference_places import (
+    NORMAL_SPHERE_FACTOR,
+    is_reference_flat,
+    measure_to_surface,
+)
 
 Array = NDArray[np.float64]
 
 Facing = Literal["all", "level", "upright", "sloped"]
 FACINGS: tuple[Facing, ...] = ("all", "level", "upright", "sloped")
-LEVEL, UPRIGHT = np.cos(np.radians(10.0)), np.sin(np.radians(10.0))
+"""Orientations of surfaces: all, ground, walls, and those in between."""
+MIN_GROUND_NORMAL_UP, MAX_WALL_NORMAL_UP = np.cos(np.radians(10.0)), np.sin(np.radians(10.0))
 """Limits of the vertical component of the normal: slopes up to 10 deg are ground, as in the USGS
 specification; surfaces within 10 deg of the vertical are walls."""
-MAX_POINTS = 300_000
-"""Largest number of points of a line that are used; they are spread evenly over the line."""
+MAX_LINE_POINTS = 300_000
+"""Largest number of points of a line that are used: every n-th point of the line."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,9 +69,9 @@ class LineDifference:
         up = np.abs(self.normal[:, 2])
         own = {
             "all": np.ones(len(up), dtype=bool),
-            "level": up >= LEVEL,
-            "upright": up <= UPRIGHT,
-            "sloped": (up < LEVEL) & (up > UPRIGHT),
+            "level": up >= MIN_GROUND_NORMAL_UP,
+            "upright": up <= MAX_WALL_NORMAL_UP,
+            "sloped": (up < MIN_GROUND_NORMAL_UP) & (up > MAX_WALL_NORMAL_UP),
         }[facing]
         return LineDifference(
             self.first, self.second, self.place[own], self.distance[own], self.half_width[own],
@@ -101,7 +106,7 @@ def compare_lines(
         If the lines have no flat place in common.
     """
     (one, surface), (other, points) = first, second
-    surface, points = (each[:: -(-len(each) // MAX_POINTS) or 1] for each in (surface, points))
+    surface, points = (each[:: -(-len(each) // MAX_LINE_POINTS) or 1] for each in (surface, points))
     places = candidate_places(surface)
     diameters = cylinder_diameters(build_tree(points), places, reach)
     near = np.flatnonzero(np.isfinite(diameters))
@@ -109,17 +114,22 @@ def compare_lines(
         raise NotComparable(
             error("validation.no_place_in_common", line=one, other=other, reach=reach)
         )
-    own = np.minimum(WIDE * twelfth_neighbour_distance(build_tree(surface), places[near]), WIDEST)
-    chosen, wide = select_separate_places(places[near], np.maximum(diameters[near], own))
-    cores = places[near][chosen]
+    own_diameters = np.minimum(
+        DIAMETER_FACTOR * twelfth_neighbour_distance(build_tree(surface), places[near]),
+        MAX_DIAMETER_M,
+    )
+    selected, widths = select_separate_places(
+        places[near], np.maximum(diameters[near], own_diameters)
+    )
+    cores = places[near][selected]
     roughest = 3 * noise
-    flat = is_reference_flat(surface, cores, SMOOTH * wide, roughest)
+    flat = is_reference_flat(surface, cores, NORMAL_SPHERE_FACTOR * widths, roughest)
     if not flat.any():
         raise NotComparable(error("validation.no_flat_place", line=one, other=other))
-    cores, wide = cores[flat], wide[flat]
+    cores, widths = cores[flat], widths[flat]
     try:
         found = measure_to_surface(
-            points, points, surface, cores, facing=vessel - cores, diameters=wide, reach=reach,
+            points, points, surface, cores, facing=vessel - cores, diameters=widths, reach=reach,
             roughest=roughest,
         ).before  # fmt: skip
     except NotComparable as reason:  # about one line and a reference

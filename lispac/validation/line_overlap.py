@@ -12,19 +12,22 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-# Enough points to determine their spacing, and quick to triangulate.
 _TRIANGULATED_POINTS = 20_000
+"""Largest number of points that are triangulated: enough to determine their spacing, and fast."""
 _MAX_CELLS = 4e6
-_RIM = 3
+"""Approximate largest number of cells of a footprint."""
+_RIM_CELLS = 3
+"""Number of empty cells around the points of a footprint."""
 
 
 class _Footprint:
     """The region of a plane that a set of points covers, as cells of a grid.
 
-    Points of a vessel LiDAR are dense along a profile and sparse across, so the side of a cell has
-    to be the spacing of the profiles. This is the longest side of the typical triangle in a
-    triangulation of the points, which connects neighbouring profiles. Holes up to two cells wide
-    occur by chance and are closed. The outline is accurate to one cell, that is to one spacing.
+    Points of a LiDAR on a vessel are dense along a profile and sparse across it, so the side of a
+    cell has to be the spacing of the profiles. This is the median of the longest sides of the
+    triangles in a triangulation of the points, which connects neighbouring profiles. Holes up to
+    two cells wide occur by chance and are closed. The outline is accurate to one cell, that is to
+    one spacing.
 
     Parameters
     ----------
@@ -46,8 +49,8 @@ class _Footprint:
         low, high = points.min(axis=0), points.max(axis=0)
         self.cell = max(spacing, float(np.sqrt(np.prod(high - low) / _MAX_CELLS)))
         # The morphological closing needs a rim of empty cells, which also take all points outside.
-        self._low = low - _RIM * self.cell
-        shape = np.floor((high - self._low) / self.cell).astype(np.int64) + 1 + _RIM
+        self._low = low - _RIM_CELLS * self.cell
+        shape = np.floor((high - self._low) / self.cell).astype(np.int64) + 1 + _RIM_CELLS
         occupied = np.zeros(shape, dtype=bool)
         column, row = np.floor((points - self._low) / self.cell).astype(np.int64).T
         occupied[column, row] = True
@@ -63,7 +66,7 @@ class _Footprint:
 
 
 class LineOverlap:
-    """Selection of points of one line inside the footprint of another, before and after.
+    """Masks of the points of one line inside the footprint of another, before and after.
 
     Parameters
     ----------
@@ -81,7 +84,7 @@ class LineOverlap:
         """Normal of the plane after the calibration, shape (3,), of either sign."""
 
     def of(self, line: str, other: str) -> Bools:
-        """Which points of ``line`` overlap ``other`` in both states, shape (n,), bool."""
+        """Whether each point of ``line`` overlaps ``other`` in both states, shape (n,), bool."""
         masks = [footprints[other].contains(flat[line]) for flat, footprints in self._states]
         both: Bools = masks[0] & masks[1]
         return both
@@ -113,14 +116,14 @@ def _common_plane_frame(patches: list[Array]) -> tuple[Array, Array]:
 
 
 def _sparse_spacing(points: Array) -> float | None:
-    """Longest side of the typical triangle between the points, metres; None without triangles."""
+    """Median of the longest sides of the triangles between points, metres; None if no triangles."""
     from scipy.spatial import Delaunay, QhullError
 
     step = -(-len(points) // _TRIANGULATED_POINTS)
     outline = points[:: max(step, 1)]
     try:
         triangles = Delaunay(outline).simplices
-    except QhullError:  # fewer than three points, or all in one row: they cover no area
+    except QhullError:  # fewer than three points, or all on one straight line
         return None
     corners = outline[triangles]
     sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)

@@ -21,9 +21,9 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 Kind = Literal["point", "plane", "quadric"]
 
-FEWEST = {"point": 1, "plane": 3, "quadric": 6}
+MIN_POINTS_BY_KIND = {"point": 1, "plane": 3, "quadric": 6}
 """Smallest number of points that determine each model."""
-USUAL_NEIGHBOURS: dict[Kind, int] = {"point": 1, "plane": 6, "quadric": 12}
+DEFAULT_NEIGHBOURS: dict[Kind, int] = {"point": 1, "plane": 6, "quadric": 12}
 """Default number of points for each model; six for a plane, as in CloudCompare."""
 
 
@@ -43,7 +43,8 @@ class LocalModel:
     Raises
     ------
     InputError
-        Fewer neighbours than determine the model, or a radius that is not positive.
+        If the kind is unknown, the neighbours are too few to determine the model, or the radius is
+        not positive.
     """
 
     kind: Kind = "plane"
@@ -51,23 +52,25 @@ class LocalModel:
     radius: float | None = None
 
     def __post_init__(self) -> None:
-        if self.kind not in FEWEST:
-            raise InputError(error("validation.unknown_model", kind=self.kind, kinds=tuple(FEWEST)))
+        if self.kind not in MIN_POINTS_BY_KIND:
+            raise InputError(
+                error("validation.unknown_model", kind=self.kind, kinds=tuple(MIN_POINTS_BY_KIND))
+            )
         if self.radius is not None and not 0.0 < self.radius < np.inf:
             raise InputError(error("validation.model_radius", kind=self.kind, radius=self.radius))
-        if self.radius is None and self.neighbours < FEWEST[self.kind]:
+        if self.radius is None and self.neighbours < MIN_POINTS_BY_KIND[self.kind]:
             raise InputError(
                 error(
                     "validation.model_neighbours",
                     kind=self.kind,
-                    needed=FEWEST[self.kind],
+                    needed=MIN_POINTS_BY_KIND[self.kind],
                     count=self.neighbours,
                 )
             )
 
     @property
     def name(self) -> Message:
-        """Its name in tables and reports."""
+        """Name of the model in tables and reports."""
         if self.kind == "point":
             return note("surface.nearest_point")
         flat = self.kind == "plane"
@@ -85,7 +88,7 @@ class LocalModel:
         ----------
         compared : ndarray of shape (n, 3), metres, local frame
         nearest : ndarray of shape (n,)
-            Index of the reference point nearest to each.
+            Index of the reference point nearest to each compared point.
         reference : ndarray of shape (m, 3), metres, local frame
         tree : cKDTree of the reference points
 
@@ -96,9 +99,9 @@ class LocalModel:
         """
         if self.kind == "point":
             return np.full(len(compared), np.nan)
-        # Several compared points share a nearest point, and with it a surface.
+        # Several compared points may have the same nearest point, and therefore the same surface.
         centres, surface_of = np.unique(nearest, return_inverse=True)
-        groups, counts = self._groups(reference, centres, tree)
+        groups, counts = self._neighbour_groups(reference, centres, tree)
         centroids, normals = local_planes(reference, groups, counts)
         offsets = compared - centroids[surface_of]
         if self.kind == "plane":
@@ -106,7 +109,7 @@ class LocalModel:
         quadrics = local_quadrics(reference, groups, counts, centroids, normals)
         return np.abs(heights_above(quadrics, offsets, surface_of))
 
-    def _groups(
+    def _neighbour_groups(
         self, reference: Array, centres: Indices, tree: "cKDTree"
     ) -> tuple[Indices, Indices]:
         """Neighbours (c, k) of the given points, and the number of valid entries in each row."""
@@ -121,7 +124,7 @@ class LocalModel:
         return padded, counts
 
 
-NEAREST_POINT = LocalModel("point", 1)
+NEAREST_POINT_MODEL = LocalModel("point", 1)
 """Nearest point only; distances then depend on the point spacing as well."""
 SIX_POINT_PLANE = LocalModel("plane", 6)
 """Default model of CloudCompare and of this program."""

@@ -25,15 +25,16 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-NMAD = 1.4826
+SIGMA_PER_MAD = 1.4826
 """Ratio of the standard deviation of normal noise to its median absolute deviation."""
-FEWEST = 4
-"""Smallest number of points of each cloud in a cylinder for a distance (Lague et al. 2013)."""
+MIN_CYLINDER_POINTS = 4
+"""Smallest number of points of each cloud in a cylinder for a distance (Lague et al. 2013), and of
+reference points for a normal."""
 
 
 @dataclass(frozen=True, eq=False)
 class NormalDistances:
-    """Distances at the core points that have one.
+    """Distances at the core points that have a distance.
 
     Attributes
     ----------
@@ -110,9 +111,9 @@ def distances_along_normal(
     Raises
     ------
     InputError
-        A scale, diameter or depth that is not positive.
+        If a scale, diameter or depth is not positive.
     NotComparable
-        No core point has a distance.
+        If no core point has a distance.
     """
     for code, value in (
         ("validation.normal_scale", normal_scale), ("validation.cylinder_diameter", diameter),
@@ -132,23 +133,27 @@ def distances_along_normal(
     )  # fmt: skip
     if not len(cores):
         raise NotComparable(error("validation.no_places"))
-    # With cells as wide as a query, each query reads few cells.
+    # With cells as wide as the search radius, each search reads few cells.
     clouds = [
         PointGrid(points, max(float(diameters.max()), float(depths.max())) / 2).cells
         for points in (compared, reference)
     ]
-    cores_in_a_row = np.ascontiguousarray(cores, dtype=np.float64)
+    contiguous_cores = np.ascontiguousarray(cores, dtype=np.float64)
     normals = _oriented_normals(
-        cores_in_a_row, clouds[1], _facing_per_core(facing, len(cores)), scales / 2
+        contiguous_cores, clouds[1], _facing_per_core(facing, len(cores)), scales / 2
     )
     samples = _cylinder_statistics(
-        cores_in_a_row, normals, clouds[0], clouds[1], diameters / 2, middles,
+        contiguous_cores, normals, clouds[0], clouds[1], diameters / 2, middles,
         np.column_stack([depths, own_depths]),
     )  # fmt: skip
-    measured = (samples[:, :, 2] >= FEWEST).all(axis=1)
+    measured = (samples[:, :, 2] >= MIN_CYLINDER_POINTS).all(axis=1)
     if not measured.any():
         raise NotComparable(
-            error("validation.cylinder_too_narrow", needed=FEWEST, diameter=float(diameters.max()))
+            error(
+                "validation.cylinder_too_narrow",
+                needed=MIN_CYLINDER_POINTS,
+                diameter=float(diameters.max()),
+            )
         )
     distance, half_width = _mean_differences(samples[measured])
     return NormalDistances(
@@ -185,7 +190,7 @@ def _oriented_normals(
     chosen = np.full((len(cores), 3), np.nan)
     for k in range(len(cores)):
         near = gather_within_radius(reference, cores[k], scales[k])
-        if near.size < FEWEST:
+        if near.size < MIN_CYLINDER_POINTS:
             continue
         _, normals = local_planes_kernel(reference[0], near.reshape((1, -1)), np.array([near.size]))
         side = 0.0
@@ -216,14 +221,14 @@ def _cylinder_statistics(
             )
             count, mean, squares = 0, 0.0, 0.0
             for i in found:
-                along, beside = 0.0, 0.0
+                along, squared = 0.0, 0.0
                 for axis in range(3):
                     off = cloud[0][i, axis] - core[axis]
                     along += off * normal[axis]
-                    beside += off * off
-                if beside - along * along <= radius * radius and abs(along - middle) <= depth:
+                    squared += off * off
+                if squared - along * along <= radius * radius and abs(along - middle) <= depth:
                     count += 1
-                    step = along - mean  # Welford 1962: no digits are lost
+                    step = along - mean  # Welford 1962, to lose no digits
                     mean += step / count
                     squares += step * (along - mean)
             samples[k, which, 0] = mean

@@ -1,7 +1,8 @@
 """Distances between lines on a validation plane before and after the calibration.
 
-The relative accuracy assessment of thesis sections 4.4.6 and 4.5.4: cloud-to-cloud distances with
-a local plane between every two lines that saw the same plane, as histograms before and after.
+This is the assessment of relative accuracy of thesis sections 4.4.6 and 4.5.4: cloud-to-cloud
+distances with a local plane between all pairs of lines with points on the same plane, as histograms
+before and after.
 
 A point of line A is compared with line B if it lies inside the footprint of B in the plane **both**
 before and after the calibration. The condition after the calibration ensures that both lines show
@@ -41,28 +42,30 @@ __all__ = [
     "DistanceStatistics",
     "PairComparison",
     "PlaneComparison",
+    "are_reciprocal",
     "comparable_pairs",
     "compare_plane",
-    "reciprocal",
 ]
 Array = NDArray[np.float64]
-RECIPROCAL_TOLERANCE = np.radians(20.0)
+RECIPROCAL_TOLERANCE_RAD = np.radians(20.0)
+"""Largest deviation of two headings from opposite directions for reciprocal lines."""
 MAX_POINTS_PER_LINE = 100_000
+"""Largest number of points of a line on a plane that are compared."""
 MAX_MAPS = 4
 """Largest number of pairs of lines with a map of distances on one plane."""
-MIN_POINTS = 30
+MIN_OVERLAP_POINTS = 30
 """Smallest number of points of a line in the overlap with another one; fewer do not represent a
 surface, and their percentiles have no meaning."""
-MAX_CORES = 200
+MAX_CORES_PER_LINE = 200
 """Largest number of places of each line at which distances along the normal are measured."""
 CYLINDER_SPACINGS = 4.0
-"""Diameter of a cylinder as a multiple of the point spacing of the sparser line, so that it holds
-about twelve points of this line."""
+"""Diameter of a cylinder as a multiple of the point spacing of the sparser line, so that it
+contains about twelve points of this line."""
 NORMAL_DIAMETERS = 2.0
 """Diameter of the sphere of points used for a normal, as a multiple of the cylinder diameter."""
 
 
-def reciprocal(heading_a: float, heading_b: float) -> bool:
+def are_reciprocal(heading_a: float, heading_b: float) -> bool:
     """Whether two headings are opposite within 20 degrees.
 
     Parameters
@@ -70,7 +73,7 @@ def reciprocal(heading_a: float, heading_b: float) -> bool:
     heading_a, heading_b : float, radians
     """
     turn = np.remainder(heading_a - heading_b, 2.0 * np.pi)
-    return bool(abs(turn - np.pi) <= RECIPROCAL_TOLERANCE)
+    return bool(abs(turn - np.pi) <= RECIPROCAL_TOLERANCE_RAD)
 
 
 def comparable_pairs(
@@ -108,9 +111,9 @@ def compare_plane(
     Parameters
     ----------
     name : str
-        Of the plane, for messages and the result.
+        Name of the plane, for messages and the result.
     before, after : mapping of line name to ndarray of shape (n, 3), metres, local frame
-        Points of the plane in each line, placed with the prior and with the estimated boresight:
+        Points of each line on the plane, georeferenced with the prior and the estimated boresight:
         the same points in the same order. If a line has more than 100 000, only every second,
         third, ... point is used, the same ones in both states.
     headings : mapping of line name to float, radians
@@ -128,23 +131,28 @@ def compare_plane(
     PlaneComparison
         Contains every pair of lines that overlaps, reciprocal pairs first. The pooled statistics
         and the histograms use the reciprocal pairs, or all pairs if there are no reciprocal ones.
-        The histograms extend from zero to the 99.5th percentile of both states; the last bin
-        includes larger distances, so that the counts add up to n.
+        The histograms extend from zero to the 99.5th percentile of the state with larger distances;
+        the last bin includes larger distances, so that the counts add up to n.
 
     Raises
     ------
     NotComparable
-        Fewer than two lines show the plane, or no two of them overlap.
+        If fewer than two lines have enough points on the plane, or no two of them overlap.
     InputError
-        The two states have different points, a heading is missing, or points are not finite.
+        If the two states have different points, a heading is missing, or points are not finite.
     """
     _require_same_points(name, before, after, headings)
     observed = _lines_with_enough_points(before)
     if len(observed) < 2:
         raise NotComparable(
-            error("validation.plane_in_one_line", plane=name, line=observed[0], needed=MIN_POINTS)
+            error(
+                "validation.plane_in_one_line",
+                plane=name,
+                line=observed[0],
+                needed=MIN_OVERLAP_POINTS,
+            )
             if observed
-            else error("validation.plane_in_no_line", plane=name, needed=MIN_POINTS)
+            else error("validation.plane_in_no_line", plane=name, needed=MIN_OVERLAP_POINTS)
         )
     clouds = _thinned_states(before, after, observed)
     overlap = LineOverlap(*clouds)
@@ -153,7 +161,7 @@ def compare_plane(
 
     couples = sorted(
         combinations(observed, 2),
-        key=lambda pair: not reciprocal(headings[pair[0]], headings[pair[1]]),
+        key=lambda pair: not are_reciprocal(headings[pair[0]], headings[pair[1]]),
     )
     pairs: list[PairComparison] = []
     not_compared: list[tuple[str, str]] = []
@@ -191,7 +199,7 @@ def compare_plane(
                     _plane_offset_between_lines(ours, theirs, facing),
                 )
             )
-        both_ways = reciprocal(headings[a], headings[b])
+        both_ways = are_reciprocal(headings[a], headings[b])
         # Reciprocal pairs come first; if there are any, the other pairs are not pooled.
         if len(maps) < MAX_MAPS and (both_ways or not any(pair.reciprocal for pair in pairs)):
             mapped = distance_map(
@@ -213,7 +221,7 @@ def compare_plane(
             _MeasuredDistances(distances[0], distances[1], height, ranged[0] if ranged else None)
         )
     if not pairs:
-        raise NotComparable(error("validation.no_overlap", plane=name, needed=MIN_POINTS))
+        raise NotComparable(error("validation.no_overlap", plane=name, needed=MIN_OVERLAP_POINTS))
     progress(1.0)
 
     any_reciprocal = any(pair.reciprocal for pair in pairs)
@@ -272,7 +280,7 @@ def _thin_evenly(points: Array) -> Array:
 
 
 def _lines_with_enough_points(points: Mapping[str, Array]) -> list[str]:
-    return [line for line in points if len(points[line]) >= MIN_POINTS]
+    return [line for line in points if len(points[line]) >= MIN_OVERLAP_POINTS]
 
 
 def _thinned_states(
@@ -288,7 +296,7 @@ def _thinned_states(
 def _common_points(overlap: LineOverlap, a: str, b: str) -> tuple[Bools, Bools] | None:
     """Masks of the points of each line inside the other's footprint; None if too few."""
     masks = overlap.of(a, b), overlap.of(b, a)
-    return masks if min(map(np.count_nonzero, masks)) >= MIN_POINTS else None
+    return masks if min(map(np.count_nonzero, masks)) >= MIN_OVERLAP_POINTS else None
 
 
 def _require_same_points(
@@ -352,7 +360,7 @@ def signed_distance_statistics(
     diameter = CYLINDER_SPACINGS * spacing
     parts = []
     for compared, reference, sign in ((a, b, 1.0), (b, a, -1.0)):
-        step = -(-len(reference) // MAX_CORES)
+        step = -(-len(reference) // MAX_CORES_PER_LINE)
         try:
             found = distances_along_normal(
                 compared, reference, reference[::step], facing=facing,
@@ -365,7 +373,7 @@ def signed_distance_statistics(
 
 
 def _plane_offset_between_lines(a: Array, b: Array, facing: Array) -> PlaneOffset | None:
-    """Offset from the second line's plane to the first's; None if one has no plane.
+    """Offset from the plane of the second line to that of the first; None if one has no plane.
 
     Parameters
     ----------

@@ -16,20 +16,21 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-UNKNOWNS, ROUNDS = 3, 4
-NMAD = 1.4826
-"""Ratio of the standard deviation of normal noise to its median absolute value."""
-OUTLIER_LIMIT = 3.5
+UNKNOWNS, MAX_FIT_ITERATIONS = 3, 4
+"""Number of parameters of a plane, and largest number of fits without outliers."""
+SIGMA_PER_MAD = 1.4826
+"""Ratio of the standard deviation of normal noise to its median absolute deviation."""
+OUTLIER_LIMIT_SIGMAS = 3.5
 """Number of robust sigmas beyond which a point is excluded and counted as an outlier."""
-FINEST = 1e-9
-"""Smallest noise that can be distinguished from rounding, metres."""
-NEAREST = 1e-4
-"""Distance from the plane within which all points have the same weight in the first fit, metres."""
+MIN_NOISE_M = 1e-9
+"""Smallest noise that can be distinguished from rounding."""
+EQUAL_WEIGHT_DISTANCE_M = 1e-4
+"""Distance from the plane within which all points have the same weight in the first fit."""
 
 
 @dataclass(frozen=True)
 class PlaneOffset:
-    """Offset and rotations from one cloud's plane to another's, at the middle of the common part.
+    """Offset and rotations from the plane of one cloud to that of another, at their common centre.
 
     Attributes
     ----------
@@ -53,12 +54,12 @@ class PlaneOffset:
 
     @property
     def angle(self) -> float:
-        """Angle between the two normals, radians, in [0, pi/2]."""
+        """Angle between the two normals, radians; an approximation for small angles."""
         return float(np.hypot(self.rotation_horizontal_axis, self.rotation_slope_axis))
 
 
 def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffset:
-    """Offset and rotations from the reference's plane to the compared cloud's.
+    """Offset and rotations from the plane of the reference to that of the compared cloud.
 
     Parameters
     ----------
@@ -70,19 +71,19 @@ def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffse
     Raises
     ------
     NotComparable
-        A cloud has fewer than four points, or its points lie on one straight line.
+        If a cloud has fewer than four points, or its points lie on one straight line.
     """
     from scipy.special import stdtrit
 
     both = (compared, reference)
     if min(map(len, both)) <= UNKNOWNS:
         raise NotComparable(error("validation.plane_few_points"))
-    # Each cloud is centred: before the calibration their offset would tilt a common plane.
+    # Each cloud is centred, because their offset before the calibration would tilt a common plane.
     middles = [np.median(points, axis=0) for points in both]
     centred = np.concatenate(
         [points - middle for points, middle in zip(both, middles, strict=True)]
     )
-    normal = fit_plane_robustly(centred, NEAREST).facing(facing).normal
+    normal = fit_plane_robustly(centred, EQUAL_WEIGHT_DISTANCE_M).facing(facing).normal
     frame = np.vstack((plane_axes(normal), normal))
     middle = np.mean(middles, axis=0)
     fits = [_fit_plane_robustly((points - middle) @ frame.T) for points in both]
@@ -124,15 +125,15 @@ def _fit_plane_robustly(placed: Array) -> _PlaneFit:
     terms = np.column_stack((np.ones(len(placed)), placed[:, :2]))
     z = placed[:, 2]
     kept = np.ones(len(z), dtype=bool)
-    for _ in range(ROUNDS):
+    for _ in range(MAX_FIT_ITERATIONS):
         values = np.linalg.lstsq(terms[kept], z[kept], rcond=None)[0]
-        off = z - terms @ values
-        sigma = NMAD * float(np.median(np.abs(off[kept])))
+        residuals = z - terms @ values
+        sigma = SIGMA_PER_MAD * float(np.median(np.abs(residuals[kept])))
         # Residuals of points exactly on a plane are rounding errors; all points are kept.
-        near = np.abs(off) <= OUTLIER_LIMIT * max(sigma, FINEST)
-        if np.array_equal(near, kept) or np.count_nonzero(near) <= UNKNOWNS:
+        is_inlier = np.abs(residuals) <= OUTLIER_LIMIT_SIGMAS * max(sigma, MIN_NOISE_M)
+        if np.array_equal(is_inlier, kept) or np.count_nonzero(is_inlier) <= UNKNOWNS:
             break
-        kept = near
+        kept = is_inlier
     used = terms[kept]
     values, _, rank, _ = np.linalg.lstsq(used, z[kept], rcond=None)
     if rank < UNKNOWNS:

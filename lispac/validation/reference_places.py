@@ -2,8 +2,8 @@
 
 For a surface (a static scan, a surveyed plane) the distances are measured as between two lines: in
 cylinders along the normal of the reference (M3C2: Lague et al. 2013), to the nearest surface of the
-line. A surveyed point has no surface of its own. Its distance is measured to a plane through the
-points of the line around the one nearest to it, if its projection lies inside this area.
+line. A surveyed point has no surface. Its distance is measured to a plane through the points of the
+line around the nearest one, if the projection of the surveyed point lies inside this area.
 """
 
 from dataclasses import dataclass, replace
@@ -16,9 +16,9 @@ from lispac.errors import NotComparable
 from lispac.geometry.planes import plane_axes
 from lispac.geometry.radius_search import Cells, PointGrid, gather_within_radius
 from lispac.messages import error
-from lispac.validation.cylinder_diameters import WIDEST, region_numbers
+from lispac.validation.cylinder_diameters import MAX_DIAMETER_M, region_numbers
 from lispac.validation.normal_distance import (
-    NMAD,
+    SIGMA_PER_MAD,
     NormalDistances,
     distances_along_normal,
     reference_normals,
@@ -33,21 +33,23 @@ from lispac.validation.surface_layers import (
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-WIDER = 1.3
-"""Ratio of one tested diameter around a surveyed point to the one before it."""
-SMOOTH = 2.0
+DIAMETER_GROWTH_FACTOR = 1.3
+"""Ratio of a tested diameter around a surveyed point to the previous one."""
+NORMAL_SPHERE_FACTOR = 2.0
 """Diameter of the sphere of points used for a normal, as a multiple of the cylinder diameter."""
-FLAT = 0.05
-"""Largest ratio of the RMS of a flat place about its plane to the diameter of the place."""
-ROUND = 0.1
-"""Ratio of the smaller to the larger variance in the plane below which points are an edge."""
-INSIDE = 0.15
+MAX_FLAT_RMS_RATIO = 0.05
+"""Largest ratio of the RMS of the points about a plane to the diameter of the place, for a flat
+place."""
+MIN_VARIANCE_RATIO = 0.1
+"""Ratio of the smaller to the larger variance in the plane at or below which points lie along an
+edge or a single profile."""
+MAX_CENTROID_RATIO = 0.15
 """Largest distance of the centroid of the points around a place from the place, as a multiple of
 the search radius. It is 0.17 where the cylinder, with half this radius, touches a straight edge."""
-FEWEST_ON_PLANE = 6
-"""Smallest number of points of a line around a surveyed point for a plane with an interval."""
-CLOSER, ALIKE = 5.0, 4.0
-"""Range searched about the median, in robust sigmas, and side in metres of the cubes for which
+MIN_PLANE_POINTS = 6
+"""Smallest number of points around a place for a plane."""
+SEARCH_DEPTH_SIGMAS, MEDIAN_REGION_SIDE_M = 5.0, 4.0
+"""Depth searched on either side of the median, in robust sigmas, and side of the cubes for which
 separate medians are computed."""
 
 
@@ -82,21 +84,25 @@ def is_reference_flat(reference: Array, cores: Array, diameters: Array, roughest
     cores : ndarray of shape (k, 3), metres, local frame
     diameters : ndarray of shape (k,), metres
     roughest : float, metres
-        RMS about a plane that is accepted as noise, however small the place.
+        RMS about a plane that is accepted as noise at places of any size.
     """
     flat = np.zeros(len(cores), dtype=bool)
     cells = PointGrid(reference, float(np.median(diameters)) / 2).cells
     counts, sums, products = _neighbourhood_moments(
         np.ascontiguousarray(cores), cells, diameters / 2
     )
-    some = np.flatnonzero(counts >= FEWEST_ON_PLANE)
-    means = sums[some] / counts[some, None]
-    scatter = products[some] / counts[some, None, None]
+    dense = np.flatnonzero(counts >= MIN_PLANE_POINTS)
+    means = sums[dense] / counts[dense, None]
+    scatter = products[dense] / counts[dense, None, None]
     spread = np.linalg.eigvalsh(scatter - means[:, :, None] * means[:, None, :])
     rms = np.sqrt(np.maximum(spread[:, 0], 0.0))
-    is_surface = spread[:, 1] > ROUND * spread[:, 2]
-    is_inside = np.linalg.norm(means, axis=1) <= INSIDE * diameters[some] / 2
-    flat[some] = is_surface & is_inside & (rms <= np.maximum(FLAT * diameters[some], roughest))
+    is_surface = spread[:, 1] > MIN_VARIANCE_RATIO * spread[:, 2]
+    is_inside = np.linalg.norm(means, axis=1) <= MAX_CENTROID_RATIO * diameters[dense] / 2
+    flat[dense] = (
+        is_surface
+        & is_inside
+        & (rms <= np.maximum(MAX_FLAT_RMS_RATIO * diameters[dense], roughest))
+    )
     return flat
 
 
@@ -104,7 +110,7 @@ def is_reference_flat(reference: Array, cores: Array, diameters: Array, roughest
 def _neighbourhood_moments(
     cores: Array, reference: Cells, radii: Array
 ) -> tuple[NDArray[np.int64], Array, Array]:  # pragma: no cover - compiled
-    """Number, sum (n, 3) and sum of products (n, 3, 3) of the points around and from each core."""
+    """Number, sum (n, 3) and sum of products (n, 3, 3) of the offsets of points near each core."""
     counts = np.zeros(len(cores), np.int64)
     sums, products = np.zeros((len(cores), 3)), np.zeros((len(cores), 3, 3))
     for k in range(len(cores)):
@@ -151,10 +157,10 @@ def measure_to_surface(
     Raises
     ------
     NotComparable
-        No place has enough points of the line and the reference.
+        If no place has enough points of the line and the reference.
     """
-    normals = reference_normals(reference, cores, facing, SMOOTH * diameters)
-    noise = np.maximum(FLAT * diameters, roughest)
+    normals = reference_normals(reference, cores, facing, NORMAL_SPHERE_FACTOR * diameters)
+    noise = np.maximum(MAX_FLAT_RMS_RATIO * diameters, roughest)
 
     def layers_of(points: Array) -> NearestLayers:
         return find_nearest_layers(points, cores, normals, diameters, reach, 2 * noise)
@@ -165,8 +171,8 @@ def measure_to_surface(
             raise NotComparable(error("validation.line_out_of_reach"))
         found = distances_along_normal(
             points, reference, cores[valid], facing=facing[valid],
-            normal_scale=SMOOTH * diameters[valid], diameter=diameters[valid], depth=half[valid],
-            middle=middle[valid], reference_depth=diameters[valid],
+            normal_scale=NORMAL_SPHERE_FACTOR * diameters[valid], diameter=diameters[valid],
+            depth=half[valid], middle=middle[valid], reference_depth=diameters[valid],
         )  # fmt: skip
         return replace(found, at=valid[found.at])
 
@@ -193,21 +199,21 @@ def _search_windows(
     of the line. The position is NaN where the line has no points in the whole neighbourhood.
     """
     middle, half = np.full(len(cores), np.nan), np.full(len(cores), np.nan)
-    number, valid = region_numbers(cores, ALIKE), np.isfinite(layers.middle)
-    off: list[Array] = []
-    thick: list[Array] = []
+    number, valid = region_numbers(cores, MEDIAN_REGION_SIDE_M), np.isfinite(layers.middle)
+    deviations: list[Array] = []
+    half_thicknesses: list[Array] = []
     for region in np.unique(number[valid]):
         own = number == region
         values = layers.middle[own & valid]
         low, high = nearest_layer_bounds(values, 2 * float(np.median(noise[own])))
         chosen = (values >= low) & (values <= high)
         middle[own] = np.median(values[chosen])
-        off.append(np.abs(values[chosen] - np.median(values[chosen])))
-        thick.append(layers.half[own & valid][chosen])
-    if off:
-        scatter = CLOSER * NMAD * float(np.median(np.concatenate(off)))
-        deep = scatter + float(np.median(np.concatenate(thick)))
-        half[:] = np.minimum(reach, deep + noise)
+        deviations.append(np.abs(values[chosen] - np.median(values[chosen])))
+        half_thicknesses.append(layers.half[own & valid][chosen])
+    if deviations:
+        scatter = SEARCH_DEPTH_SIGMAS * SIGMA_PER_MAD * float(np.median(np.concatenate(deviations)))
+        depth = scatter + float(np.median(np.concatenate(half_thicknesses)))
+        half[:] = np.minimum(reach, depth + noise)
     return middle, half
 
 
@@ -221,7 +227,7 @@ def measure_to_points(
     reach: float,
     roughest: float,
 ) -> CorePointDistances:
-    """Distances of a line from the surveyed points that have a distance in both states.
+    """Distances of a line from surveyed points, for those with a distance in both states.
 
     Parameters
     ----------
@@ -235,14 +241,14 @@ def measure_to_points(
     Raises
     ------
     NotComparable
-        The line has no flat place at any point.
+        If the line has no flat place at any surveyed point in both states.
     """
     states = []
     for points in (before, after):
         grid = PointGrid(points)
         found = []
         for place, side, diameter in zip(places, facing, diameters, strict=True):
-            about = points[grid.within(place, reach + max(diameter, WIDEST))]
+            about = points[grid.within(place, reach + max(diameter, MAX_DIAMETER_M))]
             found.append(
                 _plane_distance_at_point(
                     about, place, side, diameter=diameter, reach=reach, roughest=roughest
@@ -255,10 +261,10 @@ def measure_to_points(
 def _plane_distance_at_point(
     points: Array, place: Array, facing: Array, *, diameter: float, reach: float, roughest: float
 ) -> tuple[float, float, Array] | None:
-    """Distance, half its 95 % interval (metres) and normal of the line's plane at a point.
+    """Distance, half its 95 % interval (metres) and normal of the plane of a line at a point.
 
-    Where the profiles of the line are far apart, its points around the place lie in a single row;
-    the area is then enlarged.
+    If the profiles of the line are far apart, its points around the place may lie on a single
+    profile; the area is then enlarged.
     """
     if not len(points):
         return None
@@ -266,13 +272,15 @@ def _plane_distance_at_point(
     nearest = int(np.argmin(distance))
     if distance[nearest] > reach:
         return None
-    about = np.linalg.norm(points - points[nearest], axis=1)
-    wide = diameter
+    to_nearest = np.linalg.norm(points - points[nearest], axis=1)
+    tested_diameter = diameter
     while (
-        found := _fit_plane_near(points[about <= wide / 2], place, facing, wide, roughest)
+        found := _fit_plane_near(
+            points[to_nearest <= tested_diameter / 2], place, facing, tested_diameter, roughest
+        )
     ) is None:
-        wide *= WIDER
-        if wide > max(WIDEST, diameter):
+        tested_diameter *= DIAMETER_GROWTH_FACTOR
+        if tested_diameter > max(MAX_DIAMETER_M, diameter):
             return None
     return found
 
@@ -282,12 +290,14 @@ def _fit_plane_near(
 ) -> tuple[float, float, Array] | None:
     from scipy.special import stdtrit
 
-    if len(near) < FEWEST_ON_PLANE:
+    if len(near) < MIN_PLANE_POINTS:
         return None
     middle = near.mean(axis=0)
     spread, vectors = np.linalg.eigh((near - middle).T @ (near - middle) / len(near))
     rms = float(np.sqrt(max(spread[0], 0.0)))
-    if spread[1] <= ROUND * spread[2] or rms > max(FLAT * diameter, roughest):
+    if spread[1] <= MIN_VARIANCE_RATIO * spread[2] or rms > max(
+        MAX_FLAT_RMS_RATIO * diameter, roughest
+    ):
         return None
     normal = vectors[:, 0] * (1.0 if vectors[:, 0] @ facing >= 0.0 else -1.0)
     axes = plane_axes(normal)
@@ -295,11 +305,11 @@ def _fit_plane_near(
     if np.hypot(*foot) > diameter / 2:
         return None
     design = np.column_stack([np.ones(len(near)), (near - middle) @ axes.T])
-    at = np.array([1.0, *foot])
+    terms = np.array([1.0, *foot])
     freedom = len(near) - 3
     variance = rms**2 * len(near) / freedom
     half = stdtrit(freedom, 0.975) * np.sqrt(
-        variance * (at @ np.linalg.solve(design.T @ design, at))
+        variance * (terms @ np.linalg.solve(design.T @ design, terms))
     )
     return float(normal @ (middle - place)), float(half), normal
 

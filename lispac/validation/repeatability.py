@@ -17,9 +17,10 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-LEVEL = 0.05
+SIGNIFICANCE_LEVEL = 0.05
 """Significance level of all tests here: probability of a false alarm."""
-NORMAL_95 = 1.96
+NORMAL_QUANTILE_975 = 1.96
+"""Half the width of the 95 % interval of a normal variable, in standard deviations."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +36,7 @@ class Calibration:
     Raises
     ------
     InputError
-        The covariance has another shape, is not finite, or has a variance that is not positive.
+        If an array has another shape, or the covariance is not finite or not positive definite.
     """
 
     name: str
@@ -86,13 +87,13 @@ class CalibrationDifference:
 
     @property
     def significant(self) -> tuple[bool, ...]:
-        """Whether each angle differs at the 95 % level, shape (3,)."""
-        return tuple(bool(abs(value) > NORMAL_95) for value in self.significance)
+        """Whether each of the three angles differs at the 95 % level."""
+        return tuple(bool(abs(value) > NORMAL_QUANTILE_975) for value in self.significance)
 
     @property
     def differ(self) -> bool:
         """Whether the two mountings differ at the 95 % level in the joint test of all angles."""
-        return self.probability < LEVEL
+        return self.probability < SIGNIFICANCE_LEVEL
 
     def largest_displacement(self, distance: float) -> float:
         """Largest displacement, metres, of a point at a distance, metres, between the mountings."""
@@ -101,9 +102,9 @@ class CalibrationDifference:
 
 def compare_calibrations(first: Calibration, second: Calibration) -> CalibrationDifference:
     """Compare two calibrations of one mounting."""
-    # The short way round: a yaw of 179 degrees and one of -179 differ by two.
     from scipy.special import chdtrc
 
+    # In [-pi, pi): a yaw of 179 degrees and one of -179 degrees differ by two degrees.
     angles = (second.boresight - first.boresight + np.pi) % (2.0 * np.pi) - np.pi
     covariance = first.covariance + second.covariance
     statistic = float(angles @ np.linalg.solve(covariance, angles))
@@ -147,7 +148,7 @@ class RepeatedCalibrations:
     @property
     def differ(self) -> bool:
         """Whether the calibrations scatter more than their sigmas explain, at the 95 % level."""
-        return self.probability < LEVEL
+        return self.probability < SIGNIFICANCE_LEVEL
 
 
 def combine_calibrations(calibrations: Sequence[Calibration]) -> RepeatedCalibrations:
@@ -156,19 +157,19 @@ def combine_calibrations(calibrations: Sequence[Calibration]) -> RepeatedCalibra
     Raises
     ------
     InputError
-        Fewer than two calibrations.
+        If there are fewer than two calibrations.
     """
     from scipy.special import chdtrc
 
     if len(calibrations) < 2:
         raise InputError(error("validation.repeatability_few"))
-    together, angles = mean_calibration(calibrations), _unwrapped_angles(calibrations)
-    off = angles - together.boresight
+    mean, angles = mean_calibration(calibrations), _unwrapped_angles(calibrations)
+    deviations = angles - mean.boresight
     weights = np.array([np.linalg.inv(each.covariance) for each in calibrations])
-    statistic = float(np.einsum("ni,nij,nj->", off, weights, off))
+    statistic = float(np.einsum("ni,nij,nj->", deviations, weights, deviations))
     return RepeatedCalibrations(
-        together.boresight,
-        together.sigma,
+        mean.boresight,
+        mean.sigma,
         angles.std(axis=0, ddof=1),
         statistic,
         float(chdtrc(3 * (len(calibrations) - 1), statistic)),

@@ -1,9 +1,9 @@
 """Identify the surface of a reference among several surfaces, one behind the other.
 
-A line that passes a board also has points on the wall behind it. A cylinder deep enough for the
+A line with points on a board also has points on the wall behind it. A cylinder deep enough for the
 possible displacement of the line contains points of both, and their mean lies on neither. The
-points along the normal are therefore divided into layers, where they are dense, and the layer
-nearest to the reference is taken as its surface.
+points along the normal are therefore divided into layers in which they are dense, and the layer
+nearest to the reference is assumed to be its surface.
 
 At a single place, the nearest layer may consist of outliers, or of points of the wall if the line
 has no points on the board. The places of a neighbourhood are therefore divided into layers once
@@ -21,9 +21,9 @@ from lispac.geometry.radius_search import Cells, PointGrid, gather_within_radius
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-DENSE = 0.2
-"""Ratio of the number of points to that at the densest position below which they are outliers."""
-FEWEST_POINTS, FEWEST_PLACES = 4, 2
+MIN_DENSITY_RATIO = 0.2
+"""Smallest ratio of the number of points to that at the densest position; fewer are outliers."""
+MIN_LAYER_POINTS, MIN_LAYER_PLACES = 4, 2
 """Smallest number of points of a line in a layer, and of places of a neighbourhood in a layer; one
 place is enough if there are no others."""
 
@@ -79,7 +79,7 @@ def nearest_layer_bounds(values: Array, thickness: float) -> tuple[float, float]
         As in `find_nearest_layers`.
     """
     values = np.sort(values)
-    low, high, _ = _nearest_layer_indices(values, thickness, min(FEWEST_PLACES, len(values)))
+    low, high, _ = _nearest_layer_indices(values, thickness, min(MIN_LAYER_PLACES, len(values)))
     return float(values[low]), float(values[high])
 
 
@@ -118,22 +118,22 @@ def _nearest_layer_indices(
         while end < n and values[end] - values[k] <= thickness:
             end += 1
         counts[k] = end - k
-    least = max(fewest, DENSE * counts.max()) if n else fewest
+    min_count = max(fewest, MIN_DENSITY_RATIO * counts.max()) if n else fewest
     first, last, best, previous, to_next = -1, -1, np.inf, np.nan, np.nan
     k = 0
     while k < n:
-        if counts[k] < least:
+        if counts[k] < min_count:
             k += 1
             continue
         low, high = k, k + counts[k] - 1
         # Overlapping layers are joined.
         while k <= high:
-            if counts[k] >= least:
+            if counts[k] >= min_count:
                 high = max(high, k + counts[k] - 1)
             k += 1
-        off = abs(values[low : high + 1].mean())
-        if off < best:
-            best, first, last = off, low, high
+        distance = abs(values[low : high + 1].mean())
+        if distance < best:
+            best, first, last = distance, low, high
             to_next = values[low] - previous
         elif np.isnan(to_next) or values[low] - values[last] < to_next:
             to_next = values[low] - values[last]
@@ -151,12 +151,12 @@ def _distances_in_cylinder(
     )
     values, kept = np.empty(near.size), 0
     for i in near:
-        along, beside = 0.0, 0.0
+        along, squared = 0.0, 0.0
         for axis in range(3):
             off = cloud[0][i, axis] - core[axis]
             along += off * normal[axis]
-            beside += off * off
-        if beside - along * along <= radius * radius and abs(along - middle) <= half:
+            squared += off * off
+        if squared - along * along <= radius * radius and abs(along - middle) <= half:
             values[kept], near[kept] = along, i
             kept += 1
     return values[:kept], near[:kept]
@@ -172,7 +172,7 @@ def _nearest_layers_kernel(
             continue
         values, _ = _distances_in_cylinder(cloud, cores[k], normals[k], radii[k], 0.0, reach)
         values.sort()
-        first, last, to_next = _nearest_layer_indices(values, thickness[k], FEWEST_POINTS)
+        first, last, to_next = _nearest_layer_indices(values, thickness[k], MIN_LAYER_POINTS)
         if first >= 0:
             found[k, 0] = values[first : last + 1].mean()
             found[k, 1] = (values[last] - values[first]) / 2

@@ -13,7 +13,7 @@ import pytest
 from lispac.geometry.radius_search import points_within
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.targets.flat_patches import find_flat_patches
-from lispac.targets.plane_detection import VOXEL, detect_planes
+from lispac.targets.plane_detection import COARSE_VOXEL_SIDE, detect_planes
 from lispac.targets.plane_finder import FinderSettings, find_plane
 from tests.finder_scenes import precision_and_recall
 from tests.test_finder_sites import scenery
@@ -68,9 +68,9 @@ def port() -> SimulatedSurvey:
 
 def test_all_planes_of_a_line(port: SimulatedSurvey) -> None:
     cloud = placed(port, port.lines[0])
-    find_flat_patches(cloud[::50], 0.01, voxel=VOXEL)
+    find_flat_patches(cloud[::50], 0.01, voxel=COARSE_VOXEL_SIDE)
     start = time.perf_counter()
-    flat = find_flat_patches(cloud, 0.01, voxel=VOXEL)
+    flat = find_flat_patches(cloud, 0.01, voxel=COARSE_VOXEL_SIDE)
     ours = time.perf_counter() - start
     start = time.perf_counter()
     theirs = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(flat.thinned))

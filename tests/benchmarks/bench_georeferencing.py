@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from lispac.io.format_types import PointChunk
-from lispac.io.las.las_chunks import LAS
+from lispac.io.las.las_chunks import LAS_FORMAT
 from lispac.io.las.las_export import coordinate_resolution, layout_of_columns, layout_of_las
 from lispac.io.trajectory.sbet import write_sbet
 from lispac.project import LineSource, Project, Settings
@@ -223,7 +223,7 @@ def test_file_to_laz_beside_laspy_reading_and_writing(tmp_path, count, ending):
     for _ in range(3):
         copied.append(timed(through))
         made.append(timed(lambda: write_cloud(
-            LAS.read(source, LAS.resolved({})), ours, ours, mapper,
+            LAS_FORMAT.read(source, LAS_FORMAT.resolved({})), ours, ours, mapper,
             lambda _: layout_of_las(source))))  # fmt: skip
     print(
         f"\n{count:,} points from {ending} to UTM LAZ: {rate(count, made)}, laspy reading and "

@@ -15,7 +15,7 @@ import laspy
 import numpy as np
 import pytest
 
-from lispac.io.project.project_file import FILE_NAME
+from lispac.io.project.project_file import PROJECT_FILE_NAME
 from lispac.simulation.simulated_survey import SimulatedLine, port_survey
 from lispac.workflow.calibration.picking import find_target
 from lispac.workflow.planning.demo import make_demo
@@ -65,7 +65,7 @@ def test_seed_to_six_lines_of_a_store(count: int, tmp_path: Path) -> None:
     for line, source in zip(survey.lines, project.lines, strict=True):
         write_densified_line(line, count, source.path.with_suffix(".las"))
         source.path.unlink()
-    written = project.folder / FILE_NAME
+    written = project.folder / PROJECT_FILE_NAME
     written.write_text(written.read_text().replace(".laz", ".las"))
     command = [sys.executable, "-m", "tests.benchmarks.bench_seed_store", str(project.folder)]
     run = subprocess.run(

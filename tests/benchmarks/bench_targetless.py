@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.io.project.project_file import FILE_NAME
+from lispac.io.project.project_file import PROJECT_FILE_NAME
 from lispac.simulation.simulated_survey import port_survey
 from lispac.workflow.calibration.targetless import targetless
 from lispac.workflow.planning.demo import make_demo
@@ -32,7 +32,7 @@ def test_the_scene_of_six_lines(count: int, tmp_path: Path) -> None:
     for line, source in zip(survey.lines, project.lines, strict=True):
         write_densified_line(line, count, source.path.with_suffix(".las"))
         source.path.unlink()
-    written = project.folder / FILE_NAME
+    written = project.folder / PROJECT_FILE_NAME
     written.write_text(written.read_text().replace(".laz", ".las"))
     command = [sys.executable, "-m", "tests.benchmarks.bench_targetless", str(project.folder)]
     for _ in range(2):  # the first run also imports the lines and compiles

@@ -15,7 +15,7 @@ from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
-from lispac.gui.project.recovery_copies import LOCK_NAME
+from lispac.gui.project.recovery_copies import LOCK_FILE_NAME
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.window.session import Session
 from lispac.io.project.project_file import UNSAVED_NAME
@@ -33,7 +33,7 @@ from tests.gui.support import WAIT_MS, Demo, Driver, ScriptedDialogs
 from tests.sharing import once
 
 PICKED_NAMES = ("T1", "T2", "V1")
-WINDOW_FILES = shutil.ignore_patterns(UNSAVED_NAME, LOCK_NAME)
+WINDOW_FILES = shutil.ignore_patterns(UNSAVED_NAME, LOCK_FILE_NAME)
 """Files that a window of another test process may keep in the shared demo folder."""
 
 

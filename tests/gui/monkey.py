@@ -239,7 +239,7 @@ class Monkey(QObject):
 
     def _runners(self) -> list[Any]:
         window = self.session.window
-        return [window.runner, window.site_design.runner, window.site_design.paper]
+        return [window.runner, window.site_design.runner, window.site_design.field_plan_runner]
 
     @staticmethod
     def _waits() -> bool:

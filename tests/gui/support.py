@@ -18,8 +18,8 @@ from lispac.gui.window.main_window import MainWindow
 from lispac.project import LineSource, Project, Role
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.input_files import ImportRequest
-from lispac.workflow.output.export_request import ExportRequest, What
-from lispac.workflow.output.georeferencing import Which
+from lispac.workflow.output.export_request import ExportContent, ExportRequest
+from lispac.workflow.output.georeferencing import BoresightChoice
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey
 
@@ -101,7 +101,11 @@ class ScriptedDialogs(Dialogs):
         return self.path
 
     def export(
-        self, what: What, which: Which, project: Project, trajectory: LocalTrajectory
+        self,
+        what: ExportContent,
+        which: BoresightChoice,
+        project: Project,
+        trajectory: LocalTrajectory,
     ) -> ExportRequest | None:
         self.asked.append(what)
         return self.export_request

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.adjustment.model.parameters import Parameter
 from lispac.errors import InputError
-from lispac.gui.features.estimate.results_panel import EMPTY
+from lispac.gui.features.estimate.results_panel import EMPTY_TEXT
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.message_texts import message_text
 from lispac.messages import error
@@ -386,7 +386,7 @@ def test_a_pick_after_an_estimate_starts_no_new_estimate(picked: Driver, estimat
     assert not picked.window.document.awaits_result
     picked.rest()
     assert picked.project.result is None
-    assert picked.window.results.findChild(QWidget, "results_empty").text() == EMPTY
+    assert picked.window.results.findChild(QWidget, "results_empty").text() == EMPTY_TEXT
 
 
 def test_a_steep_pitch_is_shown_as_a_matrix_and_by_the_axes(

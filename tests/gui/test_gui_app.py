@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from lispac.gui.features.open_project.import_survey.import_dialog import survey_file_filters
-from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
+from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
 
 OPEN_EVENT_SCRIPT = """
 import sys
@@ -42,7 +42,7 @@ def test_the_dialogue_shows_the_files_of_every_format() -> None:
     shown, everything = survey_file_filters().split(";;")
     patterns = shown[shown.index("(") + 1 : -1].split(" ")
     assert len(patterns) == len(set(patterns))
-    for each in (*POINTS, *TRAJECTORIES, *ACCURACIES):
+    for each in (*POINT_FORMATS, *TRAJECTORY_FORMATS, *ACCURACY_FORMATS):
         assert {f"*{ending}" for ending in each.endings} <= set(patterns), each.name
     assert everything.endswith(" (*)")
 

@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
 from tests.gui.test_gui_seed_coordinates import answer_next_dialog
 
@@ -26,7 +26,7 @@ def test_choices_apply_to_the_next_seeds_and_are_shown_when_folded(opened: Drive
     panel = opened.window.targets
     assert not field(panel, "seed_min_points").isVisible()
     assert panel.search_fields.fold.head.text() == "More settings"
-    assert panel.seed_options.choices == USUAL
+    assert panel.seed_options.choices == DEFAULT_CHOICES
     unfold(opened, panel, "seed_more")
     type_into(opened, field(panel, "seed_min_points"), "50")
     type_into(opened, field(panel, "seed_max_tilt"), "8")

@@ -208,7 +208,9 @@ def test_a_plan_is_saved_and_opened_and_unsaved_changes_are_asked_about(
     assert read_plan(dialogs.path).plan.lines[0].distance == 16.0
     dialogs.path = tmp_path / "page.pdf"
     driver.bot.keyClick(design, Key.Key_E, Control)
-    driver.bot.waitUntil(lambda: not driver.window.site_design.paper.active, timeout=WAIT_MS)
+    driver.bot.waitUntil(
+        lambda: not driver.window.site_design.field_plan_runner.active, timeout=WAIT_MS
+    )
     assert dialogs.path.read_bytes().startswith(b"%PDF")
     dialogs.path = tmp_path / "page.pdf" / "page.pdf"
     driver.bot.keyClick(design, Key.Key_E, Control)

@@ -44,8 +44,8 @@ def test_a_table_accepts_feet_and_keeps_headings_in_degrees(qapp: QApplication) 
 
 
 def test_the_limit_of_a_range_is_accepted_as_it_is_shown(qapp: QApplication) -> None:
-    assert LINE["distance"].limit(edits.FAR_M) == "656.2"
-    assert LINE["distance"].read("656.2") == edits.FAR_M
+    assert LINE["distance"].limit(edits.MAX_LINE_DISTANCE_M) == "656.2"
+    assert LINE["distance"].read("656.2") == edits.MAX_LINE_DISTANCE_M
     values = {"text": "700", "low": "3.281", "high": "656.2", "unit": "ft"}
     with pytest.raises(InputError, check=has_code("window.out_of_range", **values)):
         LINE["distance"].read("700")

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QTableWidget
 from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
 from lispac.gui.appearance import theme
-from lispac.gui.features.estimate.diagnostics_pages import PAGES
+from lispac.gui.features.estimate.diagnostics_pages import PAGE_CLASSES
 from lispac.gui.viewport.base import SELECTED_COLOUR, UNSELECTED_COLOUR
 from lispac.message_texts import message_text
 from lispac.messages import note
@@ -62,7 +62,7 @@ def texts(table: QTableWidget, title: str) -> list[str]:
 
 def test_every_page_without_a_result_shows_what_to_do(picked: Driver):
     picked.window.docks["Diagnostics"].raise_()
-    for kind in PAGES:
+    for kind in PAGE_CLASSES:
         page = turn_to(picked, kind.title)
         assert page.advice == kind.empty_text
         assert page.advice.startswith("Nothing estimated yet. Press Estimate in step 3 to see ")
@@ -70,7 +70,7 @@ def test_every_page_without_a_result_shows_what_to_do(picked: Driver):
 
 
 def test_no_figure_is_made_before_its_page_is_opened(shown: Driver):
-    figures = [kind.title for kind in PAGES if hasattr(kind, "draw_function")]
+    figures = [kind.title for kind in PAGE_CLASSES if hasattr(kind, "draw_function")]
     assert len(figures) == 4
     for k, title in enumerate(figures):
         panel = shown.window.diagnostics

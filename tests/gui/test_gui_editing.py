@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from lispac.gui.project.residuals import GREY, residuals, validation_distances
+from lispac.gui.project.residuals import OTHER_POINTS_COLOUR, residuals, validation_distances
 from tests.gui.support import Control, Driver, Key, press, seed, wait_until_idle
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -173,7 +173,9 @@ def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
         mine = np.concatenate([found[key] for key in found if key[0] == name])
         assert np.sqrt(np.mean(mine**2)) == pytest.approx(fit.rms_after, rel=0.25)
     assert view.shading.title == "Distance from the surface (mm)"
-    assert {tuple(c) for c in view.shading.colours[window.document.survey.lines[0]]} == {GREY}
+    assert {tuple(c) for c in view.shading.colours[window.document.survey.lines[0]]} == {
+        OTHER_POINTS_COLOUR
+    }
     places = {tuple(colour): k for k, colour in enumerate(view.shading.scale.tolist())}
     for highlight in view.highlights:
         if highlight.key not in found:

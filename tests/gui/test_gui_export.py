@@ -11,9 +11,9 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.features.export.actions import ACTIONS
-from lispac.gui.features.export.export_dialog import CHECK_DELAY_MS, CONTENTS, ExportDialog
+from lispac.gui.features.export.export_dialog import CHECK_DELAY_MS, CONTENT_TITLES, ExportDialog
 from lispac.project import LineSource, Project, Settings
-from lispac.workflow.output.export_request import ENDINGS, ExportRequest
+from lispac.workflow.output.export_request import FILE_TYPES, ExportRequest
 from lispac.workflow.output.output_crs import utm_zone
 from tests.cloud_files import track
 from tests.gui.support import Control, Demo, Driver, Key, Left, press
@@ -51,7 +51,7 @@ def test_the_dialogue_proposes_the_zone_and_explains_it(dialog: ExportDialog, de
     dialog.system.setCurrentIndex(0)
     assert is_shown("assumed.datum", dialog.message_label.text())
     assert is_shown("export.epoch", dialog.message_label.text())
-    dialog.what.setCurrentIndex(list(CONTENTS).index("trajectory"))
+    dialog.what.setCurrentIndex(list(CONTENT_TITLES).index("trajectory"))
     assert dialog.message_label.isVisible()
     assert is_shown("export.trajectory_datum", dialog.message_label.text())
 
@@ -94,11 +94,11 @@ def test_a_system_of_another_part_of_the_world_gives_a_warning(
 
 
 def test_each_kind_of_export_has_its_own_fields(dialog: ExportDialog, qtbot: QtBot) -> None:
-    for what in CONTENTS:
-        dialog.what.setCurrentIndex(list(CONTENTS).index(what))
+    for what in CONTENT_TITLES:
+        dialog.what.setCurrentIndex(list(CONTENT_TITLES).index(what))
         assert dialog.system.isVisible() == (what in ("lines", "targets"))
         assert dialog.boresight.isVisible() == (what != "trajectory")
-        assert dialog.form.count() == len(ENDINGS[what])
+        assert dialog.form.count() == len(FILE_TYPES[what])
     dialog.form.setCurrentIndex(1)
     assert dialog.request().output.name.endswith("_export.txt")
     with qtbot.waitSignal(dialog.accepted):

@@ -5,8 +5,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QListWidget, QSlider, QStyle, QStyleOptionSlider
 
-from lispac.gui.features.patch_test.angles import STEP_DEG
-from lispac.gui.features.patch_test.panel import EMPTY, PatchTestPanel
+from lispac.gui.features.patch_test.angles import SLIDER_STEP_DEG
+from lispac.gui.features.patch_test.panel import EMPTY_TEXT, PatchTestPanel
 from tests.gui.support import Control, Driver, Key, Left, click, press, type_into
 from tests.message_codes import is_shown
 
@@ -56,7 +56,7 @@ def tick(driver: Driver, made: QListWidget, row: int) -> None:
 def test_the_panel_shows_instructions_while_it_is_empty(opened: Driver) -> None:
     shown = opened_panel(opened)
     assert shown.text_label.isVisible()
-    assert shown.text_label.text() == EMPTY
+    assert shown.text_label.text() == EMPTY_TEXT
     assert not shown.all.isEnabled()
     assert not shown.angles.isEnabled()
     assert shown.propose.isEnabled()
@@ -99,7 +99,7 @@ def test_the_minimum_of_the_curve_is_the_optimised_angle(opened: Driver) -> None
     lowest = shown.curve.minimum
     assert lowest is not None
     assert shown.angles.boresight[PITCH] != start[PITCH], "the drag turned nothing"
-    drag(opened, slider, round(np.degrees(lowest - answer.boresight[PITCH]) / STEP_DEG))
+    drag(opened, slider, round(np.degrees(lowest - answer.boresight[PITCH]) / SLIDER_STEP_DEG))
     follow(opened)
     assert shown.angles.boresight[PITCH] != start[PITCH]
     assert abs(shown.angles.boresight[PITCH] - answer.boresight[PITCH]) < answer.sigma[PITCH]

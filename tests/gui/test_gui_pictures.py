@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QLabel
 
 from lispac.gui.appearance import units
 from lispac.gui.features.help.dialogs import shortcuts_box
-from lispac.gui.features.inspect.picture_export import NO_SECTION
-from lispac.gui.features.pick_targets.sightings_table import EDITED
+from lispac.gui.features.inspect.picture_export import NO_SECTION_TEXT
+from lispac.gui.features.pick_targets.sightings_table import EDITED_SYMBOL
 from lispac.gui.viewport.base import PointColouring
 from lispac.gui.viewport.overlay import OverlaidView, free_label_place
 from tests.gui.support import Control, Driver, Key, click, press, wait_until_idle
@@ -55,7 +55,7 @@ def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path
     press(picked, Key.Key_P, Control)
     wait_until_idle(picked)
     press(picked, Key.Key_P, Control | SHIFT)
-    assert picked.window.log.toPlainText().count(NO_SECTION) == 2
+    assert picked.window.log.toPlainText().count(NO_SECTION_TEXT) == 2
     assert not (tmp_path / "section.png").exists()
     panel = section(picked)
     shown = panel.canvas.figure.axes[0].get_xlim()
@@ -111,13 +111,13 @@ def test_a_sighting_edited_by_hand_is_marked_in_the_table(picked: Driver) -> Non
     table, project = picked.window.table.sightings, picked.project
     target = project.target("T1")
     index = table.index(0, 2)
-    assert EDITED not in index.data()
+    assert EDITED_SYMBOL not in index.data()
     second = replace(target.sightings[1], by_hand=True)
     edited = replace(target, sightings=(target.sightings[0], second, *target.sightings[2:]))
     picked.window.document.edit("a change", project.with_target(edited))
-    assert index.data().endswith(EDITED)
+    assert index.data().endswith(EDITED_SYMBOL)
     assert "lasso" in index.data(Qt.ItemDataRole.ToolTipRole)
-    assert EDITED not in table.index(0, 1).data()
+    assert EDITED_SYMBOL not in table.index(0, 1).data()
 
 
 def test_the_list_of_keys_fits_on_a_small_screen(opened: Driver) -> None:

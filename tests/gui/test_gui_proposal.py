@@ -17,7 +17,10 @@ from PySide6.QtWidgets import (
 
 from lispac.gui.features.pick_targets.proposal_dialog import ProposedTargetsDialog
 from lispac.project import Project
-from lispac.workflow.calibration.proposal_acceptance import with_accepted, without_picked
+from lispac.workflow.calibration.proposal_acceptance import (
+    with_accepted_targets,
+    without_picked_surfaces,
+)
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from tests.gui.support import Demo, Driver, Left, click, open_step
 
@@ -116,13 +119,15 @@ def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> Non
 def test_existing_targets_are_not_proposed_and_names_are_unique(
     demo: Demo, proposal: Proposal
 ) -> None:
-    left = without_picked(demo.picked, proposal)
+    left = without_picked_surfaces(demo.picked, proposal)
     assert len(left.targets) < len(proposal.targets)
     assert set(left.picked) <= {"T1", "T2"}
     taken = {target.name for target in demo.picked.targets}
     assert taken.isdisjoint(target.name for target in left.targets)
     assert set(left.reasons) == {target.name for target in left.targets}
-    project, given = with_accepted(demo.picked, left, {target.name for target in left.targets})
+    project, given = with_accepted_targets(
+        demo.picked, left, {target.name for target in left.targets}
+    )
     assert given == tuple(target.name for target in left.targets), "as the list shows them"
     names = [target.name for target in project.targets]
     assert len(set(names)) == len(names) == len(demo.picked.targets) + len(given)
@@ -143,7 +148,9 @@ def test_the_heading_names_the_targets_of_the_sigmas(
 ) -> None:
     targets = [target for target in proposal.targets if target.role == "target"][:known]
     named = tuple(replace(target, name=f"A{k + 1}") for k, target in enumerate(targets))
-    dialog = ProposedTargetsDialog(without_picked(replace(demo.project, targets=named), proposal))
+    dialog = ProposedTargetsDialog(
+        without_picked_surfaces(replace(demo.project, targets=named), proposal)
+    )
     qtbot.addWidget(dialog)
     assert words in dialog.findChild(QLabel, "proposal_sigmas").text()
     names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]

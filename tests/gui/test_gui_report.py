@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.viewport.frame_times import FrameTimes
 from lispac.gui.widgets import ChoiceBox
-from lispac.identity import NAMES, Identity
+from lispac.identity import FIELD_NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_coordinates import answer_next_dialog
@@ -40,14 +40,14 @@ def test_details_are_one_undo_step(adjusted: Driver) -> None:
     open_step(adjusted, REPORT_STEP)
 
     def answer(dialog: QWidget) -> None:
-        for name in NAMES:
+        for name in FIELD_NAMES:
             type_into(adjusted, field(dialog, name), f"the {name}")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
     answer_next_dialog(adjusted, answer)
     click(adjusted, adjusted.window.report.details)
-    assert [getattr(adjusted.project.identity, name) for name in NAMES] == [
-        f"the {name}" for name in NAMES
+    assert [getattr(adjusted.project.identity, name) for name in FIELD_NAMES] == [
+        f"the {name}" for name in FIELD_NAMES
     ]
     assert adjusted.project.result is before.result
     assert adjusted.window.document.undo_stack.undoText() == "change of report details"

@@ -8,10 +8,10 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.project.recovery_copies import LOCK_NAME, LOCKED_ELSEWHERE
+from lispac.gui.project.recovery_copies import LOCK_FILE_NAME, LOCKED_PROJECT_ERROR
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.project.project_file import (
-    FILE_NAME,
+    PROJECT_FILE_NAME,
     UNSAVED_NAME,
     read_project,
     read_unsaved,
@@ -46,7 +46,7 @@ def unsaved(driver: Driver, folder: Path, wanted: bool) -> None:
 def test_edits_of_a_killed_program_are_recovered(driver: Driver, folder: Path) -> None:
     killed_after_editing(folder)
     assert "North wall" not in names(read_project(folder))
-    assert (folder / LOCK_NAME).exists(), "left by the killed program, and stale"
+    assert (folder / LOCK_FILE_NAME).exists(), "left by the killed program, and stale"
     driver.dialogs.recovers = True
     opened(driver, folder)
     assert driver.dialogs.safety == [f"recover {folder.name}"]
@@ -79,7 +79,7 @@ def test_a_recovery_copy_exists_while_work_is_unsaved(driver: Driver, folder: Pa
     unsaved(driver, folder, wanted=True)
     driver.window.close()  # discards the changes
     assert not (folder / UNSAVED_NAME).exists()
-    assert not (folder / LOCK_NAME).exists()
+    assert not (folder / LOCK_FILE_NAME).exists()
     assert {"T1", "T2"} <= names(read_project(folder))
 
 
@@ -103,7 +103,7 @@ def test_a_project_opened_twice_is_detected(
     other.window.controller.rename("T2", "South wall")
     other.window.actions_["save"].trigger()
     assert "South wall" in names(read_project(folder))
-    assert other.window.recovery_copies.problem == LOCKED_ELSEWHERE, (
+    assert other.window.recovery_copies.problem == LOCKED_PROJECT_ERROR, (
         "for as long as it has no protection"
     )
     assert driver.window.recovery_copies.problem is None
@@ -209,7 +209,7 @@ def test_a_renamed_folder_is_not_recreated_without_its_lines(driver: Driver, fol
 
 
 def test_a_project_with_a_damaged_recovery_copy_is_opened(driver: Driver, folder: Path) -> None:
-    (folder / UNSAVED_NAME).write_text((folder / FILE_NAME).read_text()[:1000])
+    (folder / UNSAVED_NAME).write_text((folder / PROJECT_FILE_NAME).read_text()[:1000])
     opened(driver, folder)
     assert driver.dialogs.safety == []
     assert UNSAVED_NAME in driver.window.log.toPlainText()

@@ -14,7 +14,7 @@ from lispac.gui.features.open_project.import_survey.import_dialog import ImportD
 from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
 from lispac.gui.features.preferences.settings_dialog import SettingsDialog
-from lispac.gui.project.recovery_copies import LOCK_NAME
+from lispac.gui.project.recovery_copies import LOCK_FILE_NAME
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.config.sensor_file import PosSpecification, ScannerSpecification
@@ -331,7 +331,7 @@ def test_an_open_demo_is_not_removed(page: SettingsDialog, qtbot: QtBot, tmp_pat
     (demo / "raw").mkdir(parents=True)
     (demo / "raw" / "demo").write_text("ours")
     page.cache.choose_folder(tmp_path)
-    lock = QLockFile(str(demo / LOCK_NAME))
+    lock = QLockFile(str(demo / LOCK_FILE_NAME))
     assert lock.tryLock(0)
     qtbot.mouseClick(page.cache.empty, Left)
     assert page.cache.message_label.text().startswith("The demo survey is open")

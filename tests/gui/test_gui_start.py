@@ -10,10 +10,10 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QCommandLinkButton
 
 from lispac.gui.app.language import set_language
-from lispac.gui.features.help.tour import SAME_ORIENTATION, STEPS
+from lispac.gui.features.help.tour import SAME_ORIENTATION_TEXT, TOUR_STEPS
 from lispac.gui.features.open_project.start_page import StartPage
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX, MainWindow
-from lispac.io.project.project_file import FILE_NAME
+from lispac.io.project.project_file import PROJECT_FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
 SAVED_AT = datetime(2026, 3, 7, 9, 5).timestamp()
@@ -48,7 +48,7 @@ def test_the_date_of_a_recent_project_is_in_the_language_of_the_window(
 ) -> None:
     window = driver.window
     window.settings.add_recent(demo_copy)
-    os.utime(demo_copy / FILE_NAME, (SAVED_AT, SAVED_AT))
+    os.utime(demo_copy / PROJECT_FILE_NAME, (SAVED_AT, SAVED_AT))
     for code, said in (("en", "Saved 2026-03-07 09:05 in"), ("fr", "07/03/2026 09:05 dans")):
         set_language(code)
         try:
@@ -107,7 +107,7 @@ def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Pa
 
     def at(step: int) -> None:
         driver.bot.waitUntil(
-            lambda: card.head.text() == f"Tour, step {step} of {len(STEPS)}", timeout=WAIT_MS
+            lambda: card.head.text() == f"Tour, step {step} of {len(TOUR_STEPS)}", timeout=WAIT_MS
         )
 
     at(1)
@@ -149,14 +149,14 @@ def test_the_tour_explains_two_targets_of_one_orientation(
     driver.rest()
     seed(driver, "T1")
     press(driver, Qt.Key.Key_Return)
-    driver.bot.waitUntil(lambda: card.text.text() == STEPS[2].text, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: card.text.text() == TOUR_STEPS[2].text, timeout=WAIT_MS)
     driver.rest()
     seed(driver, "V1", role="target")
     press(driver, Qt.Key.Key_Return)
-    driver.bot.waitUntil(lambda: card.text.text() == SAME_ORIENTATION, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: card.text.text() == SAME_ORIENTATION_TEXT, timeout=WAIT_MS)
     driver.rest()
     press(driver, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-    driver.bot.waitUntil(lambda: card.text.text() == STEPS[2].text, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: card.text.text() == TOUR_STEPS[2].text, timeout=WAIT_MS)
     driver.rest()
 
 

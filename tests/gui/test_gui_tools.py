@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from lispac.gui.features.inspect.section_panel import EMPTY
+from lispac.gui.features.inspect.section_panel import EMPTY_TEXT
 from lispac.gui.features.inspect.sections import section_box_sketch
 from lispac.gui.viewport.base import PickedPoint
 from lispac.warning_causes import Cause
@@ -84,7 +84,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window, panel = adjusted.window, adjusted.window.tools.sections.panel
     press(adjusted, Key.Key_S)
     adjusted.rest()
-    assert panel.text_label.text() == EMPTY
+    assert panel.text_label.text() == EMPTY_TEXT
     assert panel.canvas is None
     window._select("T1", "")
     adjusted.rest()
@@ -118,7 +118,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window.controller.remove("V1")
     press(adjusted, Key.Key_S)
     wait_until_idle(adjusted)
-    assert panel.text_label.text() == EMPTY
+    assert panel.text_label.text() == EMPTY_TEXT
     assert not panel.canvas.isVisible()
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint
 
-from lispac.gui.features.help.tour import STEPS
+from lispac.gui.features.help.tour import TOUR_STEPS
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project
 from tests.gui.by_hand import Hands, ctrl_click, shows_something
@@ -29,7 +29,7 @@ def test_the_tour_from_the_start_page_to_its_end(
     start, card = hands.window.central_widget.start, hands.window.central_widget.card
 
     def at(step: int) -> None:
-        hands.until(lambda: card.head.text() == f"Tour, step {step} of {len(STEPS)}")
+        hands.until(lambda: card.head.text() == f"Tour, step {step} of {len(TOUR_STEPS)}")
         hands.rest()
         assert card.isVisible()
 

@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.language import set_language
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.project.status import STEPS
+from lispac.gui.project.status import STEP_NAMES
 from lispac.gui.window.actions import ALL_ACTIONS, MENUS
 from lispac.gui.window.main_window import MainWindow
 from lispac.gui.window.session import Session
@@ -86,7 +86,7 @@ def test_the_french_page_has_the_same_steps_with_french_names() -> None:
     assert [step.kind for step in french] == [step.kind for step in english]
     texts = [each.text for each in ALL_ACTIONS.values()]
     texts += [menu.title for menu in MENUS.values() if not menu.menu]
-    numbered = [f"{k + 1} {name}" for k, name in enumerate(STEPS)]
+    numbered = [f"{k + 1} {name}" for k, name in enumerate(STEP_NAMES)]
     set_language("fr")
     try:
         names = {_bare(text): _bare(gettext(text)) for text in texts}

@@ -286,7 +286,7 @@ def test_the_colour_scale_is_in_feet_and_metric_in_files(
 ) -> None:
     clouds = demo.survey.placed(estimated, "estimated")
     reach = 0.0256
-    left, _ = residual_shading(estimated, demo.survey, clouds, reach=reach)
+    left, _ = residual_shading(estimated, demo.survey, clouds, colour_limit=reach)
     end = f"{reach / FOOT:.3f}"
     assert legend_texts(left) == ("Distance from the surface (ft)", f"−{end}", f"+{end}")
     heights, seconds = point_shading("height", clouds), point_shading("time", clouds)

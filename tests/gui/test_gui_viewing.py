@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QLabel
 
 from lispac.gui.features.help.dialogs import shortcuts_box
 from lispac.gui.features.inspect.actions import VIEWS
-from lispac.gui.features.inspect.view_menu import NOTHING_SELECTED
+from lispac.gui.features.inspect.view_menu import NOTHING_SELECTED_TEXT
 from tests.gui.support import Driver, Key, press
 
 SHIFT = Key.Key_Shift
@@ -39,7 +39,7 @@ def test_the_selected_target_is_fitted_and_viewed_along_its_normal(picked: Drive
     window.controller.logged.connect(notes.append)
     press(picked, Key.Key_7)
     window.actions_["fit_selection"].trigger()
-    assert notes == [NOTHING_SELECTED] * 2
+    assert notes == [NOTHING_SELECTED_TEXT] * 2
     window._select("T1", "")
     picked.viewport.calls.clear()
     press(picked, Key.Key_7)
@@ -57,7 +57,7 @@ def test_the_selected_target_is_fitted_and_viewed_along_its_normal(picked: Drive
     np.testing.assert_array_equal(asked(picked, "fit")[0][0], groups[1])
     window.controller.remove("T1")
     window.actions_["fit_selection"].trigger()
-    assert notes[-1] == NOTHING_SELECTED
+    assert notes[-1] == NOTHING_SELECTED_TEXT
 
 
 def test_every_action_is_in_the_menus_and_every_key_in_the_list(opened: Driver) -> None:

@@ -9,7 +9,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
-from lispac.gui.features.warnings.warnings_panel import NO_PROJECT, NO_WARNINGS, TITLE, WAITING
+from lispac.gui.features.warnings.warnings_panel import (
+    NO_PROJECT_TEXT,
+    NO_WARNINGS_TEXT,
+    TITLE,
+    WAITING_TEXT,
+)
 from lispac.gui.project.status import ADJUST, DATA, TARGETS
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note, warning
@@ -81,7 +86,7 @@ def test_the_panel_explains_itself_without_a_project(driver: Driver) -> None:
     assert not driver.window.warnings_button.isVisible()
     press(driver, Key.Key_F12)
     assert in_front(driver, TITLE)
-    assert driver.window.warnings.empty.text() == NO_PROJECT
+    assert driver.window.warnings.empty.text() == NO_PROJECT_TEXT
     assert driver.window.warnings.empty.isVisible()
 
 
@@ -210,7 +215,7 @@ def test_the_list_is_updated_by_edits_undo_and_a_new_result(adjusted: Driver) ->
     )  # fmt: skip
     assert said not in listed(adjusted)
     adjusted.window.controller.use_sighting("T1", line, False)
-    assert adjusted.window.warnings.head.text() == WAITING
+    assert adjusted.window.warnings.head.text() == WAITING_TEXT
     wait_until_idle(adjusted)
     assert said in listed(adjusted)
     adjusted.window.document.undo_stack.undo()
@@ -272,7 +277,7 @@ def test_an_empty_list_reports_no_warnings(picked: Driver) -> None:
     picked.window.warnings.show_warnings(())
     picked.window.warnings_button.show_warnings(())
     press(picked, Key.Key_F12)
-    assert picked.window.warnings.empty.text() == NO_WARNINGS
+    assert picked.window.warnings.empty.text() == NO_WARNINGS_TEXT
     assert picked.window.warnings_button.text() == "No warnings"
 
 

@@ -18,7 +18,7 @@ FOREIGN = (
 
 def script_names() -> dict[str, str]:
     """Names exported by ``import lispac``: the full name in its module, and the public name."""
-    return {f"{module}.{name}": f"lispac.{name}" for name, module in lispac._WHERE.items()}
+    return {f"{module}.{name}": f"lispac.{name}" for name, module in lispac._MODULE_OF_NAME.items()}
 
 
 def documented_as(name: str) -> str:

@@ -7,14 +7,14 @@ from typing import Self
 import numpy as np
 
 from lispac.adjustment.diagnostics.findings import critical_test_value, sighting_status
-from lispac.adjustment.diagnostics.sighting_warnings import MAX_REJECTED_SHARE
+from lispac.adjustment.diagnostics.sighting_warnings import MAX_WRONG_LINE_SHARE
 from lispac.adjustment.model.parameters import OPTIONAL_NAMES, amount_with_unit, mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult, ContradictedParameter, PossibleCause
 from lispac.adjustment.solve.omitted_parameters import MIN_ANGLE_CHANGE
 from lispac.messages import Message, note, warning
-from lispac.warning_causes import RESULT, Cause
+from lispac.warning_causes import RESULT_CAUSE, Cause
 
-KNOWN_FROM_DATA = {
+DATA_ERROR_CODES = {
     "audit.several_scanners": "cause.several_scanners",
     "audit.several_sources": "cause.several_sources",
     "audit.same_time": "cause.same_time",
@@ -32,11 +32,12 @@ KNOWN_FROM_DATA = {
     "trajectory.rate_too_low": "cause.rate_too_low",
 }
 """Codes of warnings about errors in the imported data, and code of the name of each error."""
-SAME_ON_LINES = "data.same_on_lines"
+SAME_ON_LINES_CODE = "data.same_on_lines"
 """Code of a warning about several lines; its ``reason`` is the warning about the first line."""
 EFFECT_PARAMETERS = ("effect", "shift", "misfit")
 """Names of message parameters with the displacement of points, metres."""
-SURFACES_DIFFER = ("adjustment.surfaces_differ", "adjustment.surfaces_displaced")
+FORM_ERROR_CODES = ("adjustment.surfaces_differ", "adjustment.surfaces_displaced")
+"""Codes of the notes that sightings deviate from the shape of their target."""
 MIN_EFFECT_RATIO = 0.5
 """Smallest ratio of the effect of a known error to that of a candidate which it explains."""
 
@@ -62,9 +63,9 @@ class KnownError:
         found = []
         for each in warnings:
             effect = point_displacement(each)
-            first = each.params["reason"] if each.code == SAME_ON_LINES else each
-            if isinstance(first, Message) and first.code in KNOWN_FROM_DATA:
-                code = KNOWN_FROM_DATA[first.code]
+            first = each.params["reason"] if each.code == SAME_ON_LINES_CODE else each
+            if isinstance(first, Message) and first.code in DATA_ERROR_CODES:
+                code = DATA_ERROR_CODES[first.code]
                 found.append(cls(code, np.inf if effect is None else effect))
         return max(found, key=lambda each: each.effect, default=None)
 
@@ -111,12 +112,12 @@ def warnings_about_causes(
         ]
     jumped = _line_jump_warnings(result, causes)
     if any(len(group) == 1 and group[0].kind in OPTIONAL_NAMES for group in causes):
-        others = [each for each in others if each.code not in SURFACES_DIFFER]
+        others = [each for each in others if each.code not in FORM_ERROR_CODES]
     if known is None:
         return (*found, *jumped, *others)
     # These warnings attribute residuals to the targets or the LiDAR; the known error explains them.
     effects = {
-        **dict.fromkeys(SURFACES_DIFFER, float(result.surfaces.max())),
+        **dict.fromkeys(FORM_ERROR_CODES, float(result.surfaces.max())),
         "adjustment.noise": result.rms_after,
         "adjustment.not_flat": result.rms_after,
         "adjustment.another_surface": result.rms_after,
@@ -150,7 +151,7 @@ def _unlocated_cause_notes(causes: Sequence[Sequence[PossibleCause]]) -> Iterato
             subject=_cause_subject(clear[0]),
         )
     elif causes:
-        yield note("adjustment.cause_not_identified", subject=RESULT)
+        yield note("adjustment.cause_not_identified", subject=RESULT_CAUSE)
 
 
 def _single_cause_warning(result: AdjustmentResult, cause: PossibleCause) -> Iterator[Message]:
@@ -227,9 +228,11 @@ def _known_error_warning(
     """Warning that the residuals follow from a known error of the data."""
     cause = note(known.code)
     if not explained:
-        return note("adjustment.known_cause", cause=cause, subject=RESULT)
+        return note("adjustment.known_cause", cause=cause, subject=RESULT_CAUSE)
     causes = _cause_phrases([group[0] for group in explained])
-    return note("adjustment.known_cause_or_others", cause=cause, causes=causes, subject=RESULT)
+    return note(
+        "adjustment.known_cause_or_others", cause=cause, causes=causes, subject=RESULT_CAUSE
+    )
 
 
 def _line_jump_warnings(
@@ -251,7 +254,7 @@ def _line_jump_warnings(
 
 def _are_many_lines_wrong(result: AdjustmentResult, count: int) -> bool:
     """Whether so many lines are wrong that the others are not reliable either."""
-    return count > MAX_REJECTED_SHARE * len({item.sighting.line for item in result.reliability})
+    return count > MAX_WRONG_LINE_SHARE * len({item.sighting.line for item in result.reliability})
 
 
 def _is_already_named(result: AdjustmentResult, cause: PossibleCause) -> bool:

@@ -23,7 +23,8 @@ MIN_SIGMA_SHARE = 1 / 6
 With it, a difference below half a sigma of the whole result is never significant.
 """
 
-Part = tuple[str, str, NDArray[np.bool_]]
+DataPart = tuple[str, str, NDArray[np.bool_]]
+"""Kind and name of a part of the data as in `CrossCheck`, and mask of its sightings."""
 
 
 def cross_checks(
@@ -111,24 +112,24 @@ def _settings_of_part(
     )
 
 
-def _leave_one_out_parts(observations: Observations) -> Iterator[Part]:
+def _leave_one_out_parts(observations: Observations) -> Iterator[DataPart]:
     for line in observations.lines:
         yield "line", line, np.array([s.line != line for s in observations.sightings])
     for target in observations.targets:
         yield "target", target, np.array([s.target != target for s in observations.sightings])
 
 
-def _survey_halves(observations: Observations) -> Iterator[Part]:
+def _survey_halves(observations: Observations) -> Iterator[DataPart]:
     """Two halves of the survey: the lines in order of time, divided in the middle."""
     times = observations.mean_by_sighting(observations.time)
-    sailed = sorted(
+    lines_by_time = sorted(
         observations.lines,
         key=lambda line: np.mean(
             [t for t, s in zip(times, observations.sightings, strict=True) if s.line == line]
         ),
     )
-    middle = (len(sailed) + 1) // 2
-    for name, lines in (("first", sailed[:middle]), ("second", sailed[middle:])):
+    middle = (len(lines_by_time) + 1) // 2
+    for name, lines in (("first", lines_by_time[:middle]), ("second", lines_by_time[middle:])):
         yield "half", name, np.array([s.line in lines for s in observations.sightings])
 
 
@@ -156,7 +157,7 @@ def _cross_check_part(
 def _is_target_on_two_lines(
     observations: Observations, keep: NDArray[np.bool_]
 ) -> NDArray[np.bool_]:
-    """Whether the target of each sighting is seen in at least two of the kept sightings."""
+    """Whether the target of each sighting has at least two of the kept sightings."""
     owners = observations.target_of_sighting
     counts = np.bincount(owners[keep], minlength=len(observations.targets))
     return np.asarray(counts[owners] >= 2)

@@ -15,24 +15,27 @@ from lispac.adjustment.model.point_sensitivity import Sensitivity, sensitivity
 from lispac.errors import InputError
 from lispac.language import N_
 from lispac.messages import Message, error, note
-from lispac.survey.georeferencing import CALIBRATION, Mounting, place_points, to_lidar
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES, Mounting, place_points, to_lidar
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
 
-DISTANCES = (10.0, 50.0, 100.0)
+DEFAULT_DISTANCES = (10.0, 50.0, 100.0)
 """Default distances from the scanner, metres."""
-BEAMS: Mapping[str, tuple[float, float, float]] = {
+BEAM_DIRECTIONS: Mapping[str, tuple[float, float, float]] = {
     N_("horizontal, to starboard"): (0.0, -1.0, 0.0),
     N_("45 deg upwards, to starboard"): (0.0, -float(np.sqrt(0.5)), float(np.sqrt(0.5))),
 }
 """Directions of the beam in the body frame (forward, left, up) of a level vessel heading north."""
-POSITION, RANGE = N_("POS position"), N_("LiDAR range")
-BEAM, LIDAR = N_("LiDAR beam angle"), N_("LiDAR noise")
-ATTITUDE = (N_("POS roll"), N_("POS pitch"), N_("POS heading"))
-LEVER, LATENCY = N_("Lever arm"), N_("Latency")
-OFFSETS = {"range_offset": N_("Range offset"), "scan_angle_offset": N_("Scan-angle offset")}
-BEFORE, AFTER = N_("Boresight before calibration"), N_("Boresight after calibration")
+POSITION_SOURCE, RANGE_SOURCE = N_("POS position"), N_("LiDAR range")
+BEAM_ANGLE_SOURCE, LIDAR_NOISE_SOURCE = N_("LiDAR beam angle"), N_("LiDAR noise")
+ATTITUDE_SOURCES = (N_("POS roll"), N_("POS pitch"), N_("POS heading"))
+LEVER_ARM_SOURCE, LATENCY_SOURCE = N_("Lever arm"), N_("Latency")
+OFFSET_SOURCES = {"range_offset": N_("Range offset"), "scan_angle_offset": N_("Scan-angle offset")}
+PRIOR_BORESIGHT_SOURCE, ESTIMATED_BORESIGHT_SOURCE = (
+    N_("Boresight before calibration"),
+    N_("Boresight after calibration"),
+)
 TOTAL_BEFORE, TOTAL_AFTER = N_("Total before calibration"), N_("Total after calibration")
 """Names of the sources of error and of the totals, in English."""
 
@@ -54,7 +57,7 @@ class SystemErrors:
         Estimated mounting.
     prior_boresight : ndarray of shape (3,), radians
     estimated : tuple of str
-        Names of the estimated values, from `CALIBRATION`.
+        Names of the estimated values, from `MOUNTING_VALUE_NAMES`.
     covariance : ndarray of shape (e, e), radians, metres, seconds
         Covariance of ``estimated``.
     speed : float, metres per second
@@ -132,7 +135,9 @@ class ErrorBudget:
     assumptions: tuple[Message, ...]
 
 
-def error_budget(system: SystemErrors, distances: Sequence[float] = DISTANCES) -> ErrorBudget:
+def error_budget(
+    system: SystemErrors, distances: Sequence[float] = DEFAULT_DISTANCES
+) -> ErrorBudget:
     """Compute the error of a point by source, at given distances from the scanner in metres.
 
     Raises
@@ -143,39 +148,46 @@ def error_budget(system: SystemErrors, distances: Sequence[float] = DISTANCES) -
     if not distances or not all(0.0 < each < np.inf for each in distances):
         raise InputError(error("adjustment.budget_distances"))
     chosen = tuple(sorted(set(map(float, distances))))
-    beams = tuple(_beam_budget(name, np.array(way), system, chosen) for name, way in BEAMS.items())
+    beams = tuple(
+        _beam_budget(name, np.array(beam_direction), system, chosen)
+        for name, beam_direction in BEAM_DIRECTIONS.items()
+    )
     return ErrorBudget(chosen, beams, tuple(_budget_assumptions(system)))
 
 
 def _beam_budget(
-    name: str, way: Array, system: SystemErrors, distances: Sequence[float]
+    name: str, beam_direction: Array, system: SystemErrors, distances: Sequence[float]
 ) -> BeamBudget:
-    found = [_covariance_by_source(way, system, distance) for distance in distances]
+    found = [_covariance_by_source(beam_direction, system, distance) for distance in distances]
     sources = tuple(
-        SourceBudget(source, _point_sigmas([each[source] for each in found], way))
+        SourceBudget(source, _point_sigmas([each[source] for each in found], beam_direction))
         for source in found[0]
     )
     known = [{k: c for k, c in each.items() if c is not None} for each in found]
     totals = []
-    for out in (AFTER, BEFORE):
+    for out in (ESTIMATED_BORESIGHT_SOURCE, PRIOR_BORESIGHT_SOURCE):
         # The other estimated values are correlated with each other and with the boresight.
         both = [
             sum((c for source, c in each.items() if source != out), np.zeros((3, 3)))
-            + (_cross_covariance(way, system, far) if out == BEFORE else 0.0)
+            + (
+                _cross_covariance(beam_direction, system, far)
+                if out == PRIOR_BORESIGHT_SOURCE
+                else 0.0
+            )
             for each, far in zip(known, distances, strict=True)
         ]
-        totals.append(_point_sigmas(both, way))
+        totals.append(_point_sigmas(both, beam_direction))
     return BeamBudget(
         name, sources, SourceBudget(TOTAL_BEFORE, totals[0]), SourceBudget(TOTAL_AFTER, totals[1])
     )
 
 
 def _point_pose_derivatives(
-    way: Array, system: SystemErrors, distance: float
+    beam_direction: Array, system: SystemErrors, distance: float
 ) -> tuple[Array, Poses, Sensitivity]:
     """Point in the LiDAR frame, pose, and derivatives of north, west and up of the point."""
     poses = Poses(np.zeros((3, 3)), np.zeros((3, 3)))
-    local = np.tile(system.mounting.lever_arm + distance * way, (3, 1))
+    local = np.tile(system.mounting.lever_arm + distance * beam_direction, (3, 1))
     points_lidar = to_lidar(local, poses, system.mounting)
     rate = np.tile([system.speed, 0.0, 0.0, *system.rates], (3, 1))
     moved = sensitivity(points_lidar, poses, system.mounting, np.eye(3), pose_rate=rate)
@@ -183,14 +195,14 @@ def _point_pose_derivatives(
 
 
 def _covariance_by_source(
-    way: Array, system: SystemErrors, distance: float
+    beam_direction: Array, system: SystemErrors, distance: float
 ) -> dict[str, Array | None]:
     """Covariance of the point by each source, shape (3, 3), square metres; None if unknown."""
-    points_lidar, poses, moved = _point_pose_derivatives(way, system, distance)
+    points_lidar, poses, moved = _point_pose_derivatives(beam_direction, system, distance)
     found: dict[str, Array | None] = {
-        POSITION: _propagate_sigmas(moved.by_position, system.position)
+        POSITION_SOURCE: _propagate_sigmas(moved.by_position, system.position)
     }
-    for k, name in enumerate(ATTITUDE):
+    for k, name in enumerate(ATTITUDE_SOURCES):
         found[name] = _propagate_sigmas(moved.by_attitude[:, [k]], system.attitude[[k]])
     if isinstance(system.lidar, tuple):
         reading = points_lidar[0]
@@ -199,19 +211,19 @@ def _covariance_by_source(
         across = system.lidar[1] * float(np.linalg.norm(reading))
         along = np.outer(beam, beam)
         jacobian = moved.by_lidar
-        found[RANGE] = system.lidar[0] ** 2 * (jacobian @ along @ jacobian.T)
-        found[BEAM] = across**2 * (jacobian @ (np.eye(3) - along) @ jacobian.T)
+        found[RANGE_SOURCE] = system.lidar[0] ** 2 * (jacobian @ along @ jacobian.T)
+        found[BEAM_ANGLE_SOURCE] = across**2 * (jacobian @ (np.eye(3) - along) @ jacobian.T)
     else:
-        found[LIDAR] = _propagate_sigmas(moved.by_lidar, np.full(3, system.lidar))
+        found[LIDAR_NOISE_SOURCE] = _propagate_sigmas(moved.by_lidar, np.full(3, system.lidar))
     levers = [name for name in system.estimated if name.startswith("lever")]
     if levers:
-        found[LEVER] = _estimated_covariance(moved, system, levers)
+        found[LEVER_ARM_SOURCE] = _estimated_covariance(moved, system, levers)
     else:
         lever = system.lever_arm
-        found[LEVER] = (
+        found[LEVER_ARM_SOURCE] = (
             None if lever is None else _propagate_sigmas(moved.by_mounting[:, 3:6], lever)
         )
-    for name, words in OFFSETS.items():
+    for name, words in OFFSET_SOURCES.items():
         if name in system.estimated:
             found[words] = _estimated_covariance(moved, system, [name])
     if "latency" in system.estimated:
@@ -219,15 +231,17 @@ def _covariance_by_source(
         # The correlation of speed and rates is unknown, so that their variances are added.
         rates = np.array([system.speed, *system.rates])
         moves = np.column_stack([moved.by_position[:, 0], moved.by_attitude])
-        found[LATENCY] = _propagate_sigmas(moves, np.sqrt(variance) * rates)
+        found[LATENCY_SOURCE] = _propagate_sigmas(moves, np.sqrt(variance) * rates)
     before = system.mounting.with_boresight(system.prior_boresight)
     # The actual error, not a standard deviation; it may be too large for a linearisation.
     off = (
         place_points(points_lidar, poses, before)
         - place_points(points_lidar, poses, system.mounting)
     )[0]
-    found[BEFORE] = np.outer(off, off)
-    found[AFTER] = _estimated_covariance(moved, system, ["roll", "pitch", "yaw"])
+    found[PRIOR_BORESIGHT_SOURCE] = np.outer(off, off)
+    found[ESTIMATED_BORESIGHT_SOURCE] = _estimated_covariance(
+        moved, system, ["roll", "pitch", "yaw"]
+    )
     return found
 
 
@@ -242,21 +256,23 @@ def _estimated_covariance(
 ) -> Array:
     """Covariance of the point from some of the estimated values."""
     chosen = [system.estimated.index(name) for name in names]
-    jacobian = sensitivity.by_mounting[:, [CALIBRATION.index(name) for name in names]]
+    jacobian = sensitivity.by_mounting[:, [MOUNTING_VALUE_NAMES.index(name) for name in names]]
     return jacobian @ system.covariance[np.ix_(chosen, chosen)] @ jacobian.T
 
 
-def _cross_covariance(way: Array, system: SystemErrors, distance: float) -> Array:
+def _cross_covariance(beam_direction: Array, system: SystemErrors, distance: float) -> Array:
     """Covariance of the point from correlations between groups of estimated values."""
-    _, _, moved = _point_pose_derivatives(way, system, distance)
+    _, _, moved = _point_pose_derivatives(beam_direction, system, distance)
     names = [name for name in system.estimated if name != "latency"]
     groups = [["roll", "pitch", "yaw"], [n for n in names if n.startswith("lever")]]
-    groups += [[name] for name in names if name in OFFSETS]
+    groups += [[name] for name in names if name in OFFSET_SOURCES]
     alone = sum(_estimated_covariance(moved, system, group) for group in groups if group)
     return _estimated_covariance(moved, system, names) - alone
 
 
-def _point_sigmas(covariances: Sequence[Array | None], way: Array) -> tuple[PointSigma, ...] | None:
+def _point_sigmas(
+    covariances: Sequence[Array | None], beam_direction: Array
+) -> tuple[PointSigma, ...] | None:
     spreads = []
     for covariance in covariances:
         if covariance is None:
@@ -264,7 +280,7 @@ def _point_sigmas(covariances: Sequence[Array | None], way: Array) -> tuple[Poin
         # Because of rounding, a variance of zero may be slightly negative.
         north, west, up = np.maximum(np.diag(covariance), 0.0)
         total = north + west + up
-        across = max(total - way @ covariance @ way, 0.0)
+        across = max(total - beam_direction @ covariance @ beam_direction, 0.0)
         spreads.append(PointSigma(*(float(np.sqrt(v)) for v in (north + west, up, across, total))))
     return tuple(spreads)
 

@@ -36,9 +36,9 @@ from lispac.progress import Progress, no_progress
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-SCENE_PARTS = 12
+MAX_SCENE_PARTS = 12
 """Largest number of parts of the scene along its greatest length; each has at least one surface."""
-LINE_PARTS = 4
+PARTS_PER_LINE = 4
 """Number of parts of each line, with similar numbers of groups of points."""
 MIN_PARTS = 3
 """Smallest number of parts for an estimate of their scatter."""
@@ -65,7 +65,7 @@ It keeps the equations regular if no point of a target remains.
 
 def raise_sigmas_by_scatter(
     result: AdjustmentResult,
-    here: LinearisedProblem,
+    linearised: LinearisedProblem,
     origins: Array,
     *,
     progress: Progress = no_progress,
@@ -74,9 +74,9 @@ def raise_sigmas_by_scatter(
 
     Parameters
     ----------
-    here, origins : as in `lispac.adjustment.diagnostics.solved_equations.SolvedEquations`
+    linearised, origins : as in `lispac.adjustment.diagnostics.solved_equations.SolvedEquations`
     """
-    added = excess_variance(here, origins, progress=progress)
+    added = excess_variance(linearised, origins, progress=progress)
     return with_raised_sigmas(result, np.sqrt(1.0 + added / np.diag(result.covariance)))
 
 
@@ -94,27 +94,27 @@ def with_raised_sigmas(result: AdjustmentResult, factors: Array) -> AdjustmentRe
 
 
 def excess_variance(
-    here: LinearisedProblem, origins: Array, *, progress: Progress = no_progress
+    linearised: LinearisedProblem, origins: Array, *, progress: Progress = no_progress
 ) -> Array:
     """Excess variance of the angles that the model does not predict, shape (3,), square radians.
 
     Parameters
     ----------
-    here, origins : as in `lispac.adjustment.diagnostics.solved_equations.SolvedEquations`
+    linearised, origins : as in `lispac.adjustment.diagnostics.solved_equations.SolvedEquations`
     """
-    added, tangent = np.zeros(3), here.tangent
+    added, tangent = np.zeros(3), linearised.tangent
     with single_blas_thread():
         try:
-            whole = _change_without_groups(tangent, np.zeros(len(here.sums), dtype=bool))
+            whole = _change_without_groups(tangent, np.zeros(len(linearised.sums), dtype=bool))
         except (AdjustmentError, np.linalg.LinAlgError):
             return added  # there is no whole result to compare with
-        for parts in _place_and_stretch_groups(here, origins):
+        for parts in _place_and_section_groups(linearised, origins):
             differences, predicted = _leave_out_differences(tangent, whole, parts, progress)
             added += _variance_beyond_prediction(differences, predicted)
     return added
 
 
-def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
+def leave_out_sigma_factors(linearised: LinearisedProblem) -> Array:
     """Factors on the sigmas of the angles from omitting lines and targets, (3,), no unit.
 
     A factor is 1 if the scatter of the results without one line, or without one target, is not
@@ -122,17 +122,17 @@ def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
 
     Parameters
     ----------
-    here : LinearisedProblem
+    linearised : LinearisedProblem
         Equations of the correlated model at its solution.
     """
-    tangent = here.tangent
+    tangent = linearised.tangent
     with single_blas_thread():
         try:
-            whole = _change_without_groups(tangent, np.zeros(len(here.sums), dtype=bool))
+            whole = _change_without_groups(tangent, np.zeros(len(linearised.sums), dtype=bool))
         except (AdjustmentError, np.linalg.LinAlgError):
             return np.ones(3)
         added = np.zeros(3)
-        for parts in _line_and_target_groups(here):
+        for parts in _line_and_target_groups(linearised):
             differences, predicted = _leave_out_differences(tangent, whole, parts, no_progress)
             checked = predicted <= MAX_LEVERAGE * whole[1]
             differences, predicted = differences * checked, predicted * checked
@@ -145,7 +145,7 @@ def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
     return np.asarray(np.sqrt(1.0 + added / whole[1]))
 
 
-def expected_sigma_factors(here: LinearisedProblem, omitted: Flags) -> Array:
+def expected_sigma_factors(linearised: LinearisedProblem, omitted: Flags) -> Array:
     """Expected factors of `leave_out_sigma_factors` if the model is correct, shape (3,), no unit.
 
     Even then the sigmas of some surveys are raised by chance, by more if there are few parts. The
@@ -154,24 +154,24 @@ def expected_sigma_factors(here: LinearisedProblem, omitted: Flags) -> Array:
 
     Parameters
     ----------
-    here : LinearisedProblem
+    linearised : LinearisedProblem
         As in `leave_out_sigma_factors`.
     omitted : ndarray of shape (groups,), bool
         Groups of points that are not used.
     """
-    chance = np.random.default_rng(0)
+    rng = np.random.default_rng(0)
     added = np.zeros(3)
     with single_blas_thread():
         try:
-            whole = _change_without_groups(here, omitted)
+            whole = _change_without_groups(linearised, omitted)
         except (AdjustmentError, np.linalg.LinAlgError):
             return np.ones(3)
-        for parts in _line_and_target_groups(here):
+        for parts in _line_and_target_groups(linearised):
             left = [part | omitted for part in parts if (part & ~omitted).any()]
-            _, predicted = _leave_out_differences(here, whole, left, no_progress)
+            _, predicted = _leave_out_differences(linearised, whole, left, no_progress)
             checked = predicted <= MAX_LEVERAGE * whole[1]
             predicted = predicted * checked
-            drawn = chance.normal(size=(SIMULATED_SETS, *predicted.shape)) * np.sqrt(predicted)
+            drawn = rng.normal(size=(SIMULATED_SETS, *predicted.shape)) * np.sqrt(predicted)
             excess = [
                 _is_scatter_significant(each, predicted)
                 * _variance_beyond_prediction(each, predicted)
@@ -181,9 +181,9 @@ def expected_sigma_factors(here: LinearisedProblem, omitted: Flags) -> Array:
     return np.asarray(np.sqrt(1.0 + added / whole[1]))
 
 
-def _line_and_target_groups(here: LinearisedProblem) -> Iterator[list[Flags]]:
+def _line_and_target_groups(linearised: LinearisedProblem) -> Iterator[list[Flags]]:
     """Groups of points to omit: whole lines, and whole targets."""
-    observations, sighting = here.problem.observations, here.problem.groups.sighting
+    observations, sighting = linearised.problem.observations, linearised.problem.groups.sighting
     target = observations.target_of_sighting[sighting]
     line = np.array([observations.lines.index(s.line) for s in observations.sightings])[sighting]
     yield [line == k for k in range(len(observations.lines))]
@@ -210,36 +210,41 @@ def _is_scatter_significant(differences: Array, predicted: Array) -> NDArray[np.
     return np.asarray(together | largest)
 
 
-def _place_and_stretch_groups(here: LinearisedProblem, origins: Array) -> Iterator[list[Flags]]:
+def _place_and_section_groups(
+    linearised: LinearisedProblem, origins: Array
+) -> Iterator[list[Flags]]:
     """Groups of points to omit: places of the scene, and sections of each line."""
-    problem = here.problem
+    problem = linearised.problem
     groups, observations = problem.groups, problem.observations
     assert groups.knots is not None
     target = observations.target_of_sighting[groups.sighting]
     along = np.linalg.svd(origins - origins.mean(axis=0), full_matrices=False)[2][0]
-    places = np.array_split(np.argsort(origins @ along), min(SCENE_PARTS, len(origins)))
+    places = np.array_split(np.argsort(origins @ along), min(MAX_SCENE_PARTS, len(origins)))
     yield [np.isin(target, place) for place in places]
     names = np.array([observations.lines.index(each.line) for each in observations.sightings])
     line, time = names[groups.sighting], groups.knots.time[groups.knot]
     for k in range(len(observations.lines)):
         own = line == k
-        ends = np.quantile(time[own], np.arange(1, LINE_PARTS) / LINE_PARTS)
-        stretch = np.searchsorted(ends, time, side="right")
-        yield [own & (stretch == part) for part in range(LINE_PARTS)]
+        ends = np.quantile(time[own], np.arange(1, PARTS_PER_LINE) / PARTS_PER_LINE)
+        section = np.searchsorted(ends, time, side="right")
+        yield [own & (section == part) for part in range(PARTS_PER_LINE)]
 
 
 def _leave_out_differences(
-    here: LinearisedProblem, whole: tuple[Array, Array], parts: list[Flags], progress: Progress
+    linearised: LinearisedProblem,
+    whole: tuple[Array, Array],
+    parts: list[Flags],
+    progress: Progress,
 ) -> tuple[Array, Array]:
     """Angles without each part minus those of the whole, and predicted variances, (parts, 3) each.
 
-    Parts without which there is no solution are left out.
+    Parts without which there is no solution are omitted from both arrays.
     """
     found = []
     for part in parts:
         progress(0.9, gettext_lazy("Repeating the adjustment with subsets of the data"))
         with suppress(AdjustmentError, np.linalg.LinAlgError):
-            found.append(_change_without_groups(here, part))
+            found.append(_change_without_groups(linearised, part))
     differences = np.array([angles - whole[0] for angles, _ in found]).reshape(-1, 3)
     predicted = np.array([np.maximum(variance - whole[1], 0.0) for _, variance in found])
     return differences, predicted.reshape(-1, 3)
@@ -253,7 +258,7 @@ def _variance_beyond_prediction(differences: Array, predicted: Array) -> Array:
     return np.asarray(share * np.maximum((differences**2 - predicted).sum(axis=0), 0.0))
 
 
-def sigmas_without(here: LinearisedProblem, sightings: Flags) -> Array | None:
+def sigmas_without(linearised: LinearisedProblem, sightings: Flags) -> Array | None:
     """Sigmas of the angles without some sightings, shape (3,), radians; None if undetermined.
 
     Parameters
@@ -263,15 +268,17 @@ def sigmas_without(here: LinearisedProblem, sightings: Flags) -> Array | None:
     """
     try:
         return np.asarray(
-            np.sqrt(_change_without_groups(here, sightings[here.problem.groups.sighting])[1])
+            np.sqrt(
+                _change_without_groups(linearised, sightings[linearised.problem.groups.sighting])[1]
+            )
         )
     except (AdjustmentError, np.linalg.LinAlgError):
         return None
 
 
-def _change_without_groups(here: LinearisedProblem, part: Flags) -> tuple[Array, Array]:
+def _change_without_groups(linearised: LinearisedProblem, part: Flags) -> tuple[Array, Array]:
     """Change of the angles without some groups of points, and their variances, (3,) each."""
-    normal = here.normal_without_groups(part).eliminate_surfaces
+    normal = linearised.normal_without_groups(part).eliminate_surfaces
     shapes = np.arange(len(normal.layout.active), len(normal.matrix))
     matrix = normal.matrix.copy()
     matrix[shapes, shapes] += FREE_SHAPE_SIGMA**-2

@@ -22,13 +22,13 @@ from lispac.errors import AdjustmentError
 from lispac.messages import Message, note
 from lispac.survey.georeferencing import Mounting
 
-SIGN_CONVENTIONS = {
+WRONG_SIGN_CONVENTIONS = {
     "cause.wrong_roll_sign": (-1.0, 1.0, 1.0),
     "cause.wrong_pitch_sign": (1.0, -1.0, 1.0),
     "cause.wrong_roll_pitch_signs": (-1.0, -1.0, 1.0),
 }
 """Code of each wrong sign convention, and factors on roll, pitch and heading."""
-ESTIMATED_PARAMETERS = ("latency", "range_offset")
+TESTED_PARAMETERS = ("latency", "range_offset")
 """Values of the mounting that are tested as causes by estimating them."""
 REJECTION_LEVEL = 1e-4
 """Significance level of the chi-square test: probability that a correct model is rejected."""
@@ -46,8 +46,8 @@ def find_failure_causes(
     Parameters
     ----------
     mounting, model, parameters : as in `adjust`
-        Correlated POS errors are used in any case, because independent ones would explain nearly
-        any residuals.
+        The correlated model with the loss of Tukey is used in any case, because independent POS
+        errors would explain nearly any residuals.
     """
     model = replace(model, pos_errors="correlated", loss="tukey")
     found: list[tuple[float, Message]] = []
@@ -68,9 +68,9 @@ def _candidates(
     observations: Observations, parameters: tuple[Parameter, ...]
 ) -> Iterator[tuple[str, Observations, tuple[Parameter, ...]]]:
     """Code, corrected observations and additional parameters of each candidate."""
-    for code, signs in SIGN_CONVENTIONS.items():
+    for code, signs in WRONG_SIGN_CONVENTIONS.items():
         yield code, _with_attitude_signs(observations, np.array(signs)), ()
-    for name in ESTIMATED_PARAMETERS:
+    for name in TESTED_PARAMETERS:
         if name == "latency" and observations.pose_rate is None:
             continue
         if all(each.name != name for each in parameters):

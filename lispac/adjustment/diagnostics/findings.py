@@ -13,7 +13,7 @@ from lispac.adjustment.solve.blunders import FAMILY_WISE_LEVEL
 from lispac.messages import Message, note
 
 UNCHECKED_SHIFT = 1.0
-"""Minimal detectable shift from which on a sighting counts as not checked, metres."""
+"""Minimal detectable bias from which on a sighting counts as not checked, metres."""
 
 MAX_INTERVAL_RATIO = 10.0
 """Largest ratio of the bounds of the confidence interval of a determined variance component."""

@@ -25,7 +25,7 @@ It is low, because a position error of two sigmas is not a jump.
 """
 MIN_DATA_SHARE = 0.05
 """Smallest share of the data, not the prior, in the information on a direction that is tested."""
-AXES = 3
+AXIS_COUNT = 3
 """Number of axes: north, west, up."""
 
 
@@ -47,28 +47,28 @@ class LineShiftScores:
     variance: Array
 
     @classmethod
-    def of(cls, here: LinearisedProblem) -> "LineShiftScores":
+    def of(cls, linearised: LinearisedProblem) -> "LineShiftScores":
         """Compute the score of every line.
 
         Parameters
         ----------
-        here : LinearisedProblem
+        linearised : LinearisedProblem
             Equations of the correlated model at its solution.
         """
-        problem, normal = here.problem, here.normal
+        problem, normal = linearised.problem, linearised.normal
         observations, knots = problem.observations, problem.groups.knots
         assert knots is not None
         lines = tuple(observations.lines)
         place = {line: k for k, line in enumerate(lines)}
         of_sighting = np.array([place[each.line] for each in observations.sightings])
         line = of_sighting[problem.groups.sighting]
-        shifts = np.zeros((len(lines), AXES, len(knots.time), 6))
+        shifts = np.zeros((len(lines), AXIS_COUNT, len(knots.time), 6))
         for k in range(len(lines)):
             own = problem.groups.knot[line == k]
-            for axis in range(AXES):
+            for axis in range(AXIS_COUNT):
                 shifts[k, axis, own, axis] = shifts[k, axis, own + 1, axis] = 1.0
         weighted = np.array([[knots.apply_prior_precision(each) for each in own] for own in shifts])
-        size = len(lines) * AXES
+        size = len(lines) * AXIS_COUNT
         flat, given = weighted.reshape(size, -1), shifts.reshape(size, -1)
         half = forward_substitution(normal.factor, flat.T)
         through = half.T @ normal.whitened_mixed
@@ -76,7 +76,7 @@ class LineShiftScores:
         prior = flat @ given.T
         root = np.sqrt(np.diag(prior))
         variance = (prior - after) / np.outer(root, root)
-        score = flat @ here.state.effects.reshape(-1) / root
+        score = flat @ linearised.state.pos_errors.reshape(-1) / root
         return cls(lines, score, (variance + variance.T) / 2)
 
     def p_value_of_shift(self, k: int) -> float:
@@ -120,12 +120,12 @@ class LineShiftScores:
         return tuple(self.lines[k] for k in sorted(found))
 
     def _columns_of_line(self, k: int) -> slice:
-        return slice(AXES * k, AXES * (k + 1))
+        return slice(AXIS_COUNT * k, AXIS_COUNT * (k + 1))
 
     def _information_shares(self, k: int) -> tuple[Array, Array]:
         """Eigenvalues and eigenvectors of the information on the shift of a line.
 
-        Directions with a share below `MIN_DATA_SHARE` are left out.
+        Directions with a share below `MIN_DATA_SHARE` are omitted.
         """
         own = self._columns_of_line(k)
         shares, directions = np.linalg.eigh(self.variance[own, own])

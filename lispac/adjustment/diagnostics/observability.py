@@ -10,7 +10,7 @@ from lispac.adjustment.result import ANGLES, Observability, UncontrolledObservat
 from lispac.adjustment.solve.adjustment_problem import LinearisedProblem
 from lispac.adjustment.solve.determinability import (
     ANGLE_CODES,
-    WORST_SIGMA,
+    MAX_ANGLE_SIGMA,
     angle_combination,
     have_targets_one_orientation,
 )
@@ -20,17 +20,17 @@ from lispac.progress import Progress, no_progress
 
 Array = NDArray[np.float64]
 
-MAX_SIGMA_RATIO = 4.0
-"""Increase of a sigma without a sighting above which the angle depends on this sighting alone."""
-CLUSTER_RATIO = 0.05
+MAX_SIGHTING_SIGMA_RATIO = 4.0
+"""Ratio of a sigma without a sighting to that with it above which the angle depends on it alone."""
+MAX_CLUSTER_RATIO = 0.05
 """Ratio of the largest distance between targets to the range below which they act as one target.
 
 POS errors, beam directions and errors of a line are then the same for all of them.
 """
-MAX_SIGHTINGS = 100
-"""Number of sightings above which no angle depends on a single sighting."""
-MIN_RATIO = 1.25
-"""Increase of a sigma without a line above which the line is reported."""
+MAX_TESTED_SIGHTINGS = 100
+"""Largest number of sightings for which the dependence of angles on single ones is examined."""
+MIN_LINE_SIGMA_RATIO = 1.25
+"""Ratio of the sigma of an angle without a line to that with it above which the line is named."""
 
 
 def assess_observability(
@@ -89,21 +89,21 @@ def _find_unchecked_parts(
     if len(targets) > 1:
         for k, target in enumerate(targets):
             sigma = sigmas_without(linearised, observations.target_of_sighting == k)
-            if sigma is None or sigma.max() > WORST_SIGMA:
+            if sigma is None or sigma.max() > MAX_ANGLE_SIGMA:
                 yield UncontrolledObservations("target", target)
         if (
             origins is not None
-            and (reach := _relative_target_spacing(linearised, origins)) < CLUSTER_RATIO
+            and (reach := _relative_target_spacing(linearised, origins)) < MAX_CLUSTER_RATIO
         ):
             yield UncontrolledObservations("clustered", size=reach)
-    if needed or len(observations.sightings) > MAX_SIGHTINGS:
+    if needed or len(observations.sightings) > MAX_TESTED_SIGHTINGS:
         return
     whole = sigmas_without(linearised, np.zeros(len(observations.sightings), dtype=bool))
     for k, sighting in enumerate(observations.sightings):
         own = sigmas_without(linearised, np.arange(len(observations.sightings)) == k)
         if whole is None or own is None:
             continue
-        carried = tuple(np.array(ANGLES)[own > MAX_SIGMA_RATIO * whole].tolist())
+        carried = tuple(np.array(ANGLES)[own > MAX_SIGHTING_SIGMA_RATIO * whole].tolist())
         if carried:
             yield UncontrolledObservations("sighting", sighting.target, sighting.line, carried)
 
@@ -133,7 +133,7 @@ def _sigmas_without_groups(linearised: LinearisedProblem, mask: NDArray[np.bool_
             if not g}) < 2:  # fmt: skip
         return None
     information = linearised.normal_without_sightings(mask).information(3)
-    if np.linalg.eigvalsh(information)[0] < WORST_SIGMA**-2:
+    if np.linalg.eigvalsh(information)[0] < MAX_ANGLE_SIGMA**-2:
         return None
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
 
@@ -153,7 +153,9 @@ def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iter
     for k, angle in enumerate(ANGLES):
         name = note(ANGLE_CODES[angle])
         grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}
-        lines = sorted((line for line in grown if grown[line] > MIN_RATIO), key=lambda x: -grown[x])
+        lines = sorted(
+            (line for line in grown if grown[line] > MIN_LINE_SIGMA_RATIO), key=lambda x: -grown[x]
+        )
         if lines:
             now = float(sigma[k])
             yield note(

@@ -1,12 +1,12 @@
 """Compare the errors that may cause residuals that contradict the model.
 
-Each candidate is one kind of error in one place: a component of the lever arm, the latency, the
-position, the boresight or the times of one line, or one sighting. It adds unknowns to the
-adjustment, with a normal prior whose standard deviation is the typical size of such errors. The
-evidence for a candidate is twice the logarithm of its Bayes factor against a model without errors
-(Kass and Raftery 1995). The sigma of the form errors is set to its most likely value for each
-candidate. Otherwise an error such as a wrong lever arm, which increases this sigma, would be hidden
-by it.
+Each candidate is one kind of error in one place: a wrong value of the mounting, such as the
+latency; the position, the boresight or the times of one line; the shift or the surface of one
+sighting; or the surface of one target. It adds unknowns to the adjustment, with a
+normal prior whose standard deviation is the typical size of such errors. The evidence for a
+candidate is twice the logarithm of its Bayes factor against a model without errors (Kass and
+Raftery 1995). The sigma of the form errors is set to its most likely value for each candidate.
+Otherwise an error such as a wrong lever arm, which increases this sigma, would be hidden by it.
 
 The unknowns of all candidates are eliminated together, so that the cost is that of a few solutions
 of the normal equations.
@@ -24,12 +24,12 @@ from lispac.adjustment.result import PossibleCause
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.solve.banded_cholesky import forward_substitution
 from lispac.adjustment.solve.normal_equations import unknown_directions
-from lispac.adjustment.solve.variance_components import LARGEST_SURFACE
+from lispac.adjustment.solve.variance_components import MAX_SURFACE_SIGMA
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-PRIOR_SIGMA = {
+PRIOR_ERROR_SIGMAS = {
     "lever_x": 0.1, "lever_y": 0.1, "lever_z": 0.1, "range_offset": 0.1,
     "scan_angle_offset": float(np.radians(0.5)), "latency": 0.02, "line_position": 0.2,
     "line_boresight": float(np.radians(1.0)), "line_time": 0.2, "sighting_shift": 0.2,
@@ -37,9 +37,9 @@ PRIOR_SIGMA = {
 }  # fmt: skip
 """Typical size of each kind of error, metres, radians or seconds.
 
-The evidence depends only on its logarithm.
+The evidence changes only with its logarithm.
 """
-FORM_SIGMA = (0.01, 0.03, 0.1)
+TARGET_FORM_SIGMAS = (0.01, 0.03, 0.1)
 """Trial sigmas of the differences between sightings of a target that is not flat, metres."""
 STRONG_EVIDENCE = 6.0
 """Difference of evidence from which a candidate is clearly better than another.
@@ -57,13 +57,14 @@ MAX_CAUSES = 3
 """Largest number of errors that are searched for, one after the other."""
 MAX_CANDIDATES = 4
 """Largest number of candidates named for one error."""
-SMALLEST_SURFACE, SIGMA_STEPS = 1e-4, 13
+MIN_TRIED_SURFACE_SIGMA, TRIED_SIGMA_COUNT = 1e-4, 13
 """Smallest sigma of the form errors that is tried, metres, and number of sigmas that are tried.
 
-The largest one is `LARGEST_SURFACE`.
+The largest one is `MAX_SURFACE_SIGMA`.
 """
-AXES = 3
-LINE_UNKNOWNS = 2 * AXES
+AXIS_COUNT = 3
+"""Number of axes of a position, of angles of a boresight, and of components of a surface."""
+LINE_UNKNOWNS = 2 * AXIS_COUNT
 """Number of unknowns of the position and of the boresight of a line."""
 
 
@@ -89,38 +90,38 @@ def find_possible_causes(linearised: LinearisedProblem) -> tuple[tuple[PossibleC
     solutions = [equations.solve_without_errors(sigma) for sigma in _trial_surface_sigmas(problem)]
     found: list[tuple[PossibleCause, ...]] = []
     given: tuple[_ModelError, ...] = ()
-    moved = np.zeros(AXES)
+    angle_change = np.zeros(AXIS_COUNT)
     while len(found) < MAX_CAUSES:
         without = max(each.likelihood(given) for each in solutions)
-        judged = [
+        scored = [
             (evidence - without, solution, each)
             for each in equations.candidates
             if each.has_own_unknowns(given)
             for evidence, solution in [_maximise_likelihood(solutions, (*given, each))]
         ]
-        judged.sort(key=lambda item: -item[0])
-        if not judged or judged[0][0] < VERY_STRONG_EVIDENCE:
+        scored.sort(key=lambda item: -item[0])
+        if not scored or scored[0][0] < VERY_STRONG_EVIDENCE:
             break
-        if judged[0][1].visible((*given, judged[0][2])) < MIN_RMS_EFFECT:
+        if scored[0][1].unexplained_effect((*given, scored[0][2])) < MIN_RMS_EFFECT:
             break
         fitting = _best_of_each_cause(
-            item for item in judged if judged[0][0] - item[0] < STRONG_EVIDENCE
+            item for item in scored if scored[0][0] - item[0] < STRONG_EVIDENCE
         )
         found.append(
             tuple(
-                solution.cause((*given, each), evidence, moved)
+                solution.cause((*given, each), evidence, angle_change)
                 for evidence, solution, each in fitting[:MAX_CANDIDATES]
             )
         )
-        given = (*given, judged[0][2])
-        moved = judged[0][1].angles_with(given)
+        given = (*given, scored[0][2])
+        angle_change = scored[0][1].angles_with(given)
     return tuple(found)
 
 
-def _best_of_each_cause(judged: Iterable["_Judged"]) -> list["_Judged"]:
-    """Keep the best candidate of each kind and place; a target may occur with several sizes."""
-    found: dict[tuple[str, str, str], _Judged] = {}
-    for item in judged:
+def _best_of_each_cause(scored: Iterable["_ScoredCandidate"]) -> list["_ScoredCandidate"]:
+    """Keep the best candidate of each kind and place, since a target has one for each sigma."""
+    found: dict[tuple[str, str, str], _ScoredCandidate] = {}
+    for item in scored:
         found.setdefault((item[2].kind, item[2].target, item[2].line), item)
     return list(found.values())
 
@@ -139,8 +140,8 @@ def _trial_surface_sigmas(problem: AdjustmentProblem) -> Iterator[Array]:
     if problem.model.surface is not None:
         yield usual
         return
-    for sigma in np.geomspace(SMALLEST_SURFACE, LARGEST_SURFACE, SIGMA_STEPS):
-        yield np.full(AXES, sigma)
+    for sigma in np.geomspace(MIN_TRIED_SURFACE_SIGMA, MAX_SURFACE_SIGMA, TRIED_SIGMA_COUNT):
+        yield np.full(AXIS_COUNT, sigma)
         if problem.has_own_offsets:
             yield np.array([*usual[:2], sigma])
 
@@ -227,7 +228,7 @@ class _CandidateEquations:
     def solve_without_errors(self, sigma: Array) -> "_ErrorFreeSolution":
         """Solve the model without errors, with sigmas of tilts and offset, shape (3,), metres."""
         base, errors = self.base, self.errors
-        precision = np.tile(sigma**-2.0, len(self.departures) // AXES)
+        precision = np.tile(sigma**-2.0, len(self.departures) // AXIS_COUNT)
         matrix = self.matrix[np.ix_(base, base)]
         right = self.right[base]
         surfaces = np.arange(len(base) - len(precision), len(base))
@@ -240,8 +241,8 @@ class _CandidateEquations:
             factor, np.column_stack([crossed, right * scale]), lower=True
         )
         by_errors, own = half[:, :-1], half[:, -1]
-        angles = np.zeros((len(base), AXES))
-        angles[:AXES] = np.diag(scale[:AXES])
+        angles = np.zeros((len(base), AXIS_COUNT))
+        angles[:AXIS_COUNT] = np.diag(scale[:AXIS_COUNT])
         back = scipy.linalg.solve_triangular(factor, angles, lower=True)
         likelihood = float(
             own @ own
@@ -289,7 +290,7 @@ class _ErrorFreeSolution:
     effect: Array
     weight: float
 
-    def visible(self, errors: tuple[_ModelError, ...]) -> float:
+    def unexplained_effect(self, errors: tuple[_ModelError, ...]) -> float:
         """RMS effect of the last error that the other errors do not explain, metres."""
         columns, size, _ = self._sizes(errors)
         last = errors[-1].columns
@@ -371,7 +372,7 @@ def _build_candidates(problem: AdjustmentProblem, omitted: Sequence[str]) -> Ite
     observations = problem.observations
 
     def candidate(kind: str, target: str, line: str, columns: Indices, share: float) -> _ModelError:
-        return _ModelError(kind, target, line, columns, share, PRIOR_SIGMA[kind])
+        return _ModelError(kind, target, line, columns, share, PRIOR_ERROR_SIGMAS[kind])
 
     for k, name in enumerate(omitted):
         yield candidate(name, "", "", np.array([k]), 1.0)
@@ -379,22 +380,22 @@ def _build_candidates(problem: AdjustmentProblem, omitted: Sequence[str]) -> Ite
     spheres = observations.is_sphere[observations.target_of_sighting]
     of_target: dict[str, list[Indices]] = {}
     for s, sighting in enumerate(observations.sightings):
-        own = first + AXES * s + np.arange(AXES)
+        own = first + AXIS_COUNT * s + np.arange(AXIS_COUNT)
         where = sighting.target, sighting.line
         of_target.setdefault(sighting.target, []).append(own[2:] if spheres[s] else own)
         yield candidate("sighting_shift", *where, own[2:], 1 / count)
         if not spheres[s]:
             yield candidate("sighting_surface", *where, own, 1 / count)
     for target, parts in of_target.items():
-        share = 1 / (len(of_target) * len(FORM_SIGMA))
-        for sigma in FORM_SIGMA:
+        share = 1 / (len(of_target) * len(TARGET_FORM_SIGMAS))
+        for sigma in TARGET_FORM_SIGMAS:
             yield _ModelError("target_surface", target, "", np.concatenate(parts), share, sigma)
-    first, count = first + AXES * count, len(observations.lines)
+    first, count = first + AXIS_COUNT * count, len(observations.lines)
     has_times = observations.pose_rate is not None
     for k, line in enumerate(observations.lines):
         own = first + (LINE_UNKNOWNS + has_times) * k + np.arange(LINE_UNKNOWNS + has_times)
-        yield candidate("line_position", "", line, own[:AXES], 1 / count)
-        yield candidate("line_boresight", "", line, own[AXES:LINE_UNKNOWNS], 1 / count)
+        yield candidate("line_position", "", line, own[:AXIS_COUNT], 1 / count)
+        yield candidate("line_boresight", "", line, own[AXIS_COUNT:LINE_UNKNOWNS], 1 / count)
         if has_times:
             yield candidate("line_time", "", line, own[LINE_UNKNOWNS:], 1 / count)
 
@@ -418,13 +419,15 @@ def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array
     size = np.zeros((sums.shape[1], unknowns))
     size[latency, LINE_UNKNOWNS:] = 1.0
     # The same shift of the POS position at the knots before and after
-    size[own : own + AXES, :AXES] = size[own + 6 : own + 6 + AXES, :AXES] = np.eye(AXES)
-    size[:AXES, AXES:LINE_UNKNOWNS] = np.eye(AXES)
+    size[own : own + AXIS_COUNT, :AXIS_COUNT] = size[
+        own + 6 : own + 6 + AXIS_COUNT, :AXIS_COUNT
+    ] = np.eye(AXIS_COUNT)
+    size[:AXIS_COUNT, AXIS_COUNT:LINE_UNKNOWNS] = np.eye(AXIS_COUNT)
     products = np.einsum("wc,gwv->gcv", size, sums)
     basis = unknown_directions(layout, observations.target_of_sighting, linearised.bases)
     added = layout.size + unknowns * len(lines)
     matrix, right = np.zeros((added + 1, added + 1)), np.zeros(added)
-    mixed = np.zeros((added, linearised.state.effects.size))
+    mixed = np.zeros((added, linearised.state.pos_errors.size))
     matrix[: layout.size, : layout.size], right[: layout.size] = normal.matrix, normal.right
     mixed[: layout.size] = normal.mixed
     index = np.where(layout.index == layout.size, added, layout.index)
@@ -440,5 +443,5 @@ def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array
     return matrix[:-1, :-1], right, mixed
 
 
-_Judged = tuple[float, _ErrorFreeSolution, _ModelError]
+_ScoredCandidate = tuple[float, _ErrorFreeSolution, _ModelError]
 """Evidence for a candidate, and the solution and candidate."""

@@ -69,10 +69,10 @@ def sighting_tests(linearised: LinearisedProblem) -> SightingTests:
     places = np.array([place.stop - 1 for place in linearised.normal.layout.surfaces])
     prior = problem.surface_sigma[:, 2] ** 2
     after = covariance[places, places]
-    # Variance of the offset from all other data; infinite if only the prior determines it
-    open_to_data = np.maximum(1 / after - 1 / prior, 1e-9)
-    shift = linearised.departures[:, 2] / after / open_to_data
-    sigma = np.sqrt(problem.default_surface_sigmas[2] ** 2 + 1 / open_to_data)
+    # Information on the offset from the data; nearly zero if only the prior determines it
+    data_information = np.maximum(1 / after - 1 / prior, 1e-9)
+    shift = linearised.departures[:, 2] / after / data_information
+    sigma = np.sqrt(problem.default_surface_sigmas[2] ** 2 + 1 / data_information)
     return SightingTests(shift, sigma, covariance[:3, places].T / prior[:, None])
 
 
@@ -103,7 +103,7 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
         found.append(
             SightingReliability(
                 sighting=sighting,
-                pos_error=linearised.state.effects[nearest[s]],
+                pos_error=linearised.state.pos_errors[nearest[s]],
                 pos_sigma=prior[s],
                 pos_sigma_after=np.sqrt(variance[nearest[s]]),
                 shift=float(tests.shift[s]),
@@ -209,7 +209,7 @@ def _point_tests_kernel(  # type: ignore[no-untyped-def]
     loss, tuning, _, scale, noise = weights
     out, lidar = np.empty(20), np.empty(3)
     width = local.shape[1]
-    wide = np.empty((1, width))
+    group_row = np.empty((1, width))
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
             t = target[i]
@@ -217,13 +217,13 @@ def _point_tests_kernel(  # type: ignore[no-untyped-def]
             misclosure, variance = point_misclosure(
                 i, g, pose, points, placing, effects, out, lidar
             )
-            write_group_row(i, active, fraction, out, wide, 0)
+            write_group_row(i, active, fraction, out, group_row, 0)
             explained = 0.0
             for j in range(width):
                 across = 0.0
                 for k in range(j):
-                    across += local[g, j, k] * wide[0, k]
-                explained += wide[0, j] * (2 * across + local[g, j, j] * wide[0, j])
+                    across += local[g, j, k] * group_row[0, k]
+                explained += group_row[0, j] * (2 * across + local[g, j, j] * group_row[0, j])
             weighted = 1.0
             if loss > 0:
                 weighted = loss_weight(loss, tuning, misclosure / np.sqrt(variance) / scale[t])

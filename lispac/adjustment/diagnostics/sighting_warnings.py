@@ -33,7 +33,7 @@ OUTLIER_PROBABILITY = 0.001
 USUAL_OUTLIER_SHARE = 0.005
 """Usual share of outliers; no warning is given below it."""
 
-MAX_REJECTED_SHARE = 0.2
+MAX_WRONG_LINE_SHARE = 0.2
 """Share of wrong lines above which the other lines are not reliable either."""
 
 MIN_SHIFT_TEST_VALUE = 2.0
@@ -143,7 +143,7 @@ def noise_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[
 
 
 def form_error_factor(target: TargetResidual) -> float:
-    """Ratio of the noise by form errors to the given one; of all noise if form is not known."""
+    """Ratio of the noise by form errors to the given one; that of all noise if it is unknown."""
     return target.noise if target.noise_of_form is None else target.noise_of_form
 
 

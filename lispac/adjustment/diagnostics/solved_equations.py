@@ -27,14 +27,14 @@ class SolvedEquations:
 
     Attributes
     ----------
-    here : LinearisedProblem
+    linearised : LinearisedProblem
         Equations without the rejected sightings. Their covariance is that of the result before its
         sigmas were raised.
     origins : ndarray of shape (targets, 3), metres, local frame
         Origin of the coordinates of each target, its mean point.
     """
 
-    here: LinearisedProblem
+    linearised: LinearisedProblem
     origins: Array
 
     @classmethod
@@ -72,4 +72,4 @@ class SolvedEquations:
                 end = iterate(problem, start, progress).linearised
                 return cls(end.problem.linearised(end.state, end.loss), origins)
         except (AdjustmentError, np.linalg.LinAlgError):
-            return None  # there is no solution to compare the parts with
+            return None

@@ -1,8 +1,8 @@
-"""Test whether a ball has the same radius in every line, and search for the cause of a difference.
+"""Test whether a sphere has the same radius in all lines, and find the cause of a difference.
 
-The vessel moves during the second or two in which a ball is scanned. A wrong sign of the attitude,
-latency or range offset therefore distorts the points and changes the radius, by a different amount
-in every line. Planes do not show this.
+The vessel moves during the second or two in which a sphere is scanned. A wrong sign of the
+attitude, a wrong latency or a wrong range offset therefore distorts the points and changes the
+radius, by a different amount in every line. Planes do not show this.
 """
 
 from collections.abc import Iterator
@@ -20,22 +20,22 @@ from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
 
-MIN_POINTS = 20
+MIN_RADIUS_POINTS = 20
 """Smallest number of points of a sighting from which a radius is computed."""
 TEST_LEVEL = 1e-3
 """Significance level of the test that the radii differ."""
-MIN_DIFFERENCE = 0.003
+ADDED_RADIUS_SIGMA = 0.003
 """Standard deviation added to that of each radius, metres; smaller differences do not matter."""
-LATENCIES = np.linspace(-0.3, 0.3, 61)
+LATENCY_CHANGES = np.linspace(-0.3, 0.3, 61)
 """Changes of the latency that are tried, seconds."""
-RANGE_OFFSETS = np.linspace(-0.2, 0.2, 81)
+RANGE_OFFSET_CHANGES = np.linspace(-0.2, 0.2, 81)
 """Changes of the range offset that are tried, metres."""
 
 
 def find_radius_discrepancies(
     observations: Observations, mounting: Mounting
 ) -> tuple[RadiusDiscrepancy, ...]:
-    """Find balls whose radii differ between lines by more than the noise explains.
+    """Find spheres whose radii differ between lines by more than the noise explains.
 
     Parameters
     ----------
@@ -52,12 +52,12 @@ def find_radius_discrepancies(
         radii = _radius_by_line(own, mounting)
         if radii is None or not _do_radii_differ(*radii):
             continue
-        names = [
+        candidates = [
             (cause, value, other)
-            for cause, value, changed, way in _candidate_corrections(own, mounting)
-            if (other := _radius_by_line(changed, way)) is not None
+            for cause, value, changed, trial_mounting in _candidate_corrections(own, mounting)
+            if (other := _radius_by_line(changed, trial_mounting)) is not None
         ]
-        best = min(names, key=lambda each: _radius_chi_square(*each[2]), default=None)
+        best = min(candidates, key=lambda each: _radius_chi_square(*each[2]), default=None)
         smallest, largest = float(radii[0].min()), float(radii[0].max())
         if best is None or _do_radii_differ(*best[2]):
             found.append(RadiusDiscrepancy(target, smallest, largest))
@@ -67,14 +67,14 @@ def find_radius_discrepancies(
 
 
 def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Array, Array] | None:
-    """Radius of one ball in each line and its sigma, (lines,), metres; None with fewer than two."""
+    """Radius of one sphere and its sigma, (lines,), metres; None with fewer than two lines."""
     points = place_points(
         observations.points_lidar, Poses(observations.position, observations.attitude), mounting
     )
     radii, sigmas = [], []
     for s in range(len(observations.sightings)):
         own = points[observations.sighting == s]
-        if len(own) < MIN_POINTS:
+        if len(own) < MIN_RADIUS_POINTS:
             continue
         try:
             sphere = fit_sphere(own)
@@ -90,7 +90,7 @@ def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Arr
 
 def _radius_chi_square(radii: Array, sigmas: Array) -> float:
     """Weighted sum of squared deviations from the mean radius, no unit."""
-    weights = 1.0 / (sigmas**2 + MIN_DIFFERENCE**2)
+    weights = 1.0 / (sigmas**2 + ADDED_RADIUS_SIGMA**2)
     mean = weights @ radii / weights.sum()
     return float(weights @ (radii - mean) ** 2)
 
@@ -111,13 +111,13 @@ def _candidate_corrections(
         turned = observations.attitude * np.array(signs)
         yield cause, 0.0, replace(observations, attitude=turned), mounting
     if observations.pose_rate is not None:
-        for late in LATENCIES:
+        for late in LATENCY_CHANGES:
             off = late * observations.pose_rate
             moved = replace(
                 observations, position=observations.position + off[:, :3],
                 attitude=observations.attitude + off[:, 3:],
             )  # fmt: skip
             yield "latency", float(late), moved, mounting
-    for offset in RANGE_OFFSETS:
+    for offset in RANGE_OFFSET_CHANGES:
         longer = replace(mounting, range_offset=mounting.range_offset + float(offset))
         yield "range_offset", float(offset), observations, longer

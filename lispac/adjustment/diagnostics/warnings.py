@@ -1,7 +1,7 @@
 """Warnings about the result of an adjustment that matter for the use of the angles.
 
 The command line, the window and the report show the same warnings. Each rule is a function in
-`RULES`.
+`WARNING_RULES`.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -22,27 +22,27 @@ from lispac.adjustment.model.parameters import (
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossCheck, CrossChecks
 from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.messages import Level, Message, Value, note, shortened_list, sort_by_level, warning
-from lispac.warning_causes import RESULT, Cause
+from lispac.warning_causes import RESULT_CAUSE, Cause
 
-LARGE_SIGMA_DEG = 0.1
+MAX_ANGLE_SIGMA_DEG = 0.1
 """Largest sigma of an angle without a warning, degrees; at 100 m, 0.1 deg correspond to 17 cm."""
 
-MIN_INCREASE = 1.05
+MIN_REPORTED_INCREASE = 1.05
 """Factor on a sigma above which a note reports that it was raised."""
 
 HIGH_CORRELATION = 0.9
 """Correlation above which mainly the sum or the difference of two angles is determined."""
 
-MAX_FLAT_SIGMA = 0.005
+MAX_FLAT_FORM_SIGMA = 0.005
 """Largest sigma of the form errors of flat boards, metres."""
 
 
 def result_warnings(
     result: AdjustmentResult, checks: CrossChecks | None, also: Iterable[Message] = ()
 ) -> tuple[Message, ...]:
-    """All warnings about a result, then the notes; ``also`` are the messages about its data."""
+    """All warnings about a result, then the notes; ``also`` are messages about its data."""
     also = tuple(also)
-    found = [message for rule in RULES for message in rule(result, checks)]
+    found = [message for rule in WARNING_RULES for message in rule(result, checks)]
     return sort_by_level(
         (*also, *warnings_about_causes(result, KnownError.largest_among(also), found))
     )
@@ -55,12 +55,12 @@ def _uncorrelated_warning(result: AdjustmentResult, _: CrossChecks | None) -> It
 
 def _steep_pitch_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     if result.mounting.axes is not None:
-        yield note("adjustment.steep_pitch", subject=RESULT)
+        yield note("adjustment.steep_pitch", subject=RESULT_CAUSE)
 
 
 def _surface_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     largest = float(result.surfaces.max())
-    if result.model.surface is not None or largest <= MAX_FLAT_SIGMA:
+    if result.model.surface is not None or largest <= MAX_FLAT_FORM_SIGMA:
         return
     page = Cause.of_page("Sightings")
     if result.offset == largest:
@@ -74,7 +74,7 @@ def _large_sigma_warnings(result: AdjustmentResult, _: CrossChecks | None) -> It
     large = [
         note("item.angle_sigma", angle=mounting_value_name(angle), sigma=float(sigma))
         for angle, sigma in zip(ANGLES, result.sigma, strict=True)
-        if np.degrees(sigma) > LARGE_SIGMA_DEG
+        if np.degrees(sigma) > MAX_ANGLE_SIGMA_DEG
     ]
     if not large:
         return
@@ -86,10 +86,10 @@ def _large_sigma_warnings(result: AdjustmentResult, _: CrossChecks | None) -> It
     if unseen:
         yield warning(
             "adjustment.large_sigma_unseen",
-            angles=large, parameters=mounting_value_names(unseen), subject=RESULT,
+            angles=large, parameters=mounting_value_names(unseen), subject=RESULT_CAUSE,
         )  # fmt: skip
     else:
-        yield warning("adjustment.large_sigma", angles=large, subject=RESULT)
+        yield warning("adjustment.large_sigma", angles=large, subject=RESULT_CAUSE)
 
 
 def _one_orientation_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
@@ -182,7 +182,9 @@ def _unchecked_part_warnings(result: AdjustmentResult, _: CrossChecks | None) ->
         )  # fmt: skip
     for each in found:
         if each.kind == "clustered":
-            yield warning("adjustment.targets_clustered", size=float(each.size), subject=RESULT)
+            yield warning(
+                "adjustment.targets_clustered", size=float(each.size), subject=RESULT_CAUSE
+            )
     carried = [each for each in found if each.kind == "sighting"]
     if carried:
         sightings = [
@@ -221,7 +223,7 @@ def _common_part_warnings(result: AdjustmentResult, _: CrossChecks | None) -> It
         yield note("adjustment.target_parts", targets=shortened_list(excluded), subject=first)
 
 
-RADII_CODES = {
+RADIUS_CAUSE_CODES = {
     "": "adjustment.radii_differ",
     "roll_sign": "adjustment.radii_roll_sign",
     "pitch_sign": "adjustment.radii_pitch_sign",
@@ -233,11 +235,11 @@ RADII_CODES = {
 def _radius_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     for each in result.radius_discrepancies:
         target = Cause.of_target(each.target)
-        code = RADII_CODES.get(each.cause, "adjustment.radii_parameter")
+        code = RADIUS_CAUSE_CODES.get(each.cause, "adjustment.radii_parameter")
         params: dict[str, Value] = {
             "target": each.target, "smallest": float(each.smallest), "largest": float(each.largest)
         }  # fmt: skip
-        if each.cause not in RADII_CODES:
+        if each.cause not in RADIUS_CAUSE_CODES:
             params["cause"] = note(
                 "cause.larger" if each.value > 0 else "cause.smaller",
                 parameter=mounting_value_name(each.cause),
@@ -275,7 +277,7 @@ def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Itera
             result.angle_sigma_factors,
             strict=True,
         )
-        if factor > MIN_INCREASE
+        if factor > MIN_REPORTED_INCREASE
     ]
     if raised:
         page = Cause.of_page("Cross-checks")
@@ -286,7 +288,7 @@ def _method_messages(result: AdjustmentResult, _: CrossChecks | None) -> Iterato
     yield from result.messages
 
 
-RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]], ...] = (
+WARNING_RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]], ...] = (
     _uncorrelated_warning,
     _large_sigma_warnings,
     _one_orientation_warning,
@@ -306,8 +308,9 @@ RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]]
     _raised_sigma_note,
     _method_messages,
 )
+"""Functions that give warnings and notes about a result and its cross-checks."""
 
 
 def outdated_result_warning(reason: Message | str) -> Message:
     """Warning that a result is out of date because a later estimate failed, with the reason."""
-    return warning("adjustment.refused_since", reason=reason, subject=RESULT)
+    return warning("adjustment.refused_since", reason=reason, subject=RESULT_CAUSE)

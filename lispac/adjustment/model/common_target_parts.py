@@ -24,11 +24,11 @@ MIN_OVERLAP = 0.5
 
 Below it, the two sightings show different parts.
 """
-MIN_POINTS, MIN_SHARE = 30, 0.1
+MIN_COMMON_POINTS, MIN_COMMON_SHARE = 30, 0.1
 """Smallest number of points of a line in the common part, and smallest share of its sighting."""
 CURVATURE_SIGMAS = 3.0
-"""Standard deviations added to the curvature, so that uncertain flatness is not accepted."""
-MAX_SAGITTA = 1.0
+"""Number of its standard deviations added to the curvature: uncertain flatness is not accepted."""
+MAX_SAGITTA_SIGMAS = 1.0
 """Largest sagitta over the whole surface, in standard deviations of the LiDAR noise."""
 
 
@@ -88,7 +88,7 @@ def _common_part_of_target(points: Array, sighting: NDArray[np.int64]) -> Flags 
 
 
 def _is_part_large_enough(common: Flags) -> bool:
-    return bool(common.sum() >= MIN_POINTS and common.mean() >= MIN_SHARE)
+    return bool(common.sum() >= MIN_COMMON_POINTS and common.mean() >= MIN_COMMON_SHARE)
 
 
 def _connected_groups(alike: Flags) -> list[list[int]]:
@@ -127,4 +127,4 @@ def _is_flat(points: Array, sighting: NDArray[np.int64], sigma: Array) -> bool:
     spread = noise * np.sqrt(np.maximum(np.diag(inverse), 0.0))
     # u and v range over at most 2, so that a coefficient equals the sagitta of its term.
     sagitta = float(np.max(np.abs(bends) + CURVATURE_SIGMAS * spread))
-    return sagitta <= MAX_SAGITTA * float(np.sqrt(np.mean(sigma**2)))
+    return sagitta <= MAX_SAGITTA_SIGMAS * float(np.sqrt(np.mean(sigma**2)))

@@ -19,11 +19,12 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-CALIBRATION = slice(0, 9)  # dF by the values of the mounting
-SHAPE = slice(9, 13)  # dF by a, b, c, d of a plane or centre and radius of a sphere
-POSE = slice(13, 19)  # dF by POS position (3) and roll, pitch, heading
-MISCLOSURE = 19
-WIDTH = 20
+# Columns of `Conditions.rows`
+MOUNTING_COLUMNS = slice(0, 9)  # derivatives by the values of the mounting
+SHAPE_COLUMNS = slice(9, 13)  # by a, b, c, d of a plane, or centre and radius of a sphere
+POSE_COLUMNS = slice(13, 19)  # by POS position (3) and roll, pitch, heading
+MISCLOSURE_COLUMN = 19
+COLUMN_COUNT = 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +45,7 @@ class Conditions:
     @property
     def misclosure(self) -> Array:
         """Signed distance of each point to its plane or sphere, shape (n,), metres."""
-        return self.rows[:, MISCLOSURE]
+        return self.rows[:, MISCLOSURE_COLUMN]
 
 
 def linearise(observations: Observations, mounting: Mounting, shapes: Array) -> Conditions:
@@ -55,7 +56,7 @@ def linearise(observations: Observations, mounting: Mounting, shapes: Array) -> 
     shapes : ndarray of shape (targets, 4), local frame
         Unit normal and offset (metres) of each plane, centre and radius (metres) of each sphere.
     """
-    rows, by_lidar = np.empty((len(observations), WIDTH)), np.empty((len(observations), 3))
+    rows, by_lidar = np.empty((len(observations), COLUMN_COUNT)), np.empty((len(observations), 3))
     points, placing = PointArrays.of(observations, mounting), MountingArrays.of(mounting, shapes)
     run_in_chunks(
         lambda first, last: _linearise_kernel(first, last, points, placing, rows, by_lidar),
@@ -95,7 +96,9 @@ def misclosures(observations: Observations, mounting: Mounting, shapes: Array) -
     shapes : ndarray of shape (targets, 4), local frame
         As in `linearise`.
     """
-    return evaluate_columns(observations, mounting, shapes, slice(MISCLOSURE, WIDTH))[:, 0]
+    return evaluate_columns(observations, mounting, shapes, slice(MISCLOSURE_COLUMN, COLUMN_COUNT))[
+        :, 0
+    ]
 
 
 class PointArrays(NamedTuple):
@@ -255,10 +258,10 @@ def condition_row(  # type: ignore[no-untyped-def]
 def _linearise_kernel(  # type: ignore[no-untyped-def]
     first, last, points, placing, rows, by_lidar
 ):
-    """Derivatives of the conditions of the points from ``first`` to ``last``, into ``rows``."""
+    """Write the results of `condition_row` for the points from ``first`` to ``last``."""
     for i in range(first, last):
-        at, pose = lidar_point(i, points), point_pose(i, points)
-        condition_row(i, at, pose, points, placing, rows[i], by_lidar[i])
+        point_xyz, pose = lidar_point(i, points), point_pose(i, points)
+        condition_row(i, point_xyz, pose, points, placing, rows[i], by_lidar[i])
 
 
 @kernel()
@@ -267,8 +270,8 @@ def _evaluate_columns_kernel(  # type: ignore[no-untyped-def]
 ):
     out, lidar = np.empty(20), np.empty(3)
     for i in range(first, last):
-        at, pose = lidar_point(i, points), point_pose(i, points)
-        condition_row(i, at, pose, points, placing, out, lidar)
+        point_xyz, pose = lidar_point(i, points), point_pose(i, points)
+        condition_row(i, point_xyz, pose, points, placing, out, lidar)
         for k in range(selected.shape[1]):
             selected[i, k] = out[begin + k]
 

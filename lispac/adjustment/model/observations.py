@@ -15,7 +15,7 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-MIN_SAMPLE = 200  # a sighting with fewer points in a sample keeps all its points
+MIN_SAMPLED_POINTS = 200  # a sighting with fewer points in a sample keeps all its points
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Observations:
     time_separation : ndarray of shape (n,) or None, seconds
         Mean time between two of the points averaged into one; None for single points.
     excluded_outliers : int
-        Number of outliers of their sighting that were excluded from the averages.
+        Number of points that are outliers of their sighting and were excluded before averaging.
     """
 
     points_lidar: Array
@@ -115,7 +115,7 @@ class Observations:
         """Whether each target is a sphere, shape (targets,)."""
         return np.array([target in self.radii for target in self.targets], dtype=bool)
 
-    def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Observations":
+    def with_scaled_sigmas(self, lidar: float, position: float, attitude: float) -> "Observations":
         """Observations with factors applied to the given sigmas.
 
         Parameters
@@ -151,7 +151,9 @@ class Observations:
         mixed = (mixed ^ (mixed >> np.uint64(32))) * np.uint64(0x94D049BB133111EB)
         chosen = (mixed >> np.uint64(40)).astype(np.float64) < share * 2**24
         # A sighting with few points keeps all of them.
-        scarce = np.bincount(self.sighting[chosen], minlength=len(self.sightings)) < MIN_SAMPLE
+        scarce = (
+            np.bincount(self.sighting[chosen], minlength=len(self.sightings)) < MIN_SAMPLED_POINTS
+        )
         return np.asarray(chosen | scarce[self.sighting])
 
     def where(self, keep: NDArray[np.bool_]) -> "Observations":

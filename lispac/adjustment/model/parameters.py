@@ -9,24 +9,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.messages import Message, note
-from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 
 Array = NDArray[np.float64]
 
-BORESIGHT = CALIBRATION[:3]
-OPTIONAL_NAMES = CALIBRATION[3:]
+BORESIGHT_NAMES = MOUNTING_VALUE_NAMES[:3]
+"""Parameters that are always estimated."""
+OPTIONAL_NAMES = MOUNTING_VALUE_NAMES[3:]
 """Parameters that are estimated only on request."""
 
-LIMITS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 0.02])
-"""Largest sigma of a determined parameter, in the order of `CALIBRATION`; radians, metres, seconds.
+MAX_PARAMETER_SIGMAS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 0.02])
+"""Largest sigma of a determined parameter, in the order of `MOUNTING_VALUE_NAMES`; rad, m, s.
 
-A parameter with a larger sigma is fixed, because a tape measure or an inspection is more precise.
+A parameter with a larger sigma counts as not determined, because a tape measure or an inspection is
+more precise.
 """
 
-SIGNIFICANT = 1.96
+CRITICAL_TEST_VALUE = 1.96
 """Critical value of the two-sided test of a change at a level of 5 %, in standard deviations."""
 
-PRIOR_SIGMAS = (1e-9, 1e3)
+PRIOR_SIGMA_LIMITS = (1e-9, 1e3)
 """Smallest and largest standard deviation of a prior value, radians, metres or seconds."""
 
 
@@ -47,8 +49,8 @@ class Parameter:
 
     @property
     def index(self) -> int:
-        """Index in `CALIBRATION`."""
-        return CALIBRATION.index(self.name)
+        """Index in `MOUNTING_VALUE_NAMES`."""
+        return MOUNTING_VALUE_NAMES.index(self.name)
 
 
 @dataclass(frozen=True)
@@ -60,8 +62,10 @@ class ParameterEstimate:
     name : str
     value, sigma : float or None, radians, metres or seconds
         Estimate and its standard deviation; None if the geometry does not determine it.
-    prior, prior_sigma : float, None; in the same unit
-        Given value and its standard deviation.
+    prior : float, in the same unit
+        Given value.
+    prior_sigma : float or None, in the same unit
+        Standard deviation of the prior value; None if none was given.
     significance : float or None
         Difference between the value from the data alone and the prior value, in standard deviations
         of the former. None if there is no estimate, and with independent POS errors, since the
@@ -84,7 +88,7 @@ class ParameterEstimate:
 
         The command line, the window and the report all use this limit.
         """
-        return None if self.significance is None else abs(self.significance) > SIGNIFICANT
+        return None if self.significance is None else abs(self.significance) > CRITICAL_TEST_VALUE
 
 
 @dataclass(frozen=True)
@@ -109,19 +113,19 @@ class ParameterDisplay:
     decimals: int
 
 
-_DEG = math.degrees(1.0)
-QUANTITIES: Mapping[str, ParameterDisplay] = {
+_DEGREES_PER_RADIAN = math.degrees(1.0)
+PARAMETER_DISPLAYS: Mapping[str, ParameterDisplay] = {
     "lever_x": ParameterDisplay("Lever arm X", 1.0, "m", 4),
     "lever_y": ParameterDisplay("Lever arm Y", 1.0, "m", 4),
     "lever_z": ParameterDisplay("Lever arm Z", 1.0, "m", 4),
     "range_offset": ParameterDisplay("Range offset", 1.0, "m", 4),
-    "scan_angle_offset": ParameterDisplay("Scan-angle offset", _DEG, "deg", 4),
+    "scan_angle_offset": ParameterDisplay("Scan-angle offset", _DEGREES_PER_RADIAN, "deg", 4),
     "latency": ParameterDisplay("Latency", 1e3, "ms", 2),
 }
 
 OUTPUT_UNITS: Mapping[str, tuple[float, str]] = {
     name: (1.0, "s") if name == "latency" else (each.factor, each.unit)
-    for name, each in QUANTITIES.items()
+    for name, each in PARAMETER_DISPLAYS.items()
 }
 """Unit of each value on the command line and in JSON, and factor from the SI unit to it."""
 
@@ -138,9 +142,9 @@ def mounting_value_names(names: Iterable[str]) -> tuple[Message, ...]:
 
 def amount_with_unit(name: str, value: float) -> Message:
     """Format a value of the mounting (metres, radians or seconds) with its unit."""
-    return note(f"amount.{QUANTITIES[name].unit}", value=float(value))
+    return note(f"amount.{PARAMETER_DISPLAYS[name].unit}", value=float(value))
 
 
 def signed_change(name: str, value: float) -> Message:
-    """Format a change of such a value (metres, radians or seconds) with its sign and unit."""
-    return note(f"change.{QUANTITIES[name].unit}", value=float(value))
+    """Format a change of a mounting value (metres, radians or seconds) with its sign and unit."""
+    return note(f"change.{PARAMETER_DISPLAYS[name].unit}", value=float(value))

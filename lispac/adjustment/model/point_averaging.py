@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.model.observations import Observations
 from lispac.adjustment.model.robust_loss import Loss
-from lispac.adjustment.model.stochastic_model import KNOT_INTERVAL
+from lispac.adjustment.model.stochastic_model import MAX_KNOT_INTERVAL
 from lispac.adjustment.model.target_shapes import points_local
 from lispac.errors import PlaneNotFound
 from lispac.geometry.planes import fit_plane_robustly, plane_axes
@@ -21,7 +21,7 @@ from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
 
-OUTLIER_LIMIT = Loss("tukey").tuning
+OUTLIER_LIMIT_SIGMAS = Loss("tukey").tuning
 """Distance of an outlier from the plane of its sighting, in standard deviations."""
 
 
@@ -30,7 +30,7 @@ def average_points_in_cells(
     mounting: Mounting,
     distance: float,
     *,
-    longest: float = KNOT_INTERVAL,
+    longest: float = MAX_KNOT_INTERVAL,
     no_outliers: bool = False,
 ) -> Observations:
     """Average the points of each sighting of a plane over squares of side ``distance``.
@@ -63,11 +63,11 @@ def average_points_in_cells(
     points = points_local(observations, mounting)
     planes = _sighting_planes(observations, points, distance)
     if no_outliers:
-        standing = _find_outliers(observations, planes)
-        if standing.any():
-            fewer = observations.reordered(np.flatnonzero(~standing))
+        outlying = _find_outliers(observations, planes)
+        if outlying.any():
+            fewer = observations.reordered(np.flatnonzero(~outlying))
             fewer = replace(
-                fewer, excluded_outliers=observations.excluded_outliers + int(standing.sum())
+                fewer, excluded_outliers=observations.excluded_outliers + int(outlying.sum())
             )
             return average_points_in_cells(fewer, mounting, distance, longest=longest)
     order, start = _sort_into_cells(observations, planes, points, distance, longest)
@@ -168,13 +168,13 @@ def _robust_sigma(off: Array) -> float:
 
 def _find_outliers(observations: Observations, planes: list[_SightingPlane]) -> NDArray[np.bool_]:
     """Mask of the outliers: points to which a redescending loss would give no weight."""
-    standing = np.zeros(len(observations), dtype=bool)
+    outlying = np.zeros(len(observations), dtype=bool)
     for s, plane in enumerate(planes):
         if observations.is_sphere[observations.target_of_sighting[s]]:
             continue
         spread = max(_robust_sigma(plane.off), _given_lidar_sigma(observations, plane.own))
-        standing[plane.own] = np.abs(plane.off) > OUTLIER_LIMIT * spread
-    return standing
+        outlying[plane.own] = np.abs(plane.off) > OUTLIER_LIMIT_SIGMAS * spread
+    return outlying
 
 
 def _sort_into_cells(
@@ -190,8 +190,8 @@ def _sort_into_cells(
         across[plane.own] = plane.along
     grid = np.floor(across / distance).astype(np.int64)
     # Each point of a sphere has its own cell, so that it is not averaged.
-    alone = observations.is_sphere[observations.target_of_sighting[observations.sighting]]
-    grid[alone, 0] = np.arange(alone.sum())
+    on_sphere = observations.is_sphere[observations.target_of_sighting[observations.sighting]]
+    grid[on_sphere, 0] = np.arange(on_sphere.sum())
     key = observations.sighting.astype(np.int64)
     for each in (*grid.T, np.floor(observations.time / longest).astype(np.int64)):
         # Combine the keys one by one and renumber them, to avoid an overflow.

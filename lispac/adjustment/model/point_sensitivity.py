@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.model.condition_equations import CALIBRATION, POSE, linearise
+from lispac.adjustment.model.condition_equations import MOUNTING_COLUMNS, POSE_COLUMNS, linearise
 from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import Poses
@@ -60,15 +60,15 @@ def sensitivity(
     pose_rate : ndarray of shape (n, 6), metres and radians per second, optional
     """
     n = len(points_lidar)
-    nothing = np.zeros((n, 3))
+    no_sigma = np.zeros((n, 3))
     rows = linearise(
         Observations(
             points_lidar=np.ascontiguousarray(points_lidar, dtype=np.float64),
             position=np.ascontiguousarray(poses.position),
             attitude=np.ascontiguousarray(poses.attitude),
-            sigma_lidar=nothing,
-            sigma_position=nothing,
-            sigma_attitude=nothing,
+            sigma_lidar=no_sigma,
+            sigma_position=no_sigma,
+            sigma_attitude=no_sigma,
             time=np.zeros(n),
             sighting=np.arange(n),
             sightings=tuple(Sighting(str(k), "") for k in range(n)),
@@ -78,7 +78,7 @@ def sensitivity(
         mounting,
         np.column_stack([directions_local, np.zeros(n)]),
     )
-    poses_moved = rows.rows[:, POSE]
+    poses_moved = rows.rows[:, POSE_COLUMNS]
     return Sensitivity(
-        rows.rows[:, CALIBRATION], poses_moved[:, :3], poses_moved[:, 3:], rows.by_lidar
+        rows.rows[:, MOUNTING_COLUMNS], poses_moved[:, :3], poses_moved[:, 3:], rows.by_lidar
     )

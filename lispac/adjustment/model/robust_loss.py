@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from lispac.compiled_code import kernel
 
 LossName = Literal["none", "huber", "tukey"]
-LOSSES: tuple[LossName, ...] = ("none", "huber", "tukey")
+LOSS_NAMES: tuple[LossName, ...] = ("none", "huber", "tukey")
 
-_TUNING = {"none": 0.0, "huber": 1.345, "tukey": 4.685}
+_TUNING_CONSTANTS = {"none": 0.0, "huber": 1.345, "tukey": 4.685}
 """Tuning constants in standard deviations, for 95 % efficiency with normal residuals."""
 
 
@@ -35,16 +35,16 @@ class Loss:
     @property
     def code(self) -> int:
         """Number of the loss in the compiled kernels."""
-        return LOSSES.index(self.name)
+        return LOSS_NAMES.index(self.name)
 
     @property
     def tuning(self) -> float:
         """Tuning constant in standard deviations."""
-        return _TUNING[self.name]
+        return _TUNING_CONSTANTS[self.name]
 
     @property
-    def kept(self) -> float:
-        """Expected share of the sum of squares of normal residuals that the weights keep."""
+    def expected_square_share(self) -> float:
+        """Expected ratio of the weighted to the unweighted sum of squares of normal residuals."""
         z = np.linspace(-10, 10, 20_001)
         weights = [
             1.0 if self.name == "none" else loss_weight(self.code, self.tuning, v) for v in z

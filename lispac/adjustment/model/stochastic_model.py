@@ -21,7 +21,7 @@ from lispac.adjustment.model.robust_loss import LossName
 Array = NDArray[np.float64]
 
 PosErrors = Literal["independent", "correlated"]
-POS_ERRORS: tuple[PosErrors, ...] = ("correlated", "independent")
+POS_ERROR_MODELS: tuple[PosErrors, ...] = ("correlated", "independent")
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class StochasticModel:
     def knot_interval(self) -> float:
         """Time between the knots of the POS error, seconds; shorter for short correlation times."""
         fastest = min(self.position_time, self.attitude_time)
-        return float(np.clip(fastest / 250, SHORTEST_INTERVAL, KNOT_INTERVAL))
+        return float(np.clip(fastest / 250, MIN_KNOT_INTERVAL, MAX_KNOT_INTERVAL))
 
     @property
     def correlated(self) -> bool:
@@ -68,14 +68,14 @@ class StochasticModel:
         return self.pos_errors == "correlated"
 
 
-SHORTEST_INTERVAL, KNOT_INTERVAL = 0.02, 0.15
+MIN_KNOT_INTERVAL, MAX_KNOT_INTERVAL = 0.02, 0.15
 """Shortest and longest time between the knots of the POS error, seconds.
 
 Halfway between two knots, a process with a correlation time of 300 s and a sigma of 12 mm deviates
 from the linear interpolation by 0.19 mm. This deviation is added to the noise of the points.
 """
 
-SMALLEST_SIGMA = 1e-9
+MIN_POS_SIGMA = 1e-9
 """Smallest sigma of the POS errors, metres or radians; zero would give an infinite weight."""
 
 
@@ -93,25 +93,25 @@ class PosErrorKnots:
         Index of the knot before each point.
     fraction : ndarray of shape (n,), in [0, 1)
         Position of each point between the knot before and the knot after it.
-    outlying : ndarray of shape (n,)
+    bridge_variance : ndarray of shape (n,)
         ``u (1 - u)`` of a point at the fraction ``u``; smaller for the mean of points at several
         times, whose deviations from the interpolation partly cancel.
     precision_diagonal : ndarray of shape (k, 6), per square metre and square radian
         Diagonal of the prior precision matrix.
     precision_beside : ndarray of shape (k - 1, 6)
         Elements of the prior precision matrix between each knot and the next.
-    bridge : ndarray of shape (6,)
-        Factor by which ``outlying`` and the variance of the process are multiplied to give the
-        variance of the deviation from the linear interpolation.
+    bridge_factor : ndarray of shape (6,)
+        The variance of the deviation from the linear interpolation is the product of this factor,
+        ``bridge_variance`` and the variance of the process.
     """
 
     time: Array
     left: NDArray[np.int64]
     fraction: Array
-    outlying: Array
+    bridge_variance: Array
     precision_diagonal: Array
     precision_beside: Array
-    bridge: Array
+    bridge_factor: Array
 
     @classmethod
     def of(cls, observations: Observations, model: StochasticModel) -> "PosErrorKnots":
@@ -134,16 +134,18 @@ class PosErrorKnots:
         ):
             mean = np.bincount(left, column, len(grid))[filled] / counts[filled]
             sigma[:, k] = np.interp(time, middle, mean)
-        sigma = np.maximum(sigma, SMALLEST_SIGMA)
+        sigma = np.maximum(sigma, MIN_POS_SIGMA)
         correlation_time = np.repeat([model.position_time, model.attitude_time], 3)
         step = np.diff(time)[:, None] / correlation_time
         kept = np.exp(-step)  # correlation with the next knot
         fresh = -np.expm1(-2 * step)  # 1 - kept**2, exact for short steps
         fraction = scaled - cell
-        outlying = fraction * (1 - fraction)
+        bridge_variance = fraction * (1 - fraction)
         if observations.time_separation is not None:
             # Mean covariance of a Brownian bridge over (0, 1): E min(u, v) - E u E v
-            outlying = np.maximum(outlying - observations.time_separation / (2 * interval), 0.0)
+            bridge_variance = np.maximum(
+                bridge_variance - observations.time_separation / (2 * interval), 0.0
+            )
         diagonal = np.ones((len(time), 6))
         diagonal[1:] = 1 / fresh
         diagonal[:-1] += kept**2 / fresh
@@ -151,7 +153,7 @@ class PosErrorKnots:
             time,
             left,
             fraction,
-            outlying,
+            bridge_variance,
             diagonal / sigma**2,
             -kept / fresh / (sigma[:-1] * sigma[1:]),
             2 * interval / correlation_time,
@@ -163,12 +165,12 @@ class PosErrorKnots:
             self,
             left=self.left[order],
             fraction=self.fraction[order],
-            outlying=self.outlying[order],
+            bridge_variance=self.bridge_variance[order],
         )
 
-    def apply_prior_precision(self, effects: Array) -> Array:
-        """Multiply ``effects``, shape (k, 6), by the prior precision matrix."""
-        product = self.precision_diagonal * effects
-        product[:-1] += self.precision_beside * effects[1:]
-        product[1:] += self.precision_beside * effects[:-1]
+    def apply_prior_precision(self, pos_errors: Array) -> Array:
+        """Multiply ``pos_errors``, shape (k, 6), by the prior precision matrix."""
+        product = self.precision_diagonal * pos_errors
+        product[:-1] += self.precision_beside * pos_errors[1:]
+        product[1:] += self.precision_beside * pos_errors[:-1]
         return product

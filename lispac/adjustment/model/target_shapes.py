@@ -19,10 +19,10 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-MIN_FOR_MAJORITY = 3
+MIN_MAJORITY_SIGHTINGS = 3
 """Smallest number of sightings of a target that can have a majority."""
 
-SMALLEST_EXTENT = 1e-3
+MIN_EXTENT = 1e-3
 """Smallest extent used for a sighting, metres.
 
 The tilts of a sighting whose points coincide would otherwise be singular.
@@ -45,7 +45,7 @@ def target_centroids(observations: Observations, mounting: Mounting) -> Array:
 
 
 def moments_by_sighting(observations: Observations, mounting: Mounting) -> Array:
-    """Sums of the products of (x, y, z, 1) of each sighting, shape (sightings, 4, 4), metres."""
+    """Sums of the products of (x, y, z, 1) in metres of each sighting, shape (sightings, 4, 4)."""
     points = points_local(observations, mounting)
     means = observations.mean_by_sighting(points)
     centred = points - means[observations.sighting]
@@ -94,7 +94,7 @@ def shapes_relative_to(shapes: Array, origins: Array, is_sphere: NDArray[np.bool
 def with_median_radii(observations: Observations, mounting: Mounting) -> Observations:
     """Observations with unknown radii fixed to the median of the radii of single lines.
 
-    A sphere fitted to all lines would have a wrong radius if the boresight error is degrees.
+    A sphere fitted to all lines would have a wrong radius if the boresight is wrong by degrees.
     """
     unknown = [name for name, radius in observations.radii.items() if radius is None]
     if not unknown:
@@ -162,7 +162,7 @@ def fit_majority_shapes(observations: Observations, mounting: Mounting, fitted: 
     shapes = fitted.copy()
     for k in range(len(shapes)):
         indices = np.flatnonzero(observations.target_of_sighting == k)
-        if observations.is_sphere[k] or len(indices) < MIN_FOR_MAJORITY:
+        if observations.is_sphere[k] or len(indices) < MIN_MAJORITY_SIGHTINGS:
             continue
         clouds = [points[observations.sighting == s] for s in indices]
         agreed = np.inf
@@ -234,7 +234,7 @@ def surface_tangents(normals: Array, moments: Array, spheres: NDArray[np.bool_])
     tangents[spheres, 3, 2] = -1
     centres, extents = centres_and_extents(moments[~spheres])
     planes = plane_tangents(normals[~spheres], centres)
-    planes[:, :, :2] /= np.maximum(extents, SMALLEST_EXTENT)[:, None, None]
+    planes[:, :, :2] /= np.maximum(extents, MIN_EXTENT)[:, None, None]
     tangents[~spheres] = planes
     return tangents
 
@@ -245,7 +245,7 @@ def centres_and_extents(moments: Array) -> tuple[Array, Array]:
     Parameters
     ----------
     moments : ndarray of shape (m, 4, 4)
-        Sums of the products of (x, y, z, 1), metres.
+        Sums of the products of (x, y, z, 1), with coordinates in metres.
 
     Returns
     -------

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 MIN_PARALLEL_POINTS = 20_000  # with fewer points, starting threads takes longer than the work
-CHUNKS = 16  # number of tasks: enough to balance the load of the threads
+CHUNK_COUNT = 16  # number of tasks: enough to balance the load of the threads
 
 
 def run_in_chunks(run: Callable[[int, int], object], ends: NDArray[np.int64]) -> None:
@@ -34,7 +34,7 @@ def run_in_chunks(run: Callable[[int, int], object], ends: NDArray[np.int64]) ->
     if points < MIN_PARALLEL_POINTS:
         run(0, len(ends))
         return
-    bounds = np.linspace(0, points, CHUNKS + 1)[1:-1]
+    bounds = np.linspace(0, points, CHUNK_COUNT + 1)[1:-1]
     cuts = np.unique([0, *np.searchsorted(ends, bounds), len(ends)])
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         list(pool.map(run, cuts[:-1].tolist(), cuts[1:].tolist()))

@@ -42,7 +42,7 @@ Array = NDArray[np.float64]
 
 NO_LOSS = Loss("none")
 
-EVERY_DIRECTION, TILTS, OFFSETS = slice(0, 3), slice(0, 2), slice(2, 3)
+ALL_COMPONENTS, TILT_COMPONENTS, OFFSET_COMPONENT = slice(0, 3), slice(0, 2), slice(2, 3)
 """Components of the deviation of a sighting from the shape of its target: two tilts, one offset."""
 
 INITIAL_SURFACE_SIGMA = 0.003
@@ -217,13 +217,13 @@ class AdjustmentProblem:
         return replace(self, surface_sigma=changed)
 
     def with_rejected(
-        self, sightings: Sequence[int], directions: slice = EVERY_DIRECTION
+        self, sightings: Sequence[int], directions: slice = ALL_COMPONENTS
     ) -> "AdjustmentProblem":
         """Problem with the tilts (0, 1) and/or the offset (2) of some sightings rejected."""
         return self._with_rejection(sightings, directions, REJECTED_SIGMA, rejected=True)
 
     def with_restored(
-        self, sightings: Sequence[int], directions: slice = EVERY_DIRECTION
+        self, sightings: Sequence[int], directions: slice = ALL_COMPONENTS
     ) -> "AdjustmentProblem":
         """Problem with the rejected tilts (0, 1) and/or offset (2) of some sightings restored."""
         usual = self.default_surface_sigmas[directions]
@@ -245,13 +245,15 @@ class AdjustmentProblem:
     def resume_state(self, state: AdjustmentState, of: "AdjustmentProblem") -> AdjustmentState:
         """Transfer the state of another problem of the same sightings to this one."""
         here, there = self.groups.knots, of.groups.knots
-        effects = state.effects
+        pos_errors = state.pos_errors
         if here is not None and there is not None:
-            columns = [np.interp(here.time, there.time, column) for column in effects.T]
-            effects = np.stack(columns, axis=1)
-        return replace(state, effects=effects)
+            columns = [np.interp(here.time, there.time, column) for column in pos_errors.T]
+            pos_errors = np.stack(columns, axis=1)
+        return replace(state, pos_errors=pos_errors)
 
-    def with_sigmas(self, lidar: float, position: float, attitude: float) -> "AdjustmentProblem":
+    def with_scaled_sigmas(
+        self, lidar: float, position: float, attitude: float
+    ) -> "AdjustmentProblem":
         """Problem with factors applied to the given sigmas.
 
         Parameters
@@ -259,7 +261,9 @@ class AdjustmentProblem:
         lidar, position, attitude : float
             Factors, no unit.
         """
-        return self.with_observations(self.observations.with_sigmas(lidar, position, attitude))
+        return self.with_observations(
+            self.observations.with_scaled_sigmas(lidar, position, attitude)
+        )
 
     def with_parameters(self, parameters: tuple[Parameter, ...]) -> "AdjustmentProblem":
         """Problem with other values to estimate."""
@@ -291,7 +295,7 @@ class AdjustmentProblem:
         owners = self.observations.target_of_sighting
         summed = self.sums_by_sighting(sums)
         normal = assemble_normal_equations(
-            sums, summed, self.groups, self.layout, owners, bases, state.effects
+            sums, summed, self.groups, self.layout, owners, bases, state.pos_errors
         )
         matrix, right, quadratic = normal.matrix, normal.right, normal.quadratic
         for parameter in self.parameters:
@@ -407,6 +411,6 @@ class LinearisedProblem:
             state.mounting.with_values(values),
             apply_shape_changes(state.shapes, changes, problem.observations.is_sphere),
             surface,
-            state.effects + change,
+            state.pos_errors + change,
         )
         return new, correction

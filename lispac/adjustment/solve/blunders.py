@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.solve.adjustment_problem import (
-    EVERY_DIRECTION,
-    OFFSETS,
+    ALL_COMPONENTS,
+    OFFSET_COMPONENT,
     AdjustmentProblem,
     LinearisedProblem,
 )
@@ -76,44 +76,46 @@ class Blunder:
 
     @property
     def _directions(self) -> slice:
-        return EVERY_DIRECTION if self.kind == "surface" else OFFSETS
+        return ALL_COMPONENTS if self.kind == "surface" else OFFSET_COMPONENT
 
 
-def worst_blunder(linearised: LinearisedProblem, spared: Collection[Blunder]) -> Blunder | None:
+def worst_blunder(linearised: LinearisedProblem, untested: Collection[Blunder]) -> Blunder | None:
     """Find the most significant blunder; None if all sightings agree.
 
     Parameters
     ----------
-    spared : collection of Blunder
+    untested : collection of Blunder
         Blunders that have already been restored, and are not tested again.
     """
-    candidates = [found for found in _candidate_blunders(linearised.problem) if found not in spared]
-    first = [(_score_test_p_value(linearised, found), found) for found in candidates]
+    candidates = [
+        blunder for blunder in _candidate_blunders(linearised.problem) if blunder not in untested
+    ]
+    first = [(_score_test_p_value(linearised, blunder), blunder) for blunder in candidates]
     promising = [item for item in first if item[0] < CANDIDATE_LEVEL]
     promising.sort(key=_weighted_p_value)
     again = [
-        (_weighted_p_value((chance, found)), k, found)
-        for k, (_, found) in enumerate(promising[:MAX_CANDIDATES])
-        for chance in [
-            _score_test_p_value(_surfaces_from_other_sightings(linearised, found), found)
+        (_weighted_p_value((p_value, blunder)), k, blunder)
+        for k, (_, blunder) in enumerate(promising[:MAX_CANDIDATES])
+        for p_value in [
+            _score_test_p_value(_surfaces_from_other_sightings(linearised, blunder), blunder)
         ]
-        if chance < FAMILY_WISE_LEVEL / len(candidates)
+        if p_value < FAMILY_WISE_LEVEL / len(candidates)
     ]
     return min(again)[-1] if again else None
 
 
 def _weighted_p_value(item: tuple[float, Blunder]) -> float:
-    chance, found = item
-    return chance * (SHIFT_PREFERENCE if found.kind == "surface" else 1.0)
+    p_value, blunder = item
+    return p_value * (SHIFT_PREFERENCE if blunder.kind == "surface" else 1.0)
 
 
 def find_restorable_blunder(
     linearised: LinearisedProblem, rejected: Collection[Blunder]
 ) -> Blunder | None:
     """Find the rejected blunder that agrees best, if it agrees well enough to be restored."""
-    chances = [(_p_value_if_restored(linearised, found), found) for found in rejected]
-    chance, best = max(chances, key=lambda item: item[0], default=(0.0, None))
-    return best if chance > RESTORATION_LEVEL else None
+    p_values = [(_p_value_if_restored(linearised, blunder), blunder) for blunder in rejected]
+    p_value, best = max(p_values, key=lambda item: item[0], default=(0.0, None))
+    return best if p_value > RESTORATION_LEVEL else None
 
 
 def find_confirmed_blunders(
@@ -124,9 +126,9 @@ def find_confirmed_blunders(
     A blunder of kind "surface" is reduced to a shift if a shift is enough to explain it.
     """
     return [
-        _reduce_to_shift(linearised, found)
-        for found in rejected
-        if _p_value_if_restored(linearised, found) < CONFIRMATION_LEVEL
+        _reduce_to_shift(linearised, blunder)
+        for blunder in rejected
+        if _p_value_if_restored(linearised, blunder) < CONFIRMATION_LEVEL
     ]
 
 
@@ -164,11 +166,13 @@ def _candidate_blunders(problem: AdjustmentProblem) -> Iterator[Blunder]:
 
 
 def _surfaces_from_other_sightings(
-    linearised: LinearisedProblem, found: Blunder
+    linearised: LinearisedProblem, blunder: Blunder
 ) -> LinearisedProblem:
     """Linearised problem with the surface sigma estimated from all other sightings."""
     problem = linearised.problem
-    return linearised.of(reestimate_surface_sigma(problem, linearised.of(found.reject_in(problem))))
+    return linearised.of(
+        reestimate_surface_sigma(problem, linearised.of(blunder.reject_in(problem)))
+    )
 
 
 def _score_test_p_value(linearised: LinearisedProblem, blunder: Blunder) -> float:
@@ -192,11 +196,11 @@ def _score_test_p_value(linearised: LinearisedProblem, blunder: Blunder) -> floa
 
 
 MIN_INFORMATION_SHARE = 1e-6
-"""Smallest share of the information that remains after elimination of all other unknowns."""
+"""Smallest share of the information that the other unknowns leave in a direction to be tested."""
 
 
 def _blunder_equations(
-    linearised: LinearisedProblem, found: Blunder
+    linearised: LinearisedProblem, blunder: Blunder
 ) -> tuple[Array, Array, Array, Array]:
     """Normal equations of a blunder: own block, blocks with unknowns and POS error, right side.
 
@@ -206,14 +210,14 @@ def _blunder_equations(
     problem, layout, sums = linearised.problem, linearised.normal.layout, linearised.sums
     groups, own = problem.groups, len(layout.active) + 4
     basis = unknown_directions(layout, problem.observations.target_of_sighting, linearised.bases)
-    width, count = sums.shape[1], 1 if found.kind == "shift" else 3
+    width, count = sums.shape[1], 1 if blunder.kind == "shift" else 3
     among, right = np.zeros((count, count)), np.zeros(count)
     by_unknowns = np.zeros((count, layout.size + 1))
-    by_pos = np.zeros((count, linearised.state.effects.size))
-    for g in np.flatnonzero(np.isin(groups.sighting, found.sightings)):
+    by_pos = np.zeros((count, linearised.state.pos_errors.size))
+    for g in np.flatnonzero(np.isin(groups.sighting, blunder.sightings)):
         s, first = groups.sighting[g], 6 * groups.knot[g]
         size = np.zeros((width, count))
-        if found.kind == "line":
+        if blunder.kind == "line":
             # The same shift of the POS position at the knots before and after
             size[own : own + 3] = size[own + 6 : own + 9] = np.eye(3)
         else:

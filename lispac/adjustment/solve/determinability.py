@@ -5,19 +5,23 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.model.parameters import LIMITS, ParameterEstimate, mounting_value_name
+from lispac.adjustment.model.parameters import (
+    MAX_PARAMETER_SIGMAS,
+    ParameterEstimate,
+    mounting_value_name,
+)
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.errors import RankDeficient
 from lispac.messages import Message, error, note
-from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 
 Array = NDArray[np.float64]
 
-WORST_SIGMA = np.radians(1.0)
+MAX_ANGLE_SIGMA = np.radians(1.0)
 """Largest sigma of a determined angle, radians; an inspection of the mounting is as precise."""
 
-PARALLEL_LIMIT = np.radians(10.0)
+MAX_PARALLEL_ANGLE = np.radians(10.0)
 """Angle below which two lines, or two normals, are regarded as parallel, radians."""
 
 ANGLE_CODES = {
@@ -37,7 +41,7 @@ def find_undetermined_parameters(linearised: LinearisedProblem) -> tuple[Paramet
     problem = linearised.problem
     active = problem.active
     information = linearised.normal.information(len(active))
-    limits = LIMITS[active]
+    limits = MAX_PARAMETER_SIGMAS[active]
     own = {p.index: p.sigma**-2 if p.sigma else 0.0 for p in problem.parameters}
     undetermined: list[ParameterEstimate] = []
     left = {p.index: p for p in problem.parameters}
@@ -47,7 +51,7 @@ def find_undetermined_parameters(linearised: LinearisedProblem) -> tuple[Paramet
             k = int(np.searchsorted(active, index))
             free[k, k] -= own[index]
         fixed = {each.name for each in undetermined if each.prior_sigma is None}
-        kept = np.array([CALIBRATION[i] not in fixed for i in active])
+        kept = np.array([MOUNTING_VALUE_NAMES[i] not in fixed for i in active])
         # Scaled by the limits; a weak prior keeps the matrix of unobserved values regular.
         scaled = (free * np.outer(limits, limits))[np.ix_(kept, kept)] + 1e-4 * np.eye(kept.sum())
         covariance = np.linalg.inv(scaled)
@@ -72,10 +76,10 @@ def _undetermined_estimate(
     active: NDArray[np.int64],
     sigma: float | None,
 ) -> ParameterEstimate:
-    name = CALIBRATION[index]
+    name = MOUNTING_VALUE_NAMES[index]
     prior = float(linearised.problem.prior.values[index])
     shares = np.where(active == index, 0.0, np.abs(row))
-    other = mounting_value_name(CALIBRATION[int(active[np.argmax(shares)])])
+    other = mounting_value_name(MOUNTING_VALUE_NAMES[int(active[np.argmax(shares)])])
     parameter = mounting_value_name(name)
     kept = note("parameter.kept_uncertain" if sigma else "parameter.kept")
     if name == "scan_angle_offset":
@@ -102,7 +106,7 @@ def require_determined(linearised: LinearisedProblem) -> None:
         raise RankDeficient(error("adjustment.one_line", line=lines[0]))
     information = _with_correlated_pos_errors(linearised).normal.information(3)
     eigenvalues, directions = np.linalg.eigh(information)
-    if eigenvalues[0] >= max(WORST_SIGMA**-2, 1e-12 * eigenvalues[2]):
+    if eigenvalues[0] >= max(MAX_ANGLE_SIGMA**-2, 1e-12 * eigenvalues[2]):
         return
     # Spheres have no orientation.
     spheres = bool(problem.observations.is_sphere.all())
@@ -167,7 +171,7 @@ def require_two_orientations(linearised: LinearisedProblem) -> None:
 
 
 def have_one_orientation(normals: Array, spheres: NDArray[np.bool_]) -> bool:
-    """Whether all targets are planes with the same normal, up to `PARALLEL_LIMIT`.
+    """Whether all targets are planes with the same normal, up to `MAX_PARALLEL_ANGLE`.
 
     Parameters
     ----------
@@ -175,7 +179,9 @@ def have_one_orientation(normals: Array, spheres: NDArray[np.bool_]) -> bool:
     spheres : ndarray of shape (targets,), bool
         Whether each target is a sphere.
     """
-    return not spheres.any() and bool((np.abs(normals @ normals.T) > np.cos(PARALLEL_LIMIT)).all())
+    return not spheres.any() and bool(
+        (np.abs(normals @ normals.T) > np.cos(MAX_PARALLEL_ANGLE)).all()
+    )
 
 
 def line_headings(linearised: LinearisedProblem) -> dict[str, float]:
@@ -194,7 +200,7 @@ def _is_single_heading(linearised: LinearisedProblem) -> bool:
     """Whether all points were measured on one heading; a line may contain several headings."""
     heading = linearised.problem.observations.attitude[:, 2]
     middle = np.angle(np.exp(1j * heading).mean())
-    return bool((np.abs(np.angle(np.exp(1j * (heading - middle)))) < 2 * PARALLEL_LIMIT).all())
+    return bool((np.abs(np.angle(np.exp(1j * (heading - middle)))) < 2 * MAX_PARALLEL_ANGLE).all())
 
 
 def _are_lines_parallel(linearised: LinearisedProblem) -> bool:
@@ -202,7 +208,7 @@ def _are_lines_parallel(linearised: LinearisedProblem) -> bool:
         list(line_headings(linearised).values())
     )  # 0 and 180 deg are one direction
     differences = np.angle(np.exp(1j * (doubled - doubled[0]))) / 2
-    return bool((np.abs(differences) < PARALLEL_LIMIT).all())
+    return bool((np.abs(differences) < MAX_PARALLEL_ANGLE).all())
 
 
 def have_targets_one_orientation(linearised: LinearisedProblem) -> bool:

@@ -95,7 +95,7 @@ class AdjustmentState:
     shapes : ndarray of shape (targets, 4), local frame
     surface : ndarray of shape (sightings, 4)
         Deviation of each sighting from the shape of its target, in the same parameters.
-    effects : ndarray of shape (knots, 6), metres and radians
+    pos_errors : ndarray of shape (knots, 6), metres and radians
         POS error at the knots.
 
     The current deviations and POS errors are included in the misclosures. Misclosures are therefore
@@ -105,7 +105,7 @@ class AdjustmentState:
     mounting: Mounting
     shapes: Array
     surface: Array
-    effects: Array
+    pos_errors: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,8 +173,8 @@ class EffectArrays(NamedTuple):
     start: NDArray[np.int64]
     knot: NDArray[np.int64]
     fraction: Array  # empty with independent POS errors
-    outlying: Array
-    bridge: Array
+    bridge_variance: Array
+    bridge_factor: Array
     surface: Array
     pos: Array
 
@@ -183,8 +183,10 @@ class EffectArrays(NamedTuple):
         """Take the arrays from ``groups`` and ``state``."""
         knots = groups.knots
         none = (np.zeros(0),) * 3
-        between = none if knots is None else (knots.fraction, knots.outlying, knots.bridge)
-        return cls(groups.start, groups.knot, *between, state.surface, state.effects)
+        between = (
+            none if knots is None else (knots.fraction, knots.bridge_variance, knots.bridge_factor)
+        )
+        return cls(groups.start, groups.knot, *between, state.surface, state.pos_errors)
 
 
 class WeightArrays(NamedTuple):
@@ -215,7 +217,11 @@ def point_misclosure(  # type: ignore[no-untyped-def]
     xyz, sigma_lidar, beam = points.xyz, points.sigma_lidar, points.beam_sigmas
     sigma_position, sigma_attitude = points.sigma_position, points.sigma_attitude
     s, surface, knot, fraction = points.sighting[i], effects.surface, effects.knot, effects.fraction
-    outlying, bridge, pos = effects.outlying, effects.bridge, effects.pos
+    bridge_variance, bridge_factor, pos = (
+        effects.bridge_variance,
+        effects.bridge_factor,
+        effects.pos,
+    )
     variance = lidar_variance(i, xyz, sigma_lidar, beam, lidar)
     misclosure = out[19]
     for k in range(4):
@@ -226,9 +232,9 @@ def point_misclosure(  # type: ignore[no-untyped-def]
             misclosure += out[13 + k] * ((1 - u) * pos[before, k] + u * pos[before + 1, k])
         # Variance of the POS error about the linear interpolation between two knots
         for k in range(3):
-            between = bridge[k] * outlying[i]
+            between = bridge_factor[k] * bridge_variance[i]
             variance += between * (out[13 + k] * sigma_position[i, k]) ** 2
-            between = bridge[3 + k] * outlying[i]
+            between = bridge_factor[3 + k] * bridge_variance[i]
             variance += between * (out[16 + k] * sigma_attitude[i, k]) ** 2
     else:
         for k in range(3):
@@ -252,7 +258,7 @@ def write_group_row(i, active, fraction, out, rows, place):  # type: ignore[no-u
             rows[place, count + 10 + k] = u * out[13 + k]
 
 
-BLOCK = 64
+POINTS_PER_BLOCK = 64
 """Number of points whose products are summed in one BLAS call, which halves the time."""
 
 
@@ -265,11 +271,11 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
     loss, tuning, tangent, scale, noise = weights
     out, lidar = np.empty(20), np.empty(3)
     width = sums.shape[1]
-    rows, weighted = np.empty((BLOCK, width)), np.empty((BLOCK, width))
+    rows, weighted = np.empty((POINTS_PER_BLOCK, width)), np.empty((POINTS_PER_BLOCK, width))
     product = np.empty((width, width))
     for g in range(first, last):
-        for begin in range(start[g], start[g + 1], BLOCK):
-            count = min(BLOCK, start[g + 1] - begin)
+        for begin in range(start[g], start[g + 1], POINTS_PER_BLOCK):
+            count = min(POINTS_PER_BLOCK, start[g + 1] - begin)
             for place in range(count):
                 i = begin + place
                 t = target[i]
@@ -281,19 +287,19 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
                     # At the observed point, the noise of the derivatives and of the misclosure is
                     # correlated, which biases weakly determined unknowns. The derivatives are
                     # therefore computed at the adjusted point (Pope 1972).
-                    at = adjusted_observation(
+                    adjusted_xyz = adjusted_observation(
                         i, xyz, sigma_lidar, beam, lidar, misclosure / variance
                     )
-                    condition_row(i, at, pose, points, placing, out, lidar)
+                    condition_row(i, adjusted_xyz, pose, points, placing, out, lidar)
                 write_group_row(i, active, fraction, out, rows, place)
                 rows[place, width - 1] = misclosure
                 precision = 1 / (variance * noise[t] ** 2)
                 pull = precision * misclosure
                 if loss > 0:
                     off = misclosure / np.sqrt(variance) / scale[t]
-                    weighed = loss_weight(loss, tuning, off)
-                    pull *= weighed
-                    precision *= influence_slope(loss, tuning, off) if tangent else weighed
+                    loss_factor = loss_weight(loss, tuning, off)
+                    pull *= loss_factor
+                    precision *= influence_slope(loss, tuning, off) if tangent else loss_factor
                 for k in range(width - 1):
                     weighted[place, k] = precision * rows[place, k]
                 weighted[place, width - 1] = pull

@@ -31,10 +31,10 @@ MAX_ITERATIONS = 200
 ANGLE_TOLERANCE, OTHER_TOLERANCE = 1e-11, 1e-8
 """Largest expected remaining change of an angle (rad) and of another unknown (rad, m, s)."""
 
-NEAR_SOLUTION = 1e-5
+MAX_NEAR_ANGLE_CHANGE = 1e-5
 """Change of an angle (rad) below which noise, form errors and outliers can be separated."""
 
-STRICT_ITERATIONS, RELAXATION = 60, np.array([1e3, 1e5])
+STRICT_ITERATIONS, RELAXATION_FACTORS = 60, np.array([1e3, 1e5])
 """Number of iterations after which the limits are relaxed, and factors of this relaxation.
 
 The relaxed limits are about 1e-6 deg for the angles, and 1 mm for other unknowns, such as those of
@@ -42,7 +42,7 @@ a sighting whose points alternate between a small weight and none.
 """
 
 IRLS_TOLERANCE_RATIO = 100
-"""Multiple of the limits below which IRLS steps are used; the sigmas are computed from these."""
+"""Multiple of the limits below which IRLS steps are used, from which the sigmas are computed."""
 
 MAX_GAUSS_NEWTON_STEPS = 10
 """Largest number of Gauss-Newton steps with updated weights, after which IRLS steps are used."""
@@ -82,6 +82,7 @@ class Status(Enum):
     FAR = "far"
     """Noise, form errors and outliers cannot be separated yet."""
     NEAR = "near"
+    """Noise, form errors and outliers can be separated."""
     CLOSE = "close"
     """IRLS steps are sufficient."""
     CONVERGED = "converged"
@@ -125,10 +126,10 @@ class Convergence:
         change = np.array([np.abs(correction[:3]).max(), np.abs(correction[3:]).max()])
         limits = tolerance = np.array([ANGLE_TOLERANCE, OTHER_TOLERANCE])
         if iteration > STRICT_ITERATIONS:
-            tolerance = RELAXATION * limits
+            tolerance = RELAXATION_FACTORS * limits
         remaining = _remaining_change(change, self.change)
         status = Status.NEAR
-        if change[0] > NEAR_SOLUTION:
+        if change[0] > MAX_NEAR_ANGLE_CHANGE:
             status = Status.FAR
         elif ((remaining if extrapolated else change) < tolerance).all():
             status = Status.CONVERGED
@@ -230,8 +231,8 @@ def _adapt_sigmas(
 ) -> tuple[AdjustmentProblem, Phase]:
     """Estimate noise and form errors from the residuals; also return the next phase."""
     if convergence.status is Status.FAR:  # form errors cannot be separated from noise yet
-        falling = convergence.iteration <= EARLY_ITERATIONS
-        return reestimate_noise(problem, state, falling=falling), phase
+        may_decrease = convergence.iteration <= EARLY_ITERATIONS
+        return reestimate_noise(problem, state, may_decrease=may_decrease), phase
     adapted = reestimate_surface_sigma(reestimate_noise(problem, state), linearised)
     if phase is Phase.START:
         return adapted, Phase.ROBUST

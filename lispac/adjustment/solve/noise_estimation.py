@@ -28,14 +28,14 @@ BLOCKS_PER_SIDE = 4
 A compromise between the number of blocks and the number of points in each.
 """
 
-OUTLIER_LIMIT = 3.0
+MAX_SCALED_RESIDUAL = 3.0
 """Largest scaled residual that affects the noise; larger ones are clipped, or their sighting is
 not used."""
 
-COVARIANCE_SIGMAS = 2.0
+CRITICAL_COVARIANCE_SIGMAS = 2.0
 """Critical value of the covariance between lines, in standard deviations."""
 
-DISPLACED_SPREADS = 3.0
+MIN_DISPLACED_RATIO = 3.0
 """Smallest offset of a displaced sighting, in units of the robust scale of the target's residuals.
 
 Only another surface or a gross error of the position displaces a single sighting by so much. A
@@ -47,15 +47,15 @@ SIGMA_TOLERANCE = 0.01
 
 
 def reestimate_noise(
-    problem: AdjustmentProblem, state: AdjustmentState, *, falling: bool = True
+    problem: AdjustmentProblem, state: AdjustmentState, *, may_decrease: bool = True
 ) -> AdjustmentProblem:
     """Return the problem with the noise estimated again from its residuals.
 
-    Without ``falling``, the noise of a target cannot decrease. This prevents an endless alternation
-    of noise and solution.
+    If ``may_decrease`` is false, the noise of a target cannot decrease, which prevents an endless
+    alternation of noise and solution.
     """
     updated = _noise_from_residuals(problem, state)
-    if falling:
+    if may_decrease:
         return updated
     return replace(
         updated,
@@ -152,7 +152,11 @@ def target_noise_factors(
         mine = target == k if near is None else near & (target == k)
         own = residuals[mine]
         size = max(1.0, float(np.sqrt(np.mean(own**2)))) if near is None else robust_scale(own)
-        clipped = own / size if near is None else np.clip(own / size, -OUTLIER_LIMIT, OUTLIER_LIMIT)
+        clipped = (
+            own / size
+            if near is None
+            else np.clip(own / size, -MAX_SCALED_RESIDUAL, MAX_SCALED_RESIDUAL)
+        )
         effect = 1 + denser * (_design_effect(clipped, blocks[mine]) - 1)
         factors[k] = size * np.sqrt(effect)
     return factors
@@ -193,7 +197,7 @@ def form_error_noise(
         place = points[rows] @ plane_axes(fit_plane(points[rows]).normal).T
         size = robust_scale(residuals[rows])
         line = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
-        own = np.clip(residuals[rows], -OUTLIER_LIMIT * size, OUTLIER_LIMIT * size)
+        own = np.clip(residuals[rows], -MAX_SCALED_RESIDUAL * size, MAX_SCALED_RESIDUAL * size)
         for each in range(len(parts)):
             own[line == each] = _remove_plane_trend(place[line == each], own[line == each])
         size = robust_scale(own)
@@ -235,7 +239,7 @@ def _form_noise_factor(counts: NDArray[np.int64], sums: Array, size: float) -> f
     first, second = np.triu_indices(len(counts), 1)
     products = sums[first] * sums[second]
     pairs = float((counts[first] * counts[second]).sum())
-    if not pairs or products.sum() <= COVARIANCE_SIGMAS * np.sqrt((products**2).sum()):
+    if not pairs or products.sum() <= CRITICAL_COVARIANCE_SIGMAS * np.sqrt((products**2).sum()):
         return size
     points_of_block = float((counts**2).sum() / counts.sum())
     return float(np.sqrt(size**2 + points_of_block * products.sum() / pairs))
@@ -256,7 +260,7 @@ def find_displaced_sightings(observations: Observations, residuals: Array) -> ND
     found = []
     for k in range(len(observations.targets)):
         off = _relative_sighting_offsets(observations, residuals, k)
-        found += [s for s, size in off.items() if size > DISPLACED_SPREADS]
+        found += [s for s, size in off.items() if size > MIN_DISPLACED_RATIO]
     return np.array(found, dtype=np.int64)
 
 
@@ -273,7 +277,7 @@ def is_point_on_target(observations: Observations, residuals: Array) -> NDArray[
     near = np.zeros(len(observations.sightings), dtype=bool)
     for k in range(len(observations.targets)):
         off = _relative_sighting_offsets(observations, residuals, k)
-        near[[s for s, size in off.items() if size <= OUTLIER_LIMIT]] = True
+        near[[s for s, size in off.items() if size <= MAX_SCALED_RESIDUAL]] = True
     return near[observations.sighting]
 
 

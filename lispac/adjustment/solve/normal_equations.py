@@ -28,7 +28,7 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-_LOWER = np.tril_indices(12)
+_LOWER_TRIANGLE = np.tril_indices(12)
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,8 +88,8 @@ class UnknownsOrder:
         return cls(active, shapes, tuple(slices), size, index)
 
 
-MAX_SURFACES = 24
-"""Number of sightings up to which it is faster to eliminate the POS error before the surfaces."""
+MAX_UNELIMINATED_SURFACES = 24
+"""Largest number of sightings for which it is faster not to eliminate the surfaces first."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,7 +177,7 @@ class NormalEquations:
         error therefore remains banded, with the width of the longest sighting.
         """
         layout = self.layout
-        if len(layout.surfaces) <= MAX_SURFACES:
+        if len(layout.surfaces) <= MAX_UNELIMINATED_SURFACES:
             return self
         knots = [_nonzero_span(self.mixed[place]) for place in layout.surfaces]
         wide = max([len(self.band), *(own.stop - own.start for own in knots)])
@@ -210,7 +210,7 @@ class NormalEquations:
         Parameters
         ----------
         count : int
-            Number of unknowns, without surfaces.
+            Number of first unknowns to keep; surfaces are always eliminated.
 
         Raises
         ------
@@ -219,8 +219,8 @@ class NormalEquations:
         """
         reduced = self.eliminate_surfaces.reduced_matrix
         rest = reduced[count:, count:].copy()
-        unseen = np.flatnonzero(np.diag(rest) <= 0)
-        rest[unseen, unseen] = 1.0  # a target without points
+        without_points = np.flatnonzero(np.diag(rest) <= 0)
+        rest[without_points, without_points] = 1.0  # a target without points
         mixed = reduced[:count, count:]
         scale = 1 / np.sqrt(np.maximum(np.diag(rest), np.finfo(float).tiny))
         try:
@@ -333,7 +333,7 @@ def sum_by_sighting(sums: Array, groups: PointGroups, sightings: int, unknowns: 
 
 def assemble_normal_equations(
     sums: Array, summed: Array, groups: PointGroups, layout: UnknownsOrder,
-    target_of_sighting: NDArray[np.int64], bases: UnknownBases, effects: Array,
+    target_of_sighting: NDArray[np.int64], bases: UnknownBases, pos_errors: Array,
 ) -> NormalEquations:  # fmt: skip
     """Assemble the normal equations with the prior of the POS error, but without other priors.
 
@@ -344,35 +344,35 @@ def assemble_normal_equations(
     summed : ndarray of shape (sightings, a + 5, a + 5)
         The same sums from `sum_by_sighting`.
     target_of_sighting : ndarray of shape (sightings,), int
-    effects : ndarray of shape (knots, 6), metres and radians
+    pos_errors : ndarray of shape (knots, 6), metres and radians
         Current POS error.
     """
     own = len(layout.active) + 4
-    wide, unknowns = layout.size + 1, effects.size
+    wide, unknowns = layout.size + 1, pos_errors.size
     basis = unknown_directions(layout, target_of_sighting, bases)
-    turned = np.swapaxes(basis, 1, 2)
+    transposed_basis = np.swapaxes(basis, 1, 2)
     index = layout.index
     squares = index[:, :, None] * wide + index[:, None, :]
-    matrix = _sum_by_place(squares, turned @ summed[:, :own, :own] @ basis, wide**2).reshape(
-        wide, wide
-    )
-    right = _sum_by_place(index, -(turned @ summed[:, :own, own, None])[..., 0], wide)
+    matrix = _sum_by_place(
+        squares, transposed_basis @ summed[:, :own, :own] @ basis, wide**2
+    ).reshape(wide, wide)
+    right = _sum_by_place(index, -(transposed_basis @ summed[:, :own, own, None])[..., 0], wide)
     quadratic = float(summed[:, own, own].sum())
     band, pull = np.zeros((12, unknowns)), np.zeros(unknowns)
     mixed = np.zeros((wide, unknowns))
     if groups.knots is not None:
-        prior = groups.knots.apply_prior_precision(effects)
+        prior = groups.knots.apply_prior_precision(pos_errors)
         own_knots = 6 * groups.knot[:, None] + np.arange(12)
         pose = slice(own, own + 12)
-        lower, upper = _LOWER
+        lower, upper = _LOWER_TRIANGLE
         places = (lower - upper) * unknowns + own_knots[:, upper]
         products = sums[:, pose, pose][:, lower, upper]
         band = _sum_by_place(places, products, 12 * unknowns).reshape(12, unknowns)
         band[0] += groups.knots.precision_diagonal.reshape(-1)
         band[6, : unknowns - 6] += groups.knots.precision_beside.reshape(-1)
         pull = _sum_by_place(own_knots, -sums[:, pose, -1], unknowns) - prior.reshape(-1)
-        quadratic += float((prior * effects).sum())
+        quadratic += float((prior * pos_errors).sum())
         shared = index[groups.sighting][:, :, None] * unknowns + own_knots[:, None, :]
-        crossed = turned[groups.sighting] @ sums[:, :own, pose]
+        crossed = transposed_basis[groups.sighting] @ sums[:, :own, pose]
         mixed = _sum_by_place(shared, crossed, wide * unknowns).reshape(wide, unknowns)
     return NormalEquations(layout, matrix[:-1, :-1], right[:-1], quadratic, band, mixed[:-1], pull)

@@ -16,7 +16,7 @@ from lispac.adjustment.model.parameters import OPTIONAL_NAMES, Parameter
 from lispac.adjustment.result import ContradictedParameter
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.solve.determinability import find_undetermined_parameters
-from lispac.adjustment.solve.variance_components import SMALLEST_SURFACE, reestimate_surface_sigma
+from lispac.adjustment.solve.variance_components import MIN_SURFACE_SIGMA, reestimate_surface_sigma
 
 Array = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ CRITICAL_VALUE = -NormalDist().inv_cdf(FAMILY_WISE_LEVEL / 2 / len(OPTIONAL_NAME
 MIN_ANGLE_CHANGE = 0.5
 """Smallest change of an angle, in sigmas, for which a contradicted value is reported."""
 
-REPORT_VALUE = 6.0
+ALWAYS_REPORTED_VALUE = 6.0
 """Test value above which a contradicted value is always reported.
 
 Such an error has also increased the sigmas with which the change of the angles is compared.
@@ -37,7 +37,7 @@ Such an error has also increased the sigmas with which the change of the angles 
 
 
 def find_contradicted_parameters(
-    linearised: LinearisedProblem, *, least: float = MIN_ANGLE_CHANGE
+    linearised: LinearisedProblem, *, min_angle_change: float = MIN_ANGLE_CHANGE
 ) -> tuple[ContradictedParameter, ...]:
     """Find values that the data contradict, the most significant first (correlated model).
 
@@ -45,7 +45,7 @@ def find_contradicted_parameters(
 
     Parameters
     ----------
-    least : float
+    min_angle_change : float
         Smallest change of an angle, in sigmas, for which a value is reported.
     """
     problem = linearised.problem
@@ -69,7 +69,10 @@ def find_contradicted_parameters(
         worst = max(tests, key=lambda test: abs(test.w), default=None)
         if worst is None or abs(worst.w) <= CRITICAL_VALUE:
             break
-        if abs(worst.w) > REPORT_VALUE or (np.abs(worst.angle_change) >= least * sigma_now).any():
+        if (
+            abs(worst.w) > ALWAYS_REPORTED_VALUE
+            or (np.abs(worst.angle_change) >= min_angle_change * sigma_now).any()
+        ):
             found.append(worst)
         others, moved = (*others, Parameter(worst.name)), moved + worst.angle_change
         omitted = [each for each in omitted if each.name != worst.name]
@@ -102,7 +105,7 @@ def _test_omitted_parameter(
 
 
 def _are_surfaces_exact(problem: AdjustmentProblem) -> bool:
-    return float(problem.default_surface_sigmas.max()) < 2 * SMALLEST_SURFACE
+    return float(problem.default_surface_sigmas.max()) < 2 * MIN_SURFACE_SIGMA
 
 
 def _restrict_parameters(

@@ -26,7 +26,7 @@ from lispac.adjustment.solve.variance_components import need_own_offset_sigma
 from lispac.errors import NotConverged, RankDeficient
 from lispac.progress import Progress
 
-SIGHTINGS_PER_REJECTION = 3
+MIN_SIGHTINGS_PER_REJECTION = 3
 """Smallest number of sightings for each one that may be rejected."""
 
 
@@ -45,23 +45,23 @@ def iterate_with_majority(
     observations, off = problem.observations, np.zeros(0, dtype=np.int64)
     if may_reject_sightings(problem.model):
         off = find_displaced_sightings(observations, problem.residuals(start)[1])
-    balls = observations.is_sphere[observations.target_of_sighting]
-    rejected = [Blunder("shift" if balls[s] else "surface", (int(s),)) for s in off]
-    if 0 < len(rejected) <= len(observations.sightings) // SIGHTINGS_PER_REJECTION:
+    spheres = observations.is_sphere[observations.target_of_sighting]
+    rejected = [Blunder("shift" if spheres[s] else "surface", (int(s),)) for s in off]
+    if 0 < len(rejected) <= len(observations.sightings) // MIN_SIGHTINGS_PER_REJECTION:
         without = problem
-        for found in rejected:
-            without = found.reject_in(without)
+        for blunder in rejected:
+            without = blunder.reject_in(without)
         with suppress(RankDeficient, NotConverged):  # then iterate with all sightings
             solution = iterate(without, start, progress)
-            plain = find_confirmed_blunders(solution.linearised, rejected)
-            if plain == rejected:
+            confirmed = find_confirmed_blunders(solution.linearised, rejected)
+            if confirmed == rejected:
                 return solution, rejected
             problem = solution.linearised.problem
-            for found in rejected:
-                problem = found.restore_in(problem)
-            for found in plain:
-                problem = found.reject_in(problem)
-            return iterate(problem, solution.state, progress, earlier=solution.path), plain
+            for blunder in rejected:
+                problem = blunder.restore_in(problem)
+            for blunder in confirmed:
+                problem = blunder.reject_in(problem)
+            return iterate(problem, solution.state, progress, earlier=solution.path), confirmed
     return iterate(problem, start, progress), []
 
 
@@ -75,10 +75,10 @@ def reject_disagreeing_sightings(
     the displacements.
     """
     solution = _reject_unexplained_sightings(start, rejected, progress)
-    here = solution.linearised
-    if here.problem.model.surface is not None or not need_own_offset_sigma(here):
+    linearised = solution.linearised
+    if linearised.problem.model.surface is not None or not need_own_offset_sigma(linearised):
         return solution
-    if find_contradicted_parameters(here, least=0.0):
+    if find_contradicted_parameters(linearised, min_angle_change=0.0):
         return solution
     problem = replace(start.linearised.problem, own_offsets=True)
     try:
@@ -104,10 +104,11 @@ def _reject_unexplained_sightings(
         return after
     fewest, rejected_then = count, None
     tried: list[tuple[str, ...]] = [()]
-    for judged in (solution, after):
+    for reference in (solution, after):
         # In the order in which they were found, the most significant first.
         names = tuple(
-            each.name for each in find_contradicted_parameters(judged.linearised, least=0.0)
+            each.name
+            for each in find_contradicted_parameters(reference.linearised, min_angle_change=0.0)
         )
         if names in tried:
             continue
@@ -136,21 +137,21 @@ def _reject_blunders(
     A blunder may make other sightings look like blunders. Rejected sightings, including those in
     ``rejected``, are restored if they agree once the blunder is removed.
     """
-    limit = len(solution.linearised.problem.observations.sightings) // SIGHTINGS_PER_REJECTION
+    limit = len(solution.linearised.problem.observations.sightings) // MIN_SIGHTINGS_PER_REJECTION
     rejected = list(rejected)
-    spared: set[Blunder] = set()
+    untested: set[Blunder] = set()
     while True:
-        here = solution.linearised
-        if (back := find_restorable_blunder(here, rejected)) is not None:
-            rejected.remove(back)
-            spared.add(back)
-            problem = back.restore_in(here.problem)
+        linearised = solution.linearised
+        if (restorable := find_restorable_blunder(linearised, rejected)) is not None:
+            rejected.remove(restorable)
+            untested.add(restorable)
+            problem = restorable.restore_in(linearised.problem)
         else:
-            worst = worst_blunder(here, spared)
+            worst = worst_blunder(linearised, untested)
             if worst is None or sum(len(b.sightings) for b in [*rejected, worst]) > limit:
                 return solution
             rejected.append(worst)
-            problem = worst.reject_in(here.problem)
+            problem = worst.reject_in(linearised.problem)
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
 
 

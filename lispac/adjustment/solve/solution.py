@@ -19,7 +19,7 @@ from lispac.adjustment.result import (
 from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.solve.group_sums import AdjustmentState
 from lispac.adjustment.solve.noise_estimation import form_error_noise
-from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 
 Array = NDArray[np.float64]
 
@@ -73,13 +73,18 @@ class Solution:
             problem.noise, _form_error_noise(problem, state, standardised),
         )  # fmt: skip
         estimates = _parameter_estimates(problem, state, normal.covariance, self.fixed)
-        shown = [0, 1, 2, *(CALIBRATION.index(e.name) for e in estimates if e.value is not None)]
+        shown = [
+            0,
+            1,
+            2,
+            *(MOUNTING_VALUE_NAMES.index(e.name) for e in estimates if e.value is not None),
+        ]
         places = np.searchsorted(layout.active, sorted(shown))
         surfaces = problem.default_surface_sigmas
         return AdjustmentResult(
             mounting=state.mounting,
             prior_boresight=np.array(problem.prior.boresight, dtype=float),
-            estimated=tuple(CALIBRATION[k] for k in sorted(shown)),
+            estimated=tuple(MOUNTING_VALUE_NAMES[k] for k in sorted(shown)),
             covariance_all=normal.covariance[np.ix_(places, places)],
             parameters=estimates,
             path=self.path,
@@ -111,7 +116,7 @@ def _weighted_residual_sum(
     statistic = float(residuals @ residuals)
     if problem.groups.knots is not None:
         statistic += float(
-            (problem.groups.knots.apply_prior_precision(state.effects) * state.effects).sum()
+            (problem.groups.knots.apply_prior_precision(state.pos_errors) * state.pos_errors).sum()
         )
     if problem.layout.surfaces:
         statistic += float(((linearised.departures / problem.surface_sigma) ** 2).sum())
@@ -145,7 +150,7 @@ def _parameter_estimates(
                 _significance(value - prior, spread) if problem.model.correlated else None,
             )
         )  # fmt: skip
-    return tuple(sorted(found, key=lambda estimate: CALIBRATION.index(estimate.name)))
+    return tuple(sorted(found, key=lambda estimate: MOUNTING_VALUE_NAMES.index(estimate.name)))
 
 
 def _significance(change: float, sigma: float) -> float:

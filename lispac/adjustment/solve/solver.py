@@ -51,9 +51,10 @@ Array = NDArray[np.float64]
 SAMPLE_SIZE = 50_000
 """Number of points of the sample; with more points, only the last iterations use all."""
 
-COMPONENT_ROUNDS = 5
+MAX_COMPONENT_ROUNDS = 5
+"""Largest number of times that the variance components are estimated and applied."""
 
-MIN_INCREASE = 1.05
+MIN_SIGMA_INCREASE = 1.05
 """Smallest factor by which a given sigma is increased; smaller ones have no relevant effect."""
 
 CONTRADICTION_CODES = {
@@ -97,7 +98,7 @@ def estimate(
     Raises
     ------
     AdjustmentError
-        A sighting has too few points.
+        There is no target, a sighting has too few points, or a value is invalid.
     RankDeficient
         Lines and targets do not determine the boresight, or nothing checks it.
     TargetDisagrees
@@ -119,7 +120,7 @@ def with_agreeing_targets(
     *,
     may_exclude: bool,
 ) -> AdjustmentResult:
-    """Adjust, and exclude targets that do not agree with the others at any point.
+    """Adjust, and exclude targets all of whose points have no weight.
 
     Parameters
     ----------
@@ -171,7 +172,7 @@ def solve(
     RankDeficient
         A parameter is not determined.
     TargetDisagrees
-        A target does not agree with the others at any point.
+        No point of a target has any weight, because it disagrees with the others.
     NotConverged
         The iteration does not converge.
     LinAlgError
@@ -181,7 +182,7 @@ def solve(
     sampled = _sample_points(observations)
     origins = target_centroids(sampled, mounting)
     sampled = relative_to_origins(sampled, origins)
-    # The radii of the balls are estimated once the boresight is near the solution.
+    # The radii of the spheres are estimated once the boresight is near the solution.
     first = with_median_radii(sampled, mounting)
     fitted = fit_shapes(first, mounting)
     if settings.shapes is not None:
@@ -212,7 +213,7 @@ def solve(
     if estimates_components:
         found, components, factors = _iterate_variance_components(found, factors, progress)
     if len(sampled) < len(observations):
-        observations = relative_to_origins(observations.with_sigmas(*factors), origins)
+        observations = relative_to_origins(observations.with_scaled_sigmas(*factors), origins)
         found = _continue_with_all_points(found, observations, progress)
     _require_still_determined(found.linearised)
     return Solution(found.linearised, found.state, found.path, fitted, origins, fixed, components)
@@ -249,7 +250,7 @@ def _require_still_determined(linearised: LinearisedProblem) -> None:
         require_determined(linearised)
     except RankDeficient as reason:
         wrong = (
-            find_contradicted_parameters(linearised, least=0.0)
+            find_contradicted_parameters(linearised, min_angle_change=0.0)
             if linearised.problem.layout.surfaces
             else ()
         )
@@ -307,22 +308,24 @@ def _iterate_variance_components(
 
     ``total``, shape (3,), are the factors on the given sigmas already used in ``solution``.
     """
-    for _ in range(COMPONENT_ROUNDS):
+    for _ in range(MAX_COMPONENT_ROUNDS):
         found = estimate_variance_components(solution.linearised)
         # A sigma is raised if its factor is determined and larger than 1, but lowered only if the
         # factor is significantly smaller, because a sigma that is too large does little harm.
-        news = np.array(
+        new_factors = np.array(
             [
-                c.factor if (determined and c.factor > MIN_INCREASE) or c.upper < 1 else 1.0
+                c.factor if (determined and c.factor > MIN_SIGMA_INCREASE) or c.upper < 1 else 1.0
                 for c, determined in zip(found.components, found.determined, strict=True)
             ]
         )
-        factors = np.clip(total * news, *FACTOR_LIMITS) / total
+        factors = np.clip(total * new_factors, *FACTOR_LIMITS) / total
         total = total * factors
         if np.abs(np.log(factors)).max() < SIGMA_TOLERANCE:
             break
-        problem = solution.linearised.problem.with_sigmas(*factors)
-        problem = problem.with_surface_sigma(found.rough * problem.default_surface_sigmas)
+        problem = solution.linearised.problem.with_scaled_sigmas(*factors)
+        problem = problem.with_surface_sigma(
+            found.form_error_factor * problem.default_surface_sigmas
+        )
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
     final = estimate_variance_components(solution.linearised)
     return (

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.result import VarianceComponent
 from lispac.adjustment.solve.adjustment_problem import (
-    EVERY_DIRECTION,
-    OFFSETS,
-    TILTS,
+    ALL_COMPONENTS,
+    OFFSET_COMPONENT,
+    TILT_COMPONENTS,
     AdjustmentProblem,
     LinearisedProblem,
 )
@@ -24,15 +24,15 @@ from lispac.adjustment.solve.banded_cholesky import cholesky_factor, forward_sub
 
 Array = NDArray[np.float64]
 
-SMALLEST_SURFACE, LARGEST_SURFACE = 1e-5, 0.3  # metres
+MIN_SURFACE_SIGMA, MAX_SURFACE_SIGMA = 1e-5, 0.3  # metres
 
 
-MIN_GAIN = 10.0
+MIN_LIKELIHOOD_GAIN = 10.0
 """Smallest gain in twice the log likelihood for a separate sigma of the offsets.
 
 By chance, it is exceeded about once in 1000.
 """
-REJECTION_GAIN = 5.0
+ADDED_GAIN_IF_REJECTED = 5.0
 """Additional gain required if sightings were rejected.
 
 Jumps of single sightings are about a dozen times more common, exp(5 / 2), than displaced boards.
@@ -40,7 +40,7 @@ Jumps of single sightings are about a dozen times more common, exp(5 / 2), than 
 
 
 def most_likely_surface_sigma(
-    linearised: LinearisedProblem, directions: slice = EVERY_DIRECTION
+    linearised: LinearisedProblem, directions: slice = ALL_COMPONENTS
 ) -> float:
     """Most likely sigma of the deviations of sightings from the shapes of their targets, metres.
 
@@ -66,8 +66,15 @@ def need_own_offset_sigma(linearised: LinearisedProblem) -> bool:
     every = np.repeat(~problem.rejected[:, :1], 3, axis=1)
     own = every & (np.arange(3) == 2)
     gain = _maximise_surface_likelihood(linearised, own)[1]
-    least = MIN_GAIN + REJECTION_GAIN if problem.rejected_sightings.any() else MIN_GAIN
-    return gain > least and gain - _maximise_surface_likelihood(linearised, every)[1] > MIN_GAIN
+    min_gain = (
+        MIN_LIKELIHOOD_GAIN + ADDED_GAIN_IF_REJECTED
+        if problem.rejected_sightings.any()
+        else MIN_LIKELIHOOD_GAIN
+    )
+    return (
+        gain > min_gain
+        and gain - _maximise_surface_likelihood(linearised, every)[1] > MIN_LIKELIHOOD_GAIN
+    )
 
 
 def _maximise_surface_likelihood(
@@ -83,13 +90,13 @@ def _maximise_surface_likelihood(
     import scipy.optimize  # slow to import, and not needed by programs that do not adjust
 
     now = linearised.problem.surface_sigma
-    unlikeliness = _surface_likelihood(linearised)
+    deviance = _surface_likelihood(linearised)
     found = scipy.optimize.minimize_scalar(
-        lambda log_sigma: unlikeliness(np.where(alike, np.exp(log_sigma), now)),
-        bounds=(np.log(SMALLEST_SURFACE), np.log(LARGEST_SURFACE)),
+        lambda log_sigma: deviance(np.where(alike, np.exp(log_sigma), now)),
+        bounds=(np.log(MIN_SURFACE_SIGMA), np.log(MAX_SURFACE_SIGMA)),
         method="bounded",
     )
-    return float(np.exp(found.x)), unlikeliness(now) - float(found.fun)
+    return float(np.exp(found.x)), deviance(now) - float(found.fun)
 
 
 def _surface_likelihood(linearised: LinearisedProblem) -> Callable[[Array], float]:
@@ -105,7 +112,7 @@ def _surface_likelihood(linearised: LinearisedProblem) -> Callable[[Array], floa
     scale[others] = 1 / np.sqrt(np.diag(reduced)[others])
     reduced, right = reduced * np.outer(scale, scale), right * scale
 
-    def unlikeliness(sigmas: Array) -> float:
+    def deviance(sigmas: Array) -> float:
         sigma = sigmas.reshape(-1)
         precision = sigma**-2.0
         matrix, pull = reduced.copy(), right.copy()
@@ -120,7 +127,7 @@ def _surface_likelihood(linearised: LinearisedProblem) -> Callable[[Array], floa
             - explained @ explained
         )
 
-    return unlikeliness
+    return deviance
 
 
 def reestimate_surface_sigma(
@@ -131,7 +138,9 @@ def reestimate_surface_sigma(
         return problem
     if not problem.own_offsets:
         return problem.with_surface_sigma(most_likely_surface_sigma(linearised))
-    tilts, offsets = (most_likely_surface_sigma(linearised, some) for some in (TILTS, OFFSETS))
+    tilts, offsets = (
+        most_likely_surface_sigma(linearised, some) for some in (TILT_COMPONENTS, OFFSET_COMPONENT)
+    )
     return problem.with_surface_sigma(np.array([tilts, tilts, offsets]))
 
 
@@ -146,7 +155,7 @@ MIN_NOISE_FACTOR = 1.1
 The noise estimated from the residuals then already replaces the given LiDAR sigma.
 """
 
-MIN_LINES = 3
+MIN_SEPARATING_LINES = 3
 """Smallest number of lines with which position errors and form errors can be separated."""
 
 MAX_LOG_SIGMA = 0.6
@@ -163,13 +172,13 @@ class MaximumLikelihood:
         Factors on the sigmas of LiDAR, POS position and POS attitude.
     determined : tuple of bool
         Whether the data determine each factor.
-    rough : float
+    form_error_factor : float
         Factor on the sigma of the form errors.
     """
 
     components: tuple[VarianceComponent, ...]
     determined: tuple[bool, ...]
-    rough: float
+    form_error_factor: float
 
 
 def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikelihood:
@@ -186,14 +195,14 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
     free = np.ones(4, dtype=bool)
     free[0] = bool(problem.noise.max() < MIN_NOISE_FACTOR)
     free[3] = problem.model.surface is None
-    enough = len(problem.observations.lines) >= MIN_LINES
+    enough = len(problem.observations.lines) >= MIN_SEPARATING_LINES
     usual = float(problem.default_surface_sigmas.max()) if free[3] else 1.0
     bounds = [
         *[(np.log(FACTOR_LIMITS[0]), np.log(FACTOR_LIMITS[1]))] * len(COMPONENT_NAMES),
-        (np.log(SMALLEST_SURFACE / usual), np.log(LARGEST_SURFACE / usual)),
+        (np.log(MIN_SURFACE_SIGMA / usual), np.log(MAX_SURFACE_SIGMA / usual)),
     ]
 
-    def unlikeliness(some: Array) -> float:
+    def deviance(some: Array) -> float:
         factors = np.zeros(4)
         factors[free] = some
         return likelihood(factors)
@@ -203,7 +212,7 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
     best = min(
         (
             scipy.optimize.minimize(
-                unlikeliness, start[free], method="Nelder-Mead",
+                deviance, start[free], method="Nelder-Mead",
                 bounds=[bound for bound, is_free in zip(bounds, free, strict=True) if is_free],
                 options={"xatol": 0.01, "fatol": 0.01, "maxfev": 600},
             )
@@ -211,7 +220,7 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
         ),
         key=lambda result: float(result.fun),
     )  # fmt: skip
-    curvature = _likelihood_curvature(unlikeliness, best.x) / 2
+    curvature = _likelihood_curvature(deviance, best.x) / 2
     found, spread, alone = np.zeros(4), np.full(4, np.inf), np.full(4, np.inf)
     found[free] = best.x
     spread[free] = np.sqrt(np.diag(np.linalg.inv(curvature)))
@@ -230,16 +239,16 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
 
 
 def _likelihood_curvature(
-    likelihood: Callable[[Array], float], at: Array, step: float = 0.1
+    likelihood: Callable[[Array], float], centre: Array, step: float = 0.1
 ) -> Array:
     """Matrix of second derivatives of the likelihood, with eigenvalues of at least 1e-3."""
-    middle, steps = likelihood(at), step * np.eye(len(at))
-    there = np.array([likelihood(at + h) for h in steps])
-    curvature = np.empty((len(at), len(at)))
-    for j, one in enumerate(steps):
-        curvature[j, j] = there[j] - 2 * middle + likelihood(at - one)
+    middle, steps = likelihood(centre), step * np.eye(len(centre))
+    there = np.array([likelihood(centre + h) for h in steps])
+    curvature = np.empty((len(centre), len(centre)))
+    for j, step_j in enumerate(steps):
+        curvature[j, j] = there[j] - 2 * middle + likelihood(centre - step_j)
         for k in range(j):
-            both = likelihood(at + one + steps[k])
+            both = likelihood(centre + step_j + steps[k])
             curvature[j, k] = curvature[k, j] = both - there[j] - there[k] + middle
     values, directions = np.linalg.eigh(curvature / step**2)
     return np.asarray((directions * np.maximum(values, 1e-3)) @ directions.T)
@@ -254,18 +263,18 @@ class _RestrictedLikelihood:
 
     def __init__(self, linearised: LinearisedProblem) -> None:
         problem, self.normal = linearised.problem, linearised.normal
-        knots, effects = problem.groups.knots, linearised.state.effects
+        knots, pos_errors = problem.groups.knots, linearised.state.pos_errors
         assert knots is not None
         # A loss also reduces the weights of large residuals that follow the normal distribution.
-        self.points = len(problem.observations) * linearised.loss.kept
+        self.points = len(problem.observations) * linearised.loss.expected_square_share
         self.knots = len(knots.time)
         self.kind = np.tile([1, 1, 1, 2, 2, 2], self.knots)
         self.own = knots.precision_diagonal.reshape(-1)
         self.beside = knots.precision_beside.reshape(-1)
-        weighted = knots.apply_prior_precision(effects)
+        weighted = knots.apply_prior_precision(pos_errors)
         self.prior_pull = weighted.reshape(-1)
         self.prior_quadratic = [0.0] + [
-            float((weighted * effects)[:, part].sum()) for part in (slice(3), slice(3, 6))
+            float((weighted * pos_errors)[:, part].sum()) for part in (slice(3), slice(3, 6))
         ]
         self.band = self.normal.band.copy()
         self.band[0] -= self.own
@@ -297,18 +306,27 @@ class _RestrictedLikelihood:
                 self.fixed_quadratic += float(off[parameter.index] ** 2 * self.diagonal[k])
 
     def __call__(self, given: Array) -> float:
-        log_factors, rough = np.array(given[:3]), float(given[3]) if len(given) > 3 else 0.0
-        normal, trust, smooth = self.normal, np.exp(-2 * log_factors), np.exp(-2 * rough)
-        band = self.band * trust[0]
-        band[0] += self.own * trust[self.kind]
-        band[6, : len(self.beside)] += self.beside * trust[self.kind[: len(self.beside)]]
-        pull = self.pull * trust[0] - self.prior_pull * trust[self.kind]
-        mixed = normal.mixed * trust[0]
-        prior = np.where(self.surfaces > 0, smooth, 1.0)
-        matrix = normal.matrix * trust[0]
+        log_factors, log_form_factor = (
+            np.array(given[:3]),
+            float(given[3]) if len(given) > 3 else 0.0,
+        )
+        normal, precision_factors, form_precision_factor = (
+            self.normal,
+            np.exp(-2 * log_factors),
+            np.exp(-2 * log_form_factor),
+        )
+        band = self.band * precision_factors[0]
+        band[0] += self.own * precision_factors[self.kind]
+        band[6, : len(self.beside)] += (
+            self.beside * precision_factors[self.kind[: len(self.beside)]]
+        )
+        pull = self.pull * precision_factors[0] - self.prior_pull * precision_factors[self.kind]
+        mixed = normal.mixed * precision_factors[0]
+        prior = np.where(self.surfaces > 0, form_precision_factor, 1.0)
+        matrix = normal.matrix * precision_factors[0]
         places = np.arange(len(matrix))
-        matrix[places, places] += self.diagonal * (prior - trust[0])
-        right = (normal.right - self.prior_right) * trust[0] + self.prior_right * prior
+        matrix[places, places] += self.diagonal * (prior - precision_factors[0])
+        right = (normal.right - self.prior_right) * precision_factors[0] + self.prior_right * prior
         factor = cholesky_factor(band)
         halved, halved_pull = (
             forward_substitution(factor, mixed.T),
@@ -323,13 +341,15 @@ class _RestrictedLikelihood:
         fixed = self.fixed_quadratic + self.surface_quadratic
         data = normal.quadratic - sum(self.prior_quadratic) - fixed
         quadratic = (
-            data * trust[0]
-            + float(np.dot(self.prior_quadratic, trust))
+            data * precision_factors[0]
+            + float(np.dot(self.prior_quadratic, precision_factors))
             + self.fixed_quadratic
-            + self.surface_quadratic * smooth
+            + self.surface_quadratic * form_precision_factor
             - float(halved_pull @ halved_pull)
             - float(explained @ explained)
         )
         determinants = 2 * np.log(factor[0]).sum() + 2 * np.log(np.diag(lower) / scale).sum()
         counts = np.array([self.points, 3 * self.knots, 3 * self.knots])
-        return float(2 * counts @ log_factors + 2 * self.used * rough + determinants + quadratic)
+        return float(
+            2 * counts @ log_factors + 2 * self.used * log_form_factor + determinants + quadratic
+        )

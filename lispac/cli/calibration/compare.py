@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
+from lispac.cli.messages import print_messages
 from lispac.errors import ProjectError
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, error
@@ -26,7 +27,8 @@ if TYPE_CHECKING:
         RepeatedCalibrations,
     )
 
-DISTANCES_M = (10.0, 50.0, 100.0)
+EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
+"""Distances from the scanner for which the effect of a difference on a point is printed."""
 METHOD_TEXTS: dict[Method, str] = {
     "natural planes": "adjustment with the validation planes instead of the targets",
     "targetless": "adjustment with surfaces detected automatically in the scene",
@@ -76,29 +78,28 @@ def run(arguments: Namespace) -> None:
     compared = calibrations_of(arguments.projects)
     found, counted = compared.each, compared.counted
     only = len(found) > len(counted) == 1
-    together = single_calibration(counted[0]) if only else combine_calibrations(counted)
+    combined = single_calibration(counted[0]) if only else combine_calibrations(counted)
     against = [compare_calibrations(found[0], each) for each in found[1:]]
     if arguments.json:
         print_json(
             {
                 "calibrations": [_calibration_values(each) for each in found],
                 "differences": [_difference_values(each) for each in against],
-                "combined": _combined_values(together)
+                "combined": _combined_values(combined)
                 | {"counted": [each.name for each in counted]},
                 "messages": list(map(message_text, compared.messages)),
             }
         )
         return
-    _print_comparison(found, against, together, len(counted))
+    _print_comparison(found, against, combined, len(counted))
     sys.stdout.flush()
-    for message in compared.messages:
-        print(f"note: {message_text(message)}", file=sys.stderr)
+    print_messages(compared.messages)
 
 
 def _print_comparison(
     calibrations: Sequence[Calibration],
     against: Sequence[CalibrationDifference],
-    together: RepeatedCalibrations,
+    combined: RepeatedCalibrations,
     counted: int,
 ) -> None:
     import numpy as np
@@ -110,9 +111,9 @@ def _print_comparison(
     print(f"{'calibration':{width}s}{heads}  deg")
     for each in calibrations:
         print(f"{each.name:{width}s}{_angle_cells(each.boresight, each.sigma)}")
-    print(f"{'all together':{width}s}{_angle_cells(together.boresight, together.sigma)}")
-    if together.spread is not None:
-        print(f"{'spread':{width}s}" + "".join(f"{v:20.4f}" for v in np.degrees(together.spread)))
+    print(f"{'all together':{width}s}{_angle_cells(combined.boresight, combined.sigma)}")
+    if combined.spread is not None:
+        print(f"{'spread':{width}s}" + "".join(f"{v:20.4f}" for v in np.degrees(combined.spread)))
     print(f"\ndifference from {calibrations[0].name}, and (difference / sigma)")
     for change in against:
         cells = "".join(
@@ -121,7 +122,8 @@ def _print_comparison(
         )
         print(f"{change.second:{width}s}{cells}")
         effects = ", ".join(
-            f"{100 * change.largest_displacement(far):.1f} cm at {far:.0f} m" for far in DISTANCES_M
+            f"{100 * change.largest_displacement(far):.1f} cm at {far:.0f} m"
+            for far in EFFECT_DISTANCES_M
         )
         verdict = "DIFFER" if change.differ else "agree"
         print(
@@ -129,9 +131,9 @@ def _print_comparison(
             f"point shift {effects}"
         )
     if counted > 2:
-        relation = "MORE than" if together.differ else "as"
+        relation = "MORE than" if combined.differ else "as"
         words = f"scatter {relation} expected from their sigmas"
-        print(f"\nall calibrations {words} ({_probability_text(together.probability)})")
+        print(f"\nall calibrations {words} ({_probability_text(combined.probability)})")
 
 
 def _probability_text(probability: float) -> str:
@@ -171,8 +173,8 @@ def _difference_values(each: CalibrationDifference) -> dict[str, Any]:
         "probability": each.probability,
         "differ": each.differ,
         "rotation_deg": float(np.degrees(each.turn)),
-        "distances_m": list(DISTANCES_M),
-        "displacement_m": [each.largest_displacement(d) for d in DISTANCES_M],
+        "distances_m": list(EFFECT_DISTANCES_M),
+        "displacement_m": [each.largest_displacement(d) for d in EFFECT_DISTANCES_M],
     }
 
 
@@ -245,10 +247,10 @@ def _run_missing_methods(project: Project) -> tuple[Project, dict[str, Message]]
 
 def _print_methods(results: tuple[MethodResult, ...]) -> None:
     from lispac.method_comparison import comparison_messages
-    from lispac.present.methods import METHOD_RESULTS, MethodValues, method_differences
+    from lispac.present.methods import METHOD_RESULTS_TABLE, MethodValues, method_differences
 
     rows = [MethodValues.of(each) for each in results]
-    print_table(METHOD_RESULTS, rows)
+    print_table(METHOD_RESULTS_TABLE, rows)
     if len(rows) > 1:
         print_table(*method_differences(rows))
     for message in comparison_messages(results):

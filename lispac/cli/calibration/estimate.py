@@ -259,7 +259,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         )  # fmt: skip
         if arguments.no_cross_checks:
             return result, None
-        observations = observations.with_sigmas(*result.sigma_factors)
+        observations = observations.with_scaled_sigmas(*result.sigma_factors)
         return result, cross_checks(
             observations, mounting, result, settings.parameters, progress=progress
         )

@@ -1,4 +1,4 @@
-"""``lispac patchtest``: LiDAR patch test on objects that lines share."""
+"""``lispac patchtest``: LiDAR patch test on objects that several lines have in common."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-NUMBERS = (6, 7)
-"""Count of the numbers that define a box, without and with a rotation."""
+BOX_NUMBER_COUNTS = (6, 7)
+"""Numbers of values that define a box, without and with a rotation."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -82,16 +82,16 @@ def run(arguments: Namespace) -> None:
             pairs = _selected_pairs(survey, arguments.pairs or (), arguments.lines)
             if count:
                 step = sub_progress(progress, 0.3, 0.6)
-                laid = workflow.propose_objects(project, survey, count=count, progress=step)
+                placed = workflow.propose_objects(project, survey, count=count, progress=step)
                 if given_objects:
-                    objects = (*given_objects, *laid.objects)
-                    laid = workflow.place_objects(project, survey, objects, laid.boresight)
+                    objects = (*given_objects, *placed.objects)
+                    placed = workflow.place_objects(project, survey, objects, placed.boresight)
             else:
-                laid = workflow.place_objects(
+                placed = workflow.place_objects(
                     project, survey, given_objects, survey.alignment.mounting.boresight
                 )
             found = workflow.find_boresight(
-                project, survey, laid, pairs=pairs, progress=sub_progress(progress, 0.6, 1.0)
+                project, survey, placed, pairs=pairs, progress=sub_progress(progress, 0.6, 1.0)
             )
         if arguments.save:
             save_project(project.with_alternative_result(patch_test_result(found)))
@@ -182,11 +182,11 @@ def _parse_object(name: str, text: str) -> PatchObject:
         values = [float(word) for word in text.split(",")]
     except ValueError:
         values = []
-    if len(values) not in NUMBERS:
+    if len(values) not in BOX_NUMBER_COUNTS:
         raise UsageError(
             f"patchtest: {name}={text} is not NAME=N,W,U,A,L,H or NAME=N,W,U,A,L,H,TURN."
         )
-    turn = np.radians(values[6]) if len(values) == NUMBERS[1] else 0.0
+    turn = np.radians(values[6]) if len(values) == BOX_NUMBER_COUNTS[1] else 0.0
     return object_of_box(name, ObjectBox(np.array(values[:3]), np.array(values[3:6]), float(turn)))
 
 

@@ -21,7 +21,7 @@ from lispac.cli.console import ConsoleProgress, UsageError, opened_project, prin
 from lispac.cli.messages import print_messages
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, note
-from lispac.targets.finder_settings import RADII, THRESHOLDS, FinderChoices
+from lispac.targets.finder_settings import RADIUS_LIMITS, THRESHOLD_LIMITS, FinderChoices
 
 if TYPE_CHECKING:
     from lispac.project import Project, Target
@@ -78,14 +78,14 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--line", help="with --seed: search in this line only")
     parser.add_argument(
         "--threshold",
-        type=number_within(*THRESHOLDS),
+        type=number_within(*THRESHOLD_LIMITS),
         metavar="METRES",
         help="RANSAC distance threshold (m; default 0.01, or 3 LiDAR sigma if larger; for spheres "
         "at least 0.03, or 0.3 of a known radius if smaller)",
     )
     parser.add_argument(
         "--radius",
-        type=number_within(*RADII),
+        type=number_within(*RADIUS_LIMITS),
         metavar="METRES",
         help="search radius about the seed (m; default 2 for targets, 4 to 20 for validation "
         "planes)",
@@ -116,7 +116,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Find planes or spheres in every line and save them."""
+    """Find a target, or all targets of a list, in every line and save them."""
     _require_matching_options(arguments)
     how = _search_arguments(arguments)
     with opened_project(arguments.project, change=True) as project:
@@ -130,7 +130,7 @@ def _pick_in_project(arguments: Namespace, project: Project, how: dict[str, Any]
     from lispac.workflow.calibration import picking
     from lispac.workflow.calibration.sighting_assessment import assess_target
     from lispac.workflow.output.export_request import output_system_of
-    from lispac.workflow.output.output_crs import LOCAL
+    from lispac.workflow.output.output_crs import LOCAL_FRAME
     from lispac.workflow.project import projects
     from lispac.workflow.project.coordinates import require_near_trajectory
     from lispac.workflow.project.survey import load_survey
@@ -138,7 +138,7 @@ def _pick_in_project(arguments: Namespace, project: Project, how: dict[str, Any]
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
     system = output_system_of(
-        project, survey.trajectory, arguments.crs or LOCAL, arguments.height,
+        project, survey.trajectory, arguments.crs or LOCAL_FRAME, arguments.height,
         arguments.trajectory_datum, arguments.epoch,
     )  # fmt: skip
     if arguments.seeds is not None:
@@ -172,7 +172,7 @@ def _pick_in_project(arguments: Namespace, project: Project, how: dict[str, Any]
 
 
 def _shared_points_values(project: Project, target: Target) -> dict[str, Any] | None:
-    """Values of the target with the most points in common; None if there is none."""
+    """Name of the target with the largest share of common points, line and share; None if none."""
     from lispac.duplicate_targets import find_overlap
 
     found = find_overlap(target, project.targets)
@@ -182,12 +182,12 @@ def _shared_points_values(project: Project, target: Target) -> dict[str, Any] | 
 
 
 def _require_matching_options(arguments: Namespace) -> None:
-    """Raise an error if options cannot be combined.
+    """Refuse options that cannot be combined.
 
     Raises
     ------
     UsageError
-        If options exclude each other or a value is out of range.
+        If an option is missing, options exclude each other or a value is out of range.
     """
     if arguments.sphere_radius is not None and arguments.shape != "sphere":
         raise UsageError("--sphere-radius requires --shape sphere")
@@ -311,7 +311,7 @@ def _pick_list(
     Raises
     ------
     TargetNotFound
-        If no target was found for a seed; the other targets are saved nevertheless.
+        If no target was found for a seed; the targets of the other seeds are saved.
     """
     from lispac.workflow.calibration.seed_lists import (
         pick_seeds,
@@ -357,12 +357,12 @@ def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> d
     }  # fmt: skip
     if target is None:
         return content | {"lines": {}, "missing": {}}
-    judged = assess_target(project, survey, target)
+    rated = assess_target(project, survey, target)
     lines = {
         s.line: {
             "points": len(s.indices),
             "rms_m": s.rms,
-            "quality": json_values(sighting_quality_values(target.name, s.line, judged[s.line])),
+            "quality": json_values(sighting_quality_values(target.name, s.line, rated[s.line])),
         }
         for s in target.sightings
     }

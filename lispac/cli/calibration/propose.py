@@ -6,7 +6,7 @@ from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, opened_project, print_json
-from lispac.cli.messages import warnings_as_json
+from lispac.cli.messages import print_messages, warnings_as_json
 from lispac.errors import ProjectError
 from lispac.message_texts import english_text, message_text
 from lispac.messages import error
@@ -33,7 +33,7 @@ def run(arguments: Namespace) -> None:
 
     from lispac.adjustment.result import ANGLES
     from lispac.language import to_plain_text
-    from lispac.workflow.calibration.proposal_acceptance import with_accepted
+    from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
     from lispac.workflow.calibration.proposals import propose_targets as proposal_for
     from lispac.workflow.calibration.target_search import thinned_notes
     from lispac.workflow.project import projects
@@ -48,11 +48,10 @@ def run(arguments: Namespace) -> None:
             survey = load_survey(project, progress=progress)
         with ConsoleProgress() as progress:
             proposal = proposal_for(project, survey, progress=progress)
-        for each in (each for target in proposal.targets for each in thinned_notes(target)):
-            print(f"note: {message_text(each)}", file=sys.stderr)
+        print_messages(each for target in proposal.targets for each in thinned_notes(target))
         if arguments.accept:
             names = [target.name for target in proposal.targets]
-            projects.save_project(with_accepted(project, proposal, names)[0])
+            projects.save_project(with_accepted_targets(project, proposal, names)[0])
     sigma = dict(zip(ANGLES, (float(s) for s in np.degrees(proposal.sigma)), strict=True))
     if arguments.json:
         targets = [
@@ -73,5 +72,4 @@ def run(arguments: Namespace) -> None:
         print(f"{target.name:4s} {target.role:10s} at {north:.2f} {west:.2f} {up:.2f} m")
         print(f"     {to_plain_text(message_text(proposal.reasons[target.name]))}")
     print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
-    for warning in proposal.warnings:
-        print(f"warning: {to_plain_text(message_text(warning))}")
+    print_messages(proposal.warnings, sys.stdout)

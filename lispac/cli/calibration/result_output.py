@@ -12,10 +12,10 @@ from lispac.language import number_with_noun, to_plain_text
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.adjustment import adjustment_values, angle_values, boresight_table
-from lispac.present.angles import SIGMAS, angles
+from lispac.present.angles import SIGMAS_TABLE, angles
 from lispac.present.cross_checks import cross_check_values, spread_rows
 from lispac.present.json_values import json_values
-from lispac.present.parameters import PARAMETERS, VARIANCE_COMPONENTS
+from lispac.present.parameters import PARAMETERS_TABLE, VARIANCE_COMPONENTS_TABLE
 from lispac.project import Project
 from lispac.survey.conventions.mounting_texts import orientation_text
 
@@ -30,7 +30,7 @@ def project_result_values(project: Project) -> dict[str, Any]:
 def result_values(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> dict[str, Any]:
-    """Result of an adjustment as plain values: the keys of the JSON report."""
+    """Result of an adjustment as plain values, with the keys of the JSON report."""
     values: dict[str, Any] = json_values(adjustment_values(result))
     return values | {
         "elapsed_s": result.elapsed,
@@ -59,9 +59,9 @@ def print_result(
     if result.mounting.axes is not None:
         print_steep_rotation(result)
     if checks is not None:
-        print_table(SIGMAS, spread_rows(cross_check_values(checks)))
+        print_table(SIGMAS_TABLE, spread_rows(cross_check_values(checks)))
     if values.parameters:
-        print_table(PARAMETERS, values.parameters)
+        print_table(PARAMETERS_TABLE, values.parameters)
     for parameter in values.parameters:
         if parameter.reason:
             print(to_plain_text(message_text(parameter.reason)))
@@ -86,7 +86,7 @@ def print_result(
         f"{result.rms_after * 1000:.1f} mm after"
     )
     if values.components:
-        print_table(VARIANCE_COMPONENTS, values.components)
+        print_table(VARIANCE_COMPONENTS_TABLE, values.components)
     for each in result.observability.messages if result.observability else ():
         print(to_plain_text(message_text(each)))
     found = result_warnings(result, checks, also)
@@ -97,7 +97,10 @@ def print_result(
 
 
 def print_steep_rotation(result: AdjustmentResult) -> None:
-    """Print the rotation matrix for a steep pitch, where roll and yaw are nearly dependent."""
+    """Print orientation and rotation matrix if the pitch is steep.
+
+    Roll and yaw are then nearly dependent on each other.
+    """
     print(
         "The pitch is near 90 deg: roll and yaw are hardly separable. The sigmas are those of "
         "small rotations about the body axes (forward, left, down)."

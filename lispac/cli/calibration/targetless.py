@@ -84,7 +84,7 @@ def run(arguments: Namespace) -> None:
 
 
 def _kept_note(project: Project, found: TargetlessResult) -> Message:
-    """Text that says where the result was saved."""
+    """Note on how the result was saved in the project."""
     if project.is_targetless:
         return note("targetless.kept", count=len(found.project.targets))
     return note("targetless.kept_beside")

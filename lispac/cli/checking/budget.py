@@ -26,7 +26,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> None:
     """Print a table for each direction of the beam."""
-    from lispac.adjustment.diagnostics.error_budget import DISTANCES
+    from lispac.adjustment.diagnostics.error_budget import DEFAULT_DISTANCES
     from lispac.present.error_budget import ErrorBudgetValues, budget_table
     from lispac.present.json_values import json_values
     from lispac.workflow.checking.budget import error_budget_of
@@ -38,7 +38,10 @@ def run(arguments: Namespace) -> None:
         survey = load_survey(project, progress=progress)
     found = ErrorBudgetValues.of(
         error_budget_of(
-            project, survey, arguments.distance or DISTANCES, lever_sigma=arguments.lever_arm_sigma
+            project,
+            survey,
+            arguments.distance or DEFAULT_DISTANCES,
+            lever_sigma=arguments.lever_arm_sigma,
         )
     )
     if arguments.json:

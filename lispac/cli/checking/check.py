@@ -1,10 +1,7 @@
 """``lispac check``: distances of the lines from a reference."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import (
     add_crs_options,
@@ -15,9 +12,6 @@ from lispac.cli.argument_types import (
 from lispac.cli.console import ConsoleProgress, opened_project, print_json, print_table
 from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
-
-if TYPE_CHECKING:
-    pass
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -42,10 +36,10 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Compare the lines with a reference, and save the figures."""
+    """Compare the lines with a reference, save the result and print it."""
     from lispac.present.absolute import (
-        REFERENCE_DISTANCES,
-        SURVEYED_POINTS,
+        REFERENCE_DISTANCES_TABLE,
+        SURVEYED_POINTS_TABLE,
         AbsoluteCheckValues,
         line_states,
     )
@@ -69,9 +63,9 @@ def run(arguments: Namespace) -> None:
     if arguments.json:
         print_json(json_values(found))
         return
-    print_table(REFERENCE_DISTANCES, line_states(found))
+    print_table(REFERENCE_DISTANCES_TABLE, line_states(found))
     if found.points:
-        print_table(SURVEYED_POINTS, found.points)
+        print_table(SURVEYED_POINTS_TABLE, found.points)
     for message in found.messages:
         print(message_text(message))
     for reason in found.not_compared:

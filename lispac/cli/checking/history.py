@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from lispac.cli.argument_types import add_json_option, picture_file
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print a table for each system and, on request, draw the control chart of the first one."""
+    """Print a table for each system and, on request, draw the control chart of the first system."""
     from lispac.workflow.checking.calibration_history import read_histories
 
     with ConsoleProgress() as progress:
@@ -53,8 +54,7 @@ def run(arguments: Namespace) -> None:
     for each in found:
         _print_calibrations(each)
     sys.stdout.flush()
-    for message in [*messages, *(words for each in found for words in each.messages)]:
-        print(f"note: {message_text(message)}", file=sys.stderr)
+    print_messages([*messages, *(message for each in found for message in each.messages)])
 
 
 def _print_calibrations(history: CalibrationHistory) -> None:

@@ -11,17 +11,19 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, picture_file, positive_number
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 from lispac.untrusted_values import as_csv_cell
 
 if TYPE_CHECKING:
     from lispac.workflow.checking.line_quality import DifferenceStatistics, LineQuality
 
-HEADS = ("places", "median", "RMSD", "robust", "95 %", "largest")
-LIST_HEADS = (
+COLUMN_TITLES = ("places", "median", "RMSD", "robust", "95 %", "largest")
+"""Titles of the columns with numbers in the printed table."""
+CSV_COLUMN_NAMES = (
     "first", "second", "north_m", "west_m", "up_m", "difference_m", "interval_95_m", "upward",
 )  # fmt: skip
-"""Columns of the list of differences."""
+"""Titles of the columns of the CSV file."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -49,7 +51,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print the differences of each two lines by surface orientation; draw and list them."""
+    """Print the differences between lines by orientation of the surface; draw and list them."""
     from lispac.progress import sub_progress
     from lispac.workflow.checking.line_quality import line_quality
     from lispac.workflow.project.projects import open_project
@@ -81,8 +83,7 @@ def run(arguments: Namespace) -> None:
         return
     _print_differences(found)
     sys.stdout.flush()
-    for reason in found.not_compared:
-        print(f"note: {message_text(reason)}", file=sys.stderr)
+    print_messages(found.not_compared)
 
 
 def _statistics_in_metres(figures: DifferenceStatistics) -> dict[str, float | None]:
@@ -96,7 +97,7 @@ def _print_differences(result: LineQuality) -> None:
     print(
         f"Differences between lines along the normal of flat places, {result.which} boresight, mm"
     )
-    heads = "".join(f"{head:>9s}" for head in HEADS)
+    heads = "".join(f"{head:>9s}" for head in COLUMN_TITLES)
     print(f"{'first':{width}s}{'second':{width}s}{'facing':9s}{heads}")
     for one, other, facing, each in rows:
         sizes = (each.rmsd, each.robust_sigma, each.p95, each.largest)
@@ -126,7 +127,7 @@ def _write_differences(result: LineQuality, path: Path) -> None:
 
     with atomic_write(path) as temporary, temporary.open("w", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(LIST_HEADS)
+        writer.writerow(CSV_COLUMN_NAMES)
         for pair in result.pairs:
             table = np.column_stack(
                 [pair.place, pair.distance, pair.half_width, np.abs(pair.normal[:, 2])]

@@ -22,14 +22,14 @@ def run(arguments: Namespace) -> None:
     import numpy as np
 
     from lispac.adjustment.result import ANGLES
-    from lispac.workflow.checking.subsampling import DISTANCES, subsampling_study
+    from lispac.workflow.checking.subsampling import DEFAULT_DISTANCES, subsampling_study
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey
 
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
-        distances = arguments.distances or DISTANCES
+        distances = arguments.distances or DEFAULT_DISTANCES
         found = subsampling_study(project, survey, distances, progress=progress)
     if arguments.json:
         print_json(

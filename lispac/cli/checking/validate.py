@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping
 from dataclasses import replace
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import add_json_option, finite_number
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
-from lispac.cli.messages import warnings_as_json
+from lispac.cli.messages import print_messages, warnings_as_json
 from lispac.message_texts import english_text, message_text
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Compare the lines on the validation planes and save the figures.
+    """Compare the lines on the validation planes, save the result and print it.
 
     Raises
     ------
@@ -51,7 +52,7 @@ def run(arguments: Namespace) -> None:
     from lispac.duplicate_targets import project_warnings
     from lispac.present.json_values import json_values
     from lispac.present.validation import ValidationPlane
-    from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
+    from lispac.validation.local_models import DEFAULT_NEIGHBOURS, LocalModel
     from lispac.workflow.checking.validation import validate as validated
     from lispac.workflow.project import projects
     from lispac.workflow.project.survey import load_survey
@@ -62,7 +63,7 @@ def run(arguments: Namespace) -> None:
             "validate: --radius and --neighbours do not apply to --distance-to point; omit them "
             "or use --distance-to plane."
         )
-    usual = USUAL_NEIGHBOURS[kind]
+    usual = DEFAULT_NEIGHBOURS[kind]
     model = LocalModel(
         kind, usual if arguments.neighbours is None else arguments.neighbours, arguments.radius
     )
@@ -90,7 +91,10 @@ def run(arguments: Namespace) -> None:
 
 
 def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
-    """RMS distance between the lines on each plane with the simulated boresight, metres."""
+    """RMS distance between the lines with the true boresight, metres, by validation plane.
+
+    Empty for a real survey, whose true boresight is unknown.
+    """
     from lispac.workflow.checking.validation import validate_with_truth
 
     if project.truth_deg is None:
@@ -101,11 +105,10 @@ def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
 def print_validation(project: Project, true: Mapping[str, float]) -> None:
     """Print the distances between the lines, one row for each plane."""
     from lispac.duplicate_targets import project_warnings
-    from lispac.language import to_plain_text
     from lispac.present.tables import PLAIN_MILLIMETRES, Column
-    from lispac.present.validation import PLANE_DISTANCES, ValidationPlane
+    from lispac.present.validation import PLANE_DISTANCES_TABLE, ValidationPlane
 
-    table = PLANE_DISTANCES
+    table = PLANE_DISTANCES_TABLE
     if true:
         with_truth = Column[ValidationPlane](
             lambda plane: true.get(plane.name), "RMS with truth", PLAIN_MILLIMETRES
@@ -114,5 +117,4 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
     print_table(table, [ValidationPlane.of(each) for each in project.validation])
     for reason in project.not_compared.values():
         print(f"not compared: {message_text(reason)}")
-    for message in project_warnings(project):
-        print(f"note: {to_plain_text(message_text(message))}")
+    print_messages(project_warnings(project), sys.stdout)

@@ -27,8 +27,8 @@ def run(arguments: Namespace) -> None:
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.6))
-        judged = sighting_qualities(project, survey, progress=sub_progress(progress, 0.6, 1.0))
-    found = warnings_of(project, survey, judged)
+        rated = sighting_qualities(project, survey, progress=sub_progress(progress, 0.6, 1.0))
+    found = warnings_of(project, survey, rated)
     if arguments.json:
         print_json({"warnings": warnings_as_json(found)})
         return

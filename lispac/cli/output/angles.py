@@ -183,7 +183,7 @@ def _conversion_input(arguments: Namespace) -> ConversionInput:
 def _input_of_project(folder: Path, setup: ConventionSetup) -> ConversionInput:
     import numpy as np
 
-    from lispac.cli.output.angles_output import OF_PROJECT, ConversionInput
+    from lispac.cli.output.angles_output import PROJECT_INPUT_NAME, ConversionInput
     from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
     from lispac.workflow.project.projects import open_project
 
@@ -198,7 +198,7 @@ def _input_of_project(folder: Path, setup: ConventionSetup) -> ConversionInput:
         True,
         np.asarray(result.covariance)[:3, :3],
         UNCORRELATED_WARNING if independent else None,
-        OF_PROJECT,
+        PROJECT_INPUT_NAME,
     )
 
 

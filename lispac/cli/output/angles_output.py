@@ -16,7 +16,7 @@ from lispac.survey.conventions.conversion import (
     MountingInSystem,
     convert_to_system,
 )
-from lispac.survey.conventions.correction import SUM_MATTERS, BoresightCorrection
+from lispac.survey.conventions.correction import SUM_TOLERANCE_RAD, BoresightCorrection
 from lispac.survey.conventions.mounting_replacement import MountingReplacement
 from lispac.survey.conventions.mounting_texts import (
     CHECK_FIRST,
@@ -29,15 +29,18 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-WIDTH = 92
-LABEL = 12
-_NEW: dict[Status, str] = {
+TEXT_WIDTH = 92
+LABEL_WIDTH = 12
+"""Numbers of characters in a line of text, and in the labels at its beginning."""
+_NEW_ANGLES_LABELS: dict[Status, str] = {
     "verified": "ENTER",
     "partly": "CHECK FIRST",
     "unverified": "CHECK FIRST",
 }
-"""Title of the new angles, by status: assumptions of a convention must be checked first."""
-OF_PROJECT = "estimated"
+"""Label of the new angles, by status of the convention; one that is not fully verified must be
+checked first."""
+PROJECT_INPUT_NAME = "estimated"
+"""`ConversionInput.name` of the result of a project."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +51,10 @@ class ConversionInput:
     ----------
     covariance : ndarray of shape (3, 3), radians squared, or None
         Covariance of the angles from an adjustment.
+    warning : Message or None
+        Warning about the covariance.
+    name : str
+        Label of the angles, which describes their source.
     typed : ndarray of shape (3,), radians, or None
         The angles as entered by the user.
     """
@@ -69,7 +76,7 @@ def print_conversion(
     _print_input(conversion_input)
     print()
     if (
-        conversion_input.name == OF_PROJECT
+        conversion_input.name == PROJECT_INPUT_NAME
         and convention.key == "lispac"
         and new.correction is None
     ):
@@ -93,7 +100,7 @@ def list_systems(as_json: bool) -> None:
     )
     print()
     for each in SYSTEMS:
-        print(f"{each.key:{LABEL}s}{each.name}: {STATUS_WORDS[each.status]}")
+        print(f"{each.key:{LABEL_WIDTH}s}{each.name}: {STATUS_WORDS[each.status]}")
         _print_labelled("", f"angles {', '.join(each.names)}" if each.has_angles else "matrix only")
         _print_rules(ConventionSetup(each))
         _print_labelled("", f"source: {each.source}")
@@ -111,8 +118,12 @@ def _print_rules(setup: ConventionSetup) -> None:
 
 
 def _print_labelled(label: str, text: str) -> None:
-    indent = " " * LABEL
-    print(textwrap.fill(text, WIDTH, initial_indent=f"{label:{LABEL}s}", subsequent_indent=indent))
+    indent = " " * LABEL_WIDTH
+    print(
+        textwrap.fill(
+            text, TEXT_WIDTH, initial_indent=f"{label:{LABEL_WIDTH}s}", subsequent_indent=indent
+        )
+    )
 
 
 def _optional_text(message: Message | None) -> str:
@@ -120,13 +131,15 @@ def _optional_text(message: Message | None) -> str:
 
 
 def _angle_heads(setup: ConventionSetup) -> str:
-    return f"{'degrees':{LABEL}s}" + "".join(f"{name:>14s}" for name in setup.convention.names)
+    return f"{'degrees':{LABEL_WIDTH}s}" + "".join(
+        f"{name:>14s}" for name in setup.convention.names
+    )
 
 
 def _angle_row(label: str, values: Array, *, signed: bool = True, decimals: int = 4) -> str:
     sign = "+" if signed else ""
     numbers = np.degrees(values)
-    return f"{label:{LABEL}s}" + "".join(
+    return f"{label:{LABEL_WIDTH}s}" + "".join(
         f"{value + 0.0:{sign}14.{decimals}f}" for value in np.round(numbers, decimals)
     )
 
@@ -140,7 +153,7 @@ def _print_input(conversion_input: ConversionInput) -> None:
         own = convert_to_system(mounting, setup, conversion_input.covariance)
         assert own.angles is not None
         print(_angle_heads(setup))
-        # Print the entered angles: a different triple may describe the same rotation.
+        # The angles are printed as entered, since other angles may describe the same rotation.
         print(
             _angle_row(
                 conversion_input.name,
@@ -170,9 +183,9 @@ def _print_converted(conversion_input: ConversionInput, new: MountingReplacement
         decimals = 4 if mounting.note is None else 8
         print(_angle_heads(setup))
         if correction is None:
-            print(_angle_row(_NEW[setup.status], mounting.angles, decimals=decimals))
+            print(_angle_row(_NEW_ANGLES_LABELS[setup.status], mounting.angles, decimals=decimals))
         else:
-            _print_correction(correction, _NEW[setup.status], decimals)
+            _print_correction(correction, _NEW_ANGLES_LABELS[setup.status], decimals)
         _print_sigmas(mounting, conversion_input)
         if setup.status != "verified":
             _print_labelled("", message_text(CHECK_FIRST))
@@ -224,7 +237,7 @@ def _print_correction(correction: BoresightCorrection, label: str, decimals: int
         "", "new matrix = correction matrix · current matrix (correction multiplied from the left)"
     )
     error = correction.sum_error
-    if error > SUM_MATTERS:
+    if error > SUM_TOLERANCE_RAD:
         _print_labelled(
             "",
             f"Do not add the angles: the sum would be wrong by {np.degrees(error):.4f} deg, "
@@ -251,7 +264,7 @@ def _print_matrices(new: MountingReplacement) -> None:
         _print_labelled("correction", "3x3, multiplied from the left: new = correction · current")
         _print_matrix(correction.rotation)
         if mounting.angles is None:
-            _print_labelled(_NEW[setup.status], "3x3, replaces the current matrix")
+            _print_labelled(_NEW_ANGLES_LABELS[setup.status], "3x3, replaces the current matrix")
             _print_matrix(mounting.rotation)
     lever = "lever arm in metres" if new.has_lever_arm else "no lever arm given, zeros used"
     if new.current is not None and new.current.transform is not None and new.transform is not None:
@@ -266,7 +279,7 @@ def _print_matrices(new: MountingReplacement) -> None:
 
 def _print_matrix(matrix: Array) -> None:
     for row in matrix:
-        print(" " * LABEL + " ".join(f"{value + 0.0:14.10f}" for value in np.round(row, 10)))
+        print(" " * LABEL_WIDTH + " ".join(f"{value + 0.0:14.10f}" for value in np.round(row, 10)))
 
 
 def _system_values(setup: ConventionSetup) -> dict[str, Any]:

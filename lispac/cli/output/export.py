@@ -1,6 +1,5 @@
 """``lispac export``: targets and the trajectory for other programs."""
 
-import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import Any
@@ -8,9 +7,12 @@ from typing import Any
 from lispac.cli.argument_types import add_crs_options, add_json_option
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.messages import print_messages
-from lispac.message_texts import message_text
 
-FORMATS = {"targets": ("laz", "las", "csv"), "trajectory": ("sbet", "text"), "planes": ("text",)}
+EXPORT_FORMATS = {
+    "targets": ("laz", "las", "csv"),
+    "trajectory": ("sbet", "text"),
+    "planes": ("text",),
+}
 """Formats of each kind of export, the default first."""
 
 
@@ -57,21 +59,21 @@ def run(arguments: Namespace) -> None:
         If options cannot be combined.
     """
     from lispac.workflow.output.data_export import (
-        SBET_ZEROS,
+        SBET_ZEROS_NOTE,
         export_planes,
         export_targets,
         export_trajectory,
         trajectory_datum_note,
     )
     from lispac.workflow.output.export_request import output_system_of
-    from lispac.workflow.output.output_crs import LOCAL
+    from lispac.workflow.output.output_crs import LOCAL_FRAME
     from lispac.workflow.project.projects import open_project
     from lispac.workflow.project.survey import load_survey
 
     what: str = arguments.what
-    form: Any = arguments.format or FORMATS[what][0]
-    if form not in FORMATS[what]:
-        raise UsageError(f"export {what}: --format is one of {', '.join(FORMATS[what])}")
+    form: Any = arguments.format or EXPORT_FORMATS[what][0]
+    if form not in EXPORT_FORMATS[what]:
+        raise UsageError(f"export {what}: --format is one of {', '.join(EXPORT_FORMATS[what])}")
     on_map = (arguments.crs, arguments.height, arguments.trajectory_datum, arguments.epoch)
     if what != "targets" and any(value not in ("", None) for value in on_map):
         raise UsageError(
@@ -85,9 +87,8 @@ def run(arguments: Namespace) -> None:
     with ConsoleProgress() as progress:
         if what == "trajectory":
             paths = [export_trajectory(project, arguments.output, form)]
-            print(f"note: {message_text(trajectory_datum_note(project))}", file=sys.stderr)
-            if form == "sbet":
-                print(f"note: {message_text(SBET_ZEROS)}", file=sys.stderr)
+            notes = [trajectory_datum_note(project)]
+            print_messages([*notes, SBET_ZEROS_NOTE] if form == "sbet" else notes)
         else:
             survey = load_survey(project, progress=progress)
             names = arguments.targets or ()
@@ -98,7 +99,7 @@ def run(arguments: Namespace) -> None:
                 )  # fmt: skip
             else:
                 system = output_system_of(
-                    project, survey.trajectory, arguments.crs or LOCAL, arguments.height,
+                    project, survey.trajectory, arguments.crs or LOCAL_FRAME, arguments.height,
                     arguments.trajectory_datum, arguments.epoch,
                 )  # fmt: skip
                 paths = export_targets(

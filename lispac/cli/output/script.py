@@ -6,6 +6,7 @@ from pathlib import Path
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 
 
@@ -37,5 +38,4 @@ def run(arguments: Namespace) -> None:
         if arguments.output is not None:
             print()
     sys.stdout.flush()
-    for message in made.messages:
-        print(f"note: {message_text(message)}", file=sys.stderr)
+    print_messages(made.messages)

@@ -81,7 +81,7 @@ def run(arguments: Namespace) -> None:
 
 
 def scatter_table(result: MonteCarloResult) -> str:
-    """Rows of sigmas and of true values within the intervals, with a column for each angle."""
+    """Text table of the results of a simulation, with a column for each angle."""
     from lispac.adjustment.result import ANGLES
 
     lines = [f"{name:22s}" + "".join(f"{cell:>9s}" for cell in row) for name, *row in result.rows]

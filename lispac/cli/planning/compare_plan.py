@@ -17,7 +17,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print the predicted precision, deviations from the plan and the precision obtained."""
+    """Print predicted and obtained standard deviations, and the deviations from the plan."""
     import numpy as np
 
     from lispac.adjustment.result import ANGLES

@@ -54,7 +54,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print the best plan, the contribution of each part and the effect of less time on site."""
+    """Print the best plan, the sigma without each of its parts, and the sigmas of shorter plans."""
     import numpy as np
 
     from lispac.adjustment.result import ANGLES

@@ -12,7 +12,7 @@ from lispac.cli.console import ConsoleProgress, print_json
 if TYPE_CHECKING:
     from lispac.design.scenarios import ScenarioOutcome
 
-FACTORS = (
+FACTOR_NAMES = (
     "lines", "inclination", "size", "targets", "distance", "height", "repeats", "speed", "POS",
 )  # fmt: skip
 """Names of `lispac.design.scenarios.SCENARIOS`."""
@@ -26,8 +26,8 @@ def add_arguments(parser: ArgumentParser) -> None:
              "thesis)",
     )  # fmt: skip
     parser.add_argument(
-        "--only", nargs="+", choices=FACTORS, metavar="SCENARIO",
-        help=f"factors to change (default: all): {', '.join(FACTORS)}",
+        "--only", nargs="+", choices=FACTOR_NAMES, metavar="SCENARIO",
+        help=f"factors to change (default: all): {', '.join(FACTOR_NAMES)}",
     )  # fmt: skip
     parser.add_argument(
         "--output", type=Path, metavar="DIR", help="output folder for tables (CSV) and plots (SVG)"

@@ -1,12 +1,11 @@
 """``lispac sensors``: list of the scanners and INS/GNSS in the library, with sources."""
 
-import sys
 from argparse import ArgumentParser, Namespace
 from dataclasses import asdict
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import print_json
-from lispac.message_texts import message_text
+from lispac.cli.messages import print_messages
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -15,13 +14,12 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """List the library."""
+    """Print all sensors of the library."""
     from lispac.workflow.planning.sensors import read_library, source_text, user_sensors_folder
 
     folder = user_sensors_folder()
     found = read_library(folder)
-    for message in found.messages:
-        print(f"note: {message_text(message)}", file=sys.stderr)
+    print_messages(found.messages)
     if arguments.json:
         print_json(
             {

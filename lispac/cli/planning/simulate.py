@@ -90,7 +90,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Simulate a survey and write it, or list the supplied scenes.
+    """Simulate a survey and write it, or list the supplied scenes, vessels and scanners.
 
     Raises
     ------
@@ -99,7 +99,7 @@ def run(arguments: Namespace) -> None:
     """
     from lispac.workflow.planning import simulate as simulated
     from lispac.workflow.planning.plan_simulation import is_plan
-    from lispac.workflow.planning.simulated_setup import KINDS, read_simulation
+    from lispac.workflow.planning.simulated_setup import PART_KINDS, read_simulation
 
     if arguments.list:
         _print_supplied(arguments)
@@ -134,8 +134,10 @@ def run(arguments: Namespace) -> None:
             pos_errors=not arguments.no_pos_errors,
             progress=progress,
         )
-    truth = project.folder / simulated.TRUTH / "truth.json"
-    targets, balls = (project.folder / name for name in (simulated.TARGETS, simulated.BALLS))
+    truth = project.folder / simulated.TRUTH_FOLDER / "truth.json"
+    targets, balls = (
+        project.folder / name for name in (simulated.TARGET_LIST_FILE, simulated.SPHERE_LIST_FILE)
+    )
     if arguments.json:
         print_json(
             {
@@ -144,11 +146,11 @@ def run(arguments: Namespace) -> None:
                 "truth": str(truth),
                 "seeds": str(targets) if targets.is_file() else None,
                 "ball_seeds": str(balls) if balls.is_file() else None,
-                **{kind: chosen.titles[kind] for kind in KINDS},
+                **{kind: chosen.titles[kind] for kind in PART_KINDS},
             }
         )
         return
-    for kind in KINDS:
+    for kind in PART_KINDS:
         print(f"{kind:10s} {chosen.titles[kind]}")
     for name, count in points.items():
         print(f"{name:20s} {count:12,} points")
@@ -177,9 +179,9 @@ def _read_plan_simulation(arguments: Namespace, errors: dict[str, Any]) -> Simul
 
 
 def _print_supplied(arguments: Namespace) -> None:
-    from lispac.workflow.planning.simulated_setup import KINDS, supplied_titles
+    from lispac.workflow.planning.simulated_setup import PART_KINDS, supplied_titles
 
-    known = {f"{kind}s": supplied_titles(kind) for kind in KINDS}
+    known = {f"{kind}s": supplied_titles(kind) for kind in PART_KINDS}
     if arguments.json:
         print_json(known)
         return

@@ -47,12 +47,14 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Simulate a site, write tables and figures, and print the best configurations.
+    """Simulate a site, write tables and figures, and compare with the thesis.
+
+    With ``--hit-beams`` there is no comparison, since the thesis aims the beams at the board.
 
     Raises
     ------
     UsageError
-        If an error is not one of those of the site.
+        If a systematic error is not simulated on this site.
     """
     from lispac.report.visibility_tables import all_errors_text, comparison_table
     from lispac.simulation.thesis_comparison import compare_with_thesis
@@ -117,7 +119,7 @@ def _thesis_values(each: ThesisComparison) -> dict[str, Any]:
 
 
 def _print_table(table: Table) -> None:
-    """Print a table as text, with the reasons, which are sentences, below it."""
+    """Print a table as text; the sentences of its last column are printed below it."""
     *heads, _why = [column.title for column in table.columns]
     lines = [heads, *(row[:-1] for row in table.rows)]
     widths = [max(len(line[k]) for line in lines) for k in range(len(heads))]

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from lispac.cli.argument_types import whole_number_from
 from lispac.cli.console import UsageError
-from lispac.message_texts import message_text
+from lispac.cli.messages import print_messages
 from lispac.messages import Level, Message
 
 if TYPE_CHECKING:
@@ -62,6 +61,5 @@ def cluster_access(arguments: Namespace) -> ClusterAccess | None:
     tls = tuple(arguments.cluster_tls) if arguments.cluster_tls else None
     access = ClusterAccess(arguments.cluster, tls, arguments.plain_tcp)
     if access.is_open:
-        warning = Message("cluster.plain_tcp", Level.WARNING, {"address": access.url})
-        print(f"warning: {message_text(warning)}", file=sys.stderr)
+        print_messages([Message("cluster.plain_tcp", Level.WARNING, {"address": access.url})])
     return access

@@ -11,20 +11,21 @@ from typing import TYPE_CHECKING
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import opened_project, print_json
 from lispac.errors import InputError
-from lispac.identity import HINTS, LABELS, NAMES
+from lispac.identity import FIELD_HINTS, FIELD_LABELS, FIELD_NAMES
 from lispac.messages import error
 
 if TYPE_CHECKING:
     from lispac.project import Project
 
-AUTO = "auto"
+AUTO_DATES = "auto"
+"""Value of ``--dates`` for the dates from the times of the lines."""
 
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Add the options."""
     parser.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
-    for name in NAMES:
-        hint = HINTS[name]
+    for name in FIELD_NAMES:
+        hint = FIELD_HINTS[name]
         if name == "dates":
             hint += "; auto takes them from the times of the lines if these contain the date"
         parser.add_argument(f"--{name.replace('_', '-')}", metavar="TEXT", help=hint)
@@ -36,10 +37,10 @@ def run(arguments: Namespace) -> None:
     from lispac.workflow.checking.calibration_history import first_date_in
     from lispac.workflow.project.projects import save_project
 
-    values = {name: getattr(arguments, name) for name in NAMES}
+    values = {name: getattr(arguments, name) for name in FIELD_NAMES}
     texts = {name: text for name, text in values.items() if text is not None}
     with opened_project(arguments.project, change=bool(texts)) as project:
-        if texts.get("dates") == AUTO:
+        if texts.get("dates") == AUTO_DATES:
             texts["dates"] = _require_survey_dates(project)
         if texts:
             project = project.with_identity(project.identity.changed(**texts))
@@ -53,10 +54,10 @@ def run(arguments: Namespace) -> None:
     if arguments.json:
         print_json(asdict(project.identity))
         return
-    width = max(map(len, LABELS.values())) + 2
-    for name in NAMES:
+    width = max(map(len, FIELD_LABELS.values())) + 2
+    for name in FIELD_NAMES:
         first, *others = getattr(project.identity, name).splitlines() or ["-"]
-        print(f"{LABELS[name]:{width}s}{first}")
+        print(f"{FIELD_LABELS[name]:{width}s}{first}")
         for line in others:
             print(" " * width + line)
 

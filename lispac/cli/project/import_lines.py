@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from lispac.cli.argument_types import add_json_option
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.messages import print_messages
 from lispac.errors import Cancelled
 from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
@@ -34,7 +35,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Import the lines of a project that are not imported yet.
+    """Import the lines of a project: those not imported yet or, with ``--again``, all.
 
     Raises
     ------
@@ -67,10 +68,8 @@ def run(arguments: Namespace) -> None:
         return
     for item in found:
         _print_imported(item)
-    for reason in (item.reason for item in found if item.reason):
-        print(f"note: {message_text(reason)}", file=sys.stderr)
-    for message in dict.fromkeys(each for item in found for each in assumptions_of(item.stored)):
-        print(f"{message.level}: {message_text(message)}", file=sys.stderr)
+    print_messages(item.reason for item in found if item.reason)
+    print_messages(dict.fromkeys(each for item in found for each in assumptions_of(item.stored)))
 
 
 def _check_imported(imported: list[ImportedLine], progress: Progress) -> None:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from lispac.workflow.importing.file_reading import FileCheck
 
 OPTION_PREFIX = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
+"""Beginning of the options for a file in `lispac new`, by the kind of the file."""
 CELL_WIDTH = 14  # characters in a cell of the preview
 
 
@@ -30,7 +31,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> None:
-    """Print the preview of a file in each possible format, the most likely first."""
+    """Print format, options, assumptions, a preview and messages, for each possible format."""
     from lispac.workflow.importing.file_reading import check_file
 
     found = check_file(arguments.file)
@@ -48,7 +49,7 @@ def run(arguments: Namespace) -> None:
 
 
 def _checks_with_audit(path: Path, checks: Sequence[FileCheck]) -> list[FileCheck]:
-    """Checks with the audit of all points, if the most likely format has points."""
+    """Checks of a file; the most likely one includes an audit of all points, if it has points."""
     from lispac.workflow.importing.file_audit import audit_messages
 
     items = list(checks)

@@ -23,11 +23,10 @@ from lispac.cli.noise_options import (
     add_offset_options,
     noise_and_offset_settings,
 )
-from lispac.identity import BLANK
-from lispac.message_texts import message_text
+from lispac.identity import EMPTY_IDENTITY
 
 if TYPE_CHECKING:
-    from lispac.workflow.project.survey import Survey
+    pass
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -159,11 +158,11 @@ def run(arguments: Namespace) -> None:
             accuracy_reading=Reading(
                 arguments.accuracy_format or "", tuple(arguments.accuracy_option)
             ),
-            identity=BLANK.changed(**named),
+            identity=EMPTY_IDENTITY.changed(**named),
             split_by=arguments.split_by,
             progress=progress,
         )
-    _print_notes(survey)
+    print_messages([*survey.notes, *survey.messages])
     if arguments.pos is not None and arguments.trajectory_accuracy is not None:
         print(
             f"note: the sigmas of {named['pos']} are not used: {arguments.trajectory_accuracy} "
@@ -181,7 +180,7 @@ def run(arguments: Namespace) -> None:
 
 
 def _pos_settings(word: str | None) -> dict[str, Any]:
-    """Sigmas of a POS of the library, by name of the setting; empty if no POS is named."""
+    """Sigmas of an INS/GNSS of the library, by name of the setting; empty for None."""
     from lispac.workflow.planning.sensors import read_library, sigma_settings, user_sensors_folder
 
     if word is None:
@@ -190,7 +189,7 @@ def _pos_settings(word: str | None) -> dict[str, Any]:
 
 
 def _sensor_titles(scanner: str | None, pos: str | None) -> dict[str, str]:
-    """Titles of the named sensors, by field of the identity."""
+    """Titles of the sensors with these names in the library, by field of the identity."""
     from lispac.workflow.planning.sensors import read_library, user_sensors_folder
 
     found = {}
@@ -199,11 +198,3 @@ def _sensor_titles(scanner: str | None, pos: str | None) -> dict[str, str]:
     if pos is not None:
         found["pos"] = read_library(user_sensors_folder()).find_pos(pos)[0].title
     return found
-
-
-def _print_notes(survey: Survey) -> None:
-    from lispac.language import to_plain_text
-
-    for note in survey.notes:
-        print(f"note: {to_plain_text(message_text(note))}", file=sys.stderr)
-    print_messages(survey.messages)

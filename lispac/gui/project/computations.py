@@ -1,4 +1,4 @@
-"""Computations on a project in the background: counts, validation and placed lines."""
+"""Computations in the background: point counts, validation, georeferencing of the lines."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -9,7 +9,7 @@ from lispac.errors import AdjustmentError, Cancelled
 from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
-from lispac.gui.project.scene import Scene, Which
+from lispac.gui.project.scene import PriorOrEstimated, Scene
 from lispac.language import N_, Plural, Template, gettext
 from lispac.message_texts import message_text
 from lispac.progress import Progress
@@ -18,11 +18,11 @@ from lispac.survey.cloud import Cloud
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.workflow.project.survey import Survey
 
-PLANE_THROUGH_POINTS = Plural(
+LOCAL_PLANES_EDIT_NAME = Plural(
     "validation with local planes through {count:n} point",
     "validation with local planes through {count:n} points",
 )
-QUADRIC_THROUGH_POINTS = Plural(
+LOCAL_QUADRICS_EDIT_NAME = Plural(
     "validation with local quadrics through {count:n} point",
     "validation with local quadrics through {count:n} points",
 )
@@ -34,8 +34,10 @@ class PointCount:
 
     Attributes
     ----------
-    kept : number of points; None while they are counted, and if they cannot be counted
-    reason : reason why they cannot be counted, in the language of the window
+    kept : number of points kept; None while they are counted, and if they cannot be counted
+    total : number of points of the used sightings
+    sightings : number of used sightings
+    reason : reason why the points cannot be counted, in the language of the window
     """
 
     kept: int | None
@@ -139,8 +141,8 @@ class Computations(QObject):
         task = self._runner.run(gettext("Validating"), work, done, key="validate")
         self._controller.cancel_on_edit(task)
 
-    def show(self, which: Which) -> None:
-        """Show the lines before or after the adjustment; place them first if necessary."""
+    def show(self, which: PriorOrEstimated) -> None:
+        """Show the lines before or after the adjustment; georeference them first if necessary."""
         project, survey = self._document.current_data
         if which == "prior" or self._scene.has_estimated:
             self._scene.show(which)
@@ -153,9 +155,9 @@ class Computations(QObject):
     def run_with_placed_lines(
         self, project: Project, survey: Survey, then: Callable[[], None]
     ) -> None:
-        """Call ``then`` once the lines are placed with the prior and the estimated boresight.
+        """Georeference the lines with the estimated boresight if necessary, then call ``then``.
 
-        An edit of the project cancels the placement.
+        An edit of the project cancels the computation.
         """
         if project.result is None or self._scene.has_estimated:
             then()
@@ -200,8 +202,8 @@ def _validation_edit_name(model: LocalModel) -> Template:
             return N_("validation with local planes within a radius of {radius:m} m")
         return N_("validation with local quadrics within a radius of {radius:m} m")
     if model.kind == "plane":
-        return PLANE_THROUGH_POINTS
-    return QUADRIC_THROUGH_POINTS
+        return LOCAL_PLANES_EDIT_NAME
+    return LOCAL_QUADRICS_EDIT_NAME
 
 
 def _model_params(model: LocalModel) -> dict[str, float]:

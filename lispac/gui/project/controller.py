@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from lispac.caches import DEMO, usable_cache_folder
+from lispac.caches import DEMO_FOLDER, usable_cache_folder
 from lispac.duplicate_targets import project_warnings
 from lispac.errors import LispacError, ProjectChanged
 from lispac.gui.app.settings import AppSettings
@@ -52,7 +52,7 @@ class Controller(QObject):
         super().__init__(parent)
         self._document, self._runner, self._scene = document, runner, scene
         self._settings = settings
-        self._based: tuple[Task, Project] | None = None
+        self._task_of_project: tuple[Task, Project] | None = None
         self.candidate: Target | None = None
         self.may_save: Callable[[Project], bool] = lambda _project: True
         self.may_overwrite: Callable[[Project], bool] = lambda _project: False
@@ -78,14 +78,14 @@ class Controller(QObject):
 
     def open_relocated(self, project: Project) -> None:
         """Open a project whose moved files were found, and mark it as modified."""
-        self._open(project.name, lambda: (project, ()), has_recovery_copy=True)
+        self._open(project.name, lambda: (project, ()), files_were_moved=True)
 
     def _open(
         self,
         name: str,
         read: Callable[[], tuple[Project, tuple[Message, ...]]],
         *,
-        has_recovery_copy: bool = False,
+        files_were_moved: bool = False,
     ) -> None:
         def work(progress: Progress) -> OpenedProject | Project:
             from lispac.workflow.project.moved_files import missing_files
@@ -103,7 +103,7 @@ class Controller(QObject):
                 self.files_missing.emit(opened)
                 return
             self._show_opened_project(opened)
-            if has_recovery_copy and self._document.project is opened[0]:
+            if files_were_moved and self._document.project is opened[0]:
                 self._document.undo_stack.resetClean()
                 self.logged.emit(
                     gettext("The files were found. Save the project to keep their new location.")
@@ -254,9 +254,9 @@ class Controller(QObject):
     def _on_document_changed(self) -> None:
         """Reload the data and cancel dependent tasks after a change of the project."""
         project = self._document.project
-        if self._based is not None and self._based[1] is not project:
-            self._based[0].cancel.set()
-            self._based = None
+        if self._task_of_project is not None and self._task_of_project[1] is not project:
+            self._task_of_project[0].cancel.set()
+            self._task_of_project = None
         if project is None or self._document.survey_is_current:
             return
         self._discard_candidate()
@@ -275,7 +275,7 @@ class Controller(QObject):
     def cancel_on_edit(self, task: Task) -> None:
         """Cancel the task when the project is edited, as its result would be out of date."""
         assert self._document.project is not None
-        self._based = (task, self._document.project)
+        self._task_of_project = (task, self._document.project)
 
     # -- seeds -------------------------------------------------------------------------------
 
@@ -291,7 +291,10 @@ class Controller(QObject):
             )
 
     def search_at(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
-        """Search for the target at a position; an empty ``name`` means the next free name.
+        """Search for the target at a position.
+
+        An empty ``name`` stands for the selected target if only one line is searched, otherwise for
+        the next free name.
 
         Parameters
         ----------
@@ -312,17 +315,18 @@ class Controller(QObject):
             return
         from lispac.workflow.calibration import picking
 
-        role, line, how = seed_options.role, seed_options.line, seed_options.finder_arguments
+        role, line = seed_options.role, seed_options.line
+        arguments = seed_options.finder_arguments
         if line is not None and seed_options.selected is not None and not name:
-            known = project.target(seed_options.selected)
-            name, role = known.name, known.role
-            how |= {"shape": known.shape, "sphere_radius": known.sphere_radius}
+            selected = project.target(seed_options.selected)
+            name, role = selected.name, selected.role
+            arguments |= {"shape": selected.shape, "sphere_radius": selected.sphere_radius}
         name = name or picking.next_name(project, role)
 
         def work(progress: Progress) -> Target:
             return picking.find_target(
                 project, survey, position(), name=name, role=role, line=line, first_line=first_line,
-                progress=progress, **how,
+                progress=progress, **arguments,
             )  # fmt: skip
 
         if line is None:
@@ -440,7 +444,7 @@ class Controller(QObject):
 
 def demo_folder() -> Path:
     """Folder of the demo survey in the cache."""
-    return usable_cache_folder() / DEMO
+    return usable_cache_folder() / DEMO_FOLDER
 
 
 def _load_lines(project: Project, progress: Progress) -> OpenedProject:

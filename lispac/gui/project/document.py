@@ -69,6 +69,7 @@ class Document(QObject):
     opened = Signal()
     """Another project was opened, or the project was closed."""
     modified = Signal(bool)
+    """Whether the project now has unsaved changes."""
     saved = Signal()
     """The project was saved."""
 
@@ -83,7 +84,7 @@ class Document(QObject):
         self._survey_announced = True
         self._reported: tuple[Project | None, str] = (None, "")
         self.undo_stack = QUndoStack(self)
-        self.undo_stack.cleanChanged.connect(self._clean_changed)
+        self.undo_stack.cleanChanged.connect(self._on_clean_changed)
 
     @property
     def project(self) -> Project | None:
@@ -103,7 +104,7 @@ class Document(QObject):
 
     @property
     def refusal(self) -> Message | str:
-        """Reason why the last edit has no result; empty if it has one."""
+        """Reason why the automatic computation gave no result; empty if there is none."""
         return "" if self._state is None else self._state.refusal
 
     @property
@@ -172,7 +173,7 @@ class Document(QObject):
         name : Template
             Name of the edit as the undo menu shows it, marked with `N_`; ``params`` fill it.
         survey : Survey, optional
-            Data placed as in the edited project, if they are already available.
+            Data georeferenced as in the edited project, if they are already available.
         recompute : bool
             Whether a result that the edit removes is computed again automatically:
             `complete_last_edit` adds it, and one undo reverts the edit and its result.
@@ -256,7 +257,7 @@ class Document(QObject):
             return project
         return replace(project, folder=self._folder)
 
-    def _clean_changed(self, clean: bool) -> None:
+    def _on_clean_changed(self, clean: bool) -> None:
         self.modified.emit(not clean)
 
     def _set_state(self, state: _ProjectState) -> None:

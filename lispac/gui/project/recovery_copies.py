@@ -26,8 +26,8 @@ from lispac.project import Project
 from lispac.workflow.project.moved_files import with_files_of
 from lispac.workflow.project.projects import UnsavedProject, read_unsaved_project, require_folder
 
-LOCK_NAME = "open.lock"
-LOCKED_ELSEWHERE = error("window.unsaved_work_elsewhere")
+LOCK_FILE_NAME = "open.lock"
+LOCKED_PROJECT_ERROR = error("window.unsaved_work_elsewhere")
 
 
 class RecoveryCopies(QObject):
@@ -82,7 +82,7 @@ class RecoveryCopies(QObject):
         if not self._lock_project(project):
             self._writes_copies = False
             if self._questions.ask_to_open_locked(project.name, self._lock_holder()):
-                self._set_problem(LOCKED_ELSEWHERE)
+                self._set_problem(LOCKED_PROJECT_ERROR)
             else:
                 self._document.open(None, None)
         elif not self._document.is_modified:
@@ -93,7 +93,7 @@ class RecoveryCopies(QObject):
 
         Return True if the lock cannot be written, as in a read-only folder.
         """
-        lock = QLockFile(str(project.folder / LOCK_NAME))
+        lock = QLockFile(str(project.folder / LOCK_FILE_NAME))
         lock.setStaleLockTime(0)  # a lock of an ended program is stale at any age
         self._lock = lock
         return lock.tryLock(0) or lock.error() != QLockFile.LockError.LockFailedError
@@ -115,8 +115,8 @@ class RecoveryCopies(QObject):
         if found is None:
             remove_unsaved(project.folder)
         elif self._questions.ask_to_recover(project.name, _copy_time_text(found)):
-            again = with_files_of(found.project, project)
-            self._document.edit(N_("recovery of unsaved changes"), again)
+            recovered = with_files_of(found.project, project)
+            self._document.edit(N_("recovery of unsaved changes"), recovered)
             self._note(gettext("Unsaved changes were recovered. Save the project to keep them."))
         else:
             remove_unsaved(project.folder)
@@ -158,16 +158,16 @@ class RecoveryCopies(QObject):
             write_unsaved(project)
             self._written.emit()
 
-    def _run_in_worker(self, write: Callable[[Any], None], what: object) -> None:
+    def _run_in_worker(self, write: Callable[[Any], None], argument: object) -> None:
         def ended(done: Future[None]) -> None:
             if (failure := done.exception()) is not None:
                 self._failed.emit(failure)
 
-        self._writer.submit(write, what).add_done_callback(ended)
+        self._writer.submit(write, argument).add_done_callback(ended)
 
     def _on_saved(self) -> None:
-        """Update the problem shown after the project was saved."""
-        self._set_problem(None if self._writes_copies else LOCKED_ELSEWHERE)
+        """Clear the problem after a save, unless another window has locked the project."""
+        self._set_problem(None if self._writes_copies else LOCKED_PROJECT_ERROR)
 
     def _may_save(self, project: Project) -> bool:
         """Whether the folder of the project still exists; if not, show an error."""
@@ -192,7 +192,7 @@ class RecoveryCopies(QObject):
 
 
 def _copy_time_text(unsaved: UnsavedProject) -> str:
-    """Text of the time of the recovery copy, and of a later save of the project."""
+    """Time of the recovery copy, and of the last save of the project if it was later."""
     kept, saved = local_datetime(unsaved.kept), local_datetime(unsaved.saved)
     if unsaved.saved <= unsaved.kept:
         return kept

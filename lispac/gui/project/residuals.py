@@ -1,8 +1,8 @@
 """Colours of the points of sightings by their distance from the surface.
 
 The surface of a target is the adjusted one. The surface of a validation plane, which is not used in
-the adjustment, is the plane fitted to all lines as displayed: before the calibration, its lines
-have different colours, after it, the same colour.
+the adjustment, is the plane fitted to the points of all lines as displayed: the lines differ in
+colour before the calibration and have about the same colour after it.
 """
 
 from collections.abc import Iterable, Mapping
@@ -19,16 +19,16 @@ from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.workflow.project.survey import Survey
 
-TITLE = N_("Distance from the surface (mm)")
-GREY = (188, 194, 200)
+LEGEND_TITLE = N_("Distance from the surface (mm)")
+OTHER_POINTS_COLOUR = (188, 194, 200)
 """Colour of points that belong to no target."""
-OUTER_PERCENT = 2.0
-"""Percent of the points, half of them at either end, that get the end colour."""
+PERCENT_BEYOND_SCALE = 2.0
+"""Percentage of the points, those with the largest distances, that get an end colour."""
 
-Key = tuple[str, str]
+SightingKey = tuple[str, str]
 
 
-def residuals(project: Project, survey: Survey) -> dict[Key, Array]:
+def residuals(project: Project, survey: Survey) -> dict[SightingKey, Array]:
     """Signed distances of all points of the adjusted sightings from their surfaces.
 
     Returns
@@ -59,7 +59,7 @@ def residuals(project: Project, survey: Survey) -> dict[Key, Array]:
     return found
 
 
-def validation_distances(project: Project, clouds: Mapping[str, Cloud]) -> dict[Key, Array]:
+def validation_distances(project: Project, clouds: Mapping[str, Cloud]) -> dict[SightingKey, Array]:
     """Signed distances of the points on validation planes from the plane through all lines.
 
     Parameters
@@ -99,21 +99,25 @@ def residual_colour_limit(
     )
 
 
-def _colour_limit(residuals_by_sighting: Mapping[Key, Array]) -> float:
+def _colour_limit(residuals_by_sighting: Mapping[SightingKey, Array]) -> float:
     everything = np.abs(np.concatenate(list(residuals_by_sighting.values())))
-    return float(np.percentile(everything, 100 - OUTER_PERCENT)) or 1e-3
+    return float(np.percentile(everything, 100 - PERCENT_BEYOND_SCALE)) or 1e-3
 
 
 def residual_shading(
-    project: Project, survey: Survey, clouds: Mapping[str, Cloud], *, reach: float | None = None
-) -> tuple[PointColouring, dict[Key, NDArray[np.uint8]]]:
+    project: Project,
+    survey: Survey,
+    clouds: Mapping[str, Cloud],
+    *,
+    colour_limit: float | None = None,
+) -> tuple[PointColouring, dict[SightingKey, NDArray[np.uint8]]]:
     """Grey lines with a legend, and colours of the points of the sightings.
 
     Parameters
     ----------
     clouds : points of each line, as displayed
-    reach : float, metres
-        Distance at the end of the colour scale; None for a scale derived from these clouds.
+    colour_limit : float or None, metres
+        Distance at the end of the colour scale; None to compute it from these clouds.
 
     Raises
     ------
@@ -123,24 +127,24 @@ def residual_shading(
     from matplotlib import colormaps
 
     found = residuals(project, survey) | validation_distances(project, clouds)
-    reach = _colour_limit(found) if reach is None else reach
+    colour_limit = _colour_limit(found) if colour_limit is None else colour_limit
     scale = np.asarray(
         np.round(255 * colormaps["coolwarm"](np.linspace(0, 1, 255))[:, :3]), dtype=np.uint8
     )
     colours = {
-        key: scale[np.clip(np.round(127 * (1 + values / reach)), 0, 254).astype(np.int64)]
+        key: scale[np.clip(np.round(127 * (1 + values / colour_limit)), 0, 254).astype(np.int64)]
         for key, values in found.items()
     }
     grey = {
-        line: np.broadcast_to(np.array(GREY, np.uint8), (len(cloud.sample), 3))
+        line: np.broadcast_to(np.array(OTHER_POINTS_COLOUR, np.uint8), (len(cloud.sample), 3))
         for line, cloud in clouds.items()
     }
-    low, high = _legend_ends(reach)
+    low, high = _legend_ends(colour_limit)
     with units.standard_units():
-        metric = _legend_ends(reach)
-    return PointColouring(grey, gettext(TITLE), low, high, scale, metric), colours
+        metric = _legend_ends(colour_limit)
+    return PointColouring(grey, gettext(LEGEND_TITLE), low, high, scale, metric), colours
 
 
-def _legend_ends(reach: float) -> tuple[str, str]:
-    end = units.local_figure(1000 * reach, "mm", ".1f" if reach < 0.02 else ".0f")
+def _legend_ends(colour_limit: float) -> tuple[str, str]:
+    end = units.local_figure(1000 * colour_limit, "mm", ".1f" if colour_limit < 0.02 else ".0f")
     return f"\N{MINUS SIGN}{end}", f"+{end}"

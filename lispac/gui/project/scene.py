@@ -1,4 +1,4 @@
-"""Content of the viewport: lines before or after, sightings and labels."""
+"""Content of the viewport: lines before or after the adjustment, sightings and labels."""
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -18,10 +18,11 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.project import Target, Triple
 from lispac.survey.cloud import Cloud
 
-Which = Literal["prior", "estimated"]
-Residuals = Mapping[tuple[str, str], NDArray[np.uint8]]
-"""Colours of the points of a sighting, by target and line."""
-ColouredPoints = tuple[PointColouring | None, Residuals]
+PriorOrEstimated = Literal["prior", "estimated"]
+"""Boresight with which the lines are georeferenced."""
+ResidualColours = Mapping[tuple[str, str], NDArray[np.uint8]]
+"""Colours of the points of each sighting by their residuals, by target and line."""
+ColouredPoints = tuple[PointColouring | None, ResidualColours]
 
 
 class Scene(QObject):
@@ -34,19 +35,19 @@ class Scene(QObject):
     drawn = Signal()
     """The lines were drawn again."""
     placement_requested = Signal()
-    """The lines are shown after the adjustment, but are not placed with the present result."""
+    """The lines shown after the adjustment must be georeferenced with the current result."""
 
     def __init__(self, document: Document, viewport: Viewport, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._viewport = document, viewport
         self._estimated: tuple[object, Mapping[str, Cloud]] | None = None
-        self.which: Which = "prior"
+        self.which: PriorOrEstimated = "prior"
         self.candidate: Target | None = None
         self.selected: tuple[str, str] | None = None
         self.colouring: Colouring = "line"
         self._drawn: Mapping[str, Cloud] = {}
-        self._residuals: Residuals = {}
-        self._reach: float | None = None
+        self._residuals: ResidualColours = {}
+        self._colour_limit: float | None = None
         self._shaded: ColouredPoints | None = None
         """Colours that were computed but not yet drawn; None if there are none."""
         # One task for several changes in a row, as when a project is opened.
@@ -54,7 +55,7 @@ class Scene(QObject):
         self._targets_due = IdleTask(self._draw_due_targets, self)
         document.about_to_open.connect(self._clear)
         document.survey_changed.connect(self._reload)
-        document.changed.connect(self._project_changed)
+        document.changed.connect(self._on_project_changed)
 
     @property
     def clouds(self) -> Mapping[str, Cloud]:
@@ -68,7 +69,7 @@ class Scene(QObject):
 
     @property
     def has_estimated(self) -> bool:
-        """Whether the lines are placed with the current result."""
+        """Whether the lines are georeferenced with the current result."""
         project = self._document.project
         return (
             self._estimated is not None
@@ -88,9 +89,9 @@ class Scene(QObject):
         return {} if target is None else self._points_by_line(target, line)
 
     def prior_position_finder(self, point: PickedPoint) -> Callable[[], Triple]:
-        """Function that finds the prior position of a clicked point, for any thread.
+        """Function, callable in any thread, that finds the prior position of a clicked point.
 
-        Targets are searched for in the lines placed with the prior boresight.
+        Targets are searched for in the lines georeferenced with the prior boresight.
         """
         survey = self._document.survey
         if survey is None or self.which == "prior":
@@ -110,7 +111,8 @@ class Scene(QObject):
         Raises
         ------
         ValueError
-            If a line lacks the values; the colours are then unchanged.
+            If a line lacks the values, or if residuals are requested and there is no result; the
+            colours are then unchanged.
         """
         shaded = self._point_colours(colouring)
         self.colouring = colouring
@@ -119,16 +121,16 @@ class Scene(QObject):
             self._schedule_targets()
 
     def keep_estimated(self, result: object, clouds: Mapping[str, Cloud]) -> None:
-        """Store the lines placed with ``result``."""
+        """Store the lines georeferenced with ``result``."""
         self._estimated = (result, clouds)
 
     def reassign_estimated(self, old: object, new: object) -> None:
-        """Assign the placed lines of one result to another with the same mounting."""
+        """Assign the georeferenced lines of one result to another with the same mounting."""
         if self._estimated is not None and self._estimated[0] is old:
             self._estimated = (new, self._estimated[1])
 
-    def show(self, which: Which) -> None:
-        """Show the lines before or after the adjustment."""
+    def show(self, which: PriorOrEstimated) -> None:
+        """Show the lines before the adjustment, or after it if they are georeferenced with it."""
         if which == "estimated" and not self.has_estimated:
             which = "prior"
         if which != self.which or self.clouds is not self._drawn:
@@ -138,7 +140,7 @@ class Scene(QObject):
         self.which_changed.emit(self.which)
 
     def copy_state_from(self, former: "Scene") -> None:
-        """Copy state and placed lines of another scene of the same document."""
+        """Copy state and georeferenced lines of another scene of the same document."""
         self._estimated, self.which = former._estimated, former.which
         self.colouring = former.colouring
         self._schedule_lines()
@@ -172,18 +174,20 @@ class Scene(QObject):
 
     @contextmanager
     def common_residual_scale(self) -> Iterator[None]:
-        """Context in which residual colours have the same scale before and after."""
+        """Context in which residuals before and after have the same colour scale."""
         project, survey, shown = self._document.project, self._document.survey, self.which
         estimated = self._estimated
         coloured = self.colouring == "residual" and self.has_estimated
         if coloured and project and survey and estimated:
-            self._reach = residual_colour_limit(project, survey, (survey.clouds, estimated[1]))
+            self._colour_limit = residual_colour_limit(
+                project, survey, (survey.clouds, estimated[1])
+            )
             self._drawn = {}  # forces a redraw with the common scale
         try:
             yield
         finally:
-            if self._reach is not None:
-                self._reach, self._drawn = None, {}
+            if self._colour_limit is not None:
+                self._colour_limit, self._drawn = None, {}
             self.show(shown)
 
     def _clear(self) -> None:
@@ -204,7 +208,7 @@ class Scene(QObject):
         self._schedule_lines()
         self.which_changed.emit(self.which)
 
-    def _project_changed(self) -> None:
+    def _on_project_changed(self) -> None:
         project = self._document.project
         if self.which == "estimated" and not self.has_estimated:
             if project is not None and project.result is not None:
@@ -270,7 +274,7 @@ class Scene(QObject):
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None:
             return None, {}
-        return residual_shading(project, survey, self.clouds, reach=self._reach)
+        return residual_shading(project, survey, self.clouds, colour_limit=self._colour_limit)
 
     def _schedule_targets(self) -> None:
         if not self._lines_due.isActive():  # drawn after the lines

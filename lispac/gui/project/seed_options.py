@@ -5,7 +5,7 @@ from typing import Any
 
 from lispac.project import Role, Shape
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class SeedOptions:
     shape: Shape = "plane"
     sphere_radius: float | None = None
     expected: ExpectedTarget | None = None
-    choices: FinderChoices = USUAL
+    choices: FinderChoices = DEFAULT_CHOICES
 
     @property
     def finder_arguments(self) -> dict[str, Any]:

@@ -11,18 +11,19 @@ from lispac.project import Project
 from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
 from lispac.workflow.project.survey import Survey
 
-State = Literal["empty", "todo", "done", "warning"]
+StepState = Literal["empty", "todo", "done", "warning"]
 
-STEPS = (N_("Data"), N_("Targets"), N_("Adjust"), N_("Validate"), N_("Report"))
+STEP_NAMES = (N_("Data"), N_("Targets"), N_("Adjust"), N_("Validate"), N_("Report"))
 """Names of the steps, as in `Cause`."""
 STEP_TITLES = (
     N_("1  Data"), N_("2  Targets"), N_("3  Adjust"), N_("4  Validate"), N_("5  Report"),
 )  # fmt: skip
 """Headers of the steps, translated where they are shown."""
 DATA, TARGETS, ADJUST, VALIDATE, REPORT = range(5)
+"""Indices of the steps."""
 
-POINTS = Plural("{count:n} point", "{count:n} points")
-VALIDATION_PLANES = Plural("{count:n} validation plane", "{count:n} validation planes")
+POINT_COUNT_TEXT = Plural("{count:n} point", "{count:n} points")
+VALIDATION_PLANE_COUNT_TEXT = Plural("{count:n} validation plane", "{count:n} validation planes")
 
 
 @dataclass(frozen=True)
@@ -36,10 +37,41 @@ class StepStatus:
     ready : whether the step can be run
     """
 
-    state: State
+    state: StepState
     sentence: str
     advice: str
     ready: bool = False
+
+
+@dataclass(frozen=True)
+class ProjectState:
+    """State of the open project, as the panels show it.
+
+    Attributes
+    ----------
+    project : Project or None
+        None if no project is open.
+    survey : Survey or None
+        None while the data are being read.
+    steps : tuple of StepStatus
+        Status of the five steps in order.
+    is_busy : bool
+        Whether a task is running that must not be disturbed.
+    is_waiting : bool
+        Whether a result is computed automatically after the last edit.
+    refusal : str
+        Reason why this computation gave no result; empty if there is none.
+    refused_since : Message or str
+        Reason why an estimate after the present result failed; empty if there is none.
+    """
+
+    project: Project | None
+    survey: Survey | None
+    steps: tuple[StepStatus, ...]
+    is_busy: bool = False
+    is_waiting: bool = False
+    refusal: str = ""
+    refused_since: Message | str = ""
 
 
 def count_text(number: int, singular: str, plural: str = "") -> str:
@@ -51,7 +83,7 @@ def point_count(number: int) -> str:
     """Text of a number of points: ``812 points``, ``4.9 M points``."""
     if number >= 1_000_000:
         return gettext("{millions:x.1} M points", millions=number / 1e6)
-    return gettext(POINTS, count=number)
+    return gettext(POINT_COUNT_TEXT, count=number)
 
 
 def line_count(number: int) -> str:
@@ -129,21 +161,21 @@ def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
             gettext("Hold Ctrl and click a target in the view."),
             ready=True,
         )
-    thin = [target.name for target in used if len(target.used_sightings) < 2]
+    in_few_lines = [target.name for target in used if len(target.used_sightings) < 2]
     lines = {s.line for target in used for s in target.used_sightings}
     targets = gettext(Plural("{count:n} target", "{count:n} targets"), count=len(used))
     sentence = gettext("{targets} in {lines}", targets=targets, lines=line_count(len(lines)))
     if planes:
-        text = gettext(VALIDATION_PLANES, count=len(planes))
+        text = gettext(VALIDATION_PLANE_COUNT_TEXT, count=len(planes))
         sentence = gettext("{targets}, {planes}", targets=sentence, planes=text)
-    if thin:
+    if in_few_lines:
         return StepStatus(
             "warning",
             sentence,
             gettext(
                 "{target} was found in fewer than two lines. Pick it in another line, or "
                 "exclude it.",
-                target=thin[0],
+                target=in_few_lines[0],
             ),
             ready=True,
         )

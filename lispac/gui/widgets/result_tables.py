@@ -11,7 +11,7 @@ from lispac.present.cross_checks import CrossCheckValues, spread_rows
 from lispac.present.tables import Column as ResultColumn
 from lispac.present.tables import Format, Table, Unit, title_text
 from lispac.present.tables import Row as ResultRow
-from lispac.present.text_format import UNKNOWN, with_unit
+from lispac.present.text_format import UNKNOWN_TEXT, with_unit
 
 BASE_OF_UNIT: Mapping[Unit, Base] = {"m": "m", "mm": "mm", "deg": "°", "mdeg": "m°"}
 
@@ -90,7 +90,7 @@ def spread_text(checks: CrossCheckValues) -> str:
     heads = [title, *map(gettext, ANGLE_TITLES)]
     rows = [[f"<b>{head}</b>" for head in heads]]
     for row in spread_rows(checks):
-        numbers = [UNKNOWN] * 3 if row.values is None else [
+        numbers = [UNKNOWN_TEXT] * 3 if row.values is None else [
             units.local_figure(value, "°", ".4f") for value in row.values
         ]  # fmt: skip
         rows.append([row.name.replace(", ", ",<br>"), *numbers])

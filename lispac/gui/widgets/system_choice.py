@@ -12,7 +12,7 @@ from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.output.export_request import output_system_of
-from lispac.workflow.output.output_crs import LOCAL, common_system, utm_zone
+from lispac.workflow.output.output_crs import LOCAL_FRAME, common_system, utm_zone
 
 CHECK_DELAY_MS = 300
 """Delay after the last typed character until the text is checked."""
@@ -40,7 +40,7 @@ def system_box(
         items.insert(
             0, (gettext("System of the line files – {system}", system=line_system.name), "")
         )
-    items.insert(0 if local_first else len(items), (gettext(LOCAL_FRAME_TEXT), LOCAL))
+    items.insert(0 if local_first else len(items), (gettext(LOCAL_FRAME_TEXT), LOCAL_FRAME))
     for text, code in items:
         found.addItem(text, code)
     return found
@@ -108,10 +108,10 @@ class CoordinateSystemFields(QObject):
         self._debounce.stop()
         self.waiting, self.problem, self.system = False, None, None
         text, chosen = system_text(self.box), self.box.findText(self.box.currentText().strip()) >= 0
-        self._show_heights(text != LOCAL)
+        self._show_heights(text != LOCAL_FRAME)
         if not text and not chosen:
             self.problem = InputError(error("window.no_coordinate_system"))
-        elif text != LOCAL:
+        elif text != LOCAL_FRAME:
             height = self.height.text().strip()
             try:
                 self.system = output_system_of(self._project, self._trajectory, text, height)

@@ -5,18 +5,23 @@ from PySide6.QtCore import QObject
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
-from lispac.gui.project import status
 from lispac.gui.project.computations import Computations, PointCount
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
-from lispac.gui.project.status import ADJUST, DATA, REPORT, TARGETS, VALIDATE
+from lispac.gui.project.status import (
+    ADJUST,
+    DATA,
+    REPORT,
+    TARGETS,
+    VALIDATE,
+    ProjectState,
+    step_statuses,
+)
 from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.panels import Panels
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.project import Project
-from lispac.workflow.project.survey import Survey
 
 
 class PanelRefresh(QObject):
@@ -54,28 +59,12 @@ class PanelRefresh(QObject):
         """Show the current document in all panels."""
         if self._opening:
             return
-        panels = self._panels
-        project, survey, statuses = self._project_state()
-        waiting = self._document.awaits_result
-        busy = self._runner.busy
-        self._central_widget.show_view(project is not None)
-        if project is None:
+        state = self._project_state()
+        self._central_widget.show_view(state.project is not None)
+        if state.project is None:
             self._central_widget.start.show_recent(self._settings.recent())
-        panels.workflow.show_status(statuses)
-        panels.data.show_project(project, survey)
-        panels.targets.show_project(project, survey)
-        panels.adjust.show_project(project, statuses[ADJUST], busy)
-        panels.validate.show_project(project, statuses[VALIDATE], busy)
-        panels.report.show_status(statuses[REPORT], survey is not None, busy)
-        panels.table.show_project(project, survey)
-        panels.results.show_project(
-            project, waiting=waiting, refusal=_reason_text(self._document.refusal),
-            refused_since=self._document.refused_since,
-        )  # fmt: skip
-        panels.diagnostics.show_project(project, waiting=waiting)
-        panels.convention.show_project(project)
-        panels.histograms.show_project(project)
-        self._enable_controls(statuses, busy)
+        self._panels.show_state(state)
+        self._enable_controls(state)
 
     def _open_step(self) -> None:
         """Open the first step that is not done, without refreshing the panels twice."""
@@ -85,17 +74,21 @@ class PanelRefresh(QObject):
         finally:
             self._opening = False
 
-    def _project_state(self) -> tuple[Project | None, Survey | None, tuple[status.StepStatus, ...]]:
+    def _project_state(self) -> ProjectState:
         document = self._document
+        project, waiting = document.project, document.awaits_result
         survey = document.survey if document.survey_is_current else None
-        statuses = status.step_statuses(
-            document.project, survey, waiting=document.awaits_result, refusal=document.refusal,
-            reported=document.reported,
+        steps = step_statuses(
+            project, survey, waiting=waiting, refusal=document.refusal, reported=document.reported
+        )
+        return ProjectState(
+            project, survey, steps, self._runner.busy, waiting, _reason_text(document.refusal),
+            document.refused_since,
         )  # fmt: skip
-        return document.project, survey, statuses
 
-    def _enable_controls(self, statuses: tuple[status.StepStatus, ...], busy: bool) -> None:
-        project, actions = self._document.project, self._actions
+    def _enable_controls(self, state: ProjectState) -> None:
+        project, statuses, busy = state.project, state.steps, state.is_busy
+        actions = self._actions
         estimated = project is not None and project.result is not None
         for name, enabled in {
             "save": self._document.is_modified,
@@ -122,13 +115,10 @@ class PanelRefresh(QObject):
         self._panels.adjust.show_task(task if task is not None and task.key == "estimate" else None)
 
     def _show_task(self) -> None:
-        panels = self._panels
-        project, survey, statuses = self._project_state()
-        busy = self._runner.busy
-        panels.adjust.show_project(project, statuses[ADJUST], busy)
-        panels.validate.show_project(project, statuses[VALIDATE], busy)
-        panels.report.show_status(statuses[REPORT], survey is not None, busy)
-        self._enable_controls(statuses, busy)
+        panels, state = self._panels, self._project_state()
+        for panel in (panels.adjust, panels.validate, panels.report):
+            panel.show_state(state)
+        self._enable_controls(state)
 
     def _show_candidate(self) -> None:
         panels = self._panels

@@ -1,8 +1,9 @@
 """The panels of the window."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from datetime import datetime
+from typing import Any, Protocol, runtime_checkable
 
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
@@ -22,6 +23,7 @@ from lispac.gui.features.validate.histograms_panel import HistogramsPanel
 from lispac.gui.features.validate.validate_panel import ValidatePanel
 from lispac.gui.features.warnings.warnings_panel import TITLE as WARNINGS
 from lispac.gui.features.warnings.warnings_panel import WarningsPanel
+from lispac.gui.project.status import ProjectState
 from lispac.gui.window.workflow_panel import WorkflowPanel
 from lispac.language import N_, gettext
 
@@ -30,6 +32,22 @@ MAX_LOG_LINES = 2000
 EMPTY_LOG_TEXT = N_(
     "Actions, assumptions and errors of the program are listed here with their time."
 )
+
+
+@runtime_checkable
+class ProjectPanel(Protocol):
+    """A panel that shows the open project."""
+
+    def show_state(self, state: ProjectState) -> None:
+        """Show the project after a change."""
+
+
+def _dock(title: str, area: Area) -> dict[str, Any]:
+    """Metadata of a field of `Panels`: English title and side of the dock.
+
+    Docks of one side are tabs, in the order of the fields.
+    """
+    return {"title": title, "area": area}
 
 
 class LogPanel(QPlainTextEdit):
@@ -56,38 +74,54 @@ class LogPanel(QPlainTextEdit):
 
 @dataclass(eq=False)
 class Panels:
-    """Panels of the window except those of the tools; the first five are workflow steps."""
+    """Panels of the window, except those of the tools. A panel that is added here is complete.
+
+    The fields without a dock are the panels of the workflow steps.
+    """
 
     data: DataPanel = field(default_factory=DataPanel)
     targets: TargetsPanel = field(default_factory=TargetsPanel)
     adjust: AdjustPanel = field(default_factory=AdjustPanel)
     validate: ValidatePanel = field(default_factory=ValidatePanel)
     report: ReportPanel = field(default_factory=ReportPanel)
-    workflow: WorkflowPanel = field(init=False)
-    results: ResultsPanel = field(default_factory=ResultsPanel)
-    log: LogPanel = field(default_factory=LogPanel)
-    warnings: WarningsPanel = field(default_factory=WarningsPanel)
-    convention: ConventionPanel = field(default_factory=ConventionPanel)
-    table: SightingsTable = field(default_factory=SightingsTable)
-    histograms: HistogramsPanel = field(default_factory=HistogramsPanel)
-    diagnostics: DiagnosticsPanel = field(default_factory=DiagnosticsPanel)
+    workflow: WorkflowPanel = field(init=False, metadata=_dock(WORKFLOW, Area.LeftDockWidgetArea))
+    results: ResultsPanel = field(
+        default_factory=ResultsPanel, metadata=_dock(RESULTS, Area.RightDockWidgetArea)
+    )
+    convention: ConventionPanel = field(
+        default_factory=ConventionPanel, metadata=_dock(CONVENTION, Area.RightDockWidgetArea)
+    )
+    table: SightingsTable = field(
+        default_factory=SightingsTable, metadata=_dock(SIGHTINGS, Area.BottomDockWidgetArea)
+    )
+    diagnostics: DiagnosticsPanel = field(
+        default_factory=DiagnosticsPanel, metadata=_dock(DIAGNOSTICS, Area.BottomDockWidgetArea)
+    )
+    histograms: HistogramsPanel = field(
+        default_factory=HistogramsPanel, metadata=_dock(HISTOGRAMS, Area.BottomDockWidgetArea)
+    )
+    warnings: WarningsPanel = field(
+        default_factory=WarningsPanel, metadata=_dock(WARNINGS, Area.BottomDockWidgetArea)
+    )
+    log: LogPanel = field(default_factory=LogPanel, metadata=_dock(LOG, Area.BottomDockWidgetArea))
 
     def __post_init__(self) -> None:
         steps = (self.data, self.targets, self.adjust, self.validate, self.report)
         self.workflow = WorkflowPanel(steps)
 
+    def show_state(self, state: ProjectState) -> None:
+        """Show the open project in all panels."""
+        for each in fields(self):
+            panel = getattr(self, each.name)
+            if isinstance(panel, ProjectPanel):
+                panel.show_state(state)
+
     def docks(self, tools: Mapping[str, tuple[QWidget, Area]]) -> dict[str, tuple[QWidget, Area]]:
         """Panels by title with their sides, in the order of their tabs, including ``tools``."""
-        left, right = Area.LeftDockWidgetArea, Area.RightDockWidgetArea
-        below = Area.BottomDockWidgetArea
-        return {
-            WORKFLOW: (self.workflow, left),
-            RESULTS: (self.results, right),
-            CONVENTION: (self.convention, right),
-            SIGHTINGS: (self.table, below),
-            DIAGNOSTICS: (self.diagnostics, below),
-            HISTOGRAMS: (self.histograms, below),
-            **tools,
-            WARNINGS: (self.warnings, below),
-            LOG: (self.log, below),
+        docks = {
+            each.metadata["title"]: (getattr(self, each.name), each.metadata["area"])
+            for each in fields(self)
+            if each.metadata
         }
+        last = {title: docks.pop(title) for title in (WARNINGS, LOG)}
+        return {**docks, **tools, **last}

@@ -15,12 +15,12 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.app.docks import raise_panel
 from lispac.gui.appearance import theme
-from lispac.gui.project.status import STEPS, State, StepStatus
+from lispac.gui.project.status import STEP_NAMES, ProjectState, StepState, StepStatus
 from lispac.language import N_, gettext
 
 _HEADER_HEIGHT_PX = 46
 """Height of the header of a step."""
-_STATE_STYLES: dict[State, tuple[str, str, str]] = {
+_STATE_STYLES: dict[StepState, tuple[str, str, str]] = {
     "empty": ("circle-outline", "waiting", N_("not started")),
     "todo": ("circle-slice-4", "accent", N_("to do")),
     "done": ("check-circle", "done", N_("done")),
@@ -39,7 +39,7 @@ class WorkflowPanel(QWidget):
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.setSpacing(0)
-        self.headers = [_StepHeader(k + 1, title) for k, title in enumerate(STEPS)]
+        self.headers = [_StepHeader(k + 1, title) for k, title in enumerate(STEP_NAMES)]
         self._areas = []
         for k, (header, panel) in enumerate(zip(self.headers, panels, strict=True)):
             header.clicked.connect(lambda _=False, k=k: self.open(k))
@@ -70,9 +70,9 @@ class WorkflowPanel(QWidget):
         area = self._areas[self.opened]
         QTimer.singleShot(0, area, lambda: area.ensureWidgetVisible(widget, 0, 0))
 
-    def show_status(self, statuses: Sequence[StepStatus]) -> None:
-        """Show the state of each step."""
-        for header, status in zip(self.headers, statuses, strict=True):
+    def show_state(self, state: ProjectState) -> None:
+        """Show the status of each step."""
+        for header, status in zip(self.headers, state.steps, strict=True):
             header.show_status(status)
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.adjustment.model.stochastic_model import POS_ERRORS
+from lispac.adjustment.model.stochastic_model import POS_ERROR_MODELS
 from lispac.design.plan import Line, Plan, System
 from lispac.design.site import Site, Wall
 from lispac.io.config.toml_table import TomlTable, toml_string
@@ -21,7 +21,7 @@ from lispac.simulation.scanner import Scanner
 from lispac.survey.georeferencing import Mounting
 
 SIDES = ("starboard", "port")
-USUAL_INTERVAL = 1.5
+DEFAULT_INTERVAL_MIN = 1.5
 """Default time between two lines, minutes."""
 
 
@@ -62,7 +62,7 @@ def read_plan(path: Path) -> TitledPlan:
         for name in names:
             if names.count(name) > 1:
                 raise table.refuse("boards", "plan.name_twice", name=name)
-        interval = 60.0 * table.number("minutes_per_line", USUAL_INTERVAL, over=0.0)
+        interval = 60.0 * table.number("minutes_per_line", DEFAULT_INTERVAL_MIN, over=0.0)
         return TitledPlan(
             title, Plan(targets, lines, wall.middle, system, interval, flatness), wall
         )
@@ -140,10 +140,10 @@ def _read_system(table: TomlTable) -> tuple[System, float]:
                 np.radians(own.number("angle_sigma_deg", np.degrees(scanner.angle_sigma), low=0.0))
             ),
         )
-        errors = own.one_of("pos_errors", POS_ERRORS, "correlated")
+        errors = own.one_of("pos_errors", POS_ERROR_MODELS, "correlated")
         flatness = own.number("flatness_m", Site.flatness, low=0.0)
     mounting = Mounting(np.array(lever), np.zeros(3))
-    chosen = next(each for each in POS_ERRORS if each == errors)
+    chosen = next(each for each in POS_ERROR_MODELS if each == errors)
     return System(mounting, profiler, pos, chosen), flatness
 
 

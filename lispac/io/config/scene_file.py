@@ -22,8 +22,8 @@ from lispac.simulation.scene import (
 )
 from lispac.simulation.vessel_motion import SailedLine
 
-KINDS = ("board", "wall", "box", "cylinder", "sphere", "mesh")
-ROLES = ("target", "validation")
+SURFACE_KINDS = ("board", "wall", "box", "cylinder", "sphere", "mesh")
+TARGET_ROLES = ("target", "validation")
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,10 +74,10 @@ def read_scene(path: Path) -> SceneFile:
     """
     with TomlTable.read(path, "scene") as table:
         surfaces: list[Surface] = []
-        roles: dict[str, list[str]] = {role: [] for role in ROLES}
+        roles: dict[str, list[str]] = {role: [] for role in TARGET_ROLES}
         for each in table.tables("surfaces"):
             name = each.text("name")
-            role = each.one_of("role", ROLES, None)
+            role = each.one_of("role", TARGET_ROLES, None)
             if role is not None:
                 _require_target_name(each, name, surfaces)
                 roles[role].append(name)
@@ -114,10 +114,10 @@ def _require_target_name(table: TomlTable, name: str, surfaces: list[Surface]) -
 
 
 def _read_surfaces(table: TomlTable, name: str, *, is_target: bool) -> list[Surface]:
-    kind = table.one_of("kind", KINDS)
+    kind = table.one_of("kind", SURFACE_KINDS)
     if is_target and kind not in ("board", "wall", "sphere"):
         raise table.refuse("role", "scene.role_of_kind", kind=kind)
-    if is_target and kind == "sphere" and table.one_of("role", ROLES) == "validation":
+    if is_target and kind == "sphere" and table.one_of("role", TARGET_ROLES) == "validation":
         raise table.refuse("role", "scene.validation_sphere")
     reflectance = table.number("reflectance", 0.4, low=0, high=1)
     if kind == "board":
@@ -179,15 +179,19 @@ def _read_lines(table: TomlTable) -> tuple[tuple[SailedLine, ...], tuple[Traject
         if distance is None:
             raise table.refuse("pattern.distance_m", "scene.no_distance")
         heading, bearing = line.number("heading_deg"), line.number("bearing_deg")
-        off = (bearing - heading) % 360
-        if off in (0, 180):
+        relative_bearing = (bearing - heading) % 360
+        if relative_bearing in (0, 180):
             raise line.refuse("bearing_deg", "scene.bearing_along_heading")
-        to = np.radians(bearing)
+        bearing_rad = np.radians(bearing)
         lines.append(
             SailedLine(
                 float(np.radians(heading)),
-                (float(about[0] - distance * np.cos(to)), float(about[1] + distance * np.sin(to))),
-                line.number("run_in_m", low=0), line.number("run_out_m", low=0), off < 180,
+                (
+                    float(about[0] - distance * np.cos(bearing_rad)),
+                    float(about[1] + distance * np.sin(bearing_rad)),
+                ),
+                line.number("run_in_m", low=0), line.number("run_out_m", low=0),
+                relative_bearing < 180,
             )
         )  # fmt: skip
     if lines and stretches:

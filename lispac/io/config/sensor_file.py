@@ -10,7 +10,7 @@ from lispac.io.files import atomic_write
 from lispac.messages import error
 from lispac.project import Triple
 
-STATES = ("rtk", "ppk", "degraded")
+GNSS_SOLUTIONS = ("rtk", "ppk", "degraded")
 """GNSS solutions for which the accuracies of a POS are specified."""
 
 
@@ -23,7 +23,7 @@ class ScannerSpecification:
     range_sigma : metres
     angle_sigma_deg : degrees, of the beam direction, in both directions across the beam
     divergence_mrad : milliradians, full angle
-    source : where the figures come from
+    source : origin of the figures, for example a data sheet
     unverified : whether they were not compared with the source
     """
 
@@ -41,10 +41,10 @@ class PosAccuracy:
 
     Attributes
     ----------
-    name : one of `STATES`
+    name : one of `GNSS_SOLUTIONS`
     position_sigma : metres, north, east, down
     attitude_sigma_deg : degrees, roll, pitch, heading
-    source : where the figures come from
+    source : origin of the figures, for example a data sheet
     unverified : whether they were not compared with the source
     """
 
@@ -63,7 +63,7 @@ class PosSpecification:
     states: tuple[PosAccuracy, ...]
 
 
-Figures = ScannerSpecification | PosSpecification
+SensorSpecification = ScannerSpecification | PosSpecification
 
 
 def read_scanner_specification(path: Path, *, whole: bool = True) -> ScannerSpecification:
@@ -104,7 +104,7 @@ def read_pos_specification(path: Path) -> PosSpecification:
     with TomlTable.read(path, "POS") as table:
         title = table.text("title")
         states = []
-        for name in (each for each in STATES if each in table):
+        for name in (each for each in GNSS_SOLUTIONS if each in table):
             with table.table(name) as part:
                 states.append(
                     PosAccuracy(
@@ -116,7 +116,7 @@ def read_pos_specification(path: Path) -> PosSpecification:
                     )
                 )
         if not states:
-            raise InputError(error("sensor.no_accuracies", file=str(path), tables=STATES))
+            raise InputError(error("sensor.no_accuracies", file=str(path), tables=GNSS_SOLUTIONS))
         return PosSpecification(title, tuple(states))
 
 
@@ -127,7 +127,7 @@ def _read_sigmas(table: TomlTable, key: str, high: float) -> Triple:
     return a, b, c
 
 
-def write_specification(path: Path, figures: Figures) -> None:
+def write_specification(path: Path, figures: SensorSpecification) -> None:
     """Write a specification so that it reads back unchanged.
 
     Raises

@@ -14,25 +14,25 @@ from lispac.former_names import warn_of_former_key
 from lispac.io.files import require_file
 from lispac.messages import Level, Message, Value, error
 from lispac.untrusted_values import (
-    LARGEST_AMOUNT,
-    LEAST_AMOUNT,
+    MAX_AMOUNT,
+    MIN_AMOUNT,
     InvalidContentError,
     is_possible_amount,
     toml_values,
 )
 
-FORMER_KEYS = {
+PRESENT_KEY_OF_FORMER = {
     "from_level_deg": "inclination_deg",
     "from_memory": "unverified",
     "hang": "board_choices",
     "sail": "line_choices",
 }
 """New keys by former keys; the former keys are accepted for one version."""
-NOTHING: Any = object()
+REQUIRED_KEY: Any = object()
 """Marks a key without a default: the key is required."""
-LONGEST_SHOWN = 60
+MAX_SHOWN_LENGTH = 60
 """Largest number of characters of a value in a message."""
-CONTROLS = ("Cc", "Zl", "Zp")
+CONTROL_CATEGORIES = ("Cc", "Zl", "Zp")
 """Unicode categories of control characters and line breaks, not allowed in names and titles."""
 
 
@@ -75,25 +75,25 @@ class TomlTable:
         about = {"file": str(self.path), "key": self._key_name(key), **params}
         return InputError(Message(code, Level.ERROR, about))
 
-    def text(self, key: str, default: Any = NOTHING) -> str:
+    def text(self, key: str, default: Any = REQUIRED_KEY) -> str:
         """Read a non-empty string without line breaks."""
         value = self._value(key, default)
         if value is default:
             return value
         if not (isinstance(value, str) and value.strip()):
             raise self.refuse(key, "toml.not_text", value=_shortened_text(value))
-        if any(category(letter) in CONTROLS for letter in value):
+        if any(category(letter) in CONTROL_CATEGORIES for letter in value):
             raise self.refuse(key, "toml.control_character", value=_shortened_text(value))
         return value
 
-    def one_of(self, key: str, words: Sequence[str], default: Any = NOTHING) -> str:
+    def one_of(self, key: str, words: Sequence[str], default: Any = REQUIRED_KEY) -> str:
         """Read a string that must be one of the given words."""
         value = self._value(key, default)
         if value is not default and value not in words:
             raise self.refuse(key, "toml.not_a_choice", value=_shortened_text(value), choices=words)
         return value
 
-    def boolean(self, key: str, default: Any = NOTHING) -> bool:
+    def boolean(self, key: str, default: Any = REQUIRED_KEY) -> bool:
         """Read true or false."""
         value = self._value(key, default)
         if not isinstance(value, bool):
@@ -101,7 +101,7 @@ class TomlTable:
         return value
 
     def number(
-        self, key: str, default: Any = NOTHING, *, low: float = -math.inf,
+        self, key: str, default: Any = REQUIRED_KEY, *, low: float = -math.inf,
         high: float = math.inf, over: float = -math.inf,
     ) -> float:  # fmt: skip
         """Read a number from ``low`` to ``high`` that is greater than ``over``."""
@@ -111,10 +111,10 @@ class TomlTable:
         return self._sound(key, value, low, high, over)
 
     def numbers(
-        self, key: str, count: int | None, default: Any = NOTHING, *, low: float = -math.inf,
+        self, key: str, count: int | None, default: Any = REQUIRED_KEY, *, low: float = -math.inf,
         high: float = math.inf,
     ) -> tuple[float, ...]:  # fmt: skip
-        """Read ``count`` numbers, or any number of them."""
+        """Read a list of ``count`` numbers, or of any length if ``count`` is None."""
         value = self._value(key, default)
         if value is default:
             return value
@@ -127,7 +127,7 @@ class TomlTable:
         return tuple(self._sound(key, each, low, high, -math.inf) for each in value)
 
     def three_numbers(
-        self, key: str, default: Any = NOTHING, *, low: float = -math.inf,
+        self, key: str, default: Any = REQUIRED_KEY, *, low: float = -math.inf,
         high: float = math.inf,
     ) -> tuple[float, float, float]:  # fmt: skip
         """Read a list of three numbers."""
@@ -176,13 +176,13 @@ class TomlTable:
 
     def _key_name(self, key: str) -> str:
         named = f"{self._place}{key}"
-        return named if len(named) <= LONGEST_SHOWN else f"{named[:LONGEST_SHOWN]}…"
+        return named if len(named) <= MAX_SHOWN_LENGTH else f"{named[:MAX_SHOWN_LENGTH]}…"
 
     def _value(self, key: str, default: Any) -> Any:
         self._known.add(key)
         if key in self._values:
             return self._values[key]
-        if default is NOTHING:
+        if default is REQUIRED_KEY:
             stem = key.split("_")[0]
             near = [k for k in self._values if k not in self._known and k.split("_")[0] == stem]
             if near:
@@ -202,8 +202,8 @@ class TomlTable:
         if value > high:
             raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=f"{high:g}")
         if not is_possible_amount(value):
-            bound = f"{math.copysign(LARGEST_AMOUNT, value):g}"
-            if abs(value) < LEAST_AMOUNT:
+            bound = f"{math.copysign(MAX_AMOUNT, value):g}"
+            if abs(value) < MIN_AMOUNT:
                 raise self.refuse(key, "toml.too_near_zero", value=f"{value:g}")
             if value > 0:
                 raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=bound)
@@ -213,16 +213,22 @@ class TomlTable:
 
 def _with_present_keys(path: Path, values: Mapping[str, Any]) -> dict[str, Any]:
     """Replace former keys by the present ones, with a warning for each."""
-    former = [key for key in values if key in FORMER_KEYS and FORMER_KEYS[key] not in values]
+    former = [
+        key
+        for key in values
+        if key in PRESENT_KEY_OF_FORMER and PRESENT_KEY_OF_FORMER[key] not in values
+    ]
     for key in former:
-        warn_of_former_key(str(path), key, FORMER_KEYS[key])
-    return {FORMER_KEYS[key] if key in former else key: each for key, each in values.items()}
+        warn_of_former_key(str(path), key, PRESENT_KEY_OF_FORMER[key])
+    return {
+        PRESENT_KEY_OF_FORMER[key] if key in former else key: each for key, each in values.items()
+    }
 
 
 def _shortened_text(value: Any) -> str:
     """Text of a value for a message, shortened if it is long."""
     text = repr(value)
-    return text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}…"
+    return text if len(text) <= MAX_SHOWN_LENGTH else f"{text[:MAX_SHOWN_LENGTH]}…"
 
 
 def toml_string(text: str) -> str:

@@ -20,9 +20,9 @@ from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.vessel_motion import SMALL_VESSEL, VesselHandling
 from lispac.survey.georeferencing import Mounting
 
-LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST_TIME = 1e3, 10.0, 1e9
+MAX_POSITION_ERROR_M, MAX_ATTITUDE_ERROR_DEG, MAX_TIME_S = 1e3, 10.0, 1e9
 """Limits of the given POS errors: position in metres, attitude in degrees, times in seconds."""
-KINDS = ("gauss-markov", "white", "outage", "jumps")
+POS_ERROR_KINDS = ("gauss-markov", "white", "outage", "jumps")
 
 
 @dataclass(frozen=True)
@@ -158,24 +158,24 @@ def _read_handling(table: TomlTable) -> VesselHandling:
 
 
 def _read_pos_errors(table: TomlTable) -> PosErrors:
-    kind = table.one_of("kind", KINDS)
-    position = table.three_numbers("position_m", low=0, high=LARGEST_POSITION)
+    kind = table.one_of("kind", POS_ERROR_KINDS)
+    position = table.three_numbers("position_m", low=0, high=MAX_POSITION_ERROR_M)
     roll, pitch, heading = np.radians(
-        table.three_numbers("attitude_deg", low=0, high=LARGEST_ATTITUDE)
+        table.three_numbers("attitude_deg", low=0, high=MAX_ATTITUDE_ERROR_DEG)
     )
     attitude = (float(roll), float(pitch), float(heading))
     if kind == "gauss-markov":
         return PosErrorModel(
-            position, attitude, table.number("position_s", over=0, high=LONGEST_TIME),
-            table.number("attitude_s", over=0, high=LONGEST_TIME),
+            position, attitude, table.number("position_s", over=0, high=MAX_TIME_S),
+            table.number("attitude_s", over=0, high=MAX_TIME_S),
         )  # fmt: skip
     if kind == "white":
         return WhiteNoise(position, attitude)
     if kind == "outage":
         return GnssOutage(
-            table.number("start_s", low=0, high=LONGEST_TIME),
-            table.number("duration_s", over=0, high=LONGEST_TIME), position, attitude,
+            table.number("start_s", low=0, high=MAX_TIME_S),
+            table.number("duration_s", over=0, high=MAX_TIME_S), position, attitude,
             table.boolean("smoothed", True),
         )  # fmt: skip
-    at = table.numbers("at_s", None, (), low=0)
-    return StepErrors(position, attitude, at, table.number("per_hour", 0.0, low=0))
+    step_times = table.numbers("at_s", None, (), low=0)
+    return StepErrors(position, attitude, step_times, table.number("per_hour", 0.0, low=0))

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.format_types import (
-    NOT,
-    SAME_TIME_BASE,
+    IMPOSSIBLE,
+    SAME_TIME_BASE_NOTE,
     SURE,
     Choice,
     Fact,
@@ -26,11 +26,11 @@ from lispac.io.las.las_header_check import require_sound_header
 from lispac.io.las.mounting_record import MountingRecord
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.point_reader_common import (
-    CHUNK,
-    GEOREFERENCED,
-    PLACE,
+    COMMON_OPTIONS,
+    GEOREFERENCED_FRAME,
+    POINTS_PER_CHUNK,
     PREVIEW_POINTS,
-    USE_FEET,
+    USE_FEET_ACTIONS,
     coordinate_scale,
     frame_facts,
     head_sniffer,
@@ -46,15 +46,16 @@ from lispac.messages import Message, error, note, warning
 from lispac.survey.crs import local_frame_text
 from lispac.survey.kernels import coordinates_from_integers
 from lispac.survey.line_source import printable
-from lispac.survey.point_screening import LARGEST
+from lispac.survey.point_screening import MAX_COORDINATE
 
-LARGEST_CHUNK = 1 << 28
+MAX_CHUNK_BYTES = 1 << 28
 """Largest number of bytes of point records read at once, whatever record size a header states."""
-FEET_SCALES = (0.3048, 1 / 0.3048)
-WAVEFORMS = (4, 5, 9, 10)
+FOOT_CONVERSION_FACTORS = (0.3048, 1 / 0.3048)
+WAVEFORM_POINT_FORMATS = (4, 5, 9, 10)
 """Point formats whose points refer to waveforms."""
-MIXED_UP = (9, 10)
-"""Those of `WAVEFORMS` whose references lazrs 0.8 mixes up in LAZ with several scanner channels."""
+MIXED_WAVEFORM_FORMATS = (9, 10)
+"""Those of `WAVEFORM_POINT_FORMATS` whose waveform attributes lazrs 0.8 changes in LAZ with
+several scanner channels."""
 PREVIEW_COLUMNS = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classification")
 
 
@@ -95,7 +96,7 @@ class PackedColumns(Mapping[str, NDArray[Any]]):
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the signature: LAS and LAZ files start with ``LASF``."""
-    return SURE if head[:4] == b"LASF" else NOT
+    return SURE if head[:4] == b"LASF" else IMPOSSIBLE
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
@@ -127,22 +128,22 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     good = usable_mask(xyz, time)
     xyz, time = xyz[good], time[good]
     low, high = np.asarray(header.mins), np.asarray(header.maxs)
-    bounded = bool((np.abs([low, high]) <= LARGEST).all()) and bool(
+    bounded = bool((np.abs([low, high]) <= MAX_COORDINATE).all()) and bool(
         ((xyz >= low - 0.01) & (xyz <= high + 0.01)).all()
     )
     if not bounded:
         low, high = xyz.min(axis=0), xyz.max(axis=0)
-    seen = check_first_points(xyz, time, file=file, crs=header_crs.text, low=low, high=high)
+    points_check = check_first_points(xyz, time, file=file, crs=header_crs.text, low=low, high=high)
     if frame is not None:  # the warnings on map coordinates do not apply there
-        seen = replace(seen, frame=GEOREFERENCED, file_warnings=())
+        points_check = replace(points_check, frame=GEOREFERENCED_FRAME, file_warnings=())
     base = _time_base(header)
     found = {
-        "frame": seen.frame,
+        "frame": points_check.frame,
         "crs": header_crs.text if frame is None else local_frame_text(frame),
         "height_unit": header_crs.height_unit,
         "time_base": base,
     }
-    resolved = LAS.resolved({**found, **choice})
+    resolved = LAS_FORMAT.resolved({**found, **choice})
     compressed = "LAZ" if header.are_points_compressed else "LAS"
     facts: dict[str, Fact] = {
         "format": note(
@@ -154,7 +155,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         **frame_facts(resolved),
         "resolution": ", ".join(f"{scale:g}" for scale in header.scales),
         "time base": time_base_message(time, resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
         "attributes": ", ".join(header.point_format.dimension_names),
         "written by": _decode_text(header.generating_software) or note("fact.not_specified"),
     }  # fmt: skip
@@ -164,11 +165,11 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         {name: value for name, value in found.items() if value},
         (
             *header_crs.file_warnings,
-            *seen.file_warnings,
+            *points_check.file_warnings,
             *(() if choice.get("time_base") else time_base_warnings(time, base, file)),
             *_header_warnings(header, header_crs.text, xyz, file),
         ),
-        (SAME_TIME_BASE, *_waveform_notes(header)),
+        (SAME_TIME_BASE_NOTE, *_waveform_notes(header)),
         (
             # A project stores the system that is used; the conflict is reported only with that one.
             *(header_crs.messages if choice.get("crs") in (None, "", header_crs.text) else ()),
@@ -199,7 +200,7 @@ def read_from_point(path: Path, choice: Choice, first: int) -> Iterator[PointChu
     InputError
         If the file is damaged or ends too early.
     """
-    scale = coordinate_scale(LAS.resolved(choice))
+    scale = coordinate_scale(LAS_FORMAT.resolved(choice))
     path = require_not_empty(path, "LAS")
     with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
         header = reader.header
@@ -310,7 +311,7 @@ def _record_chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleA
 
 
 def _chunk_size(header: laspy.LasHeader) -> int:
-    return max(1, min(CHUNK, LARGEST_CHUNK // header.point_format.size))
+    return max(1, min(POINTS_PER_CHUNK, MAX_CHUNK_BYTES // header.point_format.size))
 
 
 def _time_base(header: laspy.LasHeader) -> str:
@@ -320,9 +321,9 @@ def _time_base(header: laspy.LasHeader) -> str:
 
 
 def _waveform_notes(header: laspy.LasHeader) -> Iterator[Message]:
-    if header.point_format.id in WAVEFORMS:
+    if header.point_format.id in WAVEFORM_POINT_FORMATS:
         yield note("assumed.waveforms")
-        if header.are_points_compressed and header.point_format.id in MIXED_UP:
+        if header.are_points_compressed and header.point_format.id in MIXED_WAVEFORM_FORMATS:
             yield note("assumed.waveforms_mixed_up")
 
 
@@ -336,12 +337,12 @@ def _header_warnings(
         if metres > 0.002:
             yield warning("points.coarse_coordinates", file=file, step=float(metres), axis=axis)
             break
-    for factor in FEET_SCALES:
+    for factor in FOOT_CONVERSION_FACTORS:
         power = np.log10(header.scales[0] / factor)
         if abs(power - round(power)) < 1e-4:
             yield warning(
                 "points.resolution_in_feet", file=file, resolution=float(header.scales[0]),
-                actions=USE_FEET,
+                actions=USE_FEET_ACTIONS,
             )  # fmt: skip
 
 
@@ -350,12 +351,12 @@ def _decode_text(value: str | bytes) -> str:
     return text.strip("\0 ")
 
 
-LAS = FileFormat(
+LAS_FORMAT = FileFormat(
     note("format.las"),
     "las",
     "points",
     (".las", ".laz"),
-    PLACE,
+    COMMON_OPTIONS,
     sniff,
     preview_file,
     read,

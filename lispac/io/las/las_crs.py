@@ -15,18 +15,18 @@ from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, WktCoordinat
 from pyproj import CRS
 from pyproj.exceptions import CRSError
 
-from lispac.io.points.point_reader_common import CHOOSE_SYSTEM
+from lispac.io.points.point_reader_common import CHOOSE_SYSTEM_ACTION
 from lispac.messages import Action, Level, Message, warning
 
-CHECK_SYSTEM = Action("check_system", {"name": "crs"})
-CHOOSE_VERTICAL_REFERENCE = Action("choose_vertical_reference", {"name": "height"})
-UNIT_CODES = {9001: "metre", 9002: "foot", 9003: "us-survey-foot"}
-UNIT_NAMES = {"metre": "metre", "foot": "foot", "US survey foot": "us-survey-foot"}
-MODEL, CITATION, GEOGRAPHIC, GEOGRAPHIC_CITATION = 1024, 1026, 2048, 2049
-PROJECTED, PROJECTED_CITATION, PROJECTION, LINEAR_UNIT = 3072, 3073, 3074, 3076
-VERTICAL, VERTICAL_UNIT = 4096, 4099
+CHECK_SYSTEM_ACTION = Action("check_system", {"name": "crs"})
+CHOOSE_VERTICAL_REFERENCE_ACTION = Action("choose_vertical_reference", {"name": "height"})
+UNITS_BY_EPSG_CODE = {9001: "metre", 9002: "foot", 9003: "us-survey-foot"}
+UNITS_BY_PROJ_NAME = {"metre": "metre", "foot": "foot", "US survey foot": "us-survey-foot"}
+MODEL_KEY, CITATION_KEY, GEOGRAPHIC_KEY, GEOGRAPHIC_CITATION_KEY = 1024, 1026, 2048, 2049
+PROJECTED_KEY, PROJECTED_CITATION_KEY, PROJECTION_KEY, LINEAR_UNIT_KEY = 3072, 3073, 3074, 3076
+VERTICAL_KEY, VERTICAL_UNIT_KEY = 4096, 4099
 GEOCENTRIC_MODEL = 3
-UTM = (16000, 16100)
+UTM_PROJECTION_CODES = (16000, 16100)
 """GeoTIFF codes of UTM projections, north and south, to which the zone number is added."""
 
 
@@ -122,7 +122,7 @@ def _crs_from_wkt(wkt: str, file: str) -> HeaderCrs:
     crs = _parse_crs(wkt)
     if crs is None:
         return HeaderCrs(
-            file_warnings=(warning("las.unknown_wkt", file=file, actions=(CHOOSE_SYSTEM,)),)
+            file_warnings=(warning("las.unknown_wkt", file=file, actions=(CHOOSE_SYSTEM_ACTION,)),)
         )
     code = crs.to_epsg()
     return HeaderCrs(f"EPSG:{code}" if code and CRS(code) == crs else wkt, crs.name)
@@ -149,41 +149,44 @@ def _geotiff_keys(
 def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: str) -> HeaderCrs:
     file_warnings: list[Message] = []
     crs: CRS | None = None
-    if numbers.get(MODEL) == GEOCENTRIC_MODEL:
-        crs = _geocentric_crs(numbers.get(GEOGRAPHIC, 0))
+    if numbers.get(MODEL_KEY) == GEOCENTRIC_MODEL:
+        crs = _geocentric_crs(numbers.get(GEOGRAPHIC_KEY, 0))
     else:
-        crs = _crs_by_epsg(numbers.get(PROJECTED, 0))
-        if crs is None and PROJECTED not in numbers:
-            crs = _crs_by_epsg(numbers.get(GEOGRAPHIC, 0))
+        crs = _crs_by_epsg(numbers.get(PROJECTED_KEY, 0))
+        if crs is None and PROJECTED_KEY not in numbers:
+            crs = _crs_by_epsg(numbers.get(GEOGRAPHIC_KEY, 0))
     if crs is None:
         crs = _crs_by_citation(numbers, texts)
         if crs is not None:
             file_warnings.append(
                 warning(
                     "las.system_by_name", file=file, name=crs.name,
-                    system=f"EPSG:{crs.to_epsg()}", actions=(CHECK_SYSTEM,),
+                    system=f"EPSG:{crs.to_epsg()}", actions=(CHECK_SYSTEM_ACTION,),
                 )
             )  # fmt: skip
     if crs is None:
-        name, actions = texts.get(PROJECTED_CITATION) or texts.get(CITATION), (CHOOSE_SYSTEM,)
+        name, actions = (
+            texts.get(PROJECTED_CITATION_KEY) or texts.get(CITATION_KEY),
+            (CHOOSE_SYSTEM_ACTION,),
+        )
         if name:
             unknown = warning("las.system_without_code", file=file, name=name, actions=actions)
         else:
             unknown = warning("las.system_not_named", file=file, actions=actions)
         return HeaderCrs(file_warnings=(unknown,))
-    unit = UNIT_CODES.get(numbers.get(LINEAR_UNIT, 0), "")
-    own = UNIT_NAMES.get(crs.axis_info[0].unit_name, "")
-    if unit and own and unit != own:
+    unit = UNITS_BY_EPSG_CODE.get(numbers.get(LINEAR_UNIT_KEY, 0), "")
+    axis_unit = UNITS_BY_PROJ_NAME.get(crs.axis_info[0].unit_name, "")
+    if unit and axis_unit and unit != axis_unit:
         file_warnings.append(
             warning(
                 "las.unit_contradicts_system", file=file, unit=unit, system=crs.name,
-                system_unit=own, actions=(CHOOSE_SYSTEM,),
+                system_unit=axis_unit, actions=(CHOOSE_SYSTEM_ACTION,),
             )
         )  # fmt: skip
         return HeaderCrs(file_warnings=tuple(file_warnings))
     text = f"EPSG:{crs.to_epsg()}"
     name = crs.name
-    vertical = numbers.get(VERTICAL, 0)
+    vertical = numbers.get(VERTICAL_KEY, 0)
     if 5001 <= vertical <= 5033:
         pass  # GeoTIFF codes for heights above an ellipsoid
     elif vertical and (heights := _crs_by_epsg(vertical)) is not None and heights.is_vertical:
@@ -192,10 +195,10 @@ def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: s
         file_warnings.append(
             warning(
                 "las.unknown_vertical", file=file, code=str(vertical),
-                actions=(CHOOSE_VERTICAL_REFERENCE,),
+                actions=(CHOOSE_VERTICAL_REFERENCE_ACTION,),
             )
         )  # fmt: skip
-    height_unit = UNIT_CODES.get(numbers.get(VERTICAL_UNIT, 0), "")
+    height_unit = UNITS_BY_EPSG_CODE.get(numbers.get(VERTICAL_UNIT_KEY, 0), "")
     return HeaderCrs(text, name, height_unit, tuple(file_warnings))
 
 
@@ -208,15 +211,15 @@ def _geocentric_crs(code: int) -> CRS | None:
 
 
 def _crs_by_citation(numbers: Mapping[int, int], texts: Mapping[int, str]) -> CRS | None:
-    for key in (PROJECTED_CITATION, CITATION, GEOGRAPHIC_CITATION):
+    for key in (PROJECTED_CITATION_KEY, CITATION_KEY, GEOGRAPHIC_CITATION_KEY):
         name = texts.get(key, "").split("|")[0].strip()
         crs = _parse_crs(name) if name else None
         # PROJ also finds similar names; only an exact match is accepted.
         if crs is None or crs.name != name or crs.to_epsg() is None:
             continue
         if crs.is_projected and crs.utm_zone is not None:
-            base = UTM[crs.utm_zone.endswith("S")]
-            projection = numbers.get(PROJECTION, 32767)
+            base = UTM_PROJECTION_CODES[crs.utm_zone.endswith("S")]
+            projection = numbers.get(PROJECTION_KEY, 32767)
             if projection not in (32767, base + int(crs.utm_zone[:-1])):
                 continue
         return crs

@@ -22,7 +22,7 @@ from lispac import __version__
 from lispac.errors import InputError, system_reason
 from lispac.geometry.frames import LocalFrame
 from lispac.io.format_types import PointChunk
-from lispac.io.las.las_chunks import MIXED_UP, PackedColumns
+from lispac.io.las.las_chunks import MIXED_WAVEFORM_FORMATS, PackedColumns
 from lispac.io.las.las_crs_writer import write_crs
 from lispac.io.las.las_header_check import require_sound_header
 from lispac.io.las.mounting_record import MountingRecord
@@ -33,26 +33,26 @@ from lispac.survey.georeferencing import Mounting
 from lispac.survey.kernels import integers_from_coordinates
 from lispac.survey.line_source import printable
 
-STEP = 1e-4
+COORDINATE_STEP_M = 1e-4
 """Resolution of stored coordinates, metres; the scanner's points can be recovered to 0.1 mm."""
-STEP_DEG = 1e-9
+COORDINATE_STEP_DEG = 1e-9
 """Resolution of stored coordinates in degrees: 0.11 mm of latitude."""
-PLACED = ("X", "Y", "Z", "gps_time")
-WAVEFORMS = ("wavepacket_index", "x_t")
-STANDARD = {
+COORDINATE_AND_TIME_DIMENSIONS = ("X", "Y", "Z", "gps_time")
+WAVEFORM_DIMENSIONS = ("wavepacket_index", "x_t")
+STANDARD_DIMENSIONS = {
     "intensity": "u2", "return_number": "u1", "number_of_returns": "u1", "classification": "u1",
     "user_data": "u1", "point_source_id": "u2", "scan_angle": "i2", "red": "u2", "green": "u2",
     "blue": "u2", "scan_direction_flag": "u1", "edge_of_flight_line": "u1", "scanner_channel": "u1",
     "synthetic": "u1", "key_point": "u1", "withheld": "u1", "overlap": "u1", "nir": "u2",
 }  # fmt: skip
 """Dimensions of point formats 6 to 8 and the NumPy types that hold them."""
-BITS = {
+DIMENSION_BITS = {
     "scan_direction_flag": 1, "edge_of_flight_line": 1, "scanner_channel": 2, "synthetic": 1,
     "key_point": 1, "withheld": 1, "overlap": 1, "return_number": 4, "number_of_returns": 4,
 }  # fmt: skip
 """Number of bits of dimensions that are smaller than a byte."""
-COLOURS = ("red", "green", "blue")
-LONGEST_NAME = 31
+COLOUR_DIMENSIONS = ("red", "green", "blue")
+MAX_DIMENSION_NAME_LENGTH = 31
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,20 +85,20 @@ def write_header_copy(path: Path, to: Path) -> None:
     ------
     InputError
         If the file cannot be read.
-    """  # noqa: DOC501 - `damaged` makes an InputError
+    """  # noqa: DOC501 - `damaged_file_error` makes an InputError
     try:
         with laspy.open(path) as reader:
             header = deepcopy(reader.header)
-        described = _extra_bytes_record(header)
+        source_record = _extra_bytes_record(header)
         for records in (header.vlrs, header.evlrs or []):
             records[:] = [record for record in records if not _is_file_specific(record)]
         with to.open("wb") as file, laspy.LasWriter(file, header, closefd=False) as writer:
             if header.evlrs and header.version.minor >= 4:
                 writer.write_evlrs(header.evlrs)
         with laspy.open(to) as reader:
-            emptied = _extra_bytes_record(reader.header)
-        if emptied != described:  # without points, laspy's minima and maxima are meaningless
-            to.write_bytes(to.read_bytes().replace(emptied, described, 1))
+            written_record = _extra_bytes_record(reader.header)
+        if written_record != source_record:  # without points, laspy's bounds are meaningless
+            to.write_bytes(to.read_bytes().replace(written_record, source_record, 1))
     except (LaspyException, LazrsError, ValueError) as failure:
         raise damaged_file_error(path, "LAS or LAZ", failure) from failure
 
@@ -120,7 +120,7 @@ def layout_of_las(path: Path, shown: Path | None = None) -> RecordLayout:
     ------
     InputError
         If the file cannot be read.
-    """  # noqa: DOC501 - `damaged` makes an InputError
+    """  # noqa: DOC501 - `damaged_file_error` makes an InputError
     path = Path(path)
     try:
         require_sound_header(path)
@@ -130,7 +130,7 @@ def layout_of_las(path: Path, shown: Path | None = None) -> RecordLayout:
         raise damaged_file_error(path, "LAS or LAZ", failure) from failure
     notes: tuple[Message, ...] = ()
     names = list(header.point_format.dimension_names)
-    if all(name in names for name in WAVEFORMS):
+    if all(name in names for name in WAVEFORM_DIMENSIONS):
         header.global_encoding.waveform_data_packets_internal = False
         header.global_encoding.waveform_data_packets_external = False
         header.start_of_waveform_data_packet_record = 0
@@ -139,7 +139,11 @@ def layout_of_las(path: Path, shown: Path | None = None) -> RecordLayout:
         records[:] = [record for record in records if not _is_file_specific(record)]
     header.creation_date = date.today()
     header.generating_software = f"LISPAC {__version__}"
-    return RecordLayout(header, {name: (name, None) for name in names if name not in PLACED}, notes)
+    return RecordLayout(
+        header,
+        {name: (name, None) for name in names if name not in COORDINATE_AND_TIME_DIMENSIONS},
+        notes,
+    )
 
 
 def _is_file_specific(record: Any) -> bool:
@@ -152,8 +156,8 @@ def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Reco
     """Record layout of a source that is not LAS, from the names and types of its columns.
 
     A column is written to the LAS dimension of its name if all values of its type fit; otherwise it
-    is written as extra bytes. An intensity that is not an integer is written to both, rounded in
-    the dimension.
+    is written as extra bytes. An intensity that does not fit is written to both; in the dimension,
+    real numbers are rounded and limited to 65535.
 
     Parameters
     ----------
@@ -165,9 +169,9 @@ def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Reco
     columns: dict[str, tuple[str, int | None]] = {}
     extra: list[laspy.ExtraBytesParams] = []
     notes: list[Message] = []
-    used_names: set[str] = {*STANDARD, *PLACED}
+    used_names: set[str] = {*STANDARD_DIMENSIONS, *COORDINATE_AND_TIME_DIMENSIONS}
     for name, values in chunk.extra.items():
-        if name in STANDARD and _fits_dimension(name, values):
+        if name in STANDARD_DIMENSIONS and _fits_dimension(name, values):
             columns[name] = (name, None)
             continue
         if values.dtype.kind not in "iufb" or values.dtype.itemsize > 8 or values.ndim > 2:
@@ -178,35 +182,41 @@ def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Reco
         kind = "u1" if values.dtype.kind == "b" else "f4" if values.dtype == np.float16 else None
         parts = [None] if values.ndim == 1 else list(range(values.shape[1]))
         for part in parts:
-            own = _free_dimension_name(name if part is None else f"{name}_{part + 1}", used_names)
-            used_names.add(own)
+            dimension = _free_dimension_name(
+                name if part is None else f"{name}_{part + 1}", used_names
+            )
+            used_names.add(dimension)
             stored = np.dtype(kind or values.dtype.newbyteorder("="))
-            extra.append(laspy.ExtraBytesParams(own, stored, name[:LONGEST_NAME]))
-            columns[own] = (name, part)
-    number = 8 if "nir" in columns else 7 if any(name in columns for name in COLOURS) else 6
+            extra.append(
+                laspy.ExtraBytesParams(dimension, stored, name[:MAX_DIMENSION_NAME_LENGTH])
+            )
+            columns[dimension] = (name, part)
+    number = (
+        8 if "nir" in columns else 7 if any(name in columns for name in COLOUR_DIMENSIONS) else 6
+    )
     header = laspy.LasHeader(point_format=number, version="1.4")
     header.add_extra_dims(extra)
     kinds = laspy.header.GpsTimeType
     header.global_encoding.gps_time_type = kinds.STANDARD if standard_time else kinds.WEEK_TIME
     header.generating_software = f"LISPAC {__version__}"
-    single = {name: 1 for name in ("return_number", "number_of_returns") if name not in columns}
-    return RecordLayout(header, columns, tuple(notes), single)
+    constants = {name: 1 for name in ("return_number", "number_of_returns") if name not in columns}
+    return RecordLayout(header, columns, tuple(notes), constants)
 
 
 def _fits_dimension(name: str, values: NDArray[Any]) -> bool:
-    if values.ndim != 1 or not np.can_cast(values.dtype, STANDARD[name]):
+    if values.ndim != 1 or not np.can_cast(values.dtype, STANDARD_DIMENSIONS[name]):
         return False
-    return name not in BITS or int(values.max(initial=0)) < 1 << BITS[name]
+    return name not in DIMENSION_BITS or int(values.max(initial=0)) < 1 << DIMENSION_BITS[name]
 
 
 def _free_dimension_name(name: str, used_names: set[str]) -> str:
     plain = name.encode("ascii", "replace").decode().strip() or "column"
-    if plain in STANDARD or plain in PLACED:
+    if plain in STANDARD_DIMENSIONS or plain in COORDINATE_AND_TIME_DIMENSIONS:
         plain = f"source_{plain}"
-    short, number = plain[:LONGEST_NAME], 2
+    short, number = plain[:MAX_DIMENSION_NAME_LENGTH], 2
     while short in used_names:
         ending = f"_{number}"
-        short = plain[: LONGEST_NAME - len(ending)] + ending
+        short = plain[: MAX_DIMENSION_NAME_LENGTH - len(ending)] + ending
         number += 1
     return short
 
@@ -390,7 +400,7 @@ def open_cloud_writer(
                 laz_backend=laspy.LazBackend.LazrsParallel if compressed else None,
             ) as writer,
         ):
-            mixes_up = compressed and header.point_format.id in MIXED_UP
+            mixes_up = compressed and header.point_format.id in MIXED_WAVEFORM_FORMATS
             yield CloudWriter(writer, pattern, header, shown, one_channel=mixes_up)
             if header.evlrs and header.version.minor >= 4:
                 writer.write_evlrs(header.evlrs)
@@ -402,9 +412,9 @@ def open_cloud_writer(
 def coordinate_resolution(system: CoordinateSystem | None) -> NDArray[np.float64]:
     """Resolution of stored coordinates in their own units, shape (3,): 0.1 mm or finer."""
     if system is None:
-        return np.full(3, STEP)
+        return np.full(3, COORDINATE_STEP_M)
     metres = np.array(system.metres)
-    found = 10.0 ** np.floor(np.log10(STEP / metres) + 1e-9)
+    found = 10.0 ** np.floor(np.log10(COORDINATE_STEP_M / metres) + 1e-9)
     if system.is_geographic:
-        found[:2] = STEP_DEG
+        found[:2] = COORDINATE_STEP_DEG
     return np.asarray(found)

@@ -12,7 +12,7 @@ from lispac.io.las.las_chunks import read
 from lispac.messages import error, note
 from lispac.survey.scan import Scan
 
-ASSUMPTIONS = (note("assumed.metres_in_scanner_frame"), note("assumed.las_time"))
+SCANNER_FRAME_ASSUMPTIONS = (note("assumed.metres_in_scanner_frame"), note("assumed.las_time"))
 
 
 def read_scan(path: Path) -> Scan:
@@ -32,7 +32,7 @@ def read_scan(path: Path) -> Scan:
         points[rows], time[rows] = chunk.xyz, chunk.time
         intensity[rows] = chunk.extra["intensity"]
         done = rows.stop
-    return Scan(points, time, intensity, ASSUMPTIONS)
+    return Scan(points, time, intensity, SCANNER_FRAME_ASSUMPTIONS)
 
 
 def require_finite(points: NDArray[np.float64], time: NDArray[np.float64], path: Path) -> None:

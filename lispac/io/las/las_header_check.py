@@ -13,21 +13,21 @@ import lazrs
 import numpy as np
 
 from lispac.errors import InputError
-from lispac.io.las.laz_chunks import RECORD_HEADER, read_chunk_table
+from lispac.io.las.laz_chunks import VLR_HEADER_BYTES, read_chunk_table
 from lispac.io.points.point_counts import Flags, PointCounts, Rows, count_records
 from lispac.messages import error
 
 SIGNATURE = b"LASF"
-COMPRESSED = 0x80
+COMPRESSION_BIT = 0x80
 """Bit of the point format number that marks LAZ."""
-WAVEFORMS_INSIDE = 0x02
+INTERNAL_WAVEFORMS_BIT = 0x02
 """Bit of the global encoding: waveforms follow the points."""
 SCALE_LIMITS = (1e-12, 1000.0)
 """Smallest and largest accepted scale of coordinates, metres, feet or degrees."""
-TIME_AT = {1: 20, 3: 20, 4: 20, 5: 20, 6: 22, 7: 22, 8: 22, 9: 22, 10: 22}
+TIME_OFFSETS = {1: 20, 3: 20, 4: 20, 5: 20, 6: 22, 7: 22, 8: 22, 9: 22, 10: 22}
 """Byte offset of gps_time in a record, by point format."""
-LARGEST_TIME = 1e11
-WEEK = 604_800.0
+MAX_TIME_S = 1e11
+SECONDS_PER_WEEK = 604_800.0
 
 
 def require_sound_header(path: Path) -> PointCounts:
@@ -66,9 +66,9 @@ def _count_points(path: Path, size: int, header: bytes) -> PointCounts | None:
     header_size, points_start, records = struct.unpack_from("<HII", header, 94)
     point_format, point_size, count = struct.unpack_from("<BHI", header, 104)
     legacy, end = 0, size
-    if not (header_size + RECORD_HEADER * records <= points_start <= size and point_size):
+    if not (header_size + VLR_HEADER_BYTES * records <= points_start <= size and point_size):
         return None
-    if header[24:26] >= b"\x01\x03" and header[6] & WAVEFORMS_INSIDE and len(header) >= 235:
+    if header[24:26] >= b"\x01\x03" and header[6] & INTERNAL_WAVEFORMS_BIT and len(header) >= 235:
         (waveforms,) = struct.unpack_from("<Q", header, 227)
         end = waveforms if points_start < waveforms < end else end
     if header[24:26] >= b"\x01\x04" and len(header) == 375:
@@ -78,7 +78,7 @@ def _count_points(path: Path, size: int, header: bytes) -> PointCounts | None:
             if extended_start + 60 * extended > size:
                 return None
             end = extended_start if points_start < extended_start < end else end
-    if point_format & COMPRESSED:
+    if point_format & COMPRESSION_BIT:
         counts = _count_chunk_points(
             path, header_size, points_start, records, point_size, count or legacy
         )
@@ -118,22 +118,25 @@ def _count_chunk_points(
 
 def _first_time(path: Path, points_start: int, point_format: int) -> float | None:
     """Time of the first record, seconds; None if records have no time."""
-    if point_format not in TIME_AT:
+    if point_format not in TIME_OFFSETS:
         return None
     with path.open("rb") as file:
-        file.seek(points_start + TIME_AT[point_format])
+        file.seek(points_start + TIME_OFFSETS[point_format])
         value = file.read(8)
     return float(struct.unpack("<d", value)[0]) if len(value) == 8 else None
 
 
 def _are_plausible_records(rows: Rows, point_format: int, first: float | None) -> Flags:
-    """Flags of records (n, size) that may be points: their time is within a week of the first."""
-    if point_format not in TIME_AT:
+    """Flags of records (n, size) that may be points: their time is within a week of the first.
+
+    In point formats without time, all records that are not zero may be points.
+    """
+    if point_format not in TIME_OFFSETS:
         return np.asarray(rows.any(axis=1))
-    at = TIME_AT[point_format]
-    time = rows[:, at : at + 8].copy().view("<f8")[:, 0]
+    offset = TIME_OFFSETS[point_format]
+    time = rows[:, offset : offset + 8].copy().view("<f8")[:, 0]
     with np.errstate(invalid="ignore", over="ignore"):
-        usable = np.abs(time) <= LARGEST_TIME
-        if first is not None and abs(first) <= LARGEST_TIME:
-            usable &= np.abs(time - first) <= WEEK
+        usable = np.abs(time) <= MAX_TIME_S
+        if first is not None and abs(first) <= MAX_TIME_S:
+            usable &= np.abs(time - first) <= SECONDS_PER_WEEK
     return np.asarray(usable & ((time == 0) | (np.abs(time) > 1e-9)))

@@ -14,18 +14,18 @@ from typing import BinaryIO
 
 import lazrs
 
-RECORD_HEADER = 54
-LASZIP = (b"laszip encoded", 22204)
-LARGEST_CHUNK = 1 << 28
+VLR_HEADER_BYTES = 54
+LASZIP_RECORD_ID = (b"laszip encoded", 22204)
+MAX_CHUNK_BYTES = 1 << 28
 """Largest accepted size of an unpacked chunk, bytes; chunks of 50,000 points have a few MB."""
-SMALL_CHUNK = 4096
+CHUNK_OVERHEAD_BYTES = 4096
 """Bytes that a chunk may use in addition to its points."""
-LAYERED = 3
+LAYERED_COMPRESSOR = 3
 """Code of the compressor for point formats from 6 on."""
-LAYERS = {10: 9, 11: 1, 12: 2, 13: 1}
+LAYERS_BY_ITEM_TYPE = {10: 9, 11: 1, 12: 2, 13: 1}
 """Number of layers of each item of a record (point, RGB, RGB with NIR, waveform), by item type.
 Each extra byte has a layer of its own (LAZ specification 1.4)."""
-EXTRA_BYTES = 14
+EXTRA_BYTES_ITEM_TYPE = 14
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class LazChunks:
         with self.path.open("rb") as file:
             file.seek(self.start + sum(size for _, size in self.table[:-1]))
             data = file.read(length)
-        if self.record[0] == LAYERED:
+        if self.record[0] == LAYERED_COMPRESSOR:
             (last,) = struct.unpack_from("<I", data, laz.item_size())
             return int(before + last) if 0 < last <= limit else header
         return int(before + _CompressedLastChunk(data, self.record).points(header - before, limit))
@@ -148,17 +148,19 @@ def read_chunk_table(
             found = tuple(entry for entry in lazrs.read_chunk_table(file, laz) if entry[1])
         except (lazrs.LazrsError, OSError, ValueError):
             return None
-        if record[0] == LAYERED and not _do_layers_fit(file, points_start + 8, record, found):
+        if record[0] == LAYERED_COMPRESSOR and not _do_layers_fit(
+            file, points_start + 8, record, found
+        ):
             return None
     total_size = sum(length for _, length in found)
     largest = max((count for count, _ in found), default=0)
     sound = (
         laz.item_size() == point_size
         and total_size <= size - points_start
-        and largest * point_size <= LARGEST_CHUNK
+        and largest * point_size <= MAX_CHUNK_BYTES
         # Random bits compress to little more than their own size; lazrs panics if a chunk has far
         # more bytes than its points can use.
-        and all(length <= 2 * count * point_size + SMALL_CHUNK for count, length in found)
+        and all(length <= 2 * count * point_size + CHUNK_OVERHEAD_BYTES for count, length in found)
     )
     return LazChunks(path, points_start + 8, record, found) if sound else None
 
@@ -173,7 +175,7 @@ def _do_layers_fit(
     (items,) = struct.unpack_from("<H", record, 32)
     layers = point = 0
     for kind, size, _ in struct.iter_unpack("<3H", record[34 : 34 + 6 * items]):
-        layers += size if kind == EXTRA_BYTES else LAYERS.get(kind, 0)
+        layers += size if kind == EXTRA_BYTES_ITEM_TYPE else LAYERS_BY_ITEM_TYPE.get(kind, 0)
         point += size
     head = point + 4 + 4 * layers
     for _, length in table:
@@ -191,11 +193,11 @@ def _do_layers_fit(
 def _laszip_record(head: bytes, at: int, records: int) -> bytes | None:
     """Content of LAZ's own variable length record."""
     for _ in range(records):
-        if at + RECORD_HEADER > len(head):
+        if at + VLR_HEADER_BYTES > len(head):
             return None
         user, number, length = struct.unpack_from("<16sHH", head, at + 2)
-        at += RECORD_HEADER
-        if (user.rstrip(b"\0"), number) == LASZIP:
+        at += VLR_HEADER_BYTES
+        if (user.rstrip(b"\0"), number) == LASZIP_RECORD_ID:
             return head[at : at + length]
         at += length
     return None

@@ -16,11 +16,11 @@ from laspy.errors import LaspyException
 
 from lispac import __version__
 from lispac.geometry.frames import LocalFrame
-from lispac.io.las.las_crs_writer import LOCAL_FRAME, OWN_ID
+from lispac.io.las.las_crs_writer import LOCAL_FRAME_RECORD_ID, OWN_USER_ID
 from lispac.survey.georeferencing import Mounting
 from lispac.untrusted_values import json_values
 
-RECORD, VERSION = 2, 1
+RECORD_ID, CONTENT_VERSION = 2, 1
 """Record ID, and version of the record's content."""
 MAX_VALUES = {"lever_arm_m": 200.0, "boresight_deg": 360.0, "range_offset_m": 10.0,
         "scan_angle_offset_deg": 360.0, "latency_s": 60.0}  # fmt: skip
@@ -46,7 +46,7 @@ class MountingRecord:
         """Variable length records for the header."""
         mounting, frame = self.mounting, self.frame
         content = {
-            "version": VERSION,
+            "version": CONTENT_VERSION,
             "program": f"LISPAC {__version__}",
             "lever_arm_m": mounting.lever_arm.tolist(),
             "boresight_deg": np.degrees(mounting.boresight).tolist(),
@@ -60,16 +60,16 @@ class MountingRecord:
             ],
         }  # fmt: skip
         data = json.dumps(content).encode()
-        records = [laspy.VLR(OWN_ID, RECORD, "georeferenced_with", data)]
+        records = [laspy.VLR(OWN_USER_ID, RECORD_ID, "georeferenced_with", data)]
         if frame is not None:
-            records.append(laspy.VLR(OWN_ID, LOCAL_FRAME, "local_frame", b""))
+            records.append(laspy.VLR(OWN_USER_ID, LOCAL_FRAME_RECORD_ID, "local_frame", b""))
         return records
 
     @classmethod
     def of(cls, header: laspy.LasHeader) -> Self | None:
         """Get the record in a header; None if there is none or its content is not valid."""
         for each in header.vlrs:
-            if each.user_id == OWN_ID and each.record_id == RECORD:
+            if each.user_id == OWN_USER_ID and each.record_id == RECORD_ID:
                 try:
                     return cls(*_parse_content(json_values(bytes(each.record_data))))
                 except (ValueError, TypeError, KeyError):
@@ -97,7 +97,7 @@ def _parse_content(content: Any) -> tuple[Mounting, LocalFrame | None]:
     ValueError
         If it is damaged or of another version; `TypeError` and `KeyError` have the same causes.
     """
-    if content["version"] != VERSION:
+    if content["version"] != CONTENT_VERSION:
         raise ValueError(content["version"])
     values = {name: np.asarray(content[name], dtype=np.float64) for name in MAX_VALUES}
     for name, limit in MAX_VALUES.items():

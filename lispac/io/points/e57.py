@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.format_types import (
-    NOT,
-    SAME_TIME_BASE,
+    IMPOSSIBLE,
+    SAME_TIME_BASE_NOTE,
     SURE,
     Choice,
     Fact,
@@ -22,9 +22,9 @@ from lispac.io.format_types import (
 from lispac.io.points.e57_scans import Scan, find_scans, invalid_count, opened_e57, stored_points
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.point_reader_common import (
-    CHUNK,
-    GEOREFERENCED,
-    PLACE,
+    COMMON_OPTIONS,
+    GEOREFERENCED_FRAME,
+    POINTS_PER_CHUNK,
     PREVIEW_POINTS,
     coordinate_scale,
     frame_facts,
@@ -42,19 +42,19 @@ from lispac.survey.line_source import printable
 
 Array = NDArray[np.float64]
 
-START, ZERO = "start", "zero"
-TIME_FROM = FormatOption(
+FROM_SCAN_START, FROM_ZERO = "start", "zero"
+TIME_FROM_OPTION = FormatOption(
     "time_from",
     N_("Time from which time stamps count: the start of their scan, as in the standard, or zero."),
-    (START, ZERO), START,
+    (FROM_SCAN_START, FROM_ZERO), FROM_SCAN_START,
 )  # fmt: skip
-DAY = 86_400.0
+SECONDS_PER_DAY = 86_400.0
 
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the signature: E57 files start with the name of the format."""
-    return SURE if head[:8] == b"ASTM-E57" else NOT
+    return SURE if head[:8] == b"ASTM-E57" else IMPOSSIBLE
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
@@ -85,21 +85,23 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     stamps = stored["timeStamp"]
     file_warnings: list[Message] = []
     file = printable(path.name)
-    found = {"time_from": START, "crs": system}
-    if stamps.max() > DAY:
-        found["time_from"] = ZERO
+    found = {"time_from": FROM_SCAN_START, "crs": system}
+    if stamps.max() > SECONDS_PER_DAY:
+        found["time_from"] = FROM_ZERO
         file_warnings.append(warning("e57.large_time_stamps", file=file, time=float(stamps[0])))
     elif not all(scan.start for scan in scans):
-        found["time_from"] = ZERO
+        found["time_from"] = FROM_ZERO
         file_warnings.append(warning("e57.start_not_stated", file=file))
     if any(scan.has_pose for scan in scans):
         file_warnings.append(warning("e57.poses", file=file))
-    base = "gps-full" if {**found, **choice}["time_from"] == START else ""
+    base = "gps-full" if {**found, **choice}["time_from"] == FROM_SCAN_START else ""
     found["time_base"] = base
-    posed = usable_points(_point_chunk(stored, scan, {"frame": GEOREFERENCED, **found}, count))
-    seen = check_first_points(posed.xyz, posed.time, file=file, crs=system)
-    found["frame"] = seen.frame
-    resolved = E57.resolved({**found, **choice})
+    posed = usable_points(
+        _point_chunk(stored, scan, {"frame": GEOREFERENCED_FRAME, **found}, count)
+    )
+    points_check = check_first_points(posed.xyz, posed.time, file=file, crs=system)
+    found["frame"] = points_check.frame
+    resolved = E57_FORMAT.resolved({**found, **choice})
     time = posed.time
     facts: dict[str, Fact] = {
         "format": "E57",
@@ -107,21 +109,21 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         "coordinate system": system[:200] or note("fact.none"),
         **frame_facts(resolved),
         "time base": time_base_message(time, resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
         "fields": ", ".join(scan.fields),
         "written by": writer or note("fact.not_specified"),
     }
     assumptions = (
         (note("assumed.time_stamps_from_scan"),)
-        if resolved["time_from"] == START
-        else (note("assumed.time_stamps_as_they_are"), SAME_TIME_BASE)
+        if resolved["time_from"] == FROM_SCAN_START
+        else (note("assumed.time_stamps_as_they_are"), SAME_TIME_BASE_NOTE)
     )
     names = tuple(stored)
     return FilePreview(
         facts,
         preview_table(names, tuple(stored.values())),
         {name: value for name, value in found.items() if value},
-        (*file_warnings, *seen.file_warnings, *time_base_warnings(time, base, file)),
+        (*file_warnings, *points_check.file_warnings, *time_base_warnings(time, base, file)),
         assumptions,
         _invalid_point_messages(path, invalid, count),
     )
@@ -139,15 +141,15 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         If the file is missing, damaged, empty, or without time stamps.
     """
     path = require_not_empty(path, "E57")
-    resolved = E57.resolved(choice)
+    resolved = E57_FORMAT.resolved(choice)
     done = 0
     with report_damage(path, "E57"), opened_e57(path) as image:
         scans = find_scans(image, path)
         total = sum(scan.count for scan in scans)
-        if resolved["time_from"] == START and not all(scan.start for scan in scans):
+        if resolved["time_from"] == FROM_SCAN_START and not all(scan.start for scan in scans):
             raise InputError(error("e57.no_start", file=str(path)))
         for scan in scans:
-            for stored in stored_points(image, scan, path, CHUNK, done):
+            for stored in stored_points(image, scan, path, POINTS_PER_CHUNK, done):
                 done += len(stored["timeStamp"])
                 yield _point_chunk(stored, scan, resolved, total)
 
@@ -163,7 +165,7 @@ def read_coordinates(path: Path) -> Iterator[Array]:
     path = require_not_empty(path, "E57")
     with report_damage(path, "E57"), opened_e57(path) as image:
         for scan in find_scans(image, path, timed=False):
-            for stored in stored_points(image, scan, path, CHUNK, 0, timed=False):
+            for stored in stored_points(image, scan, path, POINTS_PER_CHUNK, 0, timed=False):
                 xyz = np.stack([stored[axis] for axis in "xyz"], axis=1)
                 yield xyz @ scan.rotation.T + scan.translation
 
@@ -194,15 +196,15 @@ def _point_chunk(
     stored: Mapping[str, NDArray[Any]], scan: Scan, resolved: Choice, total: int
 ) -> PointChunk:
     xyz = np.stack([stored[axis] for axis in "xyz"], axis=1)
-    if resolved["frame"] == GEOREFERENCED:
+    if resolved["frame"] == GEOREFERENCED_FRAME:
         xyz = xyz @ scan.rotation.T + scan.translation
     else:
         xyz = xyz * coordinate_scale(resolved)
     time = stored["timeStamp"].astype(np.float64)
-    if resolved["time_from"] == START:
+    if resolved["time_from"] == FROM_SCAN_START:
         time = time + scan.start
-    own = (*"xyz", "timeStamp")
-    extra = {name: values for name, values in stored.items() if name not in own}
+    own_fields = (*"xyz", "timeStamp")
+    extra = {name: values for name, values in stored.items() if name not in own_fields}
     return PointChunk(xyz, time, extra, total)
 
 
@@ -210,6 +212,13 @@ def _text_field(root: Any, name: str) -> str:
     return str(root[name].value()).strip() if root.isDefined(name) else ""
 
 
-E57 = FileFormat(
-    note("format.e57"), "e57", "points", (".e57",), (TIME_FROM, *PLACE), sniff, preview_file, read
+E57_FORMAT = FileFormat(
+    note("format.e57"),
+    "e57",
+    "points",
+    (".e57",),
+    (TIME_FROM_OPTION, *COMMON_OPTIONS),
+    sniff,
+    preview_file,
+    read,
 )

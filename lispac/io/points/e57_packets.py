@@ -10,11 +10,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import IO, Any
 
-PAGE, PAYLOAD = 1024, 1020
+PAGE_BYTES, PAYLOAD_BYTES = 1024, 1020
 """Bytes of a page, and bytes before its checksum."""
-DATA = 1
+DATA_PACKET_TYPE = 1
 """Type code of a packet with data, and of a section with packets."""
-REGISTER = 64
+MAX_PADDING_BITS = 64
 """Largest number of bits to which packed integers are padded."""
 
 
@@ -34,10 +34,10 @@ def excess_records(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
             counted, bits = int(node.childCount()), _field_bits(node)
             stored = counted
             for total, width in zip(_stream_bytes(file, offset), bits, strict=False):
-                slack = 0 if width in (32, 64) else REGISTER
+                padding_bits = 0 if width in (32, 64) else MAX_PADDING_BITS
                 if width:
-                    stored = max(stored, (8 * total - slack) // width)
-                    if not slack:
+                    stored = max(stored, (8 * total - padding_bits) // width)
+                    if not padding_bits:
                         break
             if stored > counted:
                 yield counted, stored
@@ -78,35 +78,35 @@ def _vector_offsets(file: IO[bytes]) -> list[int]:
 
 def _stream_bytes(file: IO[bytes], offset: int) -> list[int]:
     """Bytes of each field in all data packets of a vector that begins at a physical offset."""
-    at = _logical_position(offset)
-    head = _read_logical(file, at, 32)
-    if len(head) < 32 or head[0] != DATA:
+    position = _logical_position(offset)
+    head = _read_logical(file, position, 32)
+    if len(head) < 32 or head[0] != DATA_PACKET_TYPE:
         return []
     length, first = struct.unpack_from("<QQ", head, 8)
-    end, at = at + length, _logical_position(first)
+    end, position = position + length, _logical_position(first)
     totals: list[int] = []
-    while at + 4 <= end:
-        head = _read_logical(file, at, 6)
+    while position + 4 <= end:
+        head = _read_logical(file, position, 6)
         if len(head) < 6:
             break
         kind, _, size, streams = struct.unpack("<BBHH", head)
-        if kind == DATA:
-            lengths = struct.unpack(f"<{streams}H", _read_logical(file, at + 6, 2 * streams))
+        if kind == DATA_PACKET_TYPE:
+            lengths = struct.unpack(f"<{streams}H", _read_logical(file, position + 6, 2 * streams))
             totals = [a + b for a, b in zip(totals or [0] * streams, lengths, strict=True)]
-        at += size + 1
+        position += size + 1
     return totals
 
 
 def _logical_position(physical: int) -> int:
-    page, within = divmod(physical, PAGE)
-    return page * PAYLOAD + within
+    page, within = divmod(physical, PAGE_BYTES)
+    return page * PAYLOAD_BYTES + within
 
 
 def _read_logical(file: IO[bytes], logical: int, count: int) -> bytes:
     """Read bytes from a logical offset, without the checksums between them."""
-    page, within = divmod(logical, PAYLOAD)
-    pages = -(-(within + count) // PAYLOAD)
-    file.seek(page * PAGE)
-    data = file.read(pages * PAGE)
-    plain = b"".join(data[k : k + PAYLOAD] for k in range(0, len(data), PAGE))
+    page, within = divmod(logical, PAYLOAD_BYTES)
+    pages = -(-(within + count) // PAYLOAD_BYTES)
+    file.seek(page * PAGE_BYTES)
+    data = file.read(pages * PAGE_BYTES)
+    plain = b"".join(data[k : k + PAYLOAD_BYTES] for k in range(0, len(data), PAGE_BYTES))
     return plain[within : within + count]

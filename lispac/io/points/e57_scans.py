@@ -19,18 +19,18 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.files import library_path
 from lispac.io.points.e57_packets import excess_records
-from lispac.io.points.point_reader_common import CHUNK, require_usable_points
+from lispac.io.points.point_reader_common import POINTS_PER_CHUNK, require_usable_points
 from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-CARTESIAN = ("cartesianX", "cartesianY", "cartesianZ")
-SPHERICAL = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
+CARTESIAN_FIELDS = ("cartesianX", "cartesianY", "cartesianZ")
+SPHERICAL_FIELDS = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
 CARTESIAN_STATE, SPHERICAL_STATE = "cartesianInvalidState", "sphericalInvalidState"
 TIME_STATE = "isTimeStampInvalid"
-STATES = (CARTESIAN_STATE, SPHERICAL_STATE, TIME_STATE)
+STATE_FIELDS = (CARTESIAN_STATE, SPHERICAL_STATE, TIME_STATE)
 """Fields that are 0 if the Cartesian coordinates, spherical coordinates or time are valid."""
-PAGE = 1024
+PAGE_BYTES = 1024
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +99,7 @@ def _require_sound_header(path: Path) -> None:
     if len(header) < 48 or header[:8] != b"ASTM-E57":
         raise InputError(error("e57.header", file=str(path)))
     length, xml_start, xml_length, page = struct.unpack_from("<4Q", header, 16)
-    if length != size or page != PAGE or not 48 <= xml_start < size or xml_length > size:
+    if length != size or page != PAGE_BYTES or not 48 <= xml_start < size or xml_length > size:
         raise InputError(error("e57.size", file=str(path), header=length, size=size))
 
 
@@ -114,7 +114,7 @@ def find_scans(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
     Raises
     ------
     InputError
-        If no scan has points, counts disagree, or scans have different fields.
+        If no scan has points, counts disagree, scans have different fields, or fields are missing.
     """
     nodes = image.root()["data3D"]
     for header, total in excess_records(path, [nodes[k]["points"] for k in range(len(nodes))]):
@@ -149,7 +149,7 @@ def _read_scan(node: Any, path: Path, timed: bool) -> Scan:
         raise InputError(error("e57.no_time", file=str(path), fields=tuple(fields)))
     if single_time:
         fields["timeStamp"] = np.dtype(np.float32)
-    if not any(set(axes) <= set(fields) for axes in (CARTESIAN, SPHERICAL)):
+    if not any(set(axes) <= set(fields) for axes in (CARTESIAN_FIELDS, SPHERICAL_FIELDS)):
         raise InputError(error("e57.no_coordinates", file=str(path)))
     rotation, translation = _scan_pose(node, path)
     start = 0.0
@@ -159,7 +159,7 @@ def _read_scan(node: Any, path: Path, timed: bool) -> Scan:
 
 
 def _scan_pose(node: Any, path: Path) -> tuple[Array, Array]:
-    """Rotation matrix and translation from the scan to the file; a missing part is zero.
+    """Rotation matrix and translation from the scan to the file; the identity if not given.
 
     Raises
     ------
@@ -195,26 +195,30 @@ def stored_points(
 
     Parameters
     ----------
+    rows : int
+        Largest number of points of a block.
+    before : int
+        Number of points of the scans before, for messages.
     timed : bool
         Whether a point needs a valid time.
 
     Raises
     ------
     InputError
-        If the scan has fewer points than its header states.
+        If the number of points differs from that of the header, or times are not usable.
     """
     done = 0
-    for some in _read_columns(image, scan, tuple(scan.fields), rows):
-        done += len(next(iter(some.values())))
-        xyz, valid = _cartesian_coordinates(some)
+    for block in _read_columns(image, scan, tuple(scan.fields), rows):
+        done += len(next(iter(block.values())))
+        xyz, valid = _cartesian_coordinates(block)
         if timed:
-            valid &= some.get(TIME_STATE, 0) == np.zeros(len(valid))
-        some = {name: column[valid] for name, column in some.items() if name not in STATES}
+            valid &= block.get(TIME_STATE, 0) == np.zeros(len(valid))
+        block = {name: column[valid] for name, column in block.items() if name not in STATE_FIELDS}
         if not valid.any():
             continue
-        if "timeStamp" in some:
-            require_usable_points(xyz[valid], some["timeStamp"], path, before + done - len(valid))
-        yield dict(zip("xyz", xyz[valid].T, strict=True)) | some
+        if "timeStamp" in block:
+            require_usable_points(xyz[valid], block["timeStamp"], path, before + done - len(valid))
+        yield dict(zip("xyz", xyz[valid].T, strict=True)) | block
     if done != scan.count:
         raise InputError(error("e57.points_missing", file=str(path), header=scan.count, held=done))
 
@@ -246,14 +250,19 @@ def _read_columns(
 
 def invalid_count(image: Any, scan: Scan, *, timed: bool = True) -> int:
     """Number of points that a scan marks as invalid."""
-    needed = (CARTESIAN_STATE, SPHERICAL_STATE, SPHERICAL[0], *((TIME_STATE,) if timed else ()))
+    needed = (
+        CARTESIAN_STATE,
+        SPHERICAL_STATE,
+        SPHERICAL_FIELDS[0],
+        *((TIME_STATE,) if timed else ()),
+    )
     names = tuple(name for name in needed if name in scan.fields)
     if not names:
         return 0
     count = 0
-    for some in _read_columns(image, scan, names, CHUNK):
-        cartesian, spherical = _valid_coordinates(some, set(scan.fields))
-        valid = (cartesian | spherical) & (some.get(TIME_STATE, 0) == np.zeros(len(cartesian)))
+    for block in _read_columns(image, scan, names, POINTS_PER_CHUNK):
+        cartesian, spherical = _valid_coordinates(block, set(scan.fields))
+        valid = (cartesian | spherical) & (block.get(TIME_STATE, 0) == np.zeros(len(cartesian)))
         count += int((~valid).sum())
     return count
 
@@ -266,12 +275,14 @@ def _valid_coordinates(
     Each type of coordinates has its own state (ASTM E2807, table 12). Spherical columns may be
     present without values, so a range of zero is not valid.
     """
-    none = np.zeros(len(next(iter(columns.values()))), dtype=bool)
-    cartesian = spherical = none
-    if set(CARTESIAN) <= fields:
-        cartesian = columns.get(CARTESIAN_STATE, none) == 0
-    if set(SPHERICAL) <= fields:
-        spherical = (columns.get(SPHERICAL_STATE, none) == 0) & (columns[SPHERICAL[0]] > 0)
+    no_flags = np.zeros(len(next(iter(columns.values()))), dtype=bool)
+    cartesian = spherical = no_flags
+    if set(CARTESIAN_FIELDS) <= fields:
+        cartesian = columns.get(CARTESIAN_STATE, no_flags) == 0
+    if set(SPHERICAL_FIELDS) <= fields:
+        spherical = (columns.get(SPHERICAL_STATE, no_flags) == 0) & (
+            columns[SPHERICAL_FIELDS[0]] > 0
+        )
     return cartesian, spherical
 
 
@@ -279,11 +290,11 @@ def _cartesian_coordinates(columns: dict[str, NDArray[Any]]) -> tuple[Array, NDA
     """Remove the coordinates (n, 3) from ``columns``; return them and flags (n,) of valid ones."""
     cartesian, spherical = _valid_coordinates(columns, set(columns))
     xyz = np.zeros((len(cartesian), 3))
-    if set(CARTESIAN) <= set(columns):
-        xyz = np.stack([columns.pop(name) for name in CARTESIAN], axis=1).astype(np.float64)
-    if set(SPHERICAL) <= set(columns):
+    if set(CARTESIAN_FIELDS) <= set(columns):
+        xyz = np.stack([columns.pop(name) for name in CARTESIAN_FIELDS], axis=1).astype(np.float64)
+    if set(SPHERICAL_FIELDS) <= set(columns):
         used = spherical & ~cartesian
-        distance, azimuth, elevation = (columns.pop(name)[used] for name in SPHERICAL)
+        distance, azimuth, elevation = (columns.pop(name)[used] for name in SPHERICAL_FIELDS)
         flat = distance * np.cos(elevation)
         xyz[used] = np.stack(
             [flat * np.cos(azimuth), flat * np.sin(azimuth), distance * np.sin(elevation)], axis=1

@@ -9,26 +9,26 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.format_types import Fact
 from lispac.io.points.point_reader_common import (
-    CHOOSE_FRAME,
-    CHOOSE_SYSTEM,
-    COARSEST_TIME,
-    GEOREFERENCED,
-    NO_SYSTEM,
-    SCANNER,
+    CHOOSE_FRAME_ACTION,
+    CHOOSE_SYSTEM_ACTION,
+    COARSEST_TIME_RESOLUTION_S,
+    GEOREFERENCED_FRAME,
+    NO_SYSTEM_CODE,
+    SCANNER_FRAME,
     time_resolution,
     usable_mask,
 )
 from lispac.messages import Message, note, warning
-from lispac.survey.crs import ELLIPSOID, coordinate_system
-from lispac.survey.point_screening import LARGEST
+from lispac.survey.crs import ELLIPSOID_HEIGHTS, coordinate_system
+from lispac.survey.point_screening import MAX_COORDINATE
 from lispac.survey.time_quality import assess_times
 from lispac.survey.time_rollover import find_rollover, resolve_rollover
 
 Array = NDArray[np.float64]
 
-SCANNER_REACH = 1000.0
-"""Metres; points of a scanner on a vessel are rarely farther away."""
-QUANTILE_COUNT, QUANTILE = 100, 0.99
+USUAL_SCANNER_RANGE_M = 1000.0
+"""Range that the points of a scanner on a vessel rarely exceed, metres."""
+MIN_POINTS_FOR_QUANTILE, DISTANCE_QUANTILE = 100, 0.99
 """Number of points from which on the farthest are ignored, and the share that is examined."""
 
 
@@ -66,9 +66,9 @@ def check_first_points(
     file : str
         Name of the file.
     crs : str
-        Coordinate system named in the file; empty if none.
+        Coordinate system, specified in the file or by the user; empty if none.
     low, high : ndarray of shape (3,), frame and unit of the file
-        Bounds stated in the header, if any.
+        Bounds specified in the header, if any.
     """
     file_warnings: list[Message] = []
     usable = usable_mask(xyz, time)
@@ -77,7 +77,7 @@ def check_first_points(
         if usable.any():
             xyz, time = xyz[usable], time[usable]
         else:
-            xyz = np.nan_to_num(xyz).clip(-LARGEST, LARGEST)
+            xyz = np.nan_to_num(xyz).clip(-MAX_COORDINATE, MAX_COORDINATE)
     is_filled = (xyz[:, 0] == xyz[:, 1]) & (xyz[:, 1] == xyz[:, 2])  # no echo: 0 or -9999
     if is_filled.any() and not is_filled.all():
         xyz, time, low, high = xyz[~is_filled], time[~is_filled], None, None
@@ -88,39 +88,48 @@ def check_first_points(
         for i, axis in enumerate("xyz")
     }
     facts["time from, to"] = note("fact.times", low=time.min(), high=time.max(), count=len(time))
-    if len(xyz) >= QUANTILE_COUNT:  # single outliers do not determine the frame
+    if len(xyz) >= MIN_POINTS_FOR_QUANTILE:  # single outliers do not determine the frame
         distance = np.linalg.norm(xyz, axis=1)
-        usual = xyz[(distance <= np.quantile(distance, QUANTILE)) & (distance > 0)]
-        if len(usual) and np.linalg.norm(usual, axis=1).max() < SCANNER_REACH:
+        usual = xyz[(distance <= np.quantile(distance, DISTANCE_QUANTILE)) & (distance > 0)]
+        if len(usual) and np.linalg.norm(usual, axis=1).max() < USUAL_SCANNER_RANGE_M:
             low, high = usual.min(axis=0), usual.max(axis=0)
     farthest = float(np.linalg.norm(np.maximum(np.abs(low), np.abs(high))))
     size = float(np.linalg.norm(high - low))
     away = float(np.linalg.norm(np.maximum(0, np.maximum(low, -high))))
-    on_map = bool(crs) or farthest > 10 * SCANNER_REACH
+    on_map = bool(crs) or farthest > 10 * USUAL_SCANNER_RANGE_M
     if on_map and not crs:
         file_warnings.append(
-            warning(NO_SYSTEM, file=file, largest=farthest, actions=(CHOOSE_SYSTEM,))
+            warning(NO_SYSTEM_CODE, file=file, largest=farthest, actions=(CHOOSE_SYSTEM_ACTION,))
         )
-        if away == 0 and farthest < 1000 * SCANNER_REACH:
+        if away == 0 and farthest < 1000 * USUAL_SCANNER_RANGE_M:
             file_warnings.append(
-                warning("points.around_origin", file=file, actions=(CHOOSE_FRAME,))
+                warning("points.around_origin", file=file, actions=(CHOOSE_FRAME_ACTION,))
             )
-    elif crs and farthest < SCANNER_REACH and not _is_geographic(crs):
+    elif crs and farthest < USUAL_SCANNER_RANGE_M and not _is_geographic(crs):
         file_warnings.append(
-            warning("points.small_coordinates", file=file, actions=(CHOOSE_FRAME,))
+            warning("points.small_coordinates", file=file, actions=(CHOOSE_FRAME_ACTION,))
         )
-    elif not on_map and farthest > SCANNER_REACH:
+    elif not on_map and farthest > USUAL_SCANNER_RANGE_M:
         file_warnings.append(
-            warning("points.far_from_origin", file=file, distance=farthest, actions=(CHOOSE_FRAME,))
+            warning(
+                "points.far_from_origin",
+                file=file,
+                distance=farthest,
+                actions=(CHOOSE_FRAME_ACTION,),
+            )
         )
     elif not on_map and away > max(3 * size, 200.0):
         file_warnings.append(
-            warning("points.away_from_origin", file=file, distance=away, actions=(CHOOSE_FRAME,))
+            warning(
+                "points.away_from_origin", file=file, distance=away, actions=(CHOOSE_FRAME_ACTION,)
+            )
         )
     elif len(xyz) > 100 and _is_likely_geographic(low, high) and (high - low)[:2].max() < 0.02:
-        file_warnings.append(warning("points.degrees", file=file, actions=(CHOOSE_FRAME,)))
+        file_warnings.append(warning("points.degrees", file=file, actions=(CHOOSE_FRAME_ACTION,)))
     file_warnings += _time_warnings(time, len(xyz), file)
-    return FirstPointsCheck(GEOREFERENCED if on_map else SCANNER, facts, tuple(file_warnings))
+    return FirstPointsCheck(
+        GEOREFERENCED_FRAME if on_map else SCANNER_FRAME, facts, tuple(file_warnings)
+    )
 
 
 def _time_warnings(time: NDArray[Any], count: int, file: str) -> tuple[Message, ...]:
@@ -128,9 +137,9 @@ def _time_warnings(time: NDArray[Any], count: int, file: str) -> tuple[Message, 
     file_warnings = []
     step = time_resolution(time)
     hidden = assess_times(time).resolution if time.dtype == np.float64 and count > 100 else None
-    if step > COARSEST_TIME / 10:
+    if step > COARSEST_TIME_RESOLUTION_S / 10:
         file_warnings.append(warning("times.coarse", file=file, step=step))
-    elif hidden is not None and hidden > COARSEST_TIME:
+    elif hidden is not None and hidden > COARSEST_TIME_RESOLUTION_S:
         file_warnings.append(warning("times.coarse", file=file, step=hidden))
     if np.issubdtype(time.dtype, np.integer):
         file_warnings.append(warning("times.whole_numbers", file=file))
@@ -151,6 +160,6 @@ def _is_likely_geographic(low: Array, high: Array) -> bool:
 
 def _is_geographic(crs: str) -> bool:
     try:
-        return coordinate_system(crs, height=ELLIPSOID).is_geographic
+        return coordinate_system(crs, height=ELLIPSOID_HEIGHTS).is_geographic
     except InputError:
         return False

@@ -12,8 +12,8 @@ from lispac.errors import InputError
 from lispac.io.format_types import Choice, FileFormat, PointChunk
 from lispac.io.las.las_chunks import opened_las, point_count
 from lispac.io.points.point_reader_common import (
-    FRAME,
-    SCANNER,
+    FRAME_OPTION,
+    SCANNER_FRAME,
     coordinate_scale,
     report_damage,
     require_distinct_times,
@@ -22,21 +22,22 @@ from lispac.io.points.point_reader_common import (
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
-from lispac.survey.line_source import TIME_ROLLOVER
+from lispac.survey.line_source import TIME_ROLLOVER_OPTION
 from lispac.survey.scanner_frame_recovery import require_scanner_frame
-from lispac.survey.time_rollover import PERIODS, find_rollover, resolve_rollover
+from lispac.survey.time_rollover import ROLLOVER_PERIODS_S, find_rollover, resolve_rollover
 
 Array = NDArray[np.float64]
 
-MAX_TIMES = 20_000
-"""Number of times kept of a line: one every 180 ms for a line of one hour."""
-READ_WHOLE = 3_000_000
+TIMES_IN_SAMPLE = 20_000
+"""Approximate number of times kept of a long line: one every 180 ms for a line of one hour."""
+MAX_POINTS_READ_WHOLE = 3_000_000
 """Largest number of points of a LAS or LAZ file that is read completely; of larger files, blocks
 distributed over the file are read."""
-BLOCKS, BLOCK = 40, 500
-PLACE_STEP = 10
+SAMPLED_BLOCKS, POINTS_PER_BLOCK = 40, 500
+"""Number of blocks read of a large file, and points of each block."""
+TIMES_PER_POSITION = 10
 """Number of points examined for their time per point examined for its position."""
-TIME_LIMIT = 15.0
+TIME_LIMIT_S = 15.0
 """Seconds after which reading stops; the remaining points are checked at the import."""
 
 
@@ -57,7 +58,7 @@ class LineTimes:
     reached_end : bool
         Whether the end of the file was examined.
     place : ndarray of shape (3,), frame and unit of the file
-        Coordinates of one point, as stored in the file.
+        Coordinates of one point; used only if they are georeferenced.
     rollover : str
         Time rollover, given or detected (`lispac.survey.time_rollover`); empty if there is none.
     """
@@ -83,10 +84,10 @@ def read_line_times(
         If the file cannot be read with these options, or is read in the scanner frame but its
         points are not in that frame.
     """
-    given = str(choice.get(TIME_ROLLOVER, ""))
+    given = str(choice.get(TIME_ROLLOVER_OPTION, ""))
     resolved = format.resolved(choice)
-    scanner = resolved[FRAME.name] == SCANNER
-    if format.key == "las" and (count := point_count(path)) > READ_WHOLE:
+    scanner = resolved[FRAME_OPTION.name] == SCANNER_FRAME
+    if format.key == "las" and (count := point_count(path)) > MAX_POINTS_READ_WHOLE:
         found, places = _sample_times(path, count, progress)
         if scanner:
             require_scanner_frame(places * coordinate_scale(resolved), path)
@@ -100,7 +101,7 @@ def _resolve_rollover(line_times: LineTimes, given: str) -> LineTimes:
     rollover = given or find_rollover(
         np.append(line_times.sample, [line_times.start, line_times.end])
     )
-    if rollover not in PERIODS:
+    if rollover not in ROLLOVER_PERIODS_S:
         return line_times
     # The earliest and the latest stored time are on both sides of the rollover; the sample may lack
     # one of them.
@@ -130,13 +131,13 @@ def _read_times(
             place = np.asarray(chunk.xyz[len(chunk.xyz) // 2], dtype=np.float64)
         done += len(chunk.time)
         start, end = min(start, float(chunk.time.min())), max(end, float(chunk.time.max()))
-        parts.append(np.asarray(chunk.time[:: max(1, len(chunk.time) // MAX_TIMES)]))
+        parts.append(np.asarray(chunk.time[:: max(1, len(chunk.time) // TIMES_IN_SAMPLE)]))
         total = chunk.total
         progress(
             done / max(total or 2 * done, 1),
             gettext_lazy("Examining {file}: {count:n} points", file=path.name, count=done),
         )
-        if clock.monotonic() - started > TIME_LIMIT:
+        if clock.monotonic() - started > TIME_LIMIT_S:
             ended = total is not None and read >= total
             break
     if not done:
@@ -144,7 +145,7 @@ def _read_times(
     if ended:
         require_distinct_times(start, end, done, path)
     sample = np.concatenate(parts)
-    sample = sample[:: max(1, len(sample) // MAX_TIMES)]
+    sample = sample[:: max(1, len(sample) // TIMES_IN_SAMPLE)]
     return LineTimes(sample, start, end, read if ended else total, ended, ended, place)
 
 
@@ -158,21 +159,23 @@ def _sample_times(path: Path, count: int, progress: Progress) -> tuple[LineTimes
     """
     parts, places = [], []
     with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
-        for k, first in enumerate(np.linspace(0, count - BLOCK, BLOCKS).astype(int)):
+        for k, first in enumerate(
+            np.linspace(0, count - POINTS_PER_BLOCK, SAMPLED_BLOCKS).astype(int)
+        ):
             progress(
-                k / BLOCKS,
+                k / SAMPLED_BLOCKS,
                 gettext_lazy(
                     "Examining {file}: {count:n} of {total:n} places",
                     file=path.name,
                     count=k,
-                    total=BLOCKS,
+                    total=SAMPLED_BLOCKS,
                 ),
             )
             reader.seek(int(first))
-            points = reader.read_points(BLOCK)
+            points = reader.read_points(POINTS_PER_BLOCK)
             parts.append(np.array(points.gps_time, dtype=np.float64))
             xyz = np.stack([points.x, points.y, points.z], axis=1)
-            places.append(np.asarray(xyz[::PLACE_STEP], dtype=np.float64))
+            places.append(np.asarray(xyz[::TIMES_PER_POSITION], dtype=np.float64))
     times = np.concatenate(parts)
     times = times[np.isfinite(times)]
     if not len(times):

@@ -20,16 +20,17 @@ from lispac.errors import InputError
 from lispac.io.files import library_path, require_file
 from lispac.messages import error
 from lispac.simulation.meshes import Mesh
-from lispac.survey.point_screening import LARGEST as LARGEST_COORDINATE
+from lispac.survey.point_screening import MAX_COORDINATE as LARGEST_COORDINATE
 
 Array = NDArray[np.float64]
 
 ENDINGS = (".ply", ".obj", ".stl")
-HEAD = 65_536
-MEMORY_LIMIT = 1 << 29
-MEMORY_PER_BYTE = 60
-"""Bytes of memory allowed to read a mesh: MEMORY_LIMIT, and MEMORY_PER_BYTE for each byte of the
-file. A triangle of ASCII STL needs about one byte for each byte, one of binary PLY about ten."""
+HEAD_BYTES = 65_536
+BASE_MEMORY_BYTES = 1 << 29
+MEMORY_PER_FILE_BYTE = 60
+"""Bytes of memory allowed to read a mesh: `BASE_MEMORY_BYTES`, and `MEMORY_PER_FILE_BYTE` for each
+byte of the file. ASCII STL needs about one byte of memory for each byte of the file, binary PLY
+about ten."""
 
 
 class MeshReader:
@@ -97,10 +98,10 @@ def read_mesh(
     if np.abs(vertices).max() > LARGEST_COORDINATE:
         raise InputError(error("mesh.too_far", file=str(path), limit=LARGEST_COORDINATE))
     a, b, c = (vertices[column] for column in triangles.T)
-    wide = np.linalg.norm(np.cross(b - a, c - a), axis=1) > 0
-    if not wide.any():
+    has_area = np.linalg.norm(np.cross(b - a, c - a), axis=1) > 0
+    if not has_area.any():
         raise InputError(error("mesh.no_area", file=str(path)))
-    return Mesh(name, vertices, triangles[wide], reflectance)
+    return Mesh(name, vertices, triangles[has_area], reflectance)
 
 
 def _mesh_ending(path: Path) -> str:
@@ -112,7 +113,7 @@ def _mesh_ending(path: Path) -> str:
         If the format is not known.
     """
     with path.open("rb") as file:
-        head = file.read(HEAD)
+        head = file.read(HEAD_BYTES)
     if head[:4] in (b"ply\n", b"ply\r"):
         return ".ply"
     triangles = int.from_bytes(head[80:84], "little")
@@ -155,7 +156,7 @@ def _read_in_process(name: str) -> tuple[Array, NDArray[np.int64]]:
     os.close(null)
     import open3d
 
-    _limit_memory(MEMORY_LIMIT + MEMORY_PER_BYTE * os.path.getsize(name))
+    _limit_memory(BASE_MEMORY_BYTES + MEMORY_PER_FILE_BYTE * os.path.getsize(name))
     level = open3d.utility.VerbosityLevel.Error
     with open3d.utility.VerbosityContextManager(level):
         found = open3d.io.read_triangle_mesh(Path(name))

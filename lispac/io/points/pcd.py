@@ -14,14 +14,22 @@ from numpy.typing import NDArray
 
 from lispac.compiled_code import njit
 from lispac.errors import InputError
-from lispac.io.format_types import NOT, SURE, Choice, Fact, FileFormat, FilePreview, PointChunk
+from lispac.io.format_types import (
+    IMPOSSIBLE,
+    SURE,
+    Choice,
+    Fact,
+    FileFormat,
+    FilePreview,
+    PointChunk,
+)
 from lispac.io.points.point_counts import PointCounts
 from lispac.io.points.point_reader_common import (
-    CHUNK,
-    HEAD,
-    PLACE,
-    TIME_FIELD,
-    TIME_UNIT,
+    COMMON_OPTIONS,
+    HEAD_BYTES,
+    POINTS_PER_CHUNK,
+    TIME_FIELD_OPTION,
+    TIME_UNIT_OPTION,
     head_sniffer,
     report_damage,
     require_not_empty,
@@ -35,23 +43,28 @@ from lispac.io.points.point_records import (
     require_xyz_fields,
 )
 from lispac.messages import error, note
-from lispac.untrusted_values import LARGEST_INTEGER, is_whole_number
+from lispac.untrusted_values import INTEGER_LIMIT, is_whole_number
 
-TYPES = {
+NUMPY_TYPES = {
     ("I", 1): "<i1", ("I", 2): "<i2", ("I", 4): "<i4", ("I", 8): "<i8",
     ("U", 1): "<u1", ("U", 2): "<u2", ("U", 4): "<u4", ("U", 8): "<u8",
     ("F", 4): "<f4", ("F", 8): "<f8",
 }  # fmt: skip
 REQUIRED_KEYS = ("FIELDS", "SIZE", "TYPE", "POINTS", "DATA")
 MAX_EXPANSION = 300
-"""Largest accepted expansion. LZF expands three bytes to at most 264; beyond, a header is wrong."""
+"""Largest accepted ratio of unpacked to packed bytes. LZF unpacks three bytes to at most 264, so
+that a larger ratio means a wrong header."""
 
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the first lines: PCD files name their version and fields there."""
     start = head[:2048]
-    return SURE if b"VERSION" in start and b"FIELDS" in start and b"\0" not in start[:20] else NOT
+    return (
+        SURE
+        if b"VERSION" in start and b"FIELDS" in start and b"\0" not in start[:20]
+        else IMPOSSIBLE
+    )
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
@@ -65,7 +78,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     records, kind = _read_header(path)
     with report_damage(records.path, "PCD"):
         columns = _without_missing_returns(next(_read_columns(records, kind, 100_000)))
-        return preview_records(PCD, columns, choice, records)
+        return preview_records(PCD_FORMAT, columns, choice, records)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -78,11 +91,11 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         If the file is missing, damaged, cut short, empty, or without time.
     """
-    resolved = PCD.resolved(choice)
+    resolved = PCD_FORMAT.resolved(choice)
     records, kind = _read_header(path)
     done = 0
     with report_damage(records.path, "PCD"):
-        for columns in _read_columns(records, kind, CHUNK):
+        for columns in _read_columns(records, kind, POINTS_PER_CHUNK):
             returns = _without_missing_returns(columns)
             if len(returns["x"]):
                 yield point_chunk(returns, resolved, records.path, done=done, total=records.count)
@@ -109,7 +122,7 @@ def _read_columns(records: PointRecords, kind: str, rows: int) -> Iterator[Colum
 def _read_header(path: Path) -> tuple[PointRecords, str]:
     path = require_not_empty(path, "PCD")
     with path.open("rb") as file:
-        head = file.read(HEAD)
+        head = file.read(HEAD_BYTES)
     entries: dict[str, list[str]] = {}
     start = 0
     while "DATA" not in entries:
@@ -148,16 +161,16 @@ def _record_dtype(path: Path, entries: Mapping[str, list[str]]) -> np.dtype[Any]
     fields: list[tuple[str, str] | tuple[str, str, tuple[int]]] = []
     for k, (name, size, kind, many) in enumerate(zip(names, sizes, kinds, counts, strict=True)):
         number = _parse_whole_number(many)
-        if (kind.upper(), _parse_whole_number(size)) not in TYPES or not 1 <= number <= 4096:
+        if (kind.upper(), _parse_whole_number(size)) not in NUMPY_TYPES or not 1 <= number <= 4096:
             raise InputError(
                 error(
                     "pcd.field_type", file=str(path), field=name[:20], type=kind[:5],
                     size=size[:5], number=many[:9],
                 )
             )  # fmt: skip
-        own = TYPES[kind.upper(), _parse_whole_number(size)]
+        numpy_type = NUMPY_TYPES[kind.upper(), _parse_whole_number(size)]
         key = f"_{k}" if name == "_" else name  # padding has no name
-        fields.append((key, own) if number == 1 else (key, own, (number,)))
+        fields.append((key, numpy_type) if number == 1 else (key, numpy_type, (number,)))
     if len({field[0] for field in fields}) != len(fields):
         raise InputError(error("pcd.duplicate_field", file=str(path)))
     return np.dtype(fields)
@@ -171,7 +184,7 @@ def _parse_whole_number(text: str) -> int:
     ValueError
         If the text is not an integer; the message is the text.
     """
-    if not is_whole_number(text.removeprefix("-"), LARGEST_INTEGER):
+    if not is_whole_number(text.removeprefix("-"), INTEGER_LIMIT):
         raise ValueError(text[:20])
     return int(text)
 
@@ -216,13 +229,13 @@ def _read_compressed(records: PointRecords, rows: int) -> Iterator[Columns]:
     data = np.empty(whole, np.uint8)
     if _unpack_lzf(packed, data) != whole:
         raise InputError(error("pcd.compressed_damaged", file=str(path)))
-    columns, at = {}, 0
+    columns, position = {}, 0
     for name in records.dtype.names or ():
         field = records.dtype.fields[name][0] if records.dtype.fields else np.dtype("u1")
         length = field.itemsize * records.count
         shape = (records.count, *field.shape)
-        columns[name] = data[at : at + length].view(field.base).reshape(shape)
-        at += length
+        columns[name] = data[position : position + length].view(field.base).reshape(shape)
+        position += length
     for start in range(0, records.count, rows):
         yield {name: values[start : start + rows] for name, values in columns.items()}
 
@@ -261,12 +274,12 @@ def _unpack_lzf(packed: NDArray[np.uint8], data: NDArray[np.uint8]) -> int:
     return o
 
 
-PCD = FileFormat(
+PCD_FORMAT = FileFormat(
     note("format.pcd"),
     "pcd",
     "points",
     (".pcd",),
-    (TIME_FIELD, TIME_UNIT, *PLACE),
+    (TIME_FIELD_OPTION, TIME_UNIT_OPTION, *COMMON_OPTIONS),
     sniff,
     preview_file,
     read,

@@ -11,13 +11,21 @@ from typing import Any
 import numpy as np
 
 from lispac.errors import InputError
-from lispac.io.format_types import NOT, SURE, Choice, Fact, FileFormat, FilePreview, PointChunk
+from lispac.io.format_types import (
+    IMPOSSIBLE,
+    SURE,
+    Choice,
+    Fact,
+    FileFormat,
+    FilePreview,
+    PointChunk,
+)
 from lispac.io.points.point_reader_common import (
-    CHUNK,
-    HEAD,
-    PLACE,
-    TIME_FIELD,
-    TIME_UNIT,
+    COMMON_OPTIONS,
+    HEAD_BYTES,
+    POINTS_PER_CHUNK,
+    TIME_FIELD_OPTION,
+    TIME_UNIT_OPTION,
     head_sniffer,
     report_damage,
     require_not_empty,
@@ -32,7 +40,7 @@ from lispac.io.points.point_records import (
 from lispac.messages import error, note
 from lispac.untrusted_values import is_whole_number
 
-TYPES = {
+NUMPY_TYPES = {
     **dict.fromkeys(("char", "int8"), "i1"), **dict.fromkeys(("uchar", "uint8"), "u1"),
     **dict.fromkeys(("short", "int16"), "i2"), **dict.fromkeys(("ushort", "uint16"), "u2"),
     **dict.fromkeys(("int", "int32"), "i4"), **dict.fromkeys(("uint", "uint32"), "u4"),
@@ -41,13 +49,13 @@ TYPES = {
 }  # fmt: skip
 Element = tuple[str, int, list[tuple[str, str]]]
 """Name, count, and name and type of each property."""
-ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
+BYTE_ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the first line, which is ``ply``."""
-    return SURE if head[:4] in (b"ply\n", b"ply\r") else NOT
+    return SURE if head[:4] in (b"ply\n", b"ply\r") else IMPOSSIBLE
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
@@ -61,7 +69,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     records = _read_header(path)
     with report_damage(records.path, "PLY"):
         columns = next(read_record_columns(records, 10_000))
-        return preview_records(PLY, columns, choice, records)
+        return preview_records(PLY_FORMAT, columns, choice, records)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -72,11 +80,11 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         If the file is missing, damaged, cut short, empty, or without time.
     """
-    resolved = PLY.resolved(choice)
+    resolved = PLY_FORMAT.resolved(choice)
     records = _read_header(path)
     done = 0
     with report_damage(records.path, "PLY"):
-        for columns in read_record_columns(records, CHUNK):
+        for columns in read_record_columns(records, POINTS_PER_CHUNK):
             chunk = point_chunk(columns, resolved, records.path, done=done, total=records.count)
             done += len(chunk.time)
             yield chunk
@@ -85,7 +93,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
 def _read_header(path: Path) -> PointRecords:
     path = require_not_empty(path, "PLY")
     with path.open("rb") as file:
-        head = file.read(HEAD)
+        head = file.read(HEAD_BYTES)
     end = head.find(b"end_header")
     start = head.find(b"\n", end) + 1
     if head[:3] != b"ply" or end < 0 or not start:
@@ -103,10 +111,10 @@ def _read_header(path: Path) -> PointRecords:
             comments.append(" ".join(words[1:]))
     if not order:
         raise InputError(error("ply.no_format", file=str(path)))
-    if order not in ORDERS:
+    if order not in BYTE_ORDERS:
         raise InputError(error("ply.format", file=str(path), format=order))
     for k, (name, count, properties) in enumerate(elements):
-        dtype = _record_dtype(path, name, properties, ORDERS[order])
+        dtype = _record_dtype(path, name, properties, BYTE_ORDERS[order])
         if name == "vertex":
             require_xyz_fields(path, dtype.names or ())
             facts: dict[str, Fact] = {"format": f"PLY, {order}"}
@@ -127,9 +135,9 @@ def _elements_size(elements: list[Element], order: str) -> int | None:
     if order == "ascii":
         return sum(count for _, count, _ in elements)
     kinds = [(count, kind) for _, count, properties in elements for _, kind in properties]
-    if not all(kind in TYPES for _, kind in kinds):
+    if not all(kind in NUMPY_TYPES for _, kind in kinds):
         return None
-    return sum(count * np.dtype(TYPES[kind]).itemsize for count, kind in kinds)
+    return sum(count * np.dtype(NUMPY_TYPES[kind]).itemsize for count, kind in kinds)
 
 
 def _parse_count(path: Path, text: str) -> int:
@@ -148,7 +156,7 @@ def _record_dtype(
             raise InputError(
                 error("ply.property_without_type", file=file, element=element, property=name)
             )
-        if kind not in TYPES:
+        if kind not in NUMPY_TYPES:
             raise InputError(
                 error("ply.property_type", file=file, element=element, property=name, type=kind)
             )
@@ -156,7 +164,7 @@ def _record_dtype(
             raise InputError(
                 error("ply.duplicate_property", file=file, element=element, property=name)
             )
-        fields[name] = order + TYPES[kind]
+        fields[name] = order + NUMPY_TYPES[kind]
     if not fields:
         raise InputError(error("ply.no_properties", file=str(path), element=element))
     return np.dtype(list(fields.items()))
@@ -166,17 +174,17 @@ def _position_after_lines(path: Path, start: int, count: int) -> int:
     with path.open("rb") as file:
         file.seek(start)
         for _ in range(count):
-            if not file.readline(HEAD):
+            if not file.readline(HEAD_BYTES):
                 break
         return file.tell()
 
 
-PLY = FileFormat(
+PLY_FORMAT = FileFormat(
     note("format.ply"),
     "ply",
     "points",
     (".ply",),
-    (TIME_FIELD, TIME_UNIT, *PLACE),
+    (TIME_FIELD_OPTION, TIME_UNIT_OPTION, *COMMON_OPTIONS),
     sniff,
     preview_file,
     read,

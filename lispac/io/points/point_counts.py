@@ -15,9 +15,9 @@ from lispac.messages import Level, Message, Value
 
 Rows = NDArray[np.uint8]
 Flags = NDArray[np.bool_]
-BLOCK_SIZE = 1 << 22
+BYTES_PER_BLOCK = 1 << 22
 """Bytes searched at once for records that are not zero."""
-SAMPLE = 10_000
+SAMPLED_RECORDS = 10_000
 """Records beyond the header count that are checked for plausible values."""
 MIN_PLAUSIBLE_SHARE = 0.5
 """Smallest share of plausible records for data beyond the header count to be read as points."""
@@ -82,7 +82,9 @@ def count_records(
     if stored == header:
         return PointCounts(header, header)
     rows = np.memmap(path, np.uint8, "r", start, (stored, size))
-    numbers = np.unique(np.linspace(header, stored - 1, min(SAMPLE, stored - header)).astype(int))
+    numbers = np.unique(
+        np.linspace(header, stored - 1, min(SAMPLED_RECORDS, stored - header)).astype(int)
+    )
     if is_point(np.array(rows[numbers])).mean() >= MIN_PLAUSIBLE_SHARE:
         return PointCounts(header, stored)
     return PointCounts(header, header, unread=end - start - header * size)
@@ -119,7 +121,7 @@ def count_rows(path: Path, start: int, columns: int, header: int, after: int) ->
 
 def _count_without_padding(path: Path, start: int, size: int, header: int, stored: int) -> int:
     """Number of records up to the last one after ``header`` that is not zero."""
-    step = max(1, BLOCK_SIZE // size)
+    step = max(1, BYTES_PER_BLOCK // size)
     rows = np.memmap(path, np.uint8, "r", start, (stored, size))
     while stored > header:
         first = max(header, stored - step)

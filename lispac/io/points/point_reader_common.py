@@ -12,113 +12,129 @@ from numpy.typing import NDArray
 
 from lispac.errors import Cancelled, InputError, LispacError, system_reason
 from lispac.io.files import file_kind_message, require_file
-from lispac.io.format_types import NOT, SAME_TIME_BASE, Choice, Fact, FormatOption, PointChunk
-from lispac.io.text.units import LENGTH_NAMES
+from lispac.io.format_types import (
+    IMPOSSIBLE,
+    SAME_TIME_BASE_NOTE,
+    Choice,
+    Fact,
+    FormatOption,
+    PointChunk,
+)
+from lispac.io.text.units import LENGTH_UNIT_NAMES
 from lispac.language import N_
 from lispac.messages import Action, Message, error, note, warning
-from lispac.survey.crs import UNITS, CoordinateSystem, coordinate_system
+from lispac.survey.crs import METRES_PER_UNIT, CoordinateSystem, coordinate_system
 from lispac.survey.known_time_base import base_message
-from lispac.survey.line_source import TIME_ROLLOVER
-from lispac.survey.point_screening import LARGEST, LARGEST_TIME
-from lispac.survey.time_base import KEYS, base_of_key, plausible_bases
-from lispac.survey.time_rollover import KEYS as ROLLOVER_KEYS
+from lispac.survey.line_source import TIME_ROLLOVER_OPTION
+from lispac.survey.point_screening import MAX_COORDINATE, MAX_TIME_S
+from lispac.survey.time_base import TIME_BASE_KEYS, base_of_key, plausible_bases
+from lispac.survey.time_rollover import ROLLOVER_KEYS
 
 Array = NDArray[np.float64]
 
-CHUNK = 1_000_000
+POINTS_PER_CHUNK = 1_000_000
 PREVIEW_POINTS = 10_000
 """Number of points that are read for a preview."""
 PREVIEW_ROWS = 10
 """Number of points shown in a preview."""
-HEAD = 65_536
+HEAD_BYTES = 65_536
 """Bytes at the beginning of a file that are read to detect its format."""
 
-SCANNER, GEOREFERENCED = "scanner", "georeferenced"
-FRAME = FormatOption(
+SCANNER_FRAME, GEOREFERENCED_FRAME = "scanner", "georeferenced"
+FRAME_OPTION = FormatOption(
     "frame", N_("Frame of the coordinates: that of the scanner, or the map."),
-    (SCANNER, GEOREFERENCED), SCANNER,
+    (SCANNER_FRAME, GEOREFERENCED_FRAME), SCANNER_FRAME,
 )  # fmt: skip
-SCANNER_UNITS = UNITS | {
+SCANNER_UNITS = METRES_PER_UNIT | {
     "millimetre": 1e-3, "centimetre": 1e-2, "kilometre": 1e3, "inch": 0.3048 / 12,
     "yard": 3 * 0.3048, "fathom": 6 * 0.3048,
 }  # fmt: skip
-UNIT = FormatOption(
+UNIT_OPTION = FormatOption(
     "unit", N_("Unit of coordinates in the scanner frame."), tuple(SCANNER_UNITS), "metre"
 )
-CRS = FormatOption(
+CRS_OPTION = FormatOption(
     "crs", N_("Coordinate system of georeferenced points: EPSG code, such as EPSG:32619, or WKT.")
 )
-HEIGHT = FormatOption(
+HEIGHT_OPTION = FormatOption(
     "height",
     N_(
         "Vertical reference: ellipsoid, EPSG code of a vertical system, path of a geoid grid, or "
         "metres to be added, with their sign. Empty: as in the coordinate system."
     ),
 )
-HEIGHT_UNIT = FormatOption(
-    "height_unit", N_("Unit of heights. Empty: as in the coordinate system."), ("", *UNITS)
+HEIGHT_UNIT_OPTION = FormatOption(
+    "height_unit",
+    N_("Unit of heights. Empty: as in the coordinate system."),
+    ("", *METRES_PER_UNIT),
 )
-DATUM = FormatOption(
+DATUM_OPTION = FormatOption(
     "trajectory_datum",
     N_("Geographic system of the trajectory, such as EPSG:7912. Empty: that of the points."),
 )
-EPOCH = FormatOption(
+EPOCH_OPTION = FormatOption(
     "epoch", N_("Date of the survey as a decimal year, where the datums move against each other.")
 )
-TIME_BASE = FormatOption("time_base", N_("Time base. Empty: as in the file."), ("", *KEYS))
-ROLLOVER = FormatOption(
-    TIME_ROLLOVER, N_("Moment of the time rollover. Empty: detected from the times."),
+TIME_BASE_OPTION = FormatOption(
+    "time_base", N_("Time base. Empty: as in the file."), ("", *TIME_BASE_KEYS)
+)
+ROLLOVER_OPTION = FormatOption(
+    TIME_ROLLOVER_OPTION, N_("Moment of the time rollover. Empty: detected from the times."),
     ("", *ROLLOVER_KEYS),
 )  # fmt: skip
-WITHHELD = FormatOption(
+WITHHELD_OPTION = FormatOption(
     "withheld", N_("Points with the withheld flag: exclude or use them."), ("exclude", "keep"),
     "exclude",
 )  # fmt: skip
-EXCLUDE_CLASSES = FormatOption(
+EXCLUDE_CLASSES_OPTION = FormatOption(
     "exclude_classes", N_("Classes of points to exclude, such as 7 18 for noise. Empty: none.")
 )
-ONLY = FormatOption(
+ONLY_OPTION = FormatOption(
     "only",
     N_(
         "Use only points with these attributes, such as scanner_channel=0 or time=1200:1260. "
         "Empty: all points."
     ),
 )
-MAX_RANGE = FormatOption("max_range", N_("Largest range of the scanner in metres. Empty: 10000."))
-PLACE = (
-    FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE, ROLLOVER, WITHHELD,
-    EXCLUDE_CLASSES, ONLY, MAX_RANGE,
+MAX_RANGE_OPTION = FormatOption(
+    "max_range", N_("Largest range of the scanner in metres. Empty: 10000.")
+)
+COMMON_OPTIONS = (
+    FRAME_OPTION, UNIT_OPTION, CRS_OPTION, HEIGHT_OPTION, HEIGHT_UNIT_OPTION, DATUM_OPTION,
+    EPOCH_OPTION, TIME_BASE_OPTION, ROLLOVER_OPTION, WITHHELD_OPTION, EXCLUDE_CLASSES_OPTION,
+    ONLY_OPTION, MAX_RANGE_OPTION,
 )  # fmt: skip
 """Options of every reader: frame and coordinate system, time base, and selection of points."""
 
-SECONDS = {
+SECONDS_PER_UNIT = {
     "second": 1.0, "millisecond": 1e-3, "microsecond": 1e-6, "nanosecond": 1e-9,
     "minute": 60.0, "hour": 3600.0,
 }  # fmt: skip
-TIME_FIELD = FormatOption(
+TIME_FIELD_OPTION = FormatOption(
     "time_field", N_("Name of the field with the time. Empty: one of the usual names.")
 )
-TIME_UNIT = FormatOption("time_unit", N_("Unit of the time."), tuple(SECONDS), "second")
-TIME_NAMES = (
+TIME_UNIT_OPTION = FormatOption(
+    "time_unit", N_("Unit of the time."), tuple(SECONDS_PER_UNIT), "second"
+)
+TIME_FIELD_NAMES = (
     "time", "gps_time", "gpstime", "timestamp", "time_stamp", "t", "scalar_gpstime",
     "scalar_gps_time", "scalar_time", "scalar_timestamp",
 )  # fmt: skip
 """Names of the field with the time, lower case, in order of precedence."""
 
-COARSEST_TIME = 1e-3
+COARSEST_TIME_RESOLUTION_S = 1e-3
 """Coarsest accepted time resolution, seconds: a vessel that turns at 10 deg/s turns by 0.01 deg."""
-CHOOSE_SYSTEM = Action("choose_system", {"name": CRS.name})
-CHOOSE_FRAME = Action("choose_frame", {"name": FRAME.name})
-CHOOSE_TIME_BASE = Action("choose_time_base", {"name": TIME_BASE.name})
-USE_FEET = (
-    Action("use_feet", {"name": UNIT.name, "value": "foot"}),
-    Action("use_us_survey_feet", {"name": UNIT.name, "value": "us-survey-foot"}),
+CHOOSE_SYSTEM_ACTION = Action("choose_system", {"name": CRS_OPTION.name})
+CHOOSE_FRAME_ACTION = Action("choose_frame", {"name": FRAME_OPTION.name})
+CHOOSE_TIME_BASE_ACTION = Action("choose_time_base", {"name": TIME_BASE_OPTION.name})
+USE_FEET_ACTIONS = (
+    Action("use_feet", {"name": UNIT_OPTION.name, "value": "foot"}),
+    Action("use_us_survey_feet", {"name": UNIT_OPTION.name, "value": "us-survey-foot"}),
 )
-SCANNER_COLUMNS = (
-    note("assumed.scanner_coordinates"), note("assumed.other_columns_kept"), SAME_TIME_BASE,
+SCANNER_COLUMN_ASSUMPTIONS = (
+    note("assumed.scanner_coordinates"), note("assumed.other_columns_kept"), SAME_TIME_BASE_NOTE,
 )  # fmt: skip
 """Assumptions about files with coordinates in several frames, of which the scanner's are read."""
-NO_SYSTEM = "points.no_system"
+NO_SYSTEM_CODE = "points.no_system"
 """Code of the warning that a file does not specify a coordinate system."""
 
 
@@ -135,19 +151,19 @@ def crs_of_options(choice: Choice, path: Path | None = None) -> CoordinateSystem
     InputError
         If the system is not known or the options contradict each other.
     """
-    if choice[FRAME.name] == SCANNER:
+    if choice[FRAME_OPTION.name] == SCANNER_FRAME:
         return None
-    epoch = str(choice[EPOCH.name]).strip()
+    epoch = str(choice[EPOCH_OPTION.name]).strip()
     try:
         year = float(epoch) if epoch else None
     except ValueError:
         raise InputError(error("file.epoch", epoch=epoch)) from None
     try:
         return coordinate_system(
-            choice[CRS.name],
-            height=choice[HEIGHT.name],
-            height_unit=choice[HEIGHT_UNIT.name],
-            trajectory_datum=choice[DATUM.name],
+            choice[CRS_OPTION.name],
+            height=choice[HEIGHT_OPTION.name],
+            height_unit=choice[HEIGHT_UNIT_OPTION.name],
+            trajectory_datum=choice[DATUM_OPTION.name],
             epoch=year,
         )
     except InputError as failure:
@@ -160,14 +176,18 @@ def crs_of_options(choice: Choice, path: Path | None = None) -> CoordinateSystem
 
 def coordinate_scale(choice: Choice) -> float:
     """Factor from coordinates in the scanner frame to metres; 1 for other frames."""
-    return SCANNER_UNITS[choice[UNIT.name]] if choice[FRAME.name] == SCANNER else 1.0
+    return (
+        SCANNER_UNITS[choice[UNIT_OPTION.name]]
+        if choice[FRAME_OPTION.name] == SCANNER_FRAME
+        else 1.0
+    )
 
 
 def frame_facts(choice: Choice) -> dict[str, Fact]:
     """Facts about frame and unit for the preview, from complete options."""
-    if choice[FRAME.name] == SCANNER:
-        metres = SCANNER_UNITS[choice[UNIT.name]]
-        unit = LENGTH_NAMES[metres]
+    if choice[FRAME_OPTION.name] == SCANNER_FRAME:
+        metres = SCANNER_UNITS[choice[UNIT_OPTION.name]]
+        unit = LENGTH_UNIT_NAMES[metres]
         return {
             "frame": note("fact.scanner_frame"),
             "unit": unit if metres == 1.0 else note("fact.converted_unit", unit=unit),
@@ -208,18 +228,18 @@ def damaged_file_error(path: Path, what: str, failure: Exception) -> InputError:
     )
 
 
-def head_sniffer(judge: Callable[[bytes, Path], float]) -> Callable[[Path], float]:
-    """Format detection by the first bytes of a file, which never raises an error."""
+def head_sniffer(likelihood_of_head: Callable[[bytes, Path], float]) -> Callable[[Path], float]:
+    """Decorator that applies a detection to the first bytes of a file and raises no error."""
 
-    @wraps(judge)
+    @wraps(likelihood_of_head)
     def sniff(path: Path) -> float:
         try:
             if not Path(path).is_file():
-                return NOT
+                return IMPOSSIBLE
             with Path(path).open("rb") as file:
-                return judge(file.read(HEAD), Path(path))
+                return likelihood_of_head(file.read(HEAD_BYTES), Path(path))
         except Exception:  # a file of another format may cause any error in a parser
-            return NOT
+            return IMPOSSIBLE
 
     return sniff
 
@@ -252,7 +272,7 @@ def find_time_field(path: Path, names: Sequence[str], requested: str) -> str:
         raise InputError(
             error("file.no_such_field", file=str(path), field=requested, fields=tuple(names))
         )
-    for usual in TIME_NAMES:
+    for usual in TIME_FIELD_NAMES:
         for name in names:
             if name.lower() == usual:
                 return name
@@ -273,8 +293,8 @@ def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int
     Parameters
     ----------
     xyz : ndarray of shape (n, 3), frame and unit of the file
-    time : ndarray of shape (n,), in the unit of the file
-        As stored; the resolution follows from the type.
+    time : ndarray of shape (n,), seconds
+        With the type in the file, from which the resolution follows.
     first : int
         Number of points of the file before these.
 
@@ -282,7 +302,7 @@ def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int
     ------
     InputError
     """
-    if not (_are_within_limit(xyz, LARGEST) and _are_within_limit(time, LARGEST_TIME)):
+    if not (_are_within_limit(xyz, MAX_COORDINATE) and _are_within_limit(time, MAX_TIME_S)):
         good = usable_mask(xyz, time)
         bad = int((~good).sum())
         if bad > MAX_UNUSABLE_SHARE * len(good):
@@ -292,7 +312,7 @@ def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int
             raise InputError(error("file.points_not_usable", file=file, point=point, count=bad))
         time = time[good]
     step = time_resolution(time)
-    if step > COARSEST_TIME:
+    if step > COARSEST_TIME_RESOLUTION_S:
         largest = float(np.max(np.abs(time)))
         raise InputError(error("file.time_32_bits", file=str(path), time=largest, step=step))
 
@@ -325,10 +345,10 @@ def usable_mask(xyz: Array, time: NDArray[Any]) -> NDArray[np.bool_]:
     Parameters
     ----------
     xyz : ndarray of shape (n, 3), frame and unit of the file
-    time : ndarray of shape (n,), in the unit of the file
+    time : ndarray of shape (n,), seconds
     """
     return np.asarray(
-        (np.abs(xyz) <= LARGEST).all(axis=1) & (np.abs(time) <= LARGEST_TIME), dtype=bool
+        (np.abs(xyz) <= MAX_COORDINATE).all(axis=1) & (np.abs(time) <= MAX_TIME_S), dtype=bool
     )
 
 
@@ -347,7 +367,7 @@ def _are_within_limit(values: NDArray[Any], limit: float) -> bool:
 
 
 def time_resolution(time: NDArray[Any], seconds: float = 1.0) -> float:
-    """Resolution of ``time`` (n,) stored with 32 bits, seconds; zero for 64 bits."""
+    """Resolution of ``time`` (n,) stored as float32, seconds; zero for other types."""
     finite = time[np.isfinite(time)] if time.dtype == np.float32 else time[:0]
     if not len(finite):
         return 0.0
@@ -370,7 +390,11 @@ def time_base_warnings(time: NDArray[np.float64], base_key: str, file: str) -> t
     if base_key in {each.key for each in possible}:
         return ()
     fitting = tuple(base_message(each) for each in possible)
-    base, first, actions = base_message(base_of_key(base_key)), float(time[0]), (CHOOSE_TIME_BASE,)
+    base, first, actions = (
+        base_message(base_of_key(base_key)),
+        float(time[0]),
+        (CHOOSE_TIME_BASE_ACTION,),
+    )
     if not fitting:
         return (
             warning("times.base_impossible", file=file, base=base, time=first, actions=actions),

@@ -9,12 +9,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.format_types import SAME_TIME_BASE, Choice, Fact, FileFormat, FilePreview, PointChunk
+from lispac.io.format_types import (
+    SAME_TIME_BASE_NOTE,
+    Choice,
+    Fact,
+    FileFormat,
+    FilePreview,
+    PointChunk,
+)
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.point_counts import Flags, Rows, count_records, count_rows
 from lispac.io.points.point_reader_common import (
     PREVIEW_POINTS,
-    SECONDS,
+    SECONDS_PER_UNIT,
     coordinate_scale,
     find_time_field,
     frame_facts,
@@ -28,9 +35,9 @@ from lispac.io.points.point_reader_common import (
 from lispac.io.text.units import TIME_UNIT_NAMES
 from lispac.messages import Message, error, note, warning
 from lispac.survey.line_source import printable
-from lispac.survey.point_screening import LARGEST as LARGEST_COORDINATE
+from lispac.survey.point_screening import MAX_COORDINATE
 
-LARGEST = 1 << 28  # bytes of records read at once
+BYTES_PER_READ = 1 << 28  # bytes of records read at once
 Columns = Mapping[str, NDArray[Any]]
 
 
@@ -88,11 +95,11 @@ class PointRecords:
         return list((self.dtype.fields or {}).values())
 
     def _are_points(self, rows: Rows) -> Flags:
-        """Flags of records (n, size) with usable coordinates, or NaN as PCL marks no return."""
+        """Flags of records (n, size) with usable coordinates, or three NaN for a missing return."""
         values = rows.view(self.dtype)[:, 0]
         xyz = np.stack([values[axis].astype(np.float64) for axis in "xyz"], axis=1)
         with np.errstate(invalid="ignore"):
-            usable = (np.abs(xyz) <= LARGEST_COORDINATE).all(axis=1)
+            usable = (np.abs(xyz) <= MAX_COORDINATE).all(axis=1)
         return np.asarray(usable | np.isnan(xyz).all(axis=1))
 
     def require_whole(self) -> None:
@@ -104,8 +111,8 @@ class PointRecords:
         """
         if not self.count:
             raise InputError(error("file.no_points", file=str(self.path)))
-        least = 2 * len(self.dtype.names or ()) if self.ascii else self.dtype.itemsize
-        stored = (self.path.stat().st_size - self.start) // least
+        min_record_bytes = 2 * len(self.dtype.names or ()) if self.ascii else self.dtype.itemsize
+        stored = (self.path.stat().st_size - self.start) // min_record_bytes
         if stored < self.count - (1 if self.ascii else 0):
             available = max(stored, 0)
             raise InputError(
@@ -122,7 +129,7 @@ def read_record_columns(records: PointRecords, rows: int) -> Iterator[Columns]:
         If the file ends early.
     """
     records.require_whole()
-    rows = max(1, min(rows, LARGEST // records.dtype.itemsize))
+    rows = max(1, min(rows, BYTES_PER_READ // records.dtype.itemsize))
     with records.path.open("rb") as file:
         file.seek(records.start)
         done = 0
@@ -190,7 +197,7 @@ def point_chunk(
         raise InputError(error("file.several_values", file=str(path), field=name))
     xyz = np.stack([columns[axis].astype(np.float64) for axis in "xyz"], axis=1)
     time = columns[name]
-    factor = SECONDS[choice["time_unit"]]
+    factor = SECONDS_PER_UNIT[choice["time_unit"]]
     in_seconds = time * np.float32(factor) if time.dtype == np.float32 else time * factor
     require_usable_points(xyz, in_seconds, path, done)
     extra = {
@@ -226,20 +233,20 @@ def preview_records(
     chunk = usable_points(chunk)
     stored_time = first[field]
     file = printable(path.name)
-    seen = check_first_points(chunk.xyz, chunk.time, file=file, crs=str(choice["crs"]))
-    file_warnings = list(seen.file_warnings)
-    step = time_resolution(stored_time, SECONDS[choice["time_unit"]])
+    points_check = check_first_points(chunk.xyz, chunk.time, file=file, crs=str(choice["crs"]))
+    file_warnings = list(points_check.file_warnings)
+    step = time_resolution(stored_time, SECONDS_PER_UNIT[choice["time_unit"]])
     if step > 1e-4 and not any(each.code == "times.coarse" for each in file_warnings):
         file_warnings.append(warning("times.coarse", file=file, step=step))
     if np.issubdtype(stored_time.dtype, np.integer) and choice["time_unit"] == "second":
         file_warnings.append(warning("times.whole_numbers", file=file))
     farthest = float(np.abs(chunk.xyz).max())
-    grain = float(np.spacing(np.float32(farthest)))
-    if any(first[axis].dtype == np.float32 for axis in "xyz") and grain > 1e-3:
+    coordinate_step = float(np.spacing(np.float32(farthest)))
+    if any(first[axis].dtype == np.float32 for axis in "xyz") and coordinate_step > 1e-3:
         file_warnings.append(
-            warning("points.coordinates_32_bits", file=file, step=grain, largest=farthest)
+            warning("points.coordinates_32_bits", file=file, step=coordinate_step, largest=farthest)
         )
-    found = {"frame": seen.frame, "time_field": field}
+    found = {"frame": points_check.frame, "time_field": field}
     resolved = format_.resolved({**found, **given_choice})
     return FilePreview(
         {
@@ -247,7 +254,7 @@ def preview_records(
             "points": count,
             **frame_facts(resolved),
             "time base": time_base_message(chunk.time, str(choice["time_base"])),
-            **seen.facts,
+            **points_check.facts,
             "fields": ", ".join(first),
         },
         preview_table(tuple(first), tuple(first.values())),
@@ -256,9 +263,9 @@ def preview_records(
         (
             note(
                 "assumed.time_field", field=field,
-                unit=TIME_UNIT_NAMES[SECONDS[choice["time_unit"]]],
+                unit=TIME_UNIT_NAMES[SECONDS_PER_UNIT[choice["time_unit"]]],
             ),
-            SAME_TIME_BASE,
+            SAME_TIME_BASE_NOTE,
         ),
         records.messages,
     )  # fmt: skip

@@ -13,20 +13,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.format_types import NOT
+from lispac.io.format_types import IMPOSSIBLE
 from lispac.io.las import las_chunks
 from lispac.io.points import e57, pcd, ply
-from lispac.io.points.point_reader_common import HEAD, report_damage, require_not_empty
+from lispac.io.points.point_reader_common import HEAD_BYTES, report_damage, require_not_empty
 from lispac.io.text import pts
 from lispac.io.text.seed_file import header_meanings, separator_of
-from lispac.io.text.text_layout import COMMENT_MARKS, SEPARATORS
-from lispac.io.text.text_table import UTF16, is_number, numbered_lines, split_fields
+from lispac.io.text.text_layout import COMMENT_MARKS, SEPARATOR_CHARACTERS
+from lispac.io.text.text_table import UTF16_ENCODINGS, is_number, numbered_lines, split_fields
 from lispac.messages import Message, error
-from lispac.survey.point_screening import LARGEST
+from lispac.survey.point_screening import MAX_COORDINATE
 
 Array = NDArray[np.float64]
 
-WHAT = "static scan"
+FILE_KIND = "static scan"
 ROWS_CHECKED = 20
 """Rows of a text that are checked for times."""
 
@@ -80,7 +80,7 @@ class StaticScan:
             chunks = iter([_read_text(self.path, local)])
         count = 0
         for chunk in chunks:
-            good = (np.abs(chunk) <= LARGEST).all(axis=1)
+            good = (np.abs(chunk) <= MAX_COORDINATE).all(axis=1)
             if not good.all():
                 point = count + int(np.argmin(good)) + 1
                 raise InputError(
@@ -100,7 +100,7 @@ def open_static_scan(path: Path) -> StaticScan:
     InputError
         If the file is missing, empty, damaged, or in a format that is not read without time.
     """
-    path = require_not_empty(Path(path), WHAT)
+    path = require_not_empty(Path(path), FILE_KIND)
     kind = _scan_kind(path)
     if kind == "las":
         header_crs = las_chunks.read_file_crs(path)
@@ -119,16 +119,16 @@ def _scan_kind(path: Path) -> str:
     InputError
         If it is a cloud in a format that is not read without time.
     """
-    if las_chunks.sniff(path) > NOT:
+    if las_chunks.sniff(path) > IMPOSSIBLE:
         return "las"
-    if e57.sniff(path) > NOT:
+    if e57.sniff(path) > IMPOSSIBLE:
         return "e57"
-    other = pts.is_ptx(path) or any(each.sniff(path) > NOT for each in (ply, pcd))
+    other = pts.is_ptx(path) or any(each.sniff(path) > IMPOSSIBLE for each in (ply, pcd))
     if not other and pts.is_pts(path):
         return "pts"
     with path.open("rb") as file:
-        head = file.read(HEAD)
-    if other or (b"\0" in head and head[:2] not in UTF16):
+        head = file.read(HEAD_BYTES)
+    if other or (b"\0" in head and head[:2] not in UTF16_ENCODINGS):
         raise InputError(error("static_scan.other_format", file=str(path)))
     return ""
 
@@ -142,7 +142,7 @@ def _read_text(path: Path, local: bool) -> Array:
         If no row has three coordinates, or they have decimal commas.
     """
     rows = (
-        (number, line) for number, line in numbered_lines(path, WHAT)
+        (number, line) for number, line in numbered_lines(path, FILE_KIND)
         if line.strip() and not line.strip().startswith(COMMENT_MARKS)
     )  # fmt: skip
     first = next(rows, None)
@@ -162,19 +162,25 @@ def _read_text(path: Path, local: bool) -> Array:
         raise InputError(error("static_scan.too_few_coordinates", file=str(path), row=sample[0]))
     if any("," in fields[k] for k in columns):
         raise InputError(error("static_scan.decimal_commas", file=str(path), row=sample[0]))
-    with report_damage(path, f"text of a {WHAT}"), path.open(encoding="utf-8-sig") as file:
+    with report_damage(path, f"text of a {FILE_KIND}"), path.open(encoding="utf-8-sig") as file:
         return np.loadtxt(
-            file, delimiter=SEPARATORS.get(separator), usecols=columns, skiprows=above, ndmin=2,
-            comments=list(COMMENT_MARKS),
+            file, delimiter=SEPARATOR_CHARACTERS.get(separator), usecols=columns, skiprows=above,
+            ndmin=2, comments=list(COMMENT_MARKS),
         )  # fmt: skip
 
 
 def has_no_time(path: Path, *, or_text: bool) -> bool:
-    """True if a file is a cloud without time: PTS, or text whose first rows have only x, y, z."""
+    """True if a file is a cloud without time: PTS, or text whose first rows have only x, y, z.
+
+    Parameters
+    ----------
+    or_text : bool
+        Whether text other than PTS is examined; it is otherwise not a cloud.
+    """
     if pts.has_point_count(path) or not or_text:
         return pts.has_point_count(path)
     try:
-        texts = (line.strip() for _, line in islice(numbered_lines(path, WHAT), ROWS_CHECKED))
+        texts = (line.strip() for _, line in islice(numbered_lines(path, FILE_KIND), ROWS_CHECKED))
         rows = [split_fields(text) for text in texts if text and not text.startswith(COMMENT_MARKS)]
     except InputError:
         return False
@@ -183,5 +189,5 @@ def has_no_time(path: Path, *, or_text: bool) -> bool:
 
 
 def has_at_most_rows(path: Path, limit: int) -> bool:
-    """True if a text file has no more rows than a list of points may have."""
-    return len(list(islice(numbered_lines(path, WHAT), limit + 1))) <= limit
+    """True if a text file has at most ``limit`` lines."""
+    return len(list(islice(numbered_lines(path, FILE_KIND), limit + 1))) <= limit

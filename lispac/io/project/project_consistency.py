@@ -8,9 +8,9 @@ from lispac.message_texts import has_text
 from lispac.messages import Message, error
 from lispac.project import ROLES, SHAPES, Project, require_valid_target
 from lispac.targets.finder_settings import is_possible_search
-from lispac.untrusted_values import LARGEST_INTEGER, InvalidContentError
+from lispac.untrusted_values import INTEGER_LIMIT, InvalidContentError
 
-LIMITS, LARGEST_RMS, FULL_TURN = 1e8, 1e6, 360.0
+MAX_COORDINATE_M, MAX_RMS_M, MAX_ANGLE_DEG = 1e8, 1e6, 360.0
 """Limits: coordinates in a local frame, metres; RMS of a sighting about its plane, metres; angles,
 degrees."""
 
@@ -26,7 +26,7 @@ def require_consistent(project: Project) -> None:
     project.identity.require_sound()
     lines = {line.name for line in project.lines}
     require_unique_names(project)
-    if project.truth_deg is not None and not np.abs(project.truth_deg).max() <= FULL_TURN:
+    if project.truth_deg is not None and not np.abs(project.truth_deg).max() <= MAX_ANGLE_DEG:
         raise InvalidContentError(error("content.invalid_truth"))
     for target in project.targets:
         if target.role not in ROLES:
@@ -38,7 +38,7 @@ def require_consistent(project: Project) -> None:
                 error("content.unknown_shape", target=target.name, shape=str(target.shape))
             )
         require_valid_target(target)
-        is_near = np.abs(target.seed).max() <= LIMITS
+        is_near = np.abs(target.seed).max() <= MAX_COORDINATE_M
         if not (is_near and is_possible_search(target.threshold, target.radius)):
             raise InvalidContentError(error("content.invalid_search", target=target.name))
         for sighting in target.sightings:
@@ -46,7 +46,7 @@ def require_consistent(project: Project) -> None:
                 raise InvalidContentError(
                     error("content.unknown_line", target=target.name, line=sighting.line)
                 )
-            if not (0 <= sighting.rms <= LARGEST_RMS and 1 <= sighting.one_in < LARGEST_INTEGER):
+            if not (0 <= sighting.rms <= MAX_RMS_M and 1 <= sighting.one_in < INTEGER_LIMIT):
                 raise InvalidContentError(
                     error("content.invalid_sighting", target=target.name, line=sighting.line)
                 )
@@ -84,7 +84,9 @@ def require_unique_names(project: Project) -> None:
     ------
     InvalidContentError
     """
-    lines, targets = ([each.name for each in some] for some in (project.lines, project.targets))
+    lines, targets = (
+        [each.name for each in named_items] for named_items in (project.lines, project.targets)
+    )
     for line in lines:
         if lines.count(line) > 1:
             raise InvalidContentError(error("content.duplicate_line", line=line))

@@ -38,7 +38,7 @@ from lispac.io.files import (
     write_error,
 )
 from lispac.io.project.project_consistency import require_consistent, require_unique_names
-from lispac.io.project.project_lock import FILE_NAME as FILE_NAME
+from lispac.io.project.project_lock import PROJECT_FILE_NAME as PROJECT_FILE_NAME
 from lispac.io.project.project_lock import content_digest, project_lock
 from lispac.io.project.project_upgrades import SCHEMA_VERSION, upgrade_content
 from lispac.io.value_conversion import decode_value, encode_value, failure_summary
@@ -56,18 +56,18 @@ from lispac.project import (
 )
 from lispac.survey.store.layout import is_link, require_no_link
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from lispac.untrusted_values import InvalidContentError, json_values
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.validation.plane_comparison import PlaneComparison
 
 UNSAVED_NAME = "unsaved.json"
-SIGHTINGS = "sightings"
-BLOCK = 1 << 20
-OPENER = "project.lispac"
+SIGHTINGS_FOLDER = "sightings"
+BYTES_PER_READ = 1 << 20
+OPENER_NAME = "project.lispac"
 OPENER_ENDING = ".lispac"
 OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
-Points = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
+IndexReader = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
 """Function that returns the point indices of the sightings of a target, from the path of its file
 of points, the name of the target, and the number of points of each sighting."""
 
@@ -98,14 +98,14 @@ def write_project(project: Project, *, expected: str | None = None) -> str:
     InputError
         If the folder cannot be written.
     """
-    folder, path = project.folder, project.folder / FILE_NAME
+    folder, path = project.folder, project.folder / PROJECT_FILE_NAME
     with _new_folder(folder), project_lock(folder):
         if expected is not None and (found := _digest_on_disk(path)) != expected:
             if found and not expected:
                 raise ProjectError(error("project.exists", folder=str(folder)))
             raise ProjectChanged(error("project.changed_on_disk", folder=str(folder)))
-        used = _write_state(project, FILE_NAME)
-        _write_opener(folder / OPENER)
+        used = _write_state(project, PROJECT_FILE_NAME)
+        _write_opener(folder / OPENER_NAME)
         _remove_unused_files(folder, used | _unsaved_point_files(folder))
         remove_abandoned_files(path)
         return _digest_on_disk(path)
@@ -120,7 +120,7 @@ def _new_folder(folder: Path) -> Iterator[None]:
     InputError
         If it cannot be created.
     """  # noqa: DOC501 - `write_error` makes an InputError
-    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    new_folders = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         try:
             folder.mkdir(parents=True, exist_ok=True)
@@ -128,9 +128,9 @@ def _new_folder(folder: Path) -> Iterator[None]:
             raise bad_name_error(folder) from failure
         yield
     except OSError as failure:
-        raise write_error(folder / FILE_NAME, failure) from failure
+        raise write_error(folder / PROJECT_FILE_NAME, failure) from failure
     finally:
-        remove_empty_folders(made)
+        remove_empty_folders(new_folders)
 
 
 def _digest_on_disk(path: Path) -> str:
@@ -150,7 +150,7 @@ def _write_opener(path: Path) -> None:
 
 def is_project_file(path: Path) -> bool:
     """True if a path is named like a project file or the file that opens a project."""
-    return path.name == FILE_NAME or (path.suffix == OPENER_ENDING and not path.is_dir())
+    return path.name == PROJECT_FILE_NAME or (path.suffix == OPENER_ENDING and not path.is_dir())
 
 
 def _write_state(project: Project, name: str) -> set[str]:
@@ -176,7 +176,7 @@ def _require_readable(project: Project, text: str) -> None:
     try:
         require_unique_names(project)
         _decode_text(
-            project.folder / FILE_NAME,
+            project.folder / PROJECT_FILE_NAME,
             text.encode("utf-8"),
             lambda path, name, counts: points[name],
         )
@@ -218,7 +218,7 @@ def read_unsaved(folder: Path) -> Project | None:
     """
     path = folder / UNSAVED_NAME
     # After a crash between save and removal, the copy has the same content
-    if not path.is_file() or path.read_bytes() == (folder / FILE_NAME).read_bytes():
+    if not path.is_file() or path.read_bytes() == (folder / PROJECT_FILE_NAME).read_bytes():
         return None
     return _read_state(path)
 
@@ -231,7 +231,7 @@ def read_project(folder: Path) -> Project:
     ProjectError
         If there is no project, or its file is damaged or of a newer version.
     """
-    path = project_folder(folder) / FILE_NAME
+    path = project_folder(folder) / PROJECT_FILE_NAME
     project = _read_state(path)
     remove_abandoned_files(path)
     return project
@@ -248,11 +248,11 @@ def project_folder(path: Path) -> Path:
     path = Path(path)
     try:
         folder = path.parent if is_project_file(path) else path
-        is_project = (folder / FILE_NAME).is_file()
+        is_project = (folder / PROJECT_FILE_NAME).is_file()
     except OSError as failure:  # no permission to read it, or too long a name
         raise _unreadable_error(path, failure) from failure
     if not is_project:
-        raise ProjectError(error("project.not_found", folder=str(path), missing=FILE_NAME))
+        raise ProjectError(error("project.not_found", folder=str(path), missing=PROJECT_FILE_NAME))
     return folder
 
 
@@ -284,7 +284,7 @@ def _unreadable_error(path: Path, failure: OSError) -> ProjectError:
     return ProjectError(error("project.unreadable", file=str(path), reason=reason))
 
 
-def _decode_text(path: Path, text: bytes, points: Points | None = None) -> Project:
+def _decode_text(path: Path, text: bytes, points: IndexReader | None = None) -> Project:
     try:
         content = json_values(text)
         version = content["schema_version"]
@@ -348,7 +348,9 @@ def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, 
                 "shape": target.shape,
                 "sphere_radius": target.sphere_radius,
                 "expected": encode_value(target.expected),
-                "choices": None if target.choices == USUAL else encode_value(target.choices),
+                "choices": None
+                if target.choices == DEFAULT_CHOICES
+                else encode_value(target.choices),
                 "indices": index_files[target.name],
                 "sightings": [
                     {
@@ -377,7 +379,7 @@ def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, 
     }
 
 
-def _decode_project(folder: Path, content: dict[str, Any], points: Points) -> Project:
+def _decode_project(folder: Path, content: dict[str, Any], points: IndexReader) -> Project:
     return Project(
         folder=folder,
         trajectory=_absolute_path(content["trajectory"], folder),
@@ -447,7 +449,7 @@ def _decode_result(content: Any) -> AdjustmentResult:
     return result
 
 
-def _decode_target(folder: Path, content: dict[str, Any], points: Points) -> Target:
+def _decode_target(folder: Path, content: dict[str, Any], points: IndexReader) -> Target:
     name = decode_value(content["name"], str)
     path = folder / decode_value(content["indices"], str)
     sightings = tuple(
@@ -478,7 +480,9 @@ def _decode_target(folder: Path, content: dict[str, Any], points: Points) -> Tar
         content["shape"],
         None if content["sphere_radius"] is None else decode_value(content["sphere_radius"], float),
         decode_value(expected, ExpectedTarget) if (expected := content.get("expected")) else None,
-        decode_value(choices, FinderChoices) if (choices := content["choices"]) else USUAL,
+        decode_value(choices, FinderChoices)
+        if (choices := content["choices"])
+        else DEFAULT_CHOICES,
     )
 
 
@@ -497,9 +501,9 @@ def _point_count(sighting: dict[str, Any]) -> int:
 
 
 INDEX_BYTES = 8
-ARRAY_HEADER = 4096
+MAX_ARRAY_HEADER_BYTES = 4096
 """Largest number of bytes of the header of an array in a NumPy file."""
-UNREADABLE = (
+DAMAGED_FILE_ERRORS = (
     OSError, ValueError, KeyError, EOFError, MemoryError, RuntimeError, SyntaxError,
     tokenize.TokenError, zipfile.BadZipFile, zlib.error,
 )  # fmt: skip
@@ -523,7 +527,7 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
             for k, count in enumerate(points):
                 # Checked before unpacking, because a small file may state any size
                 size = arrays.zip.getinfo(f"line{k}.npy").file_size
-                if size > INDEX_BYTES * count + ARRAY_HEADER:
+                if size > INDEX_BYTES * count + MAX_ARRAY_HEADER_BYTES:
                     raise InvalidContentError(
                         error("content.too_many_bytes", bytes=size, count=count)
                     )
@@ -541,7 +545,7 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
         ) from failure
     except PermissionError as failure:
         raise _unreadable_error(path, failure) from failure
-    except UNREADABLE as failure:
+    except DAMAGED_FILE_ERRORS as failure:
         reason = error("content.unreadable", reason=failure_summary(failure))
         raise ProjectError(
             error("project.points_damaged", file=str(path), target=target, reason=reason)
@@ -552,7 +556,7 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
 def _indices_file_name(target: Target) -> str:
     """Name of the file of the points of a target, in the folder of the project."""
     plain = re.sub(r"[^A-Za-z0-9_-]", "_", target.name)
-    return f"{SIGHTINGS}/{plain}-{_arrays_digest(s.indices for s in target.sightings)}.npz"
+    return f"{SIGHTINGS_FOLDER}/{plain}-{_arrays_digest(s.indices for s in target.sightings)}.npz"
 
 
 def _write_indices(folder: Path, target: Target) -> None:
@@ -560,7 +564,7 @@ def _write_indices(folder: Path, target: Target) -> None:
         f"line{k}": sighting.indices for k, sighting in enumerate(target.sightings)
     }
     name = _indices_file_name(target)
-    require_no_link(folder / SIGHTINGS)
+    require_no_link(folder / SIGHTINGS_FOLDER)
     if not (folder / name).exists():
         buffer = BytesIO()
         np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]
@@ -587,18 +591,18 @@ def _unsaved_point_files(folder: Path) -> set[str]:
 
 def _remove_unused_files(folder: Path, used: set[str]) -> None:
     """Remove the program's own files of points that no state uses."""
-    if is_link(folder / SIGHTINGS):
+    if is_link(folder / SIGHTINGS_FOLDER):
         return
-    for path in (folder / SIGHTINGS).glob("*.npz"):
-        if f"{SIGHTINGS}/{path.name}" not in used and _has_named_content(path):
+    for path in (folder / SIGHTINGS_FOLDER).glob("*.npz"):
+        if f"{SIGHTINGS_FOLDER}/{path.name}" not in used and _has_named_content(path):
             path.unlink(missing_ok=True)
 
 
 def remove_point_files(folder: Path) -> None:
     """Remove all files of points of a project that is replaced, but no files of the user."""
     _remove_unused_files(folder, set())
-    if not is_link(folder / SIGHTINGS):
-        remove_empty_folders([folder / SIGHTINGS])
+    if not is_link(folder / SIGHTINGS_FOLDER):
+        remove_empty_folders([folder / SIGHTINGS_FOLDER])
 
 
 def _has_named_content(path: Path) -> bool:
@@ -616,11 +620,13 @@ def _has_named_content(path: Path) -> bool:
                 with arrays.open(name) as file:
                     np.lib.format.read_magic(file)
                     np.lib.format.read_array_header_1_0(file)
-                    while block := file.read(BLOCK):  # a damaged file may unpack to any size
+                    while block := file.read(
+                        BYTES_PER_READ
+                    ):  # a damaged file may unpack to any size
                         digest.update(block)
                 digest.update(b"|")
             return digest.hexdigest()[:16] == named[1]
-    except UNREADABLE:
+    except DAMAGED_FILE_ERRORS:
         return False
 
 

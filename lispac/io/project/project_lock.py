@@ -13,11 +13,11 @@ from lispac.io.files import write_error
 from lispac.locks import AlreadyLocked, NotALockFile, file_lock
 from lispac.messages import error
 
-FILE_NAME = "project.json"
+PROJECT_FILE_NAME = "project.json"
 LOCK_NAME = ".project.lock"
-WAIT = 2.0
+SAVE_WAIT_S = 2.0
 """Seconds that a save waits for another program."""
-FOREVER = math.inf
+NO_TIME_LIMIT = math.inf
 
 _lock_counts: dict[tuple[str, int], int] = {}
 """Number of times that each thread of this process holds the lock of each project."""
@@ -25,7 +25,7 @@ _lock_counts: dict[tuple[str, int], int] = {}
 
 @contextmanager
 def project_lock(
-    folder: Path, *, wait: float = WAIT, waiting: Callable[[], None] = lambda: None
+    folder: Path, *, wait: float = SAVE_WAIT_S, waiting: Callable[[], None] = lambda: None
 ) -> Iterator[None]:
     """Lock a project folder for writing; a thread that holds the lock can acquire it again.
 
@@ -59,7 +59,7 @@ def project_lock(
     except NotALockFile as failure:
         raise InputError(error("lock.not_a_file", file=str(folder / LOCK_NAME))) from failure
     except OSError as failure:
-        raise write_error(folder / FILE_NAME, failure) from failure
+        raise write_error(folder / PROJECT_FILE_NAME, failure) from failure
     _lock_counts[key] = 1
     try:
         yield

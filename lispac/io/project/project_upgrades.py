@@ -119,11 +119,11 @@ def _upgrade_from_8(content: Content) -> Content:
 def _upgrade_result_from_8(result: Any) -> Any:
     if not result:
         return result
-    seen = dict(result["observability"] or {})
-    if seen:
-        seen["remarks"] = _former_texts(seen.pop("sentences"))
+    observability = dict(result["observability"] or {})
+    if observability:
+        observability["remarks"] = _former_texts(observability.pop("sentences"))
     return result | {
-        "observability": seen or None,
+        "observability": observability or None,
         "parameters": [_upgrade_reason_from_8(each) for each in result["parameters"]],
     }
 

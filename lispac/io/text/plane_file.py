@@ -18,20 +18,20 @@ from lispac.io.points.compressed_files import require_uncompressed
 from lispac.messages import error
 
 N_COLUMNS = 25
-PASS_GAP = 10.0
+LINE_GAP_S = 10.0
 """Smallest time without points between two lines, seconds. The scanner crosses a board in about a
 second, and a vessel needs longer than this to turn for the next line."""
 
 
 def read_plane_files(
-    paths: Sequence[Path], lidar_sigma: float, *, pass_gap: float = PASS_GAP
+    paths: Sequence[Path], lidar_sigma: float, *, line_gap: float = LINE_GAP_S
 ) -> tuple[Observations, NDArray[np.float64]]:
     """Read plane files into observations; gaps in time separate the sightings.
 
     Parameters
     ----------
     lidar_sigma : float, metres, on each axis
-    pass_gap : float, seconds
+    line_gap : float, seconds
 
     Returns
     -------
@@ -50,7 +50,7 @@ def read_plane_files(
     names = _distinct_names([Path(path).stem for path in paths])
     target = np.repeat(np.arange(len(tables)), [len(table) for table in tables])
     rows = np.concatenate(tables)
-    line = _pass_numbers(rows[:, 4], pass_gap)
+    line = _line_numbers(rows[:, 4], line_gap)
     groups, sighting = np.unique(np.stack([target, line]), axis=1, return_inverse=True)
     observations = Observations(
         points_lidar=np.ascontiguousarray(rows[:, 5:8]),
@@ -84,18 +84,18 @@ def write_plane_file(
     plane : ndarray of shape (4,)
     """
     number = observations.targets.index(target)
-    own = observations.target_of_sighting[observations.sighting] == number
-    count = int(own.sum())
+    is_of_target = observations.target_of_sighting[observations.sighting] == number
+    count = int(is_of_target.sum())
     rows = np.column_stack(
         [
             np.arange(count),
-            points_local[own],
-            observations.time[own],
-            observations.points_lidar[own],
-            observations.attitude[own],
-            observations.sigma_attitude[own],
-            observations.position[own],
-            observations.sigma_position[own],
+            points_local[is_of_target],
+            observations.time[is_of_target],
+            observations.points_lidar[is_of_target],
+            observations.attitude[is_of_target],
+            observations.sigma_attitude[is_of_target],
+            observations.position[is_of_target],
+            observations.sigma_position[is_of_target],
             np.tile(plane, (count, 1)),
             np.full(count, number + 1),
         ]
@@ -148,7 +148,7 @@ def _distinct_names(stems: list[str]) -> list[str]:
     return [f"{stem}-{number}" for number, stem in enumerate(stems, start=1)]
 
 
-def _pass_numbers(time: NDArray[np.float64], gap: float) -> NDArray[np.int64]:
+def _line_numbers(time: NDArray[np.float64], gap: float) -> NDArray[np.int64]:
     """Line number of each point, from gaps in time; the targets of a line share its number."""
     order = np.argsort(time, kind="stable")
     number = np.empty(len(time), dtype=np.int64)

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.io.format_types import NOT, SURE, Choice, FileFormat, FilePreview, PointChunk
+from lispac.io.format_types import IMPOSSIBLE, SURE, Choice, FileFormat, FilePreview, PointChunk
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.point_reader_common import (
-    PLACE,
-    SCANNER_COLUMNS,
+    COMMON_OPTIONS,
+    SCANNER_COLUMN_ASSUMPTIONS,
     coordinate_scale,
     frame_facts,
     head_sniffer,
@@ -22,11 +22,11 @@ from lispac.io.text.plane_file import N_COLUMNS, read_plane_table
 from lispac.messages import note, warning
 from lispac.survey.line_source import printable
 
-PARTS = {
+EXTRA_COLUMNS = {
     "points_local": slice(1, 4), "attitude": slice(8, 11), "sigma_attitude": slice(11, 14),
     "position": slice(14, 17), "sigma_position": slice(17, 20), "plane": slice(20, 24),
 }  # fmt: skip
-NAMES = (
+COLUMN_NAMES = (
     "key", "X", "Y", "Z", "time", "x lidar", "y lidar", "z lidar", "roll", "pitch", "heading",
     "s roll", "s pitch", "s heading", "X pos", "Y pos", "Z pos", "s north", "s east", "s up",
     "a", "b", "c", "d", "plane",
@@ -38,9 +38,9 @@ def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the first row: 25 numbers, of which numbers 21 to 23 are a unit normal."""
     row = head.split(b"\n", 1)[0].replace(b",", b" ").split()
     if len(row) != N_COLUMNS:
-        return NOT
+        return IMPOSSIBLE
     normal = [float(field) for field in row[20:23]]
-    return SURE if abs(np.linalg.norm(normal) - 1) < 1e-3 else NOT
+    return SURE if abs(np.linalg.norm(normal) - 1) < 1e-3 else IMPOSSIBLE
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
@@ -53,18 +53,22 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     """
     rows = read_plane_table(require_not_empty(path, "plane"))
     file = printable(path.name)
-    resolved = PLANES.resolved(choice)
-    seen = check_first_points(rows[:, 5:8], rows[:, 4], file=file, crs="")
+    resolved = PLANE_FORMAT.resolved(choice)
+    points_check = check_first_points(rows[:, 5:8], rows[:, 4], file=file, crs="")
     facts = {
         "format": note("fact.planes"),
         "points": len(rows),
         **frame_facts(resolved),
         "time base": time_base_message(rows[:, 4], resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
     }
-    file_warnings = (warning("points.of_one_target", file=file), *seen.file_warnings)
+    file_warnings = (warning("points.of_one_target", file=file), *points_check.file_warnings)
     return FilePreview(
-        facts, preview_table(NAMES, tuple(rows.T)), {}, file_warnings, SCANNER_COLUMNS
+        facts,
+        preview_table(COLUMN_NAMES, tuple(rows.T)),
+        {},
+        file_warnings,
+        SCANNER_COLUMN_ASSUMPTIONS,
     )
 
 
@@ -77,13 +81,13 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         If the file cannot be read or is not a plane file.
     """
     path = require_not_empty(path, "plane")
-    scale = coordinate_scale(PLANES.resolved(choice))
+    scale = coordinate_scale(PLANE_FORMAT.resolved(choice))
     rows = read_plane_table(path)
     require_usable_points(rows[:, 5:8], rows[:, 4], path)
-    extra = {name: rows[:, columns].copy() for name, columns in PARTS.items()}
+    extra = {name: rows[:, columns].copy() for name, columns in EXTRA_COLUMNS.items()}
     yield PointChunk(rows[:, 5:8] * scale, rows[:, 4].copy(), extra, len(rows))
 
 
-PLANES = FileFormat(
-    note("format.planes"), "planes", "points", (".txt",), PLACE, sniff, preview_file, read
+PLANE_FORMAT = FileFormat(
+    note("format.planes"), "planes", "points", (".txt",), COMMON_OPTIONS, sniff, preview_file, read
 )

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.points.point_reader_common import CHUNK
+from lispac.io.points.point_reader_common import POINTS_PER_CHUNK
 from lispac.io.text.text_layout import COMMENT_MARKS
 from lispac.io.text.text_table import is_number, numbered_lines, parse_number, read_columns
 from lispac.messages import error
@@ -26,8 +26,8 @@ Row = tuple[int, str]
 
 ENDING = ".pts"
 
-_COUNT = re.compile(r"[0-9]{1,15}")
-_XYZ = tuple((k, parse_number, axis) for k, axis in enumerate("xyz"))
+_COUNT_PATTERN = re.compile(r"[0-9]{1,15}")
+_XYZ_COLUMNS = tuple((k, parse_number, axis) for k, axis in enumerate("xyz"))
 
 
 def read_coordinates(path: Path) -> Iterator[Array]:
@@ -55,7 +55,7 @@ def read_coordinates(path: Path) -> Iterator[Array]:
         _require_count(path, row, text, head, count)
         head, count, done, width = row, int(text), 0, 0
         while done < count:
-            block = list(islice(rows, min(CHUNK, count - done)))
+            block = list(islice(rows, min(POINTS_PER_CHUNK, count - done)))
             if not block:
                 raise InputError(
                     error("pts.points_missing", file=str(path), held=done, points=count, head=head)
@@ -68,9 +68,9 @@ def read_coordinates(path: Path) -> Iterator[Array]:
 
 
 def has_point_count(path: Path) -> bool:
-    """True if a file begins with its number of points, as PTS does."""
+    """True if a file begins with a point count, and its ending or first point is that of PTS."""
     first, second = _first_rows(path, 2)
-    if not _COUNT.fullmatch(first):
+    if not _COUNT_PATTERN.fullmatch(first):
         return False
     return path.suffix.lower() == ENDING or _is_pts_point(second)
 
@@ -88,7 +88,7 @@ def is_pts(path: Path) -> bool:
 def is_ptx(path: Path) -> bool:
     """True if a text is PTX: scan columns and rows, then poses in rows of 3 and 4 numbers."""
     rows = _first_rows(path, 10)
-    if not all(_COUNT.fullmatch(row) for row in rows[:2]):
+    if not all(_COUNT_PATTERN.fullmatch(row) for row in rows[:2]):
         return False
     widths = [len(row.split()) if _is_point(row) else 0 for row in rows[2:]]
     return widths == [3] * 4 + [4] * 4
@@ -126,7 +126,7 @@ def _read_uncounted(path: Path, rows: Iterator[Row]) -> Iterator[Array]:
         If a row is not valid.
     """
     width = 0
-    while block := list(islice(rows, CHUNK)):
+    while block := list(islice(rows, POINTS_PER_CHUNK)):
         width = width or len(block[0][1].split())
         _require_rows(path, block, width)
         yield _block_coordinates(path, block)
@@ -139,7 +139,7 @@ def _require_count(path: Path, row: int, text: str, head: int, count: int) -> No
     ------
     InputError
     """
-    if _COUNT.fullmatch(text):
+    if _COUNT_PATTERN.fullmatch(text):
         return
     if head:
         raise InputError(
@@ -156,7 +156,7 @@ def _require_no_count(path: Path, block: list[Row], head: int, count: int, done:
     InputError
     """
     for k, (row, text) in enumerate(block, start=done):
-        if _COUNT.fullmatch(text):
+        if _COUNT_PATTERN.fullmatch(text):
             raise InputError(
                 error("pts.early_count", file=str(path), row=row, held=k, points=count, head=head)
             )
@@ -191,4 +191,4 @@ def _block_coordinates(path: Path, block: list[Row]) -> Array:
         return np.loadtxt([text for _, text in block], usecols=(0, 1, 2), comments=None, ndmin=2)
     except ValueError:
         fields = ((row, text.split()) for row, text in block)
-        return np.stack(read_columns(path, fields, _XYZ)[0], axis=1)
+        return np.stack(read_columns(path, fields, _XYZ_COLUMNS)[0], axis=1)

@@ -10,40 +10,47 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.text.text_layout import COMMENT_MARKS, MEANINGS
+from lispac.io.text.text_layout import COLUMN_MEANINGS, COMMENT_MARKS
 from lispac.io.text.text_table import (
-    HEMISPHERES,
-    SEPARATORS,
+    HEMISPHERE_SIGNS,
+    SEPARATOR_NAMES,
     is_number,
     numbered_lines,
     parse_coordinate,
     split_fields,
 )
-from lispac.io.text.units import FOOT, UNITS, UNKNOWN, direction_of, split_title, title_unit
+from lispac.io.text.units import (
+    INTERNATIONAL_FOOT_M,
+    UNITS,
+    UNKNOWN,
+    direction_of,
+    split_title,
+    title_unit,
+)
 from lispac.messages import Message, error
 from lispac.picked_targets import Role, require_target_name
 
-WHAT = "coordinate list"
+FILE_KIND = "coordinate list"
 MAX_ROWS = 1_000
 """Largest number of rows; a longer file is considered a cloud and not a list of targets."""
 NAME, ROLE, UNUSED = "name", "role", "-"
 COORDINATES = ("x", "y", "z")
-COLUMNS = (NAME, *COORDINATES, ROLE)
+USED_COLUMNS = (NAME, *COORDINATES, ROLE)
 """Meanings of the columns that are used."""
 SIGMA, PLANE = "sigma", "plane"
-CHECK_NAMES = {
+CHECK_COLUMN_NAMES = {
     **dict.fromkeys(("sigma", "s", "std", "stdev", "accuracy", "uncertainty"), SIGMA),
     **dict.fromkeys(("plane", "surface", "face"), PLANE),
 }
-"""Further columns of a list of check points."""
-_NAMES = {
+"""Meanings of further columns of a list of check points, by the column name."""
+_COLUMN_NAMES = {
     **dict.fromkeys(("name", "point", "pointname", "pointid", "pt", "id", "no", "nr", "number",
                      "target", "pointno", "station", "label"), NAME),
     **dict.fromkeys(("role", "use", "kind"), ROLE),
 }  # fmt: skip
-LOCAL_NAMES = {"north": "x", "n": "x", "northing": "x", "west": "y", "w": "y"}
+LOCAL_AXIS_NAMES = {"north": "x", "n": "x", "northing": "x", "west": "y", "w": "y"}
 """Column names with another meaning in the local frame: x points north and y west."""
-ROLES: dict[str, Role] = {
+ROLES_BY_WORD: dict[str, Role] = {
     **dict.fromkeys(("target", "t", "adjustment"), "target"),
     **dict.fromkeys(("validation", "v", "check", "validation plane"), "validation"),
 }
@@ -83,7 +90,8 @@ class PointList:
     Attributes
     ----------
     columns : tuple of str
-        Meaning of the columns from the left: one of `COLUMNS`, or ``-`` for an unused column.
+        Meaning of the columns from the left: one of `USED_COLUMNS`, for check points also ``sigma``
+        and ``plane``, or ``-`` for an unused column.
     are_columns_given : bool
         Whether a header row or the caller gives the meanings; otherwise their order does.
     """
@@ -108,7 +116,8 @@ def read_point_list(
     Parameters
     ----------
     columns : sequence of str
-        Meanings of the columns, to override the file; names not in `COLUMNS` are unused columns.
+        Meanings of the columns, to override the file; names not in `USED_COLUMNS` are unused
+        columns.
     local : bool
         Whether coordinates are in the local frame: x is then north and y west; otherwise x is
         easting or longitude and y northing or latitude.
@@ -134,39 +143,39 @@ def read_point_list(
     are_given = True
     factors: Mapping[str, float] = {}
     if columns:
-        meant = _require_complete_columns(
+        meanings = _require_complete_columns(
             path, None, tuple(_column_meaning(word, local) for word in columns)
         )
-        if not _is_numeric_row(first[1], separator, meant, degrees):
+        if not _is_numeric_row(first[1], separator, meanings, degrees):
             first = None  # a row of column names
     elif names := header_meanings(first[1], separator, local=local):
         if check:
             names = _with_check_columns(names, split_fields(first[1], separator))
-        meant = _require_complete_columns(path, first[0], names)
-        titles = dict(zip(meant, split_fields(first[1], separator), strict=True))
+        meanings = _require_complete_columns(path, first[0], names)
+        titles = dict(zip(meanings, split_fields(first[1], separator), strict=True))
         factors, first = _column_factors(path, titles, metres, degrees), None
     else:
-        meant, are_given = _meanings_by_order(path, *first, separator, check), False
+        meanings, are_given = _meanings_by_order(path, *first, separator, check), False
     points: list[ListedPoint] = []
-    letters: dict[int, set[str]] = {k: set() for k, name in enumerate(meant) if name == UNUSED}
+    letters: dict[int, set[str]] = {k: set() for k, name in enumerate(meanings) if name == UNUSED}
     for number, row_text in (*((first,) if first else ()), *rows):
         if first is None and not points:
             separator = separator_of(row_text)  # may differ for names
         fields = split_fields(row_text, separator)
-        points.append(_parse_point(path, number, fields, meant, degrees, factors))
+        points.append(_parse_point(path, number, fields, meanings, degrees, factors))
         for k, found in letters.items():
             found.add(fields[k].strip().upper() if k < len(fields) else "")
     if not points:
         raise InputError(error("seeds.only_names", file=str(path)))
     for k, found in letters.items() if degrees else ():
-        if found <= {*HEMISPHERES, "O"}:
+        if found <= {*HEMISPHERE_SIGNS, "O"}:
             raise InputError(
                 error(
                     "seeds.hemispheres", file=str(path), column=k + 1, letters=tuple(sorted(found))
                 )
             )
     _require_unique_points(path, points)
-    return PointList(path, tuple(points), meant, are_given)
+    return PointList(path, tuple(points), meanings, are_given)
 
 
 def is_point_list(path: Path) -> bool:
@@ -187,7 +196,7 @@ def _data_rows(path: Path) -> Iterator[tuple[int, str]]:
         If there are too many rows for a list of targets.
     """
     count = 0
-    for number, line in numbered_lines(path, WHAT):
+    for number, line in numbered_lines(path, FILE_KIND):
         text = line.strip()
         if not text.strip(' ,;\t"'):
             continue
@@ -203,44 +212,48 @@ def _data_rows(path: Path) -> Iterator[tuple[int, str]]:
 
 
 def separator_of(row: str) -> str:
-    """Separator of the columns in a row, used for all rows of the file."""
+    """Name of the separator of the columns in a row; ``auto`` if no name fits."""
     whole = split_fields(row)
     return next(
-        (name for name in SEPARATORS if name != "auto" and split_fields(row, name) == whole), "auto"
+        (name for name in SEPARATOR_NAMES if name != "auto" and split_fields(row, name) == whole),
+        "auto",
     )
 
 
 def _column_meaning(word: str, local: bool) -> str:
     bare = split_title(word)[0].lower()
     joined = re.sub(r"[\s_.#-]+", "", bare)
-    if local and joined in LOCAL_NAMES:
-        return LOCAL_NAMES[joined]
+    if local and joined in LOCAL_AXIS_NAMES:
+        return LOCAL_AXIS_NAMES[joined]
     if joined in ("e", "east", "easting", "lon", "longitude", "lat", "latitude") and local:
         return f"{joined}?"
-    found = _NAMES.get(joined) or MEANINGS.get(bare, UNUSED)
-    return found if found in COLUMNS else UNUSED
+    found = _COLUMN_NAMES.get(joined) or COLUMN_MEANINGS.get(bare, UNUSED)
+    return found if found in USED_COLUMNS else UNUSED
 
 
 def header_meanings(row: str, separator: str, *, local: bool) -> tuple[str, ...]:
-    """Meanings of the column names in a row; empty if the row has no names."""
+    """Meanings of the column names in a row.
+
+    Empty if the row has a number, or fewer than two names are known.
+    """
     fields = split_fields(row, separator)
     if any(is_number(field) for field in fields):
         return ()
-    meant = tuple(_column_meaning(field, local) for field in fields)
-    return meant if sum(name != UNUSED for name in meant) >= 2 else ()
+    meanings = tuple(_column_meaning(field, local) for field in fields)
+    return meanings if sum(name != UNUSED for name in meanings) >= 2 else ()
 
 
-def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
+def _with_check_columns(meanings: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
     """Column meanings with those that only check points use."""
     bare = (split_title(name)[0].lower() for name in names)
     return tuple(
-        CHECK_NAMES.get(name, UNUSED) if known == UNUSED else known
-        for known, name in zip(meant, bare, strict=True)
+        CHECK_COLUMN_NAMES.get(name, UNUSED) if known == UNUSED else known
+        for known, name in zip(meanings, bare, strict=True)
     )
 
 
 def _require_complete_columns(
-    path: Path, row: int | None, meant: tuple[str, ...]
+    path: Path, row: int | None, meanings: tuple[str, ...]
 ) -> tuple[str, ...]:
     """Refuse columns that do not contain each of the three coordinates once.
 
@@ -253,13 +266,13 @@ def _require_complete_columns(
     ------
     InputError
     """
-    if foreign := [name.rstrip("?") for name in meant if name.endswith("?")]:
-        raise InputError(_columns_error("other_axes", path, row, foreign))
-    if lacking := [name for name in COORDINATES if name not in meant]:
-        raise InputError(_columns_error("columns_missing", path, row, lacking))
-    if twice := [name for name in COLUMNS if meant.count(name) > 1]:
-        raise InputError(_columns_error("duplicate_columns", path, row, twice))
-    return meant
+    if other_axes := [name.rstrip("?") for name in meanings if name.endswith("?")]:
+        raise InputError(_columns_error("other_axes", path, row, other_axes))
+    if missing := [name for name in COORDINATES if name not in meanings]:
+        raise InputError(_columns_error("columns_missing", path, row, missing))
+    if duplicates := [name for name in USED_COLUMNS if meanings.count(name) > 1]:
+        raise InputError(_columns_error("duplicate_columns", path, row, duplicates))
+    return meanings
 
 
 _COLUMN_ERRORS = {
@@ -277,12 +290,12 @@ def _columns_error(what: str, path: Path, row: int | None, names: Sequence[str])
     return error(in_row, file=str(path), row=row, names=tuple(names))
 
 
-def _is_numeric_row(row: str, separator: str, meant: Sequence[str], degrees: bool) -> bool:
+def _is_numeric_row(row: str, separator: str, meanings: Sequence[str], degrees: bool) -> bool:
     fields = split_fields(row, separator)
     return any(
         name in COORDINATES and k < len(fields)
         and parse_coordinate(fields[k], degrees=degrees) is not None
-        for k, name in enumerate(meant)
+        for k, name in enumerate(meanings)
     )  # fmt: skip
 
 
@@ -311,7 +324,7 @@ def _meanings_by_order(
         code = "seeds.too_few_numbers" if count < 3 else "seeds.order_unclear"
         raise InputError(error(code, file=str(path), row=row, found=count, total=len(fields)))
     rest = fields[start + 3 :]
-    has_role = bool(rest) and rest[0].lower() in ROLES
+    has_role = bool(rest) and rest[0].lower() in ROLES_BY_WORD
     return (
         ((NAME,) if start else ())
         + COORDINATES
@@ -330,49 +343,51 @@ def _column_factors(
         If a unit is not known or does not suit the column.
     """
     factors: dict[str, float] = {}
-    for name, own in (*zip(COORDINATES, metres, strict=True), (SIGMA, 1.0)):
+    for name, axis_metres in (*zip(COORDINATES, metres, strict=True), (SIGMA, 1.0)):
         title = titles.get(name, "")
         unit = title_unit(title)
         angle = degrees and name in COORDINATES[:2]
         if angle:
-            turned = direction_of(title) == ("west" if name == "x" else "south")
-            factors[name] = -1.0 if turned else 1.0
+            is_reversed = direction_of(title) == ("west" if name == "x" else "south")
+            factors[name] = -1.0 if is_reversed else 1.0
         if not unit or (unit in ("dms", "ddmm") and angle):
             continue
         kind = "angle" if angle else "length"
         if unit == UNKNOWN or UNITS[unit].kind != kind:
             code = "seeds.not_an_angle" if angle else "seeds.not_a_length"
             raise InputError(error(code, file=str(path), column=title))
-        one = UNITS["deg"].si if angle else own
-        is_of_system = unit == "ft" and abs(own / FOOT - 1) < 1e-5  # or US survey feet
+        unit_si = UNITS["deg"].si if angle else axis_metres
+        is_of_system = (
+            unit == "ft" and abs(axis_metres / INTERNATIONAL_FOOT_M - 1) < 1e-5
+        )  # or US survey feet
         if not is_of_system:
-            factors[name] = factors.get(name, 1.0) * UNITS[unit].si / one
+            factors[name] = factors.get(name, 1.0) * UNITS[unit].si / unit_si
     return factors
 
 
-LIMITS = {"x": (360.0, "NS"), "y": (90.0, "EW")}
+GEOGRAPHIC_LIMITS = {"x": (360.0, "NS"), "y": (90.0, "EW")}
 """Largest longitude and latitude, degrees, and the hemispheres of the other coordinate."""
 
 
 def _parse_point(
-    path: Path, row: int, fields: list[str], meant: Sequence[str], degrees: bool,
+    path: Path, row: int, fields: list[str], meanings: Sequence[str], degrees: bool,
     factors: Mapping[str, float],
 ) -> ListedPoint:  # fmt: skip
-    at = {name: k for k, name in enumerate(meant) if name != UNUSED}
-    needed = 1 + max(at[name] for name in (NAME, *COORDINATES) if name in at)
+    column_of = {name: k for k, name in enumerate(meanings) if name != UNUSED}
+    needed = 1 + max(column_of[name] for name in (NAME, *COORDINATES) if name in column_of)
     if len(fields) < needed:
         raise InputError(
             error(
                 "seeds.row_too_short", file=str(path), row=row, found=len(fields), needed=needed,
-                names=meant,
+                names=meanings,
             )
         )  # fmt: skip
     values = []
     for axis in COORDINATES:
-        field = fields[at[axis]]
+        field = fields[column_of[axis]]
         value = parse_coordinate(field, degrees=degrees)
-        if degrees and axis in LIMITS and value is not None:
-            limit, others = LIMITS[axis]
+        if degrees and axis in GEOGRAPHIC_LIMITS and value is not None:
+            limit, others = GEOGRAPHIC_LIMITS[axis]
             ends = {field.strip().upper()[:1], field.strip().upper()[-1:]}
             if abs(value * factors.get(axis, 1.0)) > limit or ends & set(others):
                 value = None
@@ -384,26 +399,34 @@ def _parse_point(
                 )
             )  # fmt: skip
         values.append(value * factors.get(axis, 1.0))
-    name = fields[at[NAME]].strip() if NAME in at else ""
-    if NAME in at:
+    name = fields[column_of[NAME]].strip() if NAME in column_of else ""
+    if NAME in column_of:
         try:
             require_target_name(name)
         except ProjectError as failure:
             raise InputError(
                 error("seeds.invalid_name", file=str(path), row=row, reason=failure.reason)
             ) from failure
-    word = fields[at[ROLE]].strip().lower() if ROLE in at and at[ROLE] < len(fields) else ""
-    if word and word not in ROLES:
+    word = (
+        fields[column_of[ROLE]].strip().lower()
+        if ROLE in column_of and column_of[ROLE] < len(fields)
+        else ""
+    )
+    if word and word not in ROLES_BY_WORD:
         raise InputError(error("seeds.unknown_role", file=str(path), row=row, role=word[:40]))
     x, y, z = values
     sigma, plane = (
-        fields[at[what]].strip() if what in at and at[what] < len(fields) else ""
+        fields[column_of[what]].strip()
+        if what in column_of and column_of[what] < len(fields)
+        else ""
         for what in (SIGMA, PLANE)
     )
-    own = _parse_sigma(path, row, sigma)
-    if own is not None:
-        own *= factors.get(SIGMA, 1.0)
-    return ListedPoint(row, name, ROLES[word] if word else None, (x, y, z), own, plane)
+    sigma_metres = _parse_sigma(path, row, sigma)
+    if sigma_metres is not None:
+        sigma_metres *= factors.get(SIGMA, 1.0)
+    return ListedPoint(
+        row, name, ROLES_BY_WORD[word] if word else None, (x, y, z), sigma_metres, plane
+    )
 
 
 def _parse_sigma(path: Path, row: int, text: str) -> float | None:

@@ -7,8 +7,8 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.format_types import (
-    NOT,
-    SAME_TIME_BASE,
+    IMPOSSIBLE,
+    SAME_TIME_BASE_NOTE,
     SURE,
     Choice,
     FileFormat,
@@ -17,7 +17,7 @@ from lispac.io.format_types import (
 )
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.point_reader_common import (
-    PLACE,
+    COMMON_OPTIONS,
     coordinate_scale,
     frame_facts,
     head_sniffer,
@@ -27,21 +27,21 @@ from lispac.io.points.point_reader_common import (
     require_usable_points,
     time_base_message,
 )
-from lispac.io.text.text_export import LINE_AND_TIME, SCANNER_NAMES
+from lispac.io.text.text_export import LINE_AND_TIME_COLUMNS, SCANNER_COLUMN_NAMES
 from lispac.messages import error, note, warning
 from lispac.survey.line_source import printable
 
-FIRST_LIDAR = 5
+SCANNER_X_COLUMN = 5
 """Index of the column with the scanner's x, after line, time and three coordinates in a coordinate
 system or the local frame."""
-INTENSITY = 8
+INTENSITY_COLUMN = 8
 
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the column names of an exported target."""
     names = head.split(b"\n", 1)[0].decode("utf-8").strip().split(",")
-    return SURE if _are_target_columns(names) else NOT
+    return SURE if _are_target_columns(names) else IMPOSSIBLE
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
@@ -54,19 +54,19 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     """
     chunk = _read_points(require_not_empty(path, "target"))
     file = printable(path.name)
-    resolved = TARGETS.resolved(choice)
-    seen = check_first_points(chunk.xyz, chunk.time, file=file, crs="")
+    resolved = TARGET_FORMAT.resolved(choice)
+    points_check = check_first_points(chunk.xyz, chunk.time, file=file, crs="")
     facts = {
         "format": note("fact.target"),
         "points": len(chunk.time),
         **frame_facts(resolved),
         "time base": time_base_message(chunk.time, resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
     }
     rows = preview_table(("time", "x lidar", "y lidar", "z lidar"), (chunk.time, *chunk.xyz.T))
-    file_warnings = (warning("points.of_one_target", file=file), *seen.file_warnings)
+    file_warnings = (warning("points.of_one_target", file=file), *points_check.file_warnings)
     return FilePreview(
-        facts, rows, {}, file_warnings, (note("assumed.scanner_coordinates"), SAME_TIME_BASE)
+        facts, rows, {}, file_warnings, (note("assumed.scanner_coordinates"), SAME_TIME_BASE_NOTE)
     )
 
 
@@ -79,15 +79,15 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         If the file cannot be read or is damaged.
     """
     path = require_not_empty(path, "target")
-    scale = coordinate_scale(TARGETS.resolved(choice))
+    scale = coordinate_scale(TARGET_FORMAT.resolved(choice))
     chunk = _read_points(path)
     require_usable_points(chunk.xyz, chunk.time, path)
     yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra, chunk.total)
 
 
 def _are_target_columns(names: Sequence[str]) -> bool:
-    lidar = tuple(names[FIRST_LIDAR : FIRST_LIDAR + 3])
-    return tuple(names[:2]) == LINE_AND_TIME and lidar == SCANNER_NAMES
+    lidar = tuple(names[SCANNER_X_COLUMN : SCANNER_X_COLUMN + 3])
+    return tuple(names[:2]) == LINE_AND_TIME_COLUMNS and lidar == SCANNER_COLUMN_NAMES
 
 
 def _read_points(path: Path) -> PointChunk:
@@ -118,12 +118,12 @@ def _read_points(path: Path) -> PointChunk:
     _, first, line = np.unique([row[0] for row in rows], return_index=True, return_inverse=True)
     order = np.argsort(np.argsort(first))
     extra = {"point_source_id": (order[line.reshape(-1)] + 1).astype(np.uint16)}
-    if len(names) > INTENSITY:
-        extra["intensity"] = values[:, INTENSITY - 1].copy()
-    xyz = np.ascontiguousarray(values[:, FIRST_LIDAR - 1 : FIRST_LIDAR + 2])
+    if len(names) > INTENSITY_COLUMN:
+        extra["intensity"] = values[:, INTENSITY_COLUMN - 1].copy()
+    xyz = np.ascontiguousarray(values[:, SCANNER_X_COLUMN - 1 : SCANNER_X_COLUMN + 2])
     return PointChunk(xyz, values[:, 0].copy(), extra, len(rows))
 
 
-TARGETS = FileFormat(
-    note("format.target"), "target", "points", (".csv",), PLACE, sniff, preview_file, read
+TARGET_FORMAT = FileFormat(
+    note("format.target"), "target", "points", (".csv",), COMMON_OPTIONS, sniff, preview_file, read
 )

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.format_types import (
+    IMPOSSIBLE,
     LIKELY,
-    NOT,
     POSSIBLE,
-    SAME_TIME_BASE,
+    SAME_TIME_BASE_NOTE,
     Choice,
     Fact,
     FileFormat,
@@ -28,17 +28,17 @@ from lispac.io.format_types import (
 )
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.point_reader_common import (
-    CHOOSE_TIME_BASE,
-    CHUNK,
-    HEAD,
-    PLACE,
+    CHOOSE_TIME_BASE_ACTION,
+    COMMON_OPTIONS,
+    HEAD_BYTES,
+    POINTS_PER_CHUNK,
     PREVIEW_POINTS,
     PREVIEW_ROWS,
-    SCANNER,
+    SCANNER_FRAME,
     SCANNER_UNITS,
-    SECONDS,
-    TIME_UNIT,
-    USE_FEET,
+    SECONDS_PER_UNIT,
+    TIME_UNIT_OPTION,
+    USE_FEET_ACTIONS,
     coordinate_scale,
     frame_facts,
     head_sniffer,
@@ -48,59 +48,65 @@ from lispac.io.points.point_reader_common import (
     time_base_message,
     usable_points,
 )
-from lispac.io.text.text_layout import REQUIRED, SEPARATORS, RowLayout, data_rows, guess_layout
+from lispac.io.text.text_layout import (
+    REQUIRED_COLUMNS,
+    SEPARATOR_CHARACTERS,
+    RowLayout,
+    data_rows,
+    guess_layout,
+)
 from lispac.io.text.text_table import clock_seconds, is_clock
 from lispac.io.text.text_units import (
+    column_title_warnings,
+    easting_unit_warnings,
     header_options,
     height_unit_of,
     require_cartesian,
     require_degrees,
     require_one_unit,
-    unit_messages,
-    unit_warnings,
 )
 from lispac.io.text.units import TIME_UNIT_NAMES
 from lispac.language import N_
 from lispac.messages import Message, error, note, warning
 from lispac.survey.line_source import printable
 
-COLUMNS = FormatOption(
+COLUMNS_OPTION = FormatOption(
     "columns",
     N_(
         "Names of the columns from the left, separated by blanks. time x y z are needed; - skips a "
         "column. Empty: as in the first row of the file."
     ),
 )
-SEPARATOR = FormatOption(
-    "separator", N_("Separator of the columns."), ("auto", *SEPARATORS), "auto"
+SEPARATOR_OPTION = FormatOption(
+    "separator", N_("Separator of the columns."), ("auto", *SEPARATOR_CHARACTERS), "auto"
 )
-DECIMAL = FormatOption("decimal", N_("Decimal sign."), ("auto", "point", "comma"), "auto")
-BLOCK = 8 << 20  # bytes parsed at once
-GZIP, UTF16 = b"\x1f\x8b", (b"\xff\xfe", b"\xfe\xff")
+DECIMAL_OPTION = FormatOption("decimal", N_("Decimal sign."), ("auto", "point", "comma"), "auto")
+BYTES_PER_BLOCK = 8 << 20  # bytes parsed at once
+GZIP_SIGNATURE, UTF16_MARKS = b"\x1f\x8b", (b"\xff\xfe", b"\xfe\xff")
 
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the numbers per row and the names time, x, y and z in a first row."""
-    if head.startswith(GZIP):
-        head = zlib.decompressobj(wbits=31).decompress(head, HEAD)
+    if head.startswith(GZIP_SIGNATURE):
+        head = zlib.decompressobj(wbits=31).decompress(head, HEAD_BYTES)
     if b"\0" in head:
-        return NOT
+        return IMPOSSIBLE
     lines = _decode_text(head).splitlines()[:100]
     layout, rows = guess_layout(lines), data_rows(lines)
     body = rows[layout.first : -1] or rows[layout.first :]  # the last row may be incomplete
     if not body or not all(layout.is_numeric_row(row) for row in body):
-        return NOT
-    return LIKELY if set(REQUIRED) <= set(layout.names) else POSSIBLE
+        return IMPOSSIBLE
+    return LIKELY if set(REQUIRED_COLUMNS) <= set(layout.names) else POSSIBLE
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
-    """Read the first rows, and propose separator, decimal sign and columns.
+    """Read the first rows, and detect separator, decimal sign and columns.
 
     Raises
     ------
     InputError
-        If the file cannot be read or holds no rows of numbers.
+        If the file cannot be read or contains no rows of numbers.
     """
     path = require_not_empty(path, "text")
     file = printable(path.name)
@@ -131,42 +137,41 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     chunk = usable_points(chunk)
     metres = SCANNER_UNITS[str(choice.get("unit") or found.get("unit", "metre"))]
     crs = str(choice.get("crs", ""))
-    seen = check_first_points(metres * chunk.xyz, chunk.time, file=file, crs=crs)
-    found["frame"] = seen.frame
+    points_check = check_first_points(metres * chunk.xyz, chunk.time, file=file, crs=crs)
+    found["frame"] = points_check.frame
     units = layout.units()
     if crs and (unit := height_unit_of(units, crs)):
         found["height_unit"] = unit
     resolved = _merge_options(found, choice)
-    if resolved["frame"] == SCANNER and not choice.get("unit"):
+    if resolved["frame"] == SCANNER_FRAME and not choice.get("unit"):
         require_one_unit(path, layout)
     facts |= {
         **frame_facts(resolved),
         "time base": time_base_message(chunk.time, resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
     }
     above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
     feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
     file_warnings: tuple[Message, ...] = ()
     if feet and "unit" not in header_options(layout):
-        file_warnings = (warning("points.feet_in_header", file=file, actions=USE_FEET),)
+        file_warnings = (warning("points.feet_in_header", file=file, actions=USE_FEET_ACTIONS),)
     if crs and units:
-        file_warnings = unit_warnings(
-            units, crs, file
-        )  # these name the columns, and replace the general warning
+        # These name the columns, and replace the general warning.
+        file_warnings = easting_unit_warnings(units, crs, file)
     if (
         not resolved["time_base"]
         and "time" in columns
         and is_clock(shown[0][columns.index("time")])
     ):
-        actions = (CHOOSE_TIME_BASE,)
+        actions = (CHOOSE_TIME_BASE_ACTION,)
         file_warnings += (warning("times.clock_without_base", file=file, actions=actions),)
-    messages = tuple(unit_messages(path, layout, choice))
+    messages = tuple(column_title_warnings(path, layout, choice))
     assumptions = (
-        note("assumed.time_unit", unit=TIME_UNIT_NAMES[SECONDS[resolved["time_unit"]]]),
-        SAME_TIME_BASE,
+        note("assumed.time_unit", unit=TIME_UNIT_NAMES[SECONDS_PER_UNIT[resolved["time_unit"]]]),
+        SAME_TIME_BASE_NOTE,
     )
     return FilePreview(
-        facts, preview, found, (*file_warnings, *seen.file_warnings), assumptions, messages
+        facts, preview, found, (*file_warnings, *points_check.file_warnings), assumptions, messages
     )
 
 
@@ -183,12 +188,12 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     path = require_not_empty(path, "text")
     found, layout, _ = _detect_options(path)
     resolved = _merge_options(found, choice)
-    if resolved["frame"] == SCANNER and not choice.get("unit") and not choice.get("columns"):
+    if resolved["frame"] == SCANNER_FRAME and not choice.get("unit") and not choice.get("columns"):
         require_one_unit(path, layout)
     if not resolved["columns"]:
         raise InputError(error("text.columns_not_named", file=str(path)))
     scale, done = coordinate_scale(resolved), 0
-    for chunk in _read_chunks(path, resolved, CHUNK):
+    for chunk in _read_chunks(path, resolved, POINTS_PER_CHUNK):
         require_usable_points(chunk.xyz, chunk.time, path, done)
         done += len(chunk.time)
         yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra) if scale != 1 else chunk
@@ -202,10 +207,10 @@ def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
     Raises
     ------
     InputError
-        If no row has four numbers.
+        If no row has four numbers, or the columns are polar coordinates.
     """
     with report_damage(path, "text"), _opened_text(path) as file:
-        lines = next(_line_blocks(file, path, HEAD), [])[:200]
+        lines = next(_line_blocks(file, path, HEAD_BYTES), [])[:200]
     layout = guess_layout(lines)
     if layout.first == len(data_rows(lines)):
         raise InputError(error("text.no_number_rows", file=str(path)))
@@ -213,7 +218,7 @@ def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
         "separator": layout.separator,
         "decimal": "comma" if layout.decimal_comma else "point",
     }
-    if set(REQUIRED) <= set(layout.names):
+    if set(REQUIRED_COLUMNS) <= set(layout.names):
         found["columns"] = " ".join(layout.names)
         found |= header_options(layout)
     else:
@@ -223,7 +228,7 @@ def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
 
 def _merge_options(detected: Choice, choice: Choice) -> dict[str, str]:
     """Given options, completed by the detected ones."""
-    return TEXT.resolved(
+    return TEXT_FORMAT.resolved(
         {**detected, **{name: value for name, value in choice.items() if value not in ("", "auto")}}
     )
 
@@ -232,11 +237,11 @@ def _read_chunks(path: Path, resolved: Choice, rows: int) -> Iterator[PointChunk
     names = _chosen_columns(path, resolved["columns"])
     layout = RowLayout(resolved["separator"], resolved["decimal"] == "comma")
     columns = [k for k, name in enumerate(names) if name != "-"]
-    factor = SECONDS[resolved["time_unit"]]
+    factor = SECONDS_PER_UNIT[resolved["time_unit"]]
     parts: list[NDArray[np.float64]] = []
     number = pending = 0
     with report_damage(path, "text"), _opened_text(path) as file:
-        for block in _line_blocks(file, path, min(BLOCK, 100 * rows)):
+        for block in _line_blocks(file, path, min(BYTES_PER_BLOCK, 100 * rows)):
             parts.append(_parse_block(path, block, number, names, columns, layout))
             number += len(block)
             pending += len(parts[-1])
@@ -253,30 +258,34 @@ def _read_chunks(path: Path, resolved: Choice, rows: int) -> Iterator[PointChunk
 def _point_chunk(
     part: NDArray[np.float64], names: Sequence[str], columns: list[int], factor: float
 ) -> PointChunk:
-    at = {names[k]: column for column, k in enumerate(columns)}
-    xyz = np.ascontiguousarray(part[:, [at["x"], at["y"], at["z"]]])
-    extra = {name: part[:, column].copy() for name, column in at.items() if name not in REQUIRED}
-    return PointChunk(xyz, part[:, at["time"]] * factor, extra)
+    column_of = {names[k]: column for column, k in enumerate(columns)}
+    xyz = np.ascontiguousarray(part[:, [column_of["x"], column_of["y"], column_of["z"]]])
+    extra = {
+        name: part[:, column].copy()
+        for name, column in column_of.items()
+        if name not in REQUIRED_COLUMNS
+    }
+    return PointChunk(xyz, part[:, column_of["time"]] * factor, extra)
 
 
 def _chosen_columns(path: Path, text: str) -> list[str]:
-    known = (*REQUIRED, "intensity")
+    known = (*REQUIRED_COLUMNS, "intensity")
     names = [
         name.lower() if name.lower() in known else name
         for name in text.replace(",", " ").replace(";", " ").split()
     ]
     if not names:
         raise InputError(error("text.columns_not_named", file=str(path)))
-    missing = [name for name in REQUIRED if name not in names]
+    missing = [name for name in REQUIRED_COLUMNS if name not in names]
     if missing:
         raise InputError(
             error(
                 "text.columns_missing", file=str(path), names=tuple(names), missing=tuple(missing)
             )
         )
-    twice = sorted({name for name in names if name != "-" and names.count(name) > 1})
-    if twice:
-        raise InputError(error("text.duplicate_columns", file=str(path), names=tuple(twice)))
+    duplicates = sorted({name for name in names if name != "-" and names.count(name) > 1})
+    if duplicates:
+        raise InputError(error("text.duplicate_columns", file=str(path), names=tuple(duplicates)))
     return names
 
 
@@ -299,12 +308,13 @@ def _parse_block(
     if not text:
         return np.empty((0, len(columns)))
     _require_width(path, block, number, layout.fields(text[0]), names)
-    at = names.index("time")
-    clocks = is_clock(layout.fields(text[0])[at])
+    time_column = names.index("time")
+    clocks = is_clock(layout.fields(text[0])[time_column])
     try:
         return np.loadtxt(
-            text, delimiter=SEPARATORS[layout.separator], usecols=columns, ndmin=2, comments=None,
-            converters={at: clock_seconds} if clocks else None, encoding=None,
+            text, delimiter=SEPARATOR_CHARACTERS[layout.separator], usecols=columns, ndmin=2,
+            comments=None, encoding=None,
+            converters={time_column: clock_seconds} if clocks else None,
         )  # fmt: skip
     except ValueError as failure:
         _raise_row_error(path, block, number, before, names, columns, layout, clocks=clocks)
@@ -317,12 +327,12 @@ def _raise_row_error(
     path: Path, block: list[str], number: int, before: int, names: Sequence[str],
     columns: list[int], layout: RowLayout, *, clocks: bool,
 ) -> None:  # fmt: skip
-    """Raise an error that names the faulty row of a block.
+    """Raise an error that names the first faulty row of a block; return if there is none.
 
     Raises
     ------
     InputError
-        Always.
+        If a row is too short, or a value is not a number.
     """
     passed = 0
     for k, line in enumerate(block, start=number + 1):
@@ -379,7 +389,7 @@ def _first_row(lines: list[str]) -> int:
 
 def _is_gzipped(path: Path) -> bool:
     with path.open("rb") as file:
-        return file.read(2) == GZIP
+        return file.read(2) == GZIP_SIGNATURE
 
 
 @contextmanager
@@ -387,9 +397,9 @@ def _opened_text(path: Path) -> Iterator[IO[bytes]]:
     with path.open("rb") as raw:
         start = raw.read(2)
         raw.seek(0)
-        if start in UTF16:
+        if start in UTF16_MARKS:
             raise InputError(error("text.utf16", file=str(path)))
-        yield cast(IO[bytes], gzip.GzipFile(fileobj=raw)) if start == GZIP else raw
+        yield cast(IO[bytes], gzip.GzipFile(fileobj=raw)) if start == GZIP_SIGNATURE else raw
 
 
 def _decode_text(data: bytes) -> str:
@@ -409,7 +419,7 @@ def _line_blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
         data = rest + data
         end = data.rfind(b"\n") + 1
         data, rest = data[:end], data[end:]
-        if len(rest) > HEAD or b"\0" in data[:HEAD]:
+        if len(rest) > HEAD_BYTES or b"\0" in data[:HEAD_BYTES]:
             raise InputError(error("text.no_rows_of_points", file=str(path)))
         if data:
             yield _decode_text(data).split("\n")[:-1]
@@ -417,7 +427,8 @@ def _line_blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
         yield [_decode_text(rest)]
 
 
-TEXT = FileFormat(
+TEXT_FORMAT = FileFormat(
     note("format.text"), "text", "points", (".txt", ".csv", ".xyz", ".asc", ".pts", ".gz"),
-    (COLUMNS, SEPARATOR, DECIMAL, TIME_UNIT, *PLACE), sniff, preview_file, read,
+    (COLUMNS_OPTION, SEPARATOR_OPTION, DECIMAL_OPTION, TIME_UNIT_OPTION, *COMMON_OPTIONS),
+    sniff, preview_file, read,
 )  # fmt: skip

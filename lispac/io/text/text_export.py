@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.messages import error
 from lispac.survey.crs import CoordinateSystem
-from lispac.survey.time_base import KEYS
+from lispac.survey.time_base import TIME_BASE_KEYS
 from lispac.survey.trajectory import Trajectory
 from lispac.untrusted_values import as_csv_cell
 
@@ -23,7 +23,7 @@ TRAJECTORY_HEADER = (
     "time latitude longitude height roll pitch heading",
 )
 """Lines above the numbers; the last one has the column names of `ascii_trajectory`."""
-TIME_BASE = " Time base: "
+TIME_BASE_LABEL = " Time base: "
 """Text at the end of the first line, followed by the key of the time base, if it is known."""
 TRAJECTORY_OPTIONS = {
     "columns": TRAJECTORY_HEADER[-1], "position": "degrees", "attitude": "degrees",
@@ -31,8 +31,8 @@ TRAJECTORY_OPTIONS = {
 }  # fmt: skip
 """Options of `lispac.io.trajectory.ascii_trajectory` to read an exported trajectory."""
 
-LINE_AND_TIME = ("line", "time (s)")
-SCANNER_NAMES = ("x lidar (m)", "y lidar (m)", "z lidar (m)")
+LINE_AND_TIME_COLUMNS = ("line", "time (s)")
+SCANNER_COLUMN_NAMES = ("x lidar (m)", "y lidar (m)", "z lidar (m)")
 """Column names of an exported target, by which `lispac.io.text.target_points` recognises it."""
 
 
@@ -46,8 +46,8 @@ def options_in_header(lines: Sequence[str]) -> dict[str, str]:
     """
     if not lines or not lines[0].startswith(TRAJECTORY_HEADER[0]):
         return {}
-    base = lines[0].strip().rpartition(TIME_BASE)[2]
-    return TRAJECTORY_OPTIONS | ({"time": base} if base in KEYS else {})
+    base = lines[0].strip().rpartition(TIME_BASE_LABEL)[2]
+    return TRAJECTORY_OPTIONS | ({"time": base} if base in TIME_BASE_KEYS else {})
 
 
 def write_table(
@@ -87,14 +87,26 @@ def coordinate_names(system: CoordinateSystem | None) -> tuple[tuple[str, ...], 
     if system is None:
         return ("north (m)", "west (m)", "up (m)"), (".4f", ".4f", ".4f")
     code = system.crs.to_epsg()
-    of = f" EPSG:{code}" if code else ""
+    epsg_label = f" EPSG:{code}" if code else ""
     height_unit = system.height.rpartition("(")[2].rstrip(")")
     if system.is_geographic:
-        names = f"longitude{of} (deg)", f"latitude{of} (deg)", f"height ({height_unit})"
+        names = (
+            f"longitude{epsg_label} (deg)",
+            f"latitude{epsg_label} (deg)",
+            f"height ({height_unit})",
+        )
         return names, (".9f", ".9f", ".4f")
     if system.crs.is_geocentric:
-        return (f"X{of} (m)", f"Y{of} (m)", f"Z{of} (m)"), (".4f", ".4f", ".4f")
-    names = f"east{of} ({system.unit})", f"north{of} ({system.unit})", f"height ({height_unit})"
+        return (f"X{epsg_label} (m)", f"Y{epsg_label} (m)", f"Z{epsg_label} (m)"), (
+            ".4f",
+            ".4f",
+            ".4f",
+        )
+    names = (
+        f"east{epsg_label} ({system.unit})",
+        f"north{epsg_label} ({system.unit})",
+        f"height ({height_unit})",
+    )
     return names, (".4f", ".4f", ".4f")
 
 
@@ -122,6 +134,6 @@ def write_trajectory_text(path: Path, trajectory: Trajectory, time_base: str = "
     )
     with path.open("w", encoding="utf-8", errors="replace", newline="\n") as file:
         first, *others = TRAJECTORY_HEADER
-        base = f"{TIME_BASE}{time_base}" if time_base else ""
+        base = f"{TIME_BASE_LABEL}{time_base}" if time_base else ""
         file.write("\n".join([first + base, *others]) + "\n")
         np.savetxt(file, rows, fmt="%.9f %.11f %.11f %.5f %.9f %.9f %.9f")

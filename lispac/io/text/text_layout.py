@@ -4,39 +4,39 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from lispac.io.points.point_reader_common import TIME_NAMES
-from lispac.io.text.text_table import DECIMAL_COMMAS, is_clock
+from lispac.io.points.point_reader_common import TIME_FIELD_NAMES
+from lispac.io.text.text_table import DECIMAL_COMMA_ROW, is_clock
 from lispac.io.text.units import (
-    ANGLE_CODES,
+    ANGLE_UNIT_CODES,
     is_units_row,
     split_title,
     title_unit,
     titles_with_units,
 )
 
-REQUIRED = ("time", "x", "y", "z")
-SEPARATORS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
+REQUIRED_COLUMNS = ("time", "x", "y", "z")
+SEPARATOR_CHARACTERS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
 COMMENT_MARKS = ("#", "%", "//")
-TIME_BASES = {
+TIME_BASE_OF_COLUMN_NAME = {
     **dict.fromkeys(("time_tai", "tai_time", "tai", "ptp_time", "time_ptp"), "tai"),
     **dict.fromkeys(("time_unix", "unix_time", "unix", "posix_time"), "unix"),
 }
 """Keys of time bases by the names of time columns that imply them; lower case."""
-MEANINGS = {
+COLUMN_MEANINGS = {
     **dict.fromkeys(("x", "easting", "east", "e", "lon", "longitude"), "x"),
     **dict.fromkeys(("y", "northing", "north", "n", "lat", "latitude"), "y"),
     **dict.fromkeys(("z", "height", "h", "elevation", "up", "u"), "z"),
-    **dict.fromkeys((*TIME_NAMES, "sow", "seconds", *TIME_BASES), "time"),
+    **dict.fromkeys((*TIME_FIELD_NAMES, "sow", "seconds", *TIME_BASE_OF_COLUMN_NAME), "time"),
     **dict.fromkeys(("intensity", "i", "scalar_intensity", "reflectance"), "intensity"),
 }
 """Meanings of common column names; lower case, without the unit."""
-BEAMS = {
+POLAR_COLUMN_NAMES = {
     "range", "distance", "slant_range", "slant range", "azimuth", "horizontal_angle",
     "horizontal angle", "vertical_angle", "vertical angle", "scan_angle", "scan angle",
 }  # fmt: skip
 """Column names of points in polar coordinates."""
-ANGLES_OF_BEAMS = {"elevation"}
-"""Names that mean an angle in files with columns in `BEAMS`."""
+POLAR_ANGLE_NAMES = {"elevation"}
+"""Names that mean an angle in files with columns in `POLAR_COLUMN_NAMES`."""
 
 
 @dataclass(frozen=True)
@@ -46,10 +46,11 @@ class RowLayout:
     Attributes
     ----------
     separator : str
-        One of `SEPARATORS`.
+        One of `SEPARATOR_CHARACTERS`.
     decimal_comma : bool
     names : tuple of str
-        Column names in the terms of the program; empty if no row above the numbers has names.
+        Meaning of each column, or its name if the meaning is not known, or ``-`` if it is not read;
+        empty if no row above the numbers has names.
     first : int
         Number of rows before the first row of numbers.
     titles : tuple of str
@@ -69,7 +70,9 @@ class RowLayout:
 
     def fields(self, row: str) -> list[str]:
         """Split a row into columns."""
-        return [field.strip() for field in self.plain(row).split(SEPARATORS[self.separator])]
+        return [
+            field.strip() for field in self.plain(row).split(SEPARATOR_CHARACTERS[self.separator])
+        ]
 
     def units(self) -> dict[str, str]:
         """Unit in the title of each column that has one; see `title_unit`."""
@@ -77,12 +80,12 @@ class RowLayout:
         return {name: unit for name, unit in units if unit and name != "-"}
 
     def is_numeric_row(self, row: str) -> bool:
-        """True if a row has four or more numbers and few other columns.
+        """True if a row has four or more numbers, and more numbers than other fields.
 
         A time as hh:mm:ss counts as a number.
         """
         numbers = [_is_number(field) or is_clock(field) for field in self.fields(row)]
-        return sum(numbers) >= max(len(REQUIRED), len(numbers) // 2 + 1)
+        return sum(numbers) >= max(len(REQUIRED_COLUMNS), len(numbers) // 2 + 1)
 
 
 def data_rows(lines: Sequence[str]) -> list[str]:
@@ -112,7 +115,7 @@ def _layout_candidates(row: str) -> list[tuple[str, bool]]:
         return [("tab", "." not in row and "," in row)]
     if "," in row:
         # 1,5 2,5 is two numbers with decimal commas; 1.5, 2.5 and 1,2,3,4 are lists.
-        comma_is_decimal = "." not in row and bool(DECIMAL_COMMAS.search(row))
+        comma_is_decimal = "." not in row and bool(DECIMAL_COMMA_ROW.search(row))
         return [("blank", True)] if comma_is_decimal else [("comma", False)]
     return [("blank", False)]
 
@@ -136,7 +139,7 @@ def _column_titles(lines: Sequence[str], row: str, separator: str, columns: int)
 def split_names(line: str, separator: str, columns: int) -> list[str]:
     """Column names in a line, which may be a comment; empty if their number does not fit."""
     plain = line.strip("\r\n ").lstrip("#%/ ").replace('"', "")
-    fields = [field.strip() for field in plain.split(SEPARATORS[separator])]
+    fields = [field.strip() for field in plain.split(SEPARATOR_CHARACTERS[separator])]
     if len(fields) != columns:
         fields = plain.replace(",", " ").replace(";", " ").split()
     numbers = any(_is_number(field) or is_clock(field) for field in fields)
@@ -149,10 +152,10 @@ def name_without_unit(field: str) -> str:
 
 
 def ambiguous_columns(titles: Sequence[str]) -> dict[str, list[str]]:
-    """Groups of titles with the same meaning, of which none is the exact name."""
+    """Groups of titles with the same meaning, unless exactly one of them is the name itself."""
     found: dict[str, list[str]] = {}
     for title in titles:
-        if meaning := MEANINGS.get(name_without_unit(title)):
+        if meaning := COLUMN_MEANINGS.get(name_without_unit(title)):
             found.setdefault(meaning, []).append(title)
     return {
         meaning: own
@@ -166,21 +169,23 @@ def _column_meanings(fields: Sequence[str]) -> tuple[str, ...]:
 
     An elevation in a file with a range or an azimuth, or in degrees, is an angle and not a height.
     """
-    bares = [name_without_unit(field) for field in fields]
-    beams = not BEAMS.isdisjoint(bares)
-    angles = [title_unit(field) in ANGLE_CODES for field in fields]
+    base_names = [name_without_unit(field) for field in fields]
+    is_polar = not POLAR_COLUMN_NAMES.isdisjoint(base_names)
+    angles = [title_unit(field) in ANGLE_UNIT_CODES for field in fields]
     chosen: dict[str, int] = {}
-    for k, bare in enumerate(bares):
-        if MEANINGS.get(bare) == bare:
+    for k, bare in enumerate(base_names):
+        if COLUMN_MEANINGS.get(bare) == bare:
             chosen.setdefault(bare, k)
-    for k, bare in enumerate(bares):
-        is_angle = (beams and bare in ANGLES_OF_BEAMS) or (MEANINGS.get(bare) == "z" and angles[k])
-        if bare in MEANINGS and not is_angle:
-            chosen.setdefault(MEANINGS[bare], k)
+    for k, bare in enumerate(base_names):
+        is_angle = (is_polar and bare in POLAR_ANGLE_NAMES) or (
+            COLUMN_MEANINGS.get(bare) == "z" and angles[k]
+        )
+        if bare in COLUMN_MEANINGS and not is_angle:
+            chosen.setdefault(COLUMN_MEANINGS[bare], k)
     names: list[str] = []
-    for k, (bare, field) in enumerate(zip(bares, fields, strict=True)):
-        is_chosen = bare in MEANINGS and chosen.get(MEANINGS[bare]) == k
-        name = MEANINGS[bare] if is_chosen else re.sub(r"\s+", "_", field) or "-"
+    for k, (bare, field) in enumerate(zip(base_names, fields, strict=True)):
+        is_chosen = bare in COLUMN_MEANINGS and chosen.get(COLUMN_MEANINGS[bare]) == k
+        name = COLUMN_MEANINGS[bare] if is_chosen else re.sub(r"\s+", "_", field) or "-"
         names.append(name if name not in names and (is_chosen or name not in chosen) else "-")
     return tuple(names)
 

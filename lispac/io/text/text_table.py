@@ -20,24 +20,24 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-SEPARATORS = ("auto", "comma", "semicolon", "tab", "blank")
-BLOCK = 50_000
-LONGEST_LINE = 20_000
+SEPARATOR_NAMES = ("auto", "comma", "semicolon", "tab", "blank")
+ROWS_PER_BLOCK = 50_000
+MAX_LINE_LENGTH = 20_000
 """Largest number of characters of a row; longer lines indicate a file that is not a table."""
 
-DECIMAL_COMMAS = re.compile(r"\d,\d+\s+-?\d+,\d")
+DECIMAL_COMMA_ROW = re.compile(r"\d,\d+\s+-?\d+,\d")
 """Pattern of a row with decimal commas and columns separated by blanks, for rows without points."""
 
-_CLOCK = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2}(?:[.,]\d*)?)Z?")
-_DATE = re.compile(r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})")
-_NUMBER = re.compile(r"[-+]?(\d+[.,]?\d*|[.,]\d+)([eEdD][-+]?\d+)?")
+_CLOCK_PATTERN = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2}(?:[.,]\d*)?)Z?")
+_DATE_PATTERN = re.compile(r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})")
+_NUMBER_PATTERN = re.compile(r"[-+]?(\d+[.,]?\d*|[.,]\d+)([eEdD][-+]?\d+)?")
 _DMS_SEPARATORS = re.compile("[°º'’′\"”″:dms]+|\\s+")
 
 
 def first_lines(path: Path, count: int = 200) -> list[str]:
     """First lines of a text file; empty if it is not text, without raising an error.
 
-    A file with NUL bytes or with lines longer than `LONGEST_LINE` is not text.
+    A file with NUL bytes or with lines longer than `MAX_LINE_LENGTH` is not text.
     """
     try:
         with Path(path).open("rb") as file:
@@ -48,15 +48,15 @@ def first_lines(path: Path, count: int = 200) -> list[str]:
     if "\0" in text:
         return []
     lines = text.splitlines()[:count]
-    return [] if any(len(line) > LONGEST_LINE for line in lines) else lines
+    return [] if any(len(line) > MAX_LINE_LENGTH for line in lines) else lines
 
 
-UTF16 = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}
+UTF16_ENCODINGS = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}
 """Byte order marks of UTF-16 text, which some Windows programs write."""
 
 
 def _encoding(head: bytes) -> str:
-    return "utf-16" if head[:2] in UTF16 else "utf-8-sig"
+    return "utf-16" if head[:2] in UTF16_ENCODINGS else "utf-8-sig"
 
 
 def encoding_of(path: Path) -> str:
@@ -72,13 +72,13 @@ def encoding_of(path: Path) -> str:
 
 
 def last_lines(path: Path, size: int) -> list[str]:
-    """Whole lines within the last ``size`` bytes; none if the file cannot be read."""
+    """Lines after the first line end in the last ``size`` bytes; none if the file is unreadable."""
     try:
         with Path(path).open("rb") as file:
             mark = file.read(2)
             start = max(0, file.seek(0, os.SEEK_END) - size)
             file.seek(start + start % 2)
-            text = file.read().decode(UTF16.get(mark, "utf-8"), errors="replace")
+            text = file.read().decode(UTF16_ENCODINGS.get(mark, "utf-8"), errors="replace")
     except OSError:
         return []
     return text.splitlines()[1:]
@@ -99,9 +99,9 @@ def numbered_lines(path: Path, what: str) -> Iterator[tuple[int, str]]:
     try:
         with path.open(encoding=encoding_of(path), errors="replace", newline=None) as file:
             number = 0
-            while line := file.readline(LONGEST_LINE + 1):
+            while line := file.readline(MAX_LINE_LENGTH + 1):
                 number += 1
-                if len(line) > LONGEST_LINE or "\0" in line:
+                if len(line) > MAX_LINE_LENGTH or "\0" in line:
                     raise InputError(error("text.not_text", file=str(path), row=number))
                 yield number, line.rstrip("\r\n")
     except OSError as failure:
@@ -112,47 +112,52 @@ def numbered_lines(path: Path, what: str) -> Iterator[tuple[int, str]]:
 def split_fields(line: str, separator: str = "auto") -> list[str]:
     """Split a row; ``auto`` uses the semicolon, tab or comma if there is one, else blanks.
 
-    Commas between digits are decimal signs if blanks separate the numbers. Fields may be in quotes,
-    as spreadsheets write them.
+    With ``auto``, commas between digits are decimal signs if blanks separate the numbers and no
+    field has a point. Fields may be in quotes, as spreadsheets write them.
     """
-    if '"' in line and _QUOTED.search(line):
+    if '"' in line and _OPENING_QUOTE.search(line):
         return _split_quoted(line, separator)
     if separator == "auto":
-        separator = next((name for name, mark in _MARKS.items() if mark in line), "blank")
-        if separator == "comma" and "." not in line and DECIMAL_COMMAS.search(line):
+        separator = next(
+            (name for name, mark in _SEPARATOR_CHARACTERS.items() if mark in line), "blank"
+        )
+        if separator == "comma" and "." not in line and DECIMAL_COMMA_ROW.search(line):
             separator = "blank"
     if separator == "blank":
         return line.split()
-    return [field.strip() for field in line.strip(" \r\n").split(_MARKS[separator])]
+    return [field.strip() for field in line.strip(" \r\n").split(_SEPARATOR_CHARACTERS[separator])]
 
 
-_MARKS = {"semicolon": ";", "tab": "\t", "comma": ","}
-_QUOTED = re.compile(r'(?:^|[;,\t])\s*"')
+_SEPARATOR_CHARACTERS = {"semicolon": ";", "tab": "\t", "comma": ","}
+_OPENING_QUOTE = re.compile(r'(?:^|[;,\t])\s*"')
 """Pattern of a quote that opens a field; other quotes mean seconds of arc."""
 
 
 def _split_quoted(line: str, separator: str) -> list[str]:
     if separator == "auto":
-        parted = re.sub('"[^"]*"', "", line)
-        separator = next((name for name, mark in _MARKS.items() if mark in parted), "blank")
-    mark = _MARKS.get(separator, " ")
+        outside_quotes = re.sub('"[^"]*"', "", line)
+        separator = next(
+            (name for name, mark in _SEPARATOR_CHARACTERS.items() if mark in outside_quotes),
+            "blank",
+        )
+    mark = _SEPARATOR_CHARACTERS.get(separator, " ")
     row = next(csv.reader([line.strip(" \r\n")], delimiter=mark, skipinitialspace=True), [])
     return [field.strip() for field in row]
 
 
 def is_number(field: str) -> bool:
-    """True if a field is one finite number, with a decimal point or comma."""
-    return _NUMBER.fullmatch(field.strip()) is not None
+    """True if a field is one number in digits, with a decimal point or comma."""
+    return _NUMBER_PATTERN.fullmatch(field.strip()) is not None
 
 
 def is_data_row(fields: Sequence[str]) -> bool:
     """True if the first field of a row is a number, a clock time or a date."""
     first = fields[0] if fields else ""
-    return is_number(first) or bool(_CLOCK.match(first)) or bool(_DATE.match(first))
+    return is_number(first) or bool(_CLOCK_PATTERN.match(first)) or bool(_DATE_PATTERN.match(first))
 
 
 def parse_number(field: str) -> float:
-    """Parse a number; a comma may be the decimal sign unless it separates columns."""
+    """Parse a number with a decimal point or comma and an exponent after e, E, d or D."""
     return float(field.replace(",", ".").replace("D", "e").replace("d", "e"))
 
 
@@ -199,14 +204,16 @@ def degrees_and_minutes(field: str) -> float:
     """
     text = field.strip().upper()
     letters = text[:1] + text[-1:]
-    found = [letter for letter in letters if letter in HEMISPHERES]
+    found = [letter for letter in letters if letter in HEMISPHERE_SIGNS]
     value = parse_number(text.strip("NSEW "))
     if len(found) > 1 or (found and value < 0):
         raise ValueError(f"{field!r} has both a sign and a hemisphere")
     degrees, minutes = divmod(abs(value), 100.0)
     if minutes >= 60:
         raise ValueError(f"{field!r} is not degrees and minutes")
-    return math.copysign(degrees + minutes / 60, value) * (HEMISPHERES[found[0]] if found else 1.0)
+    return math.copysign(degrees + minutes / 60, value) * (
+        HEMISPHERE_SIGNS[found[0]] if found else 1.0
+    )
 
 
 def parse_with_hemisphere(parse: Callable[[str], float], field: str, *, letters: str) -> float:
@@ -218,22 +225,24 @@ def parse_with_hemisphere(parse: Callable[[str], float], field: str, *, letters:
         If the text is not such a coordinate.
     """
     text = field.strip().upper()
-    if {text[:1], text[-1:]} & (set(HEMISPHERES) - set(letters)) and not _has_seconds_letter(text):
+    if {text[:1], text[-1:]} & (set(HEMISPHERE_SIGNS) - set(letters)) and not _has_seconds_letter(
+        text
+    ):
         raise ValueError(f"{field!r} is not a coordinate of {' or '.join(letters)}")
     return parse(field)
 
 
 def _has_seconds_letter(text: str) -> bool:
     """True if the last letter marks the seconds, as in ``12D30M05S``."""
-    return text[:1] not in HEMISPHERES and "D" in text and "M" in text and text.count("S") == 1
+    return text[:1] not in HEMISPHERE_SIGNS and "D" in text and "M" in text and text.count("S") == 1
 
 
-def hemisphere_sign(field: str, o: str = "") -> float:
+def hemisphere_sign(field: str, letter_o: str = "") -> float:
     """Sign of a hemisphere: 1 for N and E, -1 for S and W.
 
     Parameters
     ----------
-    o : {"", "E", "W"}
+    letter_o : {"", "E", "W"}
         Meaning of the letter O: *Ost* in German, *ouest* in French; empty if it is not known.
 
     Raises
@@ -242,13 +251,13 @@ def hemisphere_sign(field: str, o: str = "") -> float:
         If the text is not a hemisphere.
     """
     word = field.strip().upper()
-    letter = o if o and word == "O" else {"OST": "E", "OUEST": "W"}.get(word, word)
-    if letter[:1] not in HEMISPHERES:
+    letter = letter_o if letter_o and word == "O" else {"OST": "E", "OUEST": "W"}.get(word, word)
+    if letter[:1] not in HEMISPHERE_SIGNS:
         raise ValueError(f"{field!r} is not a hemisphere")
-    return HEMISPHERES[letter[:1]]
+    return HEMISPHERE_SIGNS[letter[:1]]
 
 
-HEMISPHERES = {"N": 1.0, "S": -1.0, "E": 1.0, "W": -1.0}
+HEMISPHERE_SIGNS = {"N": 1.0, "S": -1.0, "E": 1.0, "W": -1.0}
 
 
 def parse_coordinate(field: str, *, degrees: bool = False) -> float | None:
@@ -262,7 +271,6 @@ def parse_coordinate(field: str, *, degrees: bool = False) -> float | None:
     Returns
     -------
     float, or None where it is not a finite number
-
     """
     text = field.strip().replace("\N{MINUS SIGN}", "-")
     try:
@@ -290,7 +298,7 @@ def clock_seconds(field: str) -> float:
     ValueError
         If the text is not a time of day.
     """
-    match = _CLOCK.fullmatch(field.strip())
+    match = _CLOCK_PATTERN.fullmatch(field.strip())
     if not match:
         raise ValueError(f"{field!r} is not a time as hh:mm:ss")
     hours, minutes, seconds = int(match[1]), int(match[2]), parse_number(match[3])
@@ -301,7 +309,7 @@ def clock_seconds(field: str) -> float:
 
 def is_clock(field: str) -> bool:
     """True if a field is a time as hh:mm:ss."""
-    return _CLOCK.fullmatch(field.strip()) is not None
+    return _CLOCK_PATTERN.fullmatch(field.strip()) is not None
 
 
 def date_seconds(field: str) -> float:
@@ -312,13 +320,13 @@ def date_seconds(field: str) -> float:
     ValueError
         If the text is not a date.
     """
-    match = _DATE.fullmatch(field.strip())
+    match = _DATE_PATTERN.fullmatch(field.strip())
     if not match:
         raise ValueError(f"{field!r} is not a date as yyyy-mm-dd")
-    year, month, of_month = (int(part) for part in match.groups())
-    if not (1 <= month <= 12 and 1 <= of_month <= 31):
+    year, month, day = (int(part) for part in match.groups())
+    if not (1 <= month <= 12 and 1 <= day <= 31):
         raise ValueError(f"{field!r} is not a date as yyyy-mm-dd")
-    return float(timegm((year, month, of_month, 0, 0, 0)))
+    return float(timegm((year, month, day, 0, 0, 0)))
 
 
 def read_columns(
@@ -347,7 +355,7 @@ def read_columns(
     width = max(index for index, _, _ in columns) + 1
     blocks: list[Array] = []
     numbers: list[NDArray[np.int64]] = []
-    while block := list(islice(rows, BLOCK)):
+    while block := list(islice(rows, ROWS_PER_BLOCK)):
         for row, fields in block:
             if len(fields) < width:
                 raise InputError(
@@ -383,7 +391,7 @@ def _parse_values(fields: list[str], parse: Callable[[str], float]) -> Array:
             try:
                 return np.fromiter(map(quick, fields), dtype=np.float64, count=len(fields))
             except (ValueError, OverflowError):
-                pass  # with decimal commas, else one by one, to find which
+                pass  # decimal commas are tried next, then single fields to find the invalid one
     values = np.full(len(fields), np.nan)
     for k, field in enumerate(fields):
         with suppress(ValueError, OverflowError):

@@ -1,4 +1,4 @@
-"""Units in the column titles of points as text, and warnings about contradictions."""
+"""Units in the column titles of points as text: checks, reading options and warnings."""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -7,20 +7,20 @@ from lispac.errors import InputError
 from lispac.io.format_types import Choice
 from lispac.io.points.point_reader_common import SCANNER_UNITS
 from lispac.io.text.text_layout import (
-    BEAMS,
-    TIME_BASES,
+    POLAR_COLUMN_NAMES,
+    TIME_BASE_OF_COLUMN_NAME,
     RowLayout,
     ambiguous_columns,
     name_without_unit,
 )
-from lispac.io.text.units import ANGLE_CODES, LENGTH_NAMES, UNKNOWN, direction_of
-from lispac.io.trajectory.trajectory_projection import LENGTHS
+from lispac.io.text.units import ANGLE_UNIT_CODES, LENGTH_UNIT_NAMES, UNKNOWN, direction_of
+from lispac.io.trajectory.trajectory_projection import METRES_PER_UNIT
 from lispac.messages import Action, Level, Message, error, warning
-from lispac.survey.crs import UNITS as SYSTEM_UNITS
+from lispac.survey.crs import METRES_PER_UNIT as SYSTEM_UNITS
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.line_source import printable
 
-TIME_UNITS = {"s": "second", "ms": "millisecond", "us": "microsecond", "ns": "nanosecond",
+TIME_UNIT_OPTIONS = {"s": "second", "ms": "millisecond", "us": "microsecond", "ns": "nanosecond",
               "min": "minute", "h": "hour"}  # fmt: skip
 """Values of the option ``time_unit`` by the code of the unit."""
 AXES = ("x", "y", "z")
@@ -31,19 +31,19 @@ def header_options(layout: RowLayout) -> dict[str, str]:
     units, found = layout.units(), dict[str, str]()
     if "time" in layout.names:
         title = layout.titles[layout.names.index("time")]
-        if base := TIME_BASES.get(name_without_unit(title)):
+        if base := TIME_BASE_OF_COLUMN_NAME.get(name_without_unit(title)):
             found["time_base"] = base
-    if time := TIME_UNITS.get(units.get("time", "")):
+    if time := TIME_UNIT_OPTIONS.get(units.get("time", "")):
         found["time_unit"] = time
     axis_units = [units.get(axis, "") for axis in AXES]
-    if len(set(axis_units)) == 1 and axis_units[0] in LENGTHS:
-        metres = LENGTHS[axis_units[0]]
+    if len(set(axis_units)) == 1 and axis_units[0] in METRES_PER_UNIT:
+        metres = METRES_PER_UNIT[axis_units[0]]
         found["unit"] = next(name for name, own in SCANNER_UNITS.items() if own == metres)
     return found
 
 
 def require_one_unit(path: Path, layout: RowLayout) -> None:
-    """Refuse coordinates in the scanner frame whose titles give several units, or an unknown one.
+    """Refuse coordinates in the scanner frame unless their titles give one unit of length or none.
 
     Raises
     ------
@@ -51,48 +51,55 @@ def require_one_unit(path: Path, layout: RowLayout) -> None:
     """
     units = layout.units()
     axis_units = {axis: units.get(axis, "") for axis in AXES}
-    if len(set(axis_units.values())) == 1 and set(axis_units.values()) <= {"", *LENGTHS}:
+    if len(set(axis_units.values())) == 1 and set(axis_units.values()) <= {"", *METRES_PER_UNIT}:
         return
     titles = [layout.titles[layout.names.index(axis)] for axis, unit in axis_units.items() if unit]
     raise InputError(error("text.several_units", file=str(path), titles=tuple(titles)))
 
 
 def require_degrees(path: Path, layout: RowLayout) -> None:
-    """Refuse longitudes and latitudes that are not in degrees to the east and north.
+    """Refuse angles that are not in degrees, longitudes to the west and latitudes to the south.
+
+    Longitudes and latitudes whose direction is ambiguous are also refused.
 
     Raises
     ------
     InputError
     """
     units = layout.units()
-    for axis, way in (("x", "west"), ("y", "south")):
+    for axis, negative_direction in (("x", "west"), ("y", "south")):
         if axis not in layout.names:
             continue
         title = layout.titles[layout.names.index(axis)]
-        other = units.get(axis, "") in ANGLE_CODES and units[axis] not in ("deg", "dms")
-        if other or (
-            name_without_unit(title) in ANGLE_NAMES and direction_of(title) in (way, UNKNOWN)
-        ):
+        is_other_angle = units.get(axis, "") in ANGLE_UNIT_CODES and units[axis] not in (
+            "deg",
+            "dms",
+        )
+        has_other_direction = name_without_unit(title) in GEOGRAPHIC_COLUMN_NAMES and (
+            direction_of(title) in (negative_direction, UNKNOWN)
+        )
+        if is_other_angle or has_other_direction:
             raise InputError(error("text.not_degrees", file=str(path), column=title))
 
 
-ANGLE_NAMES = {"lon", "longitude", "lat", "latitude"}
+GEOGRAPHIC_COLUMN_NAMES = {"lon", "longitude", "lat", "latitude"}
+"""Column names of longitudes and latitudes; lower case, without the unit."""
 
 
 def require_cartesian(path: Path, layout: RowLayout) -> None:
-    """Refuse points in polar coordinates.
+    """Refuse points with several columns of polar coordinates but not x, y and z.
 
     Raises
     ------
     InputError
     """
-    polar = [title for title in layout.titles if name_without_unit(title) in BEAMS]
+    polar = [title for title in layout.titles if name_without_unit(title) in POLAR_COLUMN_NAMES]
     if len(polar) >= 2 and not set(AXES) <= set(layout.names):
         raise InputError(error("text.polar_coordinates", file=str(path), columns=tuple(polar)))
 
 
-def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Message]:
-    """Warnings about column titles that contradict the reading options.
+def column_title_warnings(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Message]:
+    """Warnings about column titles: contradicted by an option, with an unknown unit, or ambiguous.
 
     Parameters
     ----------
@@ -103,8 +110,8 @@ def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Mes
     for option, specified in header_options(layout).items():
         unit_option = str(choice.get(option, specified))
         if unit_option not in ("", specified):
-            own = AXES if option == "unit" else ("time",)
-            titles = tuple(layout.titles[layout.names.index(name)] for name in own)
+            meanings = AXES if option == "unit" else ("time",)
+            titles = tuple(layout.titles[layout.names.index(name)] for name in meanings)
             params = {"file": file, "option": option, "stated": titles, "given": unit_option}
             actions = (Action("set_option", {"name": option, "value": specified}),)
             yield Message("text.unit_overridden", Level.WARNING, params, actions=actions)
@@ -120,28 +127,40 @@ def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Mes
 
 
 def height_unit_of(units: Mapping[str, str], crs: str) -> str:
-    """Option for the unit of heights; empty if the titles add nothing to the system.
+    """Value of the option ``height_unit``; empty if the title of the heights gives none.
 
-    Feet of unspecified kind are those of the system, if it is in feet.
+    It is also empty for units that the option does not have, and for feet of unspecified kind in a
+    system in feet, whose feet are then used.
+
+    Parameters
+    ----------
+    units : mapping of str to str
+        Code of the unit of each column, by its meaning.
     """
     unit = units.get("z", "")
     system = _parse_crs(crs)
-    if unit not in LENGTHS or (unit == "ft" and system is not None and "foot" in system.unit):
+    if unit not in METRES_PER_UNIT or (
+        unit == "ft" and system is not None and "foot" in system.unit
+    ):
         return ""
-    return next((name for name, metres in SYSTEM_UNITS.items() if metres == LENGTHS[unit]), "")
+    return next(
+        (name for name, metres in SYSTEM_UNITS.items() if metres == METRES_PER_UNIT[unit]), ""
+    )
 
 
-def unit_warnings(units: Mapping[str, str], crs: str, file: str) -> tuple[Message, ...]:
+def easting_unit_warnings(units: Mapping[str, str], crs: str, file: str) -> tuple[Message, ...]:
     """Warning if the title of the eastings gives another unit than the coordinate system."""
     unit, system = units.get("x", ""), _parse_crs(crs)
-    if unit not in LENGTHS or system is None or system.is_geographic:
+    if unit not in METRES_PER_UNIT or system is None or system.is_geographic:
         return ()
-    own = system.metres[0]
-    if (unit == "ft" and "foot" in system.unit) or abs(LENGTHS[unit] / own - 1) < 1e-9:
+    system_metres = system.metres[0]
+    if (unit == "ft" and "foot" in system.unit) or abs(
+        METRES_PER_UNIT[unit] / system_metres - 1
+    ) < 1e-9:
         return ()
     return (
         warning(
-            "points.unit_of_column", file=file, unit=LENGTH_NAMES[LENGTHS[unit]],
+            "points.unit_of_column", file=file, unit=LENGTH_UNIT_NAMES[METRES_PER_UNIT[unit]],
             system=system.name, system_unit=system.unit,
         ),
     )  # fmt: skip

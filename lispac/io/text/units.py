@@ -29,27 +29,28 @@ class Unit:
     name: Message
 
 
-FOOT, US_FOOT = 0.3048, 1200 / 3937
-_TURN = 2 * np.pi
+INTERNATIONAL_FOOT_M, US_SURVEY_FOOT_M = 0.3048, 1200 / 3937
+"""Metres in a foot."""
+_FULL_TURN_RAD = 2 * np.pi
 UNITS = {
     "m": Unit("length", 1.0, note("unit.metres")),
     "km": Unit("length", 1000.0, note("unit.kilometres")),
     "cm": Unit("length", 0.01, note("unit.centimetres")),
     "mm": Unit("length", 0.001, note("unit.millimetres")),
-    "ft": Unit("length", FOOT, note("unit.feet")),
-    "int-ft": Unit("length", FOOT, note("unit.feet")),
-    "us-ft": Unit("length", US_FOOT, note("unit.us_survey_feet")),
-    "in": Unit("length", FOOT / 12, note("unit.inches")),
-    "yd": Unit("length", 3 * FOOT, note("unit.yards")),
-    "fathom": Unit("length", 6 * FOOT, note("unit.fathoms")),
+    "ft": Unit("length", INTERNATIONAL_FOOT_M, note("unit.feet")),
+    "int-ft": Unit("length", INTERNATIONAL_FOOT_M, note("unit.feet")),
+    "us-ft": Unit("length", US_SURVEY_FOOT_M, note("unit.us_survey_feet")),
+    "in": Unit("length", INTERNATIONAL_FOOT_M / 12, note("unit.inches")),
+    "yd": Unit("length", 3 * INTERNATIONAL_FOOT_M, note("unit.yards")),
+    "fathom": Unit("length", 6 * INTERNATIONAL_FOOT_M, note("unit.fathoms")),
     "rad": Unit("angle", 1.0, note("unit.radians")),
     "mrad": Unit("angle", 0.001, note("unit.milliradians")),
-    "deg": Unit("angle", _TURN / 360, note("unit.degrees")),
-    "gon": Unit("angle", _TURN / 400, note("unit.gons")),
-    "arcmin": Unit("angle", _TURN / 360 / 60, note("unit.arc_minutes")),
-    "arcsec": Unit("angle", _TURN / 360 / 3600, note("unit.arc_seconds")),
-    "dms": Unit("notation", _TURN / 360, note("unit.dms")),
-    "ddmm": Unit("notation", _TURN / 360, note("unit.ddmm")),
+    "deg": Unit("angle", _FULL_TURN_RAD / 360, note("unit.degrees")),
+    "gon": Unit("angle", _FULL_TURN_RAD / 400, note("unit.gons")),
+    "arcmin": Unit("angle", _FULL_TURN_RAD / 360 / 60, note("unit.arc_minutes")),
+    "arcsec": Unit("angle", _FULL_TURN_RAD / 360 / 3600, note("unit.arc_seconds")),
+    "dms": Unit("notation", _FULL_TURN_RAD / 360, note("unit.dms")),
+    "ddmm": Unit("notation", _FULL_TURN_RAD / 360, note("unit.ddmm")),
     "s": Unit("time", 1.0, note("unit.seconds")),
     "ms": Unit("time", 1e-3, note("unit.milliseconds")),
     "us": Unit("time", 1e-6, note("unit.microseconds")),
@@ -60,17 +61,17 @@ UNITS = {
     "date": Unit("notation", 1.0, note("unit.date")),
 }
 """Units by their code; ``ft`` are feet of unspecified kind."""
-LENGTH_NAMES = {unit.si: unit.name for unit in UNITS.values() if unit.kind == "length"}
+LENGTH_UNIT_NAMES = {unit.si: unit.name for unit in UNITS.values() if unit.kind == "length"}
 """Names of the units of length by the metres in them."""
 TIME_UNIT_NAMES = {unit.si: unit.name for unit in UNITS.values() if unit.kind == "time"}
 """Names of the units of time by the seconds in them."""
-ANGLE_CODES = tuple(
+ANGLE_UNIT_CODES = tuple(
     code for code, unit in UNITS.items() if unit.kind == "angle" or code in ("dms", "ddmm")
 )
 UNKNOWN = "?"
-"""Code of a unit that is given but not known."""
+"""Code of a unit that is given but not known, and of an ambiguous direction."""
 
-_FORMS = (
+_UNIT_PATTERNS = (
     (r"hh\W*mm", "clock"),
     (r"yyyy\W*mm", "date"),
     (r"arc.?min", "arcmin"),
@@ -109,19 +110,20 @@ _QUALIFIERS = re.compile(
 )
 """Qualifiers in brackets after a name that are not units."""
 
-_BRACKETS = re.compile(r"\s*_?[\[({<]\s*([^\])}>]*?)\s*[\])}>]\s*$")
-_SUFFIX = re.compile(
+_UNIT_IN_BRACKETS = re.compile(r"\s*_?[\[({<]\s*([^\])}>]*?)\s*[\])}>]\s*$")
+_UNIT_SUFFIX = re.compile(
     r"(?:_+|\s+|-)(deg(?:rees?)?|m?rad|gon|dms|m|km|cm|mm|(?:us|i)?ft|ft_?us|feet|s|secs?|ms|us|ns"
     r"|metres|meters|seconds)$",
     re.IGNORECASE,
 )
-_CAMEL = re.compile(r"(?<=[a-z])(Deg|Rad|DMS|M|Ft)$")
+_UNIT_IN_CAMEL_CASE = re.compile(r"(?<=[a-z])(Deg|Rad|DMS|M|Ft)$")
+"""Pattern of a unit at the end of a title in camel case, such as ``LatDeg``."""
 
 
 def split_title(title: str) -> tuple[str, str]:
     """Split a column title into name and unit: ``Height (ft)``, ``roll_deg``, ``LatDeg``."""
     text = title.strip()
-    for form in (_BRACKETS, _SUFFIX, _CAMEL):
+    for form in (_UNIT_IN_BRACKETS, _UNIT_SUFFIX, _UNIT_IN_CAMEL_CASE):
         mark = form.search(text)
         if mark and mark.start() > 0:
             return re.sub(r"[\s_]+(in)?$", "", text[: mark.start()]), mark[1]
@@ -130,7 +132,9 @@ def split_title(title: str) -> tuple[str, str]:
 
 def parse_unit(words: str) -> str:
     """Code of the unit in a description; empty if there is none."""
-    return next((code for form, code in _FORMS if re.search(form, words.strip().lower())), "")
+    return next(
+        (code for form, code in _UNIT_PATTERNS if re.search(form, words.strip().lower())), ""
+    )
 
 
 def title_unit(title: str) -> str:
@@ -147,7 +151,7 @@ def _unit_before_direction(words: str) -> str:
     return (parse_unit(head) if _parse_direction(last) else "") or parse_unit(words)
 
 
-_DIRECTIONS = {
+_DIRECTION_WORDS = {
     "west": ("w", "west", "ouest"),
     "south": ("s", "south", "sud", "süd", "sued"),
     "east": ("e", "east", "est", "ost"),
@@ -158,7 +162,7 @@ _DIRECTIONS = {
 
 def _parse_direction(word: str) -> str:
     bare = word.lower().strip("()[]{}.,+-")
-    return next((name for name, words in _DIRECTIONS.items() if bare in words), "")
+    return next((name for name, words in _DIRECTION_WORDS.items() if bare in words), "")
 
 
 def direction_of(title: str) -> str:
@@ -186,27 +190,30 @@ def is_units_row(fields: Sequence[str]) -> bool:
     if any(map(_is_title_with_unit, fields)):
         return False
     unit_texts = [field.strip(" []()") for field in fields]
-    known = [bool(_unit_before_direction(field)) for field in unit_texts if field not in NO_UNIT]
+    known = [
+        bool(_unit_before_direction(field)) for field in unit_texts if field not in NO_UNIT_TEXTS
+    ]
     return len(known) >= 2 and all(known) and all(len(field) < 24 for field in unit_texts)
 
 
 def _is_title_with_unit(field: str) -> bool:
     """True if a field is a column title with its unit: ``Time [s]``, but not ``US ft``."""
     name, unit = split_title(field)
-    return bool(unit) and not parse_unit(name) and _PART_OF_UNIT.fullmatch(name.lower()) is None
+    return bool(unit) and not parse_unit(name) and _WORDS_OF_UNIT.fullmatch(name.lower()) is None
 
 
-_PART_OF_UNIT = re.compile(
+_WORDS_OF_UNIT = re.compile(
     r"\W*|(u\.?s\.?|int\w*|arc|decimal|milli|micro|nano|survey|gps|utc|geodetic|ellipsoid\w*)\W*"
 )
 """Pattern of words before a unit that belong to the unit and are not column names."""
-NO_UNIT = ("", "-", "--", "none", "n/a", "1")
+NO_UNIT_TEXTS = ("", "-", "--", "none", "n/a", "1")
+"""Texts in a row of units below columns without a unit."""
 
 
 def titles_with_units(names: Sequence[str], units: Sequence[str]) -> list[str]:
     """Column titles from a row of names and the row of units below it."""
     unit_texts = [unit.strip(" []()") for unit in units]
     return [
-        name if unit in NO_UNIT else f"{name} [{unit}]"
+        name if unit in NO_UNIT_TEXTS else f"{name} [{unit}]"
         for name, unit in zip(names, unit_texts, strict=True)
     ]

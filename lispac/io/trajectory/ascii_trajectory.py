@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.format_types import LIKELY, NOT, POSSIBLE, SURE, Choice, FilePreview
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, POSSIBLE, SURE, Choice, FilePreview
 from lispac.io.text.text_export import options_in_header
 from lispac.io.text.text_table import (
     first_lines,
@@ -26,7 +26,7 @@ from lispac.io.text.text_table import (
     split_fields,
 )
 from lispac.io.text.units import (
-    ANGLE_CODES,
+    ANGLE_UNIT_CODES,
     UNKNOWN,
     direction_of,
     is_units_row,
@@ -35,13 +35,13 @@ from lispac.io.text.units import (
     titles_with_units,
 )
 from lispac.io.trajectory.trajectory_columns import (
-    ATTITUDE,
-    GRID,
-    HEIGHTS,
-    HEMISPHERES,
-    POSITION,
-    ROLES,
-    SIGMAS,
+    ATTITUDE_ROLES,
+    GRID_ROLES,
+    HEIGHT_ROLES,
+    HEMISPHERE_ROLES,
+    POSITION_ROLES,
+    ROLES_BY_COLUMN_NAME,
+    SIGMA_ROLES,
     Column,
     Rows,
     TrajectoryConventions,
@@ -49,17 +49,17 @@ from lispac.io.trajectory.trajectory_columns import (
     trajectory_of,
 )
 from lispac.io.trajectory.trajectory_preview import TextLayout, preview_text, sign_assumed_warning
-from lispac.io.trajectory.trajectory_projection import UNSPECIFIED
+from lispac.io.trajectory.trajectory_projection import UNSPECIFIED_UNIT
 from lispac.io.trajectory.trajectory_velocities import velocity_columns
 from lispac.messages import Action, Level, Message, Value, error, note, warning
 from lispac.survey.line_source import printable
 from lispac.survey.trajectory import Trajectory
 from lispac.untrusted_values import is_whole_number
 
-COLUMNS_ASSUMED = "trajectory.columns_assumed"
+COLUMNS_ASSUMED_CODE = "trajectory.columns_assumed"
 """Code of the warning that a file does not name its columns, so that they are assumed."""
 DEFAULT_COLUMNS = "time latitude longitude height roll pitch heading"
-DEFAULTS = {
+DEFAULT_OPTIONS = {
     "columns": DEFAULT_COLUMNS,
     "separator": "auto",
     "header": "auto",
@@ -73,21 +73,26 @@ DEFAULTS = {
     "crs": "",
     "time": "gps-week",
 }
-HEADER = "header"
+UNIT_IN_HEADER = "header"
 """Value of a unit option: the unit specified in the title of each column."""
-_ANGLES = {"degrees": "deg", "radians": "rad", "dms": "dms", "degrees-minutes": "ddmm"}
-_LENGTHS = {
-    "": UNSPECIFIED,
+_ANGLE_UNIT_BY_OPTION = {
+    "degrees": "deg",
+    "radians": "rad",
+    "dms": "dms",
+    "degrees-minutes": "ddmm",
+}
+_LENGTH_UNIT_BY_OPTION = {
+    "": UNSPECIFIED_UNIT,
     "metres": "m",
     "feet": "ft",
     "international-feet": "int-ft",
     "us-survey-feet": "us-ft",
 }
-POSITION_CHOICES = (*_ANGLES, HEADER)
-ATTITUDE_CHOICES = ("degrees", "radians", HEADER)
-LENGTH_CHOICES = (*_LENGTHS, HEADER)
+POSITION_CHOICES = (*_ANGLE_UNIT_BY_OPTION, UNIT_IN_HEADER)
+ATTITUDE_CHOICES = ("degrees", "radians", UNIT_IN_HEADER)
+LENGTH_CHOICES = (*_LENGTH_UNIT_BY_OPTION, UNIT_IN_HEADER)
 MAX_HEADER_ROWS = 10**9
-_COMMENT = ("#", "%", "//", ";")
+_COMMENT_MARKS = ("#", "%", "//", ";")
 
 
 def sniff_ascii(path: Path) -> float:
@@ -98,14 +103,14 @@ def sniff_ascii(path: Path) -> float:
     names = _header_names(lines)
     data = [fields for line in lines if is_data_row(fields := _split_row(line, "auto"))]
     if not data:
-        return NOT
+        return IMPOSSIBLE
     found = {role_of(_name_without_unit(name)) for name in names}
     if found.issuperset({"time", "roll", "pitch", "heading"}):
         return LIKELY
     width = len(data[0])
-    even = all(len(fields) == width for fields in data[:20])
+    has_equal_widths = all(len(fields) == width for fields in data[:20])
     numeric = sum(is_number(field) or is_clock(field) for field in data[0])
-    return POSSIBLE if even and numeric >= 7 else NOT
+    return POSSIBLE if has_equal_widths and numeric >= 7 else IMPOSSIBLE
 
 
 def layout_by_choice(path: Path, choice: Choice) -> TextLayout:
@@ -116,7 +121,7 @@ def layout_by_choice(path: Path, choice: Choice) -> TextLayout:
     InputError
         If a name is unknown or given twice.
     """
-    chosen = DEFAULTS | dict(choice)
+    chosen = DEFAULT_OPTIONS | dict(choice)
     tokens = [token for token in re.split(r"[\s,;]+", chosen["columns"].strip()) if token]
     separator, header = chosen["separator"], chosen["header"]
     _, sample = next(ascii_rows(path, separator, header), (0, []))
@@ -125,9 +130,9 @@ def layout_by_choice(path: Path, choice: Choice) -> TextLayout:
     for index, token in enumerate(tokens):
         if token in ("-", "_", "skip"):
             continue
-        role = role_of(token) or (token if token in SIGMAS else "")
+        role = role_of(token) or (token if token in SIGMA_ROLES else "")
         if not role:
-            known = sorted(set(ROLES.values()))
+            known = sorted(set(ROLES_BY_COLUMN_NAME.values()))
             raise InputError(
                 error("trajectory.unknown_column", file=str(path), column=token, known=tuple(known))
             )
@@ -167,7 +172,7 @@ def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Row
     skipped = int(header) if header != "auto" else 0
     started = header != "auto"
     for row, line in numbered_lines(path, "text"):
-        if row <= skipped or not line.strip() or line.lstrip().startswith(_COMMENT):
+        if row <= skipped or not line.strip() or line.lstrip().startswith(_COMMENT_MARKS):
             continue
         fields = _split_row(line, separator)
         started = started or is_data_row(fields)
@@ -181,7 +186,7 @@ def preview_ascii(path: Path, choice: Choice) -> FilePreview:
     # Reading the first line detects a missing, empty or binary file.
     next(numbered_lines(path, "text"), None)
     detected, file_warnings = _detect_options(path, choice)
-    found = DEFAULTS | detected | dict(choice)
+    found = DEFAULT_OPTIONS | detected | dict(choice)
     layout = layout_by_choice(path, found)
     finding = preview_text(path, layout, _conventions(found), found)
     titles = _header_names(first_lines(path, 60))
@@ -208,13 +213,13 @@ def read_ascii(path: Path, choice: Choice) -> Trajectory:
         path,
         layout.rows(path),
         layout.columns,
-        _conventions(DEFAULTS | dict(choice)),
+        _conventions(DEFAULT_OPTIONS | dict(choice)),
         (column_note,),
     )
 
 
 def _split_row(line: str, separator: str) -> list[str]:
-    return [] if line.lstrip().startswith(_COMMENT) else split_fields(line, separator)
+    return [] if line.lstrip().startswith(_COMMENT_MARKS) else split_fields(line, separator)
 
 
 def _name_without_unit(title: str) -> str:
@@ -252,19 +257,21 @@ def _column_unit(role: str, token: str, field: str, chosen: dict[str, str], titl
         return "hemisphere-fr" if is_french else "hemisphere-de" if is_german else "hemisphere"
     if role == "date":
         return "date"
-    if role in POSITION:
+    if role in POSITION_ROLES:
         unit = _angle_unit(chosen["position"], title)
-        way = direction_of(title)
-        if way == UNKNOWN:
+        direction = direction_of(title)
+        if direction == UNKNOWN:
             return f"{UNKNOWN}{split_title(title)[1]}"
-        turned = (role, way) in (("longitude", "west"), ("latitude", "south"))
-        return f"{unit}-{way}" if turned and not unit.startswith(UNKNOWN) else unit
-    if role.removesuffix("_sd") in ATTITUDE:
+        is_reversed = (role, direction) in (("longitude", "west"), ("latitude", "south"))
+        return f"{unit}-{direction}" if is_reversed and not unit.startswith(UNKNOWN) else unit
+    if role.removesuffix("_sd") in ATTITUDE_ROLES:
         return _angle_unit(chosen["attitude"], title)
-    if role in GRID:
+    if role in GRID_ROLES:
         return _length_unit(chosen["grid_unit"], title)
     return (
-        _length_unit(chosen["heights"], title) if role in HEIGHTS else _unit_in_title(title) or "m"
+        _length_unit(chosen["heights"], title)
+        if role in HEIGHT_ROLES
+        else _unit_in_title(title) or "m"
     )
 
 
@@ -275,11 +282,15 @@ def _unit_in_title(title: str) -> str:
 
 
 def _angle_unit(option: str, title: str) -> str:
-    return (_unit_in_title(title) or "deg") if option == HEADER else _ANGLES[option]
+    return (
+        (_unit_in_title(title) or "deg")
+        if option == UNIT_IN_HEADER
+        else _ANGLE_UNIT_BY_OPTION[option]
+    )
 
 
 def _length_unit(option: str, title: str) -> str:
-    return _unit_in_title(title) if option == HEADER else _LENGTHS[option]
+    return _unit_in_title(title) if option == UNIT_IN_HEADER else _LENGTH_UNIT_BY_OPTION[option]
 
 
 def _conventions(chosen: dict[str, str]) -> TrajectoryConventions:
@@ -302,7 +313,9 @@ def _detect_options(path: Path, choice: Choice) -> tuple[dict[str, str], list[Me
         found["columns"] = " ".join(_column_roles(names))
         found |= _unit_options(names)
     elif "columns" not in choice:
-        file_warnings.append(warning(COLUMNS_ASSUMED, file=file, columns=DEFAULT_COLUMNS.split()))
+        file_warnings.append(
+            warning(COLUMNS_ASSUMED_CODE, file=file, columns=DEFAULT_COLUMNS.split())
+        )
     tokens = (choice.get("columns") or found.get("columns") or DEFAULT_COLUMNS).split()
     separator = choice.get("separator", "auto")
     data = [fields for line in lines if is_data_row(fields := _split_row(line, separator))]
@@ -319,9 +332,9 @@ def _detect_options(path: Path, choice: Choice) -> tuple[dict[str, str], list[Me
     written = {
         role_of(token): [fields[index] for fields in data if index < len(fields)]
         for index, token in enumerate(tokens)
-        if role_of(token) in POSITION
+        if role_of(token) in POSITION_ROLES
     }
-    places = written if len(written) == len(POSITION) else {}
+    places = written if len(written) == len(POSITION_ROLES) else {}
     file_warnings += _detect_units(values, places, found, choice, file)
     roles = {role_of(token) for token in tokens}
     clocks = "time" in roles and "time" not in values
@@ -342,24 +355,24 @@ def _detect_options(path: Path, choice: Choice) -> tuple[dict[str, str], list[Me
 def _column_roles(names: list[str]) -> list[str]:
     """Role of each column; the exact name of a role takes precedence over its synonyms."""
     bares = [_name_without_unit(name) for name in names]
-    exact = {bare.strip().lower() for bare in bares} & set(ROLES.values())
+    exact = {bare.strip().lower() for bare in bares} & set(ROLES_BY_COLUMN_NAME.values())
     used_roles: set[str] = set()
     tokens = []
     for name, bare in zip(names, bares, strict=True):
         role = role_of(bare)
-        if role in HEIGHTS and title_unit(name) in ANGLE_CODES:
+        if role in HEIGHT_ROLES and title_unit(name) in ANGLE_UNIT_CODES:
             role = ""  # here the elevation is an angle
-        waits = role in exact and bare.strip().lower() != role
-        tokens.append(role if role and role not in used_roles and not waits else "-")
-        used_roles |= set() if waits else {role}
+        is_synonym_of_exact = role in exact and bare.strip().lower() != role
+        tokens.append(role if role and role not in used_roles and not is_synonym_of_exact else "-")
+        used_roles |= set() if is_synonym_of_exact else {role}
     return tokens
 
 
 _UNIT_OPTIONS: tuple[tuple[str, tuple[str, ...], dict[str, str]], ...] = (
-    ("position", POSITION, _ANGLES),
-    ("attitude", ATTITUDE, _ANGLES),
-    ("heights", HEIGHTS, _LENGTHS),
-    ("grid_unit", GRID, _LENGTHS),
+    ("position", POSITION_ROLES, _ANGLE_UNIT_BY_OPTION),
+    ("attitude", ATTITUDE_ROLES, _ANGLE_UNIT_BY_OPTION),
+    ("heights", HEIGHT_ROLES, _LENGTH_UNIT_BY_OPTION),
+    ("grid_unit", GRID_ROLES, _LENGTH_UNIT_BY_OPTION),
 )
 """Options for units: name, roles of the columns, and unit for each value."""
 
@@ -372,12 +385,14 @@ def _unit_options(titles: Sequence[str]) -> dict[str, str]:
             title_unit(title) for title in titles if role_of(_name_without_unit(title)) in roles
         ]
         if option == "heights":
-            codes = [unit for unit in codes if unit not in ANGLE_CODES]
+            codes = [unit for unit in codes if unit not in ANGLE_UNIT_CODES]
         if not any(codes):
             continue
-        word = next((word for word, unit in units.items() if set(codes) - {""} == {unit}), HEADER)
-        allowed = ATTITUDE_CHOICES if option == "attitude" else (*units, HEADER)
-        found[option] = word if word in allowed else HEADER
+        word = next(
+            (word for word, unit in units.items() if set(codes) - {""} == {unit}), UNIT_IN_HEADER
+        )
+        allowed = ATTITUDE_CHOICES if option == "attitude" else (*units, UNIT_IN_HEADER)
+        found[option] = word if word in allowed else UNIT_IN_HEADER
     return found
 
 
@@ -389,17 +404,22 @@ def _require_single_angle_columns(path: Path, titles: Sequence[str]) -> None:
     InputError
     """
     parts = {"deg", "min", "sec", "s", "degrees", "minutes", "seconds", "d", "m"}
-    for role in POSITION:
-        own = []
+    for role in POSITION_ROLES:
+        titles_of_role = []
         for title in titles:
             spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", title)
             words = re.split(r"[\s_.\[\](){}-]+", spaced.lower().strip(" ])}"))
             bare = [word for word in words if word not in parts]
             if len(bare) < len(words) and role_of("".join(bare)) == role:
-                own.append(title)
-        if len(own) > 1:
+                titles_of_role.append(title)
+        if len(titles_of_role) > 1:
             raise InputError(
-                error("trajectory.several_columns", file=str(path), role=role, columns=tuple(own))
+                error(
+                    "trajectory.several_columns",
+                    file=str(path),
+                    role=role,
+                    columns=tuple(titles_of_role),
+                )
             )
 
 
@@ -439,18 +459,18 @@ def _mark_hemisphere_columns(path: Path, tokens: list[str], data: list[list[str]
             raise InputError(error("trajectory.letter_o", file=str(path), column=index + 1))
         if token == "-" and "O" in letters and letters <= {"E", "W", "O"}:
             found[index] = "eo" if "E" in letters else "ow"
-        for role, own in zip(HEMISPHERES, _LETTERS, strict=True):
+        for role, own in zip(HEMISPHERE_ROLES, _HEMISPHERE_WORDS, strict=True):
             if token == "-" and role not in map(role_of, found) and letters and letters <= own:
                 found[index] = role
     return found
 
 
-_LETTERS = (
+_HEMISPHERE_WORDS = (
     {"N", "S", "NORTH", "SOUTH", "NORD", "SUD", "SÜD"},
     {"E", "W", "O", "EAST", "WEST", "EST", "OUEST", "OST"},
 )
 """Hemisphere letters and words of latitude and of longitude."""
-ROWS_SEARCHED = 200_000
+MAX_ROWS_SEARCHED = 200_000
 """Largest number of rows that are searched for the first position."""
 SAMPLE_ROWS = 60
 
@@ -459,8 +479,8 @@ def _rows_with_position(
     path: Path, tokens: Sequence[str], data: list[list[str]], choice: Choice
 ) -> list[list[str]]:
     """Rows with a position; rows of zeros before the first fix are excluded."""
-    places = [k for k, token in enumerate(tokens) if role_of(token) in POSITION]
-    if len(places) < len(POSITION):
+    places = [k for k, token in enumerate(tokens) if role_of(token) in POSITION_ROLES]
+    if len(places) < len(POSITION_ROLES):
         return data
 
     def is_placed(fields: list[str]) -> bool:
@@ -469,7 +489,7 @@ def _rows_with_position(
     if not data or is_placed(data[0]):
         return [fields for fields in data if is_placed(fields)]
     rows = ascii_rows(path, choice.get("separator", "auto"), choice.get("header", "auto"))
-    found = (fields for _, fields in islice(rows, ROWS_SEARCHED) if is_placed(fields))
+    found = (fields for _, fields in islice(rows, MAX_ROWS_SEARCHED) if is_placed(fields))
     return list(islice(found, SAMPLE_ROWS)) or data
 
 
@@ -503,9 +523,9 @@ def _detect_units(
     if "latitude" in values and "longitude" in values:
         latitude, longitude = np.abs(values["latitude"]), np.abs(values["longitude"])
         largest = float(max(latitude.max(), longitude.max()))
-        beyond = largest > 360 or min(latitude.max(), longitude.max()) > 90
+        exceeds_degrees = largest > 360 or min(latitude.max(), longitude.max()) > 90
         minutes = np.concatenate([latitude, longitude]) % 100
-        if (beyond or _has_padded_degrees(written)) and (minutes < 60).all():
+        if (exceeds_degrees or _has_padded_degrees(written)) and (minutes < 60).all():
             units.setdefault("position", "degrees-minutes")
         if _is_in_radians("position", largest, units, choice):
             actions = (degrees_action("position"),)
@@ -525,7 +545,7 @@ def degrees_action(option: str) -> Action:
     return Action("use_degrees", {"name": option, "value": "degrees"})
 
 
-_PADDED = {
+_PADDED_DEGREES_MINUTES = {
     "latitude": re.compile(r"[NS]?\s*[-+]?\d{4}([.,]\d*)?\s*[NS]?", re.IGNORECASE),
     "longitude": re.compile(r"[EW]?\s*[-+]?\d{5}([.,]\d*)?\s*[EW]?", re.IGNORECASE),
 }
@@ -534,7 +554,9 @@ _PADDED = {
 
 def _has_padded_degrees(written: Mapping[str, Sequence[str]]) -> bool:
     return all(
-        form.fullmatch(field.strip()) for role, form in _PADDED.items() for field in written[role]
+        form.fullmatch(field.strip())
+        for role, form in _PADDED_DEGREES_MINUTES.items()
+        for field in written[role]
     )
 
 
@@ -547,11 +569,11 @@ def _is_in_radians(option: str, largest: float, units: dict[str, str], choice: C
 
 
 def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Iterator[Message]:
-    """Warnings about column titles that contradict the reading options."""
+    """Warnings about titles: contradicted by an option, ambiguous, magnetic, unknown unit."""
     file = printable(path.name)
     for option, specified in _unit_options(titles).items():
         given = str(choice.get(option, specified))
-        if given == specified or given == "dms" or given in _KINDS_OF.get(specified, ()):
+        if given == specified or given == "dms" or given in _PRECISE_OPTIONS.get(specified, ()):
             continue
         yield Message(
             "text.unit_overridden", Level.WARNING,
@@ -571,7 +593,7 @@ def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Itera
                 "text.two_columns", Level.WARNING,
                 {"file": file, "columns": tuple(own), "used": used},
             )  # fmt: skip
-        if role == "heading" and _MAGNETIC.search(own[0]):
+        if role == "heading" and _MAGNETIC_TITLE.search(own[0]):
             params: dict[str, Value] = {"file": file, "column": own[0]}
             yield Message("text.magnetic_heading", Level.WARNING, params)
         if role == "time" and title_unit(own[0]) == UNKNOWN:
@@ -581,8 +603,8 @@ def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Itera
             )  # fmt: skip
 
 
-_MAGNETIC = re.compile(r"(?<![a-z])mag", re.IGNORECASE)
-_KINDS_OF = {"feet": ("international-feet", "us-survey-feet")}
+_MAGNETIC_TITLE = re.compile(r"(?<![a-z])mag", re.IGNORECASE)
+_PRECISE_OPTIONS = {"feet": ("international-feet", "us-survey-feet")}
 """Option values that make an imprecise unit in a title precise."""
 
 

@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.format_types import LIKELY, NOT, Choice, FileFormat, FilePreview, PointChunk
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, Choice, FileFormat, FilePreview, PointChunk
 from lispac.io.points.first_points import check_first_points
 from lispac.io.points.point_reader_common import (
-    CHUNK,
-    PLACE,
+    COMMON_OPTIONS,
+    POINTS_PER_CHUNK,
     PREVIEW_POINTS,
-    SCANNER_COLUMNS,
+    SCANNER_COLUMN_ASSUMPTIONS,
     coordinate_scale,
     frame_facts,
     head_sniffer,
@@ -33,25 +33,27 @@ from lispac.messages import error, note
 from lispac.survey.line_source import printable
 
 N_COLUMNS = 22
-RECORD = 8 * N_COLUMNS
-PARTS = {
+RECORD_BYTES = 8 * N_COLUMNS
+EXTRA_COLUMNS = {
     "points_local": slice(0, 3), "sigma_lidar": slice(7, 10), "attitude": slice(10, 13),
     "sigma_attitude": slice(13, 16), "position": slice(16, 19), "sigma_position": slice(19, 22),
 }  # fmt: skip
-NAMES = (
+COLUMN_NAMES = (
     "X", "Y", "Z", "time", "x lidar", "y lidar", "z lidar", "sx", "sy", "sz", "roll", "pitch",
     "heading", "s roll", "s pitch", "s heading", "X pos", "Y pos", "Z pos", "s X", "s Y", "s Z",
 )  # fmt: skip
-LONGEST_LEVER = 50.0  # metres between POS and LiDAR on any vessel
+MAX_LEVER_ARM_M = 50.0  # metres between POS and LiDAR on any vessel
 
 
 @head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the geometry: the distance from POS to point agrees with the LiDAR range."""
-    if path.stat().st_size % RECORD:
-        return NOT
-    records = np.frombuffer(head[: len(head) // RECORD * RECORD], "<f8").reshape(-1, N_COLUMNS)
-    return LIKELY if len(records) and _are_consistent_records(records).all() else NOT
+    if path.stat().st_size % RECORD_BYTES:
+        return IMPOSSIBLE
+    records = np.frombuffer(head[: len(head) // RECORD_BYTES * RECORD_BYTES], "<f8").reshape(
+        -1, N_COLUMNS
+    )
+    return LIKELY if len(records) and _are_consistent_records(records).all() else IMPOSSIBLE
 
 
 def _are_consistent_records(records: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -59,11 +61,11 @@ def _are_consistent_records(records: NDArray[np.float64]) -> NDArray[np.bool_]:
     angles = records[:, 10:13]
     with np.errstate(all="ignore"):  # other files give arbitrary numbers
         distance = np.linalg.norm(records[:, 0:3] - records[:, 16:19], axis=1)
-        measured = np.linalg.norm(records[:, 4:7], axis=1)
+        lidar_range = np.linalg.norm(records[:, 4:7], axis=1)
         finite = np.isfinite(records).all(axis=1)
-        near = np.abs(distance - measured) < LONGEST_LEVER
+        is_near = np.abs(distance - lidar_range) < MAX_LEVER_ARM_M
         sound = (sigmas >= 0).all(axis=1) & (np.abs(angles) < 2 * np.pi + 1e-6).all(axis=1)
-        return finite & near & sound & (measured < 1e4) & (np.abs(records[:, 3]) < 1e10)
+        return finite & is_near & sound & (lidar_range < 1e4) & (np.abs(records[:, 3]) < 1e10)
 
 
 def preview_file(path: Path, choice: Choice) -> FilePreview:
@@ -72,22 +74,28 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     Raises
     ------
     InputError
-        If the file cannot be read or does not hold such records.
+        If the file cannot be read or does not contain such records.
     """
     path = require_not_empty(path, "CIDCO")
-    resolved = CIDCO.resolved(choice)
+    resolved = CIDCO_FORMAT.resolved(choice)
     records = next(record_chunks(path, PREVIEW_POINTS))
-    seen = check_first_points(records[:, 4:7], records[:, 3], file=printable(path.name), crs="")
+    points_check = check_first_points(
+        records[:, 4:7], records[:, 3], file=printable(path.name), crs=""
+    )
     facts = {
         "format": note("fact.cidco"),
-        "points": path.stat().st_size // RECORD,
+        "points": path.stat().st_size // RECORD_BYTES,
         **frame_facts(resolved),
         "time base": time_base_message(records[:, 3], resolved["time_base"]),
-        **seen.facts,
+        **points_check.facts,
     }
-    assumptions = (note("assumed.cidco_columns"), *SCANNER_COLUMNS)
+    assumptions = (note("assumed.cidco_columns"), *SCANNER_COLUMN_ASSUMPTIONS)
     return FilePreview(
-        facts, preview_table(NAMES, tuple(records.T)), {}, seen.file_warnings, assumptions
+        facts,
+        preview_table(COLUMN_NAMES, tuple(records.T)),
+        {},
+        points_check.file_warnings,
+        assumptions,
     )
 
 
@@ -97,12 +105,15 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     Raises
     ------
     InputError
-        If the file is missing, cut short, empty, or does not hold such records.
+        If the file is missing, cut short, empty, or does not contain such records.
     """
     path = require_not_empty(path, "CIDCO")
-    scale, total = coordinate_scale(CIDCO.resolved(choice)), path.stat().st_size // RECORD
-    for records in record_chunks(path, CHUNK):
-        extra = {name: records[:, columns].copy() for name, columns in PARTS.items()}
+    scale, total = (
+        coordinate_scale(CIDCO_FORMAT.resolved(choice)),
+        path.stat().st_size // RECORD_BYTES,
+    )
+    for records in record_chunks(path, POINTS_PER_CHUNK):
+        extra = {name: records[:, columns].copy() for name, columns in EXTRA_COLUMNS.items()}
         yield PointChunk(records[:, 4:7] * scale, records[:, 3].copy(), extra, total)
 
 
@@ -115,14 +126,20 @@ def record_chunks(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
         If the file is cut short or its records are inconsistent.
     """
     size = path.stat().st_size
-    if size % RECORD:
+    if size % RECORD_BYTES:
         raise InputError(
-            error("cidco.cut_short", file=str(path), bytes=size, record=RECORD, rest=size % RECORD)
+            error(
+                "cidco.cut_short",
+                file=str(path),
+                bytes=size,
+                record=RECORD_BYTES,
+                rest=size % RECORD_BYTES,
+            )
         )
     with report_damage(path, "CIDCO binary"), path.open("rb") as file:
         done = 0
-        while data := file.read(rows * RECORD):
-            whole = len(data) // RECORD * RECORD
+        while data := file.read(rows * RECORD_BYTES):
+            whole = len(data) // RECORD_BYTES * RECORD_BYTES
             records = np.frombuffer(data[:whole], "<f8").reshape(-1, N_COLUMNS).astype(np.float64)
             require_usable_points(records[:, 4:7], records[:, 3], path, done)
             usable = usable_mask(records[:, 4:7], records[:, 3])
@@ -134,4 +151,6 @@ def record_chunks(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
             yield records
 
 
-CIDCO = FileFormat(note("format.cidco"), "cidco", "points", (), PLACE, sniff, preview_file, read)
+CIDCO_FORMAT = FileFormat(
+    note("format.cidco"), "cidco", "points", (), COMMON_OPTIONS, sniff, preview_file, read
+)

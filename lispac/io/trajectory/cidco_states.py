@@ -15,15 +15,15 @@ from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.io.files import require_numbers
-from lispac.io.format_types import NOT, POSSIBLE, Choice, Fact, FilePreview, FormatOption
+from lispac.io.format_types import IMPOSSIBLE, POSSIBLE, Choice, Fact, FilePreview, FormatOption
 from lispac.io.points.point_reader_common import (
-    CHUNK,
+    POINTS_PER_CHUNK,
     PREVIEW_POINTS,
     preview_table,
     report_damage,
     require_not_empty,
 )
-from lispac.io.trajectory.cidco import NAMES, record_chunks
+from lispac.io.trajectory.cidco import COLUMN_NAMES, record_chunks
 from lispac.io.trajectory.cidco import sniff as sniff_points
 from lispac.io.trajectory.trajectory_checks import require_attitude, require_heights
 from lispac.io.trajectory.trajectory_facts import span_facts
@@ -35,7 +35,7 @@ from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
-ORIGIN = FormatOption(
+ORIGIN_OPTION = FormatOption(
     "origin",
     N_(
         "Origin of the local frame of the file: latitude and longitude in degrees, height in "
@@ -44,14 +44,14 @@ ORIGIN = FormatOption(
     (),
     "0 0 0",
 )
-STATES = slice(10, 22)
-TOLERANCE = 1e-6
+STATE_COLUMNS = slice(10, 22)
+SAME_STATE_TOLERANCE = 1e-6
 """Largest difference of states with the same time, metres or radians."""
 
 
 def sniff_states(path: Path) -> float:
     """Likelihood that a file contains CIDCO's states, not greater than that of its points."""
-    return POSSIBLE if sniff_points(path) > NOT else NOT
+    return POSSIBLE if sniff_points(path) > IMPOSSIBLE else IMPOSSIBLE
 
 
 def preview_states(path: Path, choice: Choice) -> FilePreview:
@@ -120,14 +120,14 @@ def _state_table(path: Path) -> Array:
     """
     path = require_not_empty(path, "CIDCO")
     with report_damage(path, "CIDCO binary"):
-        records = np.concatenate(list(record_chunks(path, CHUNK)))
-    states = np.column_stack([records[:, 3], records[:, STATES]])
+        records = np.concatenate(list(record_chunks(path, POINTS_PER_CHUNK)))
+    states = np.column_stack([records[:, 3], records[:, STATE_COLUMNS]])
     require_numbers(states, path, "CIDCO binary")
     states = states[np.argsort(states[:, 0], kind="stable")]
     repeated = np.diff(states[:, 0]) == 0
-    unlike = repeated & (np.abs(np.diff(states[:, 1:], axis=0)) > TOLERANCE).any(axis=1)
-    if unlike.any():
-        time = float(states[int(np.argmax(unlike)), 0])
+    differs = repeated & (np.abs(np.diff(states[:, 1:], axis=0)) > SAME_STATE_TOLERANCE).any(axis=1)
+    if differs.any():
+        time = float(states[int(np.argmax(differs)), 0])
         raise InputError(error("cidco.different_states", file=str(path), time=time))
     states = states[np.concatenate([[True], ~repeated])]
     if len(states) < 2:
@@ -136,7 +136,7 @@ def _state_table(path: Path) -> Array:
 
 
 def _origin_frame(choice: Choice) -> LocalFrame:
-    text = choice.get("origin", ORIGIN.default) or ORIGIN.default
+    text = choice.get("origin", ORIGIN_OPTION.default) or ORIGIN_OPTION.default
     try:
         latitude, longitude, height = (float(word) for word in text.replace(",", " ").split())
     except ValueError:
@@ -148,7 +148,7 @@ def _origin_frame(choice: Choice) -> LocalFrame:
 
 def _preview_rows(path: Path) -> tuple[tuple[str, ...], ...]:
     records = next(record_chunks(path, PREVIEW_POINTS))
-    return preview_table(NAMES, tuple(records.T))
+    return preview_table(COLUMN_NAMES, tuple(records.T))
 
 
 def _state_facts(states: Array) -> dict[str, Fact]:
@@ -161,13 +161,13 @@ def _state_facts(states: Array) -> dict[str, Fact]:
 
 
 def _origin_warnings(path: Path, choice: Choice) -> tuple[Message, ...]:
-    if choice.get("origin", ORIGIN.default) not in ("", ORIGIN.default):
+    if choice.get("origin", ORIGIN_OPTION.default) not in ("", ORIGIN_OPTION.default):
         return ()
     return (warning("cidco.no_origin", file=printable(path.name)),)
 
 
 def _assumptions(choice: Choice) -> tuple[Message, ...]:
-    origin = choice.get("origin", ORIGIN.default) or ORIGIN.default
+    origin = choice.get("origin", ORIGIN_OPTION.default) or ORIGIN_OPTION.default
     return (
         note("assumed.cidco_positions", origin=str(origin)),
         note("assumed.cidco_attitude"),

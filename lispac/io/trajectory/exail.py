@@ -16,14 +16,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.format_types import LIKELY, NOT, SURE, Choice, Fact, FilePreview
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview
 from lispac.io.text.text_table import first_lines, is_clock, numbered_lines, split_fields
 from lispac.io.text.units import direction_of, parse_unit
 from lispac.io.trajectory.trajectory_columns import (
-    GRID,
-    HEIGHTS,
-    HEMISPHERES,
-    POSITION,
+    GRID_ROLES,
+    HEIGHT_ROLES,
+    HEMISPHERE_ROLES,
+    POSITION_ROLES,
     SIGN_NAMES,
     Column,
     Rows,
@@ -39,15 +39,15 @@ from lispac.io.trajectory.trajectory_preview import (
     preview_text,
     sign_assumed_warning,
 )
-from lispac.io.trajectory.trajectory_projection import UNSPECIFIED
+from lispac.io.trajectory.trajectory_projection import UNSPECIFIED_UNIT
 from lispac.io.trajectory.trajectory_velocities import velocity_columns
 from lispac.messages import Level, Message, error, note, warning
 from lispac.survey.line_source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
-_MAKER = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
-_DESCRIPTION = re.compile(r"#\s*(\w+)\s*:\s*(.+)")
-_SIGNS = {
+_MANUFACTURER_NAMES = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
+_COLUMN_DESCRIPTION = re.compile(r"#\s*(\w+)\s*:\s*(.+)")
+_SIGN_PATTERNS = {
     "bow-up": r"(bow|nose) up|up (bow|nose)",
     "bow-down": r"(bow|nose) down|down (bow|nose)",
     "starboard-down": r"port( side)? up|left( side)? up|starboard( side)? down|right( side)? down",
@@ -59,23 +59,23 @@ def sniff_exail(path: Path) -> float:
     """Likelihood of an Exail export, by the manufacturer and columns named in its comments."""
     comments = [line for line in first_lines(path) if line.startswith("#")]
     if not comments:
-        return NOT
+        return IMPOSSIBLE
     names = _column_names(comments)
     if len({role_of(name) for name in names} - {""}) < 5:
-        return NOT
-    if any(_MAKER.search(line) for line in comments):
+        return IMPOSSIBLE
+    if any(_MANUFACTURER_NAMES.search(line) for line in comments):
         return SURE
     # Only these templates describe one column per line; other files also have a row of names.
-    described = sum(_DESCRIPTION.match(line) is not None for line in comments)
-    return LIKELY if described >= 5 else NOT
+    described = sum(_COLUMN_DESCRIPTION.match(line) is not None for line in comments)
+    return LIKELY if described >= 5 else IMPOSSIBLE
 
 
 def sniff_exail_accuracy(path: Path) -> float:
     """Likelihood of an Exail export with all standard deviations."""
     confidence = sniff_exail(path)
     if not confidence:
-        return NOT
-    return confidence if has_sigmas(exail_layout(path).columns) else NOT
+        return IMPOSSIBLE
+    return confidence if has_sigmas(exail_layout(path).columns) else IMPOSSIBLE
 
 
 def exail_layout(path: Path) -> TextLayout:
@@ -94,7 +94,9 @@ def exail_layout(path: Path) -> TextLayout:
         next(numbered_lines(path, "Exail text"), None)
         raise InputError(error("trajectory.exail_header", file=str(path)))
     described = {
-        match[1].lower(): match[2] for line in comments if (match := _DESCRIPTION.match(line))
+        match[1].lower(): match[2]
+        for line in comments
+        if (match := _COLUMN_DESCRIPTION.match(line))
     }
     sample = next((line for line in lines if line.strip() and not line.startswith("#")), "")
     separator = "tab" if "\t" in sample else "auto"
@@ -107,10 +109,10 @@ def exail_layout(path: Path) -> TextLayout:
         words = described.get(name.lower(), "")
         if role == "sea_height" and "ellips" in words.lower():
             role = "height"
-        unit = "hemisphere" if role in HEMISPHERES else parse_unit(words)
-        way = direction_of(f"{name} [{words}]") if role in POSITION else ""
-        if (role, way) in (("longitude", "west"), ("latitude", "south")):
-            unit = f"{unit or 'deg'}-{way}"
+        unit = "hemisphere" if role in HEMISPHERE_ROLES else parse_unit(words)
+        direction = direction_of(f"{name} [{words}]") if role in POSITION_ROLES else ""
+        if (role, direction) in (("longitude", "west"), ("latitude", "south")):
+            unit = f"{unit or 'deg'}-{direction}"
         if role == "time" and index < len(fields):
             unit = "clock" if is_clock(fields[index]) else unit or "s"
         if not unit:
@@ -136,21 +138,23 @@ def default_unit(role: str) -> str:
     """Unit assumed for a column without a unit in the header."""
     if role in ("time", "date"):
         return {"time": "s", "date": "date"}[role]
-    if role in (*GRID, *HEIGHTS):
-        return UNSPECIFIED
+    if role in (*GRID_ROLES, *HEIGHT_ROLES):
+        return UNSPECIFIED_UNIT
     angles = ("latitude", "longitude", "roll", "pitch", "heading")
     return "deg" if role.removesuffix("_sd") in angles else "m"
 
 
 def unit_assumed_warning(path: Path, name: str, unit: str) -> Message:
     """Warning that a header gives no unit for a column, so that ``unit`` is assumed."""
-    return Message(_ASSUMED[unit], Level.WARNING, {"file": printable(path.name), "column": name})
+    return Message(
+        _UNIT_ASSUMED_CODES[unit], Level.WARNING, {"file": printable(path.name), "column": name}
+    )
 
 
-_ASSUMED = {
+_UNIT_ASSUMED_CODES = {
     "s": "trajectory.seconds_assumed", "date": "trajectory.dates_assumed",
     "deg": "trajectory.degrees_assumed", "m": "trajectory.metres_assumed",
-    UNSPECIFIED: "trajectory.unit_of_system_assumed",
+    UNSPECIFIED_UNIT: "trajectory.unit_of_system_assumed",
 }  # fmt: skip
 """Code of the warning by the unit that is assumed (`default_unit`)."""
 
@@ -159,7 +163,9 @@ def sign_in_description(words: str) -> str:
     """Sign in a description (``positive bow down``), as an option value; empty if there is none."""
     if "positive" not in words.lower() and "+" not in words:
         return ""
-    return next((sign for sign, form in _SIGNS.items() if re.search(form, words.lower())), "")
+    return next(
+        (sign for sign, form in _SIGN_PATTERNS.items() if re.search(form, words.lower())), ""
+    )
 
 
 def exail_rows(path: Path) -> Rows:
@@ -251,7 +257,7 @@ def _detect_options(layout: TextLayout) -> dict[str, str]:
 
 
 def _conventions(layout: TextLayout, choice: Choice) -> TrajectoryConventions:
-    geographic = {column.role for column in layout.columns}.issuperset(POSITION)
+    geographic = {column.role for column in layout.columns}.issuperset(POSITION_ROLES)
     return TrajectoryConventions(
         pitch=choice["pitch"],
         roll=choice["roll"],

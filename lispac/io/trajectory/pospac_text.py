@@ -14,7 +14,7 @@ import re
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.format_types import LIKELY, NOT, SURE, Choice, Fact, FilePreview
+from lispac.io.format_types import IMPOSSIBLE, LIKELY, SURE, Choice, Fact, FilePreview
 from lispac.io.text.text_table import first_lines, is_data_row, numbered_lines, split_fields
 from lispac.io.text.units import parse_unit
 from lispac.io.trajectory.exail import default_unit, unit_assumed_warning
@@ -36,11 +36,11 @@ from lispac.io.trajectory.trajectory_velocities import velocity_columns
 from lispac.messages import Message, error, note
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
-_MAKER = re.compile(r"POS Export Utility|Applanix|POSPac|POSPROC", re.IGNORECASE)
-_UNIT = re.compile(
+_MANUFACTURER_NAMES = re.compile(r"POS Export Utility|Applanix|POSPac|POSPROC", re.IGNORECASE)
+_GROUP_AND_UNIT = re.compile(
     r"([A-Za-z][A-Za-z ,]*?)\s+in\s+([A-Za-z./]+(?:\s+(?:Min\w*|Survey \w+|Feet|Foot))?)", re.I
 )
-_FACTS = {
+_FACT_NAMES = {
     "Date of Mission": "Date of mission",
     "Mapping frame datum": "Mapping frame",
     "POSPROC SBET file": "Made from",
@@ -52,19 +52,19 @@ def sniff_pospac(path: Path) -> float:
     lines = first_lines(path)
     found = _names_line(lines)
     if found is None:
-        return NOT
-    if any(_MAKER.search(line) for line in lines[: found[0]]):
+        return IMPOSSIBLE
+    if any(_MANUFACTURER_NAMES.search(line) for line in lines[: found[0]]):
         return SURE
     following = lines[found[0] + 1 : found[0] + 4]
-    return LIKELY if any(line.strip().startswith("(time in") for line in following) else NOT
+    return LIKELY if any(line.strip().startswith("(time in") for line in following) else IMPOSSIBLE
 
 
 def sniff_pospac_accuracy(path: Path) -> float:
     """Likelihood of a POSPac export with all standard deviations."""
     confidence = sniff_pospac(path)
     if not confidence:
-        return NOT
-    return confidence if has_sigmas(pospac_layout(path).columns) else NOT
+        return IMPOSSIBLE
+    return confidence if has_sigmas(pospac_layout(path).columns) else IMPOSSIBLE
 
 
 def pospac_layout(path: Path) -> TextLayout:
@@ -73,7 +73,7 @@ def pospac_layout(path: Path) -> TextLayout:
     Raises
     ------
     InputError
-        If there is no line of column names, or positions are not in decimal degrees.
+        If there is no line of column names, or a column is in degrees and minutes or clock time.
     """
     lines = first_lines(path)
     found = _names_line(lines)
@@ -104,8 +104,8 @@ def pospac_layout(path: Path) -> TextLayout:
     facts: dict[str, Fact] = {"Header": note("fact.pospac")}
     for line in lines[:start]:
         key, colon, value = line.strip().partition(":")
-        if colon and key.strip() in _FACTS and value.strip():
-            facts[_FACTS[key.strip()]] = value.strip().rstrip(";").strip()
+        if colon and key.strip() in _FACT_NAMES and value.strip():
+            facts[_FACT_NAMES[key.strip()]] = value.strip().rstrip(";").strip()
     velocities = velocity_columns(names, [units.get("velocity", "")] * len(names))
     return TextLayout(
         tuple(columns), names, "auto", pospac_rows, facts, tuple(file_warnings), velocities
@@ -193,7 +193,7 @@ def _names_line(lines: list[str]) -> tuple[int, tuple[str, ...]] | None:
 def _units_by_group(line: str) -> dict[str, str]:
     """Unit of each group of columns, from the line in parentheses."""
     units: dict[str, str] = {}
-    for what, unit in _UNIT.findall(line):
+    for what, unit in _GROUP_AND_UNIT.findall(line):
         words = what.lower()
         key = "m" if unit.lower() == "m" else parse_unit(unit)
         if unit.lower().startswith("sec"):

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.files import atomic_write, read_records, require_file, require_increasing
-from lispac.io.format_types import SAME_TIME_BASE
+from lispac.io.format_types import SAME_TIME_BASE_NOTE
 from lispac.io.trajectory.trajectory_checks import (
     require_attitude,
     require_heights,
@@ -24,9 +24,9 @@ from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
-SMRMSG_RECORD = 80
+SMRMSG_RECORD_BYTES = 80
 """Bytes of a record of smrmsg."""
-ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE)
+APPLANIX_ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE_NOTE)
 
 
 @dataclass(frozen=True)
@@ -45,29 +45,35 @@ class SbetOptions:
     def assumptions(self) -> tuple[Message, ...]:
         """Notes on the assumed conventions."""
         return (
-            note(_HEADINGS[self.heading]),
+            note(_HEADING_NOTE_CODES[self.heading]),
             sign_note(self.roll),
             sign_note(self.pitch),
             note("assumed.fitting_velocity_axes")
             if self.axes == "unknown"
-            else note("assumed.velocity_axes", axes=AXES[self.axes]),
+            else note("assumed.velocity_axes", axes=VELOCITY_AXES[self.axes]),
             note("assumed.time_base", base=base_message(base_of_key(self.time))),
-            note(_UNITS[self.unit]),
-            note(_ORDERS[self.order]),
-            note(_BYTE_ORDERS[self.byte_order]),
+            note(_UNIT_NOTE_CODES[self.unit]),
+            note(_ORDER_NOTE_CODES[self.order]),
+            note(_BYTE_ORDER_NOTE_CODES[self.byte_order]),
             note("assumed.ellipsoidal_heights"),
         )
 
 
-_HEADINGS = {"minus-wander": "assumed.heading_less_wander", "as-is": "assumed.heading_as_is"}
-_UNITS = {"radians": "assumed.angles_in_radians", "degrees": "assumed.angles_in_degrees"}
-_ORDERS = {
+_HEADING_NOTE_CODES = {
+    "minus-wander": "assumed.heading_less_wander",
+    "as-is": "assumed.heading_as_is",
+}
+_UNIT_NOTE_CODES = {"radians": "assumed.angles_in_radians", "degrees": "assumed.angles_in_degrees"}
+_ORDER_NOTE_CODES = {
     "latitude-longitude": "assumed.latitude_first",
     "longitude-latitude": "assumed.longitude_first",
 }
-_BYTE_ORDERS = {"little-endian": "assumed.little_endian", "big-endian": "assumed.big_endian"}
+_BYTE_ORDER_NOTE_CODES = {
+    "little-endian": "assumed.little_endian",
+    "big-endian": "assumed.big_endian",
+}
 """Codes of the notes on the byte order, by the value of the option."""
-AXES = {
+VELOCITY_AXES = {
     "wander-nwu": note("axes.wander_nwu"),
     "wander-ned": note("axes.wander_ned"),
     "ned": note("axes.ned"),
@@ -92,7 +98,7 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     Raises
     ------
     InputError
-        If the file is missing, cut short, holds NaN, angles out of range or disordered times.
+        If the file is missing, cut short, contains NaN, angles out of range or disordered times.
     """
     path = Path(path)
     chosen = options or SbetOptions()
@@ -103,7 +109,7 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     time, latitude, longitude, height = records[:, :4].T
     roll, pitch, heading, wander = records[:, 7:11].T
     time, starts = unroll_times(time)
-    assumptions = ASSUMPTIONS if options is None else options.assumptions()
+    assumptions = APPLANIX_ASSUMPTIONS if options is None else options.assumptions()
     if starts:
         assumptions += (note("assumed.time_rollover", count=starts),)
     require_increasing(time, path, "SBET")
@@ -134,10 +140,12 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
 
 
 def velocity_in_axes(axes: str, velocity: Array, wander: Array) -> Array:
-    """Velocities to the north, east and up, shape (n, 3), from the axes of a key of `AXES`.
+    """Velocities to the north, east and up, shape (n, 3), from those in other axes.
 
     Parameters
     ----------
+    axes : str
+        Axes of the velocities, a key of `VELOCITY_AXES`.
     velocity : ndarray of shape (n, 3), metres a second, frame of ``axes``
     wander : ndarray of shape (n,), radians
     """
@@ -155,7 +163,7 @@ def velocity_in_axes(axes: str, velocity: Array, wander: Array) -> Array:
     return turned
 
 
-MAX_STATES = 20_000
+MAX_STATES_COMPARED = 20_000
 """Largest number of states whose velocities are compared with the positions to find their axes."""
 
 
@@ -175,9 +183,14 @@ def _derivatives(records: Array, chosen: SbetOptions) -> tuple[Array | None, Arr
     found = attitude_rates(angles * signs, factor * rates)
     # The rates may instead be about the axes forward, port, up.
     other = attitude_rates(angles * signs, factor * rates * [1.0, -1.0, -1.0])
-    truth = np.gradient(np.unwrap(angles[:MAX_STATES], axis=0), records[:MAX_STATES, 0], axis=0)
-    off = [np.abs(each[:MAX_STATES] - truth * signs).sum() for each in (found, other)]
-    best = found if off[0] <= off[1] else other
+    numerical_rates = np.gradient(
+        np.unwrap(angles[:MAX_STATES_COMPARED], axis=0), records[:MAX_STATES_COMPARED, 0], axis=0
+    )
+    differences = [
+        np.abs(each[:MAX_STATES_COMPARED] - numerical_rates * signs).sum()
+        for each in (found, other)
+    ]
+    best = found if differences[0] <= differences[1] else other
     return velocity, best * [1.0, -1.0, 1.0]  # pitch bow down
 
 
@@ -185,19 +198,21 @@ def _with_velocity(
     trajectory: Trajectory, velocity: Array, wander: Array, chosen: SbetOptions
 ) -> Trajectory:
     """Add velocities to the trajectory, in the given axes or those that fit the positions best."""
-    keys = [chosen.axes] if chosen.axes != "unknown" else list(AXES)
-    some = slice(0, MAX_STATES)
+    keys = [chosen.axes] if chosen.axes != "unknown" else list(VELOCITY_AXES)
+    compared = slice(0, MAX_STATES_COMPARED)
     place = LocalFrame(
         float(trajectory.latitude[0]), float(trajectory.longitude[0]), float(trajectory.height[0])
-    ).to_local(trajectory.latitude[some], trajectory.longitude[some], trajectory.height[some])
-    truth = np.diff(place, axis=0) / np.diff(trajectory.time[some])[:, None]
+    ).to_local(
+        trajectory.latitude[compared], trajectory.longitude[compared], trajectory.height[compared]
+    )
+    velocity_of_positions = np.diff(place, axis=0) / np.diff(trajectory.time[compared])[:, None]
 
     def local(key: str) -> Array:
         return velocity_in_axes(key, velocity, wander) * [1.0, -1.0, 1.0]  # north, west, up
 
     def residual(key: str) -> float:
-        own = local(key)[some]
-        return float(np.abs(0.5 * (own[1:] + own[:-1]) - truth).sum())
+        own = local(key)[compared]
+        return float(np.abs(0.5 * (own[1:] + own[:-1]) - velocity_of_positions).sum())
 
     best = min(keys, key=residual) if len(keys) > 1 else keys[0]
     return replace(trajectory, velocity=local(best))
@@ -246,11 +261,11 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
     Raises
     ------
     InputError
-        If the file is missing, cut short, holds NaN, negative sigmas or disordered times.
+        If the file is missing, cut short, contains NaN, negative sigmas or disordered times.
     """
     path = Path(path)
     require_file(path, "smrmsg")
-    size = path.stat().st_size // SMRMSG_RECORD
+    size = path.stat().st_size // SMRMSG_RECORD_BYTES
     head = np.fromfile(path, "<f8", count=10 * min(size, 1000)).reshape(-1, 10)
     if not is_smrmsg(head) and is_smrmsg(head.byteswap()):
         raise InputError(error("sbet.big_endian_accuracy", file=str(path)))

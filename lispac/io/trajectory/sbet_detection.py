@@ -29,10 +29,10 @@ from lispac.survey.time_base import plausible_bases, unroll_times
 
 Array = NDArray[np.float64]
 
-RECORD = 17 * 8
-HEAD = 100
-BYTE_ORDERS = {"little-endian": "<", "big-endian": ">"}
-BLOCK, BLOCKS = 1000, 60
+RECORD_BYTES = 17 * 8
+EDGE_RECORDS = 100
+NUMPY_BYTE_ORDERS = {"little-endian": "<", "big-endian": ">"}
+RECORDS_PER_BLOCK, MAX_BLOCKS = 1000, 60
 """Records of a block (five seconds at 200 Hz), and largest number of blocks read from a file."""
 
 
@@ -65,13 +65,16 @@ def sample_blocks(path: Path, byte_order: str = "<") -> tuple[list[Array], int]:
     int
     """
     try:
-        whole = Path(path).stat().st_size // RECORD
+        whole = Path(path).stat().st_size // RECORD_BYTES
         records = np.memmap(path, dtype=f"{byte_order}f8", mode="r", shape=(whole, 17))
-        if whole <= BLOCK * BLOCKS:
+        if whole <= RECORDS_PER_BLOCK * MAX_BLOCKS:
             starts = np.array([0])
             length = whole
         else:
-            starts, length = np.linspace(0, whole - BLOCK, BLOCKS).astype(np.int64), BLOCK
+            starts, length = (
+                np.linspace(0, whole - RECORDS_PER_BLOCK, MAX_BLOCKS).astype(np.int64),
+                RECORDS_PER_BLOCK,
+            )
         return [np.array(records[k : k + length], dtype=np.float64) for k in starts], whole
     except (OSError, ValueError):
         return [], 0
@@ -98,9 +101,9 @@ def sbet_fit(records: Array) -> float:
     time, steps = records[:, 0], np.diff(records[:, 0])
     size = np.abs(records)
     # Only tiny numbers indicate other data read as float64.
-    somewhere = bool((size[:, 1:3] > 1e-9).any())
-    moving = bool(size[:, 3].max() < 2e4 and size[:, 4:7].max() < 1000)
-    if not (plausible_bases(time) and somewhere and moving and size.max() < 1e11):
+    has_position = bool((size[:, 1:3] > 1e-9).any())
+    is_plausible_motion = bool(size[:, 3].max() < 2e4 and size[:, 4:7].max() < 1000)
+    if not (plausible_bases(time) and has_position and is_plausible_motion and size.max() < 1e11):
         return 0.0
     if (
         (steps > 0).all()
@@ -111,21 +114,21 @@ def sbet_fit(records: Array) -> float:
         return 1.0
     ordered = float(np.mean((steps >= 0) & (steps < 60)))
     exchanged = size[:, 1].max() <= 2 * np.pi and size[:, 2].max() <= np.pi / 2
-    places = exchanged or (size[:, 1].max() <= 90 and size[:, 2].max() <= 360)
-    turns = size[:, 7:9].max() <= 180 and size[:, 9:11].max() <= 1000
-    return 0.6 if ordered >= 0.8 and places and turns else 0.0
+    are_positions = exchanged or (size[:, 1].max() <= 90 and size[:, 2].max() <= 360)
+    are_angles = size[:, 7:9].max() <= 180 and size[:, 9:11].max() <= 1000
+    return 0.6 if ordered >= 0.8 and are_positions and are_angles else 0.0
 
 
 def detect_byte_order(path: Path) -> tuple[str, float]:
     """Byte order in which the first records fit an SBET better, and the likelihood."""
-    scores = {name: sbet_fit(_edge_records(path, mark)) for name, mark in BYTE_ORDERS.items()}
+    scores = {name: sbet_fit(_edge_records(path, mark)) for name, mark in NUMPY_BYTE_ORDERS.items()}
     best = max(scores, key=lambda name: scores[name])
     return best, scores[best]
 
 
 def sbet_fit_at_end(path: Path, byte_order: str) -> float:
     """Likelihood that the last complete records are an SBET."""
-    return sbet_fit(_edge_records(path, BYTE_ORDERS[byte_order], last=True))
+    return sbet_fit(_edge_records(path, NUMPY_BYTE_ORDERS[byte_order], last=True))
 
 
 def _edge_records(path: Path, mark: str, *, last: bool = False) -> Array:
@@ -133,12 +136,12 @@ def _edge_records(path: Path, mark: str, *, last: bool = False) -> Array:
     try:
         with Path(path).open("rb") as file:
             if last:
-                whole = file.seek(0, os.SEEK_END) // RECORD
-                file.seek(max(0, whole - HEAD) * RECORD)
-            content = file.read(HEAD * RECORD)
+                whole = file.seek(0, os.SEEK_END) // RECORD_BYTES
+                file.seek(max(0, whole - EDGE_RECORDS) * RECORD_BYTES)
+            content = file.read(EDGE_RECORDS * RECORD_BYTES)
     except OSError:
         return np.zeros((0, 17))
-    content = content[: len(content) // RECORD * RECORD]
+    content = content[: len(content) // RECORD_BYTES * RECORD_BYTES]
     return np.frombuffer(content, dtype=f"{mark}f8").reshape(-1, 17)
 
 
@@ -154,7 +157,7 @@ def detect_sbet(path: Path) -> SbetDetection:
     size = path.stat().st_size
     if not size:
         raise InputError(error("text.empty", file=str(path)))
-    if size < 2 * RECORD:
+    if size < 2 * RECORD_BYTES:
         raise InputError(error("sbet.too_short", file=str(path), bytes=size))
     file_warnings: list[Message] = []
     file = printable(path.name)
@@ -166,11 +169,11 @@ def detect_sbet(path: Path) -> SbetDetection:
     if not blocks:
         raise InputError(error("sbet.not_readable", file=str(path)))
     head = blocks[0][:5]
-    if size % RECORD:
+    if size % RECORD_BYTES:
         file_warnings.append(
             warning(
                 "file.partial_record", file=file, kind=file_kind_message("SBET"), size=size,
-                record=RECORD, rest=size % RECORD,
+                record=RECORD_BYTES, rest=size % RECORD_BYTES,
             )
         )  # fmt: skip
     facts: dict[str, Fact] = {"Records": count}

@@ -13,11 +13,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.io.trajectory.sbet import AXES, SbetOptions, velocity_in_axes
+from lispac.io.trajectory.sbet import VELOCITY_AXES, SbetOptions, velocity_in_axes
 from lispac.io.trajectory.trajectory_columns import SIGN_NAMES
 from lispac.io.trajectory.trajectory_facts import (
-    MIN_SPEED,
-    SHORTEST_STEP,
+    MIN_SPEED_FOR_COURSE,
+    MIN_TIME_STEP_S,
     TrajectoryMotion,
     wrap_angle,
 )
@@ -25,11 +25,11 @@ from lispac.messages import Action, Message, note, warning
 
 Array = NDArray[np.float64]
 
-MAX_RESIDUAL, MIN_RATIO = 0.02, 3.0
+MAX_VELOCITY_RESIDUAL, MIN_RESIDUAL_RATIO = 0.02, 3.0
 """Largest residual of the velocities relative to the speed, and smallest ratio of the residual of
 the second-best frame to that of the best."""
 
-SMALLEST_WANDER = 1e-4
+MIN_WANDER_RAD = 1e-4
 """Smallest wander angle that has an effect, radians."""
 
 
@@ -50,8 +50,8 @@ def detect_velocity_frame(
         Warnings.
     """
     velocity, wander, own, exchanged = _moving_states(blocks, motions)
-    turns = float(np.abs(np.concatenate([block[:, 10] for block in blocks])).max())
-    has_wander = turns >= SMALLEST_WANDER
+    largest_wander = float(np.abs(np.concatenate([block[:, 10] for block in blocks])).max())
+    has_wander = largest_wander >= MIN_WANDER_RAD
     unchecked = [warning("sbet.wander_assumed", file=file)] if has_wander else []
     if not any(np.any(block[:, 4:7]) for block in blocks):
         zero = warning("sbet.zero_velocities", file=file)
@@ -60,39 +60,40 @@ def detect_velocity_frame(
         slow = warning("sbet.too_slow", file=file)
         return options, note("fact.velocities_not_checked"), [slow, *unchecked]
     residuals = {
-        key: _velocity_residual(velocity_in_axes(key, velocity, wander), own) for key in AXES
+        key: _velocity_residual(velocity_in_axes(key, velocity, wander), own)
+        for key in VELOCITY_AXES
     }
-    swapped = min(
+    exchanged_residual = min(
         _velocity_residual(velocity_in_axes(key, velocity, wander), exchanged) for key in residuals
     )
     best = min(residuals, key=lambda key: residuals[key])
-    if residuals[best] > MAX_RESIDUAL:
-        if swapped <= MAX_RESIDUAL and options.order == "latitude-longitude":
+    if residuals[best] > MAX_VELOCITY_RESIDUAL:
+        if exchanged_residual <= MAX_VELOCITY_RESIDUAL and options.order == "latitude-longitude":
             chosen = replace(options, order="longitude-latitude")
             again = [(other, first) for first, other in motions]
             chosen, fact, found = detect_velocity_frame(blocks, again, chosen, file)
             order = warning("sbet.longitude_first_by_velocity", file=file)
             return chosen, fact, [order, *found]
         disagree = warning(
-            "sbet.velocities_disagree", file=file, axes=AXES[best], share=residuals[best],
+            "sbet.velocities_disagree", file=file, axes=VELOCITY_AXES[best], share=residuals[best],
         )  # fmt: skip
         return options, note("fact.velocities_in_no_frame"), [disagree, *unchecked]
     share = residuals[best]
-    fact = note("fact.velocity_axes", axes=AXES[best], share=share)
+    fact = note("fact.velocity_axes", axes=VELOCITY_AXES[best], share=share)
     chosen = replace(options, axes=best)
-    limit = max(MIN_RATIO * residuals[best], residuals[best] + 0.003)
+    limit = max(MIN_RESIDUAL_RATIO * residuals[best], residuals[best] + 0.003)
     rivals = [key for key in residuals if key != best and residuals[key] < limit]
-    if not rivals and turns >= SMALLEST_WANDER:
-        return _detect_heading(chosen, blocks, motions, turns, fact, file)
-    if turns < SMALLEST_WANDER:
+    if not rivals and largest_wander >= MIN_WANDER_RAD:
+        return _detect_heading(chosen, blocks, motions, largest_wander, fact, file)
+    if largest_wander < MIN_WANDER_RAD:
         # Without a wander angle, its frames are identical to those relative to north.
         plain = [key for key in (best, *rivals) if not key.startswith("wander")]
         chosen = replace(chosen, axes=plain[0])
-        fact = note("fact.velocity_axes", axes=AXES[plain[0]], share=share)
+        fact = note("fact.velocity_axes", axes=VELOCITY_AXES[plain[0]], share=share)
         rivals = plain[1:]
         if not rivals:
             return chosen, fact, []
-    others = tuple(AXES[key] for key in rivals)
+    others = tuple(VELOCITY_AXES[key] for key in rivals)
     several = warning("sbet.several_axes", file=file, axes=others)
     return chosen, fact, [several, *unchecked]
 
@@ -101,7 +102,7 @@ def _detect_heading(
     chosen: SbetOptions,
     blocks: Sequence[Array],
     motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]],
-    turns: float,
+    largest_wander: float,
     fact: Message,
     file: str,
 ) -> tuple[SbetOptions, Message, list[Message]]:
@@ -112,21 +113,21 @@ def _detect_heading(
     for kept in (1.0, 0.0):
         found = [
             wrap_angle(own.course - block[own.index, 9] + kept * block[own.index, 10])[
-                own.speed > MIN_SPEED
+                own.speed > MIN_SPEED_FOR_COURSE
             ]
             for block, (own, _) in zip(blocks, motions, strict=True)
         ]
         offsets.append(abs(float(np.median(np.concatenate(found)))))
-    less, whole = offsets
+    offset_less_wander, offset_as_is = offsets
     # A vessel's drift angle rarely exceeds 15 deg; smaller wander angles cannot be separated.
-    if turns > np.radians(30) and min(less, whole) < np.radians(15) < max(less, whole):
-        used, other = min(less, whole), max(less, whole)
-        if less < whole:
+    used, other = min(offsets), max(offsets)
+    if largest_wander > np.radians(30) and used < np.radians(15) < other:
+        if offset_less_wander < offset_as_is:
             resolved = warning("sbet.heading_less_wander", file=file, used=used, other=other)
             return replace(chosen, heading="minus-wander"), fact, [resolved]
         resolved = warning("sbet.heading_as_is", file=file, used=used, other=other)
         return replace(chosen, heading="as-is"), fact, [resolved]
-    return chosen, fact, [warning("sbet.heading_uncertain", file=file, wander=turns)]
+    return chosen, fact, [warning("sbet.heading_uncertain", file=file, wander=largest_wander)]
 
 
 def _moving_states(
@@ -136,7 +137,7 @@ def _moving_states(
     rows: list[tuple[Array, Array, Array, Array]] = []
     for block, (own, exchanged) in zip(blocks, motions, strict=True):
         common, first, second = np.intersect1d(own.index, exchanged.index, return_indices=True)
-        fast = np.hypot(block[common, 4], block[common, 5]) > MIN_SPEED
+        fast = np.hypot(block[common, 4], block[common, 5]) > MIN_SPEED_FOR_COURSE
         rows.append(
             (
                 block[common, 4:7][fast],
@@ -158,7 +159,8 @@ def _velocity_columns(motion: TrajectoryMotion, rows: NDArray[np.int64]) -> Arra
 def _velocity_residual(velocity: Array, truth: Array) -> float:
     """Median difference of the velocities from those of the positions, relative to the speed.
 
-    The vertical component is weighted by its size, so that small vertical motion has no effect.
+    The speed is horizontal. Small vertical motion has little effect, because the three components
+    of the difference are combined in one length.
     """
     speed = float(np.median(np.hypot(velocity[:, 0], velocity[:, 1])))
     return float(np.median(np.linalg.norm(velocity - truth, axis=1))) / max(speed, 1e-9)
@@ -208,22 +210,22 @@ def _rate_correlation(blocks: Sequence[Array], angle: int, rate: int) -> float |
     Changes over half a second of at least a tenth of a degree are used; smaller ones are noise and
     vibration.
     """
-    changes, turns = [], []
+    changes, rate_integrals = [], []
     for block in blocks:
         time = block[:, 0]
         steps = np.diff(time)
-        if len(time) < 3 or (steps < SHORTEST_STEP).any() or (steps > 1).any():
+        if len(time) < 3 or (steps < MIN_TIME_STEP_S).any() or (steps > 1).any():
             continue
-        reach = max(1, round(0.5 / float(np.median(steps))))
+        lag = max(1, round(0.5 / float(np.median(steps))))
         values = np.unwrap(block[:, angle])
-        turned = np.concatenate(
+        integrated_rate = np.concatenate(
             [[0.0], np.cumsum((block[1:, rate] + block[:-1, rate]) / 2 * steps)]
         )
-        changes.append((values[reach:] - values[:-reach])[::reach])
-        turns.append((turned[reach:] - turned[:-reach])[::reach])
+        changes.append((values[lag:] - values[:-lag])[::lag])
+        rate_integrals.append((integrated_rate[lag:] - integrated_rate[:-lag])[::lag])
     if not changes:
         return None
-    change, turn = np.concatenate(changes), np.concatenate(turns)
+    change, turn = np.concatenate(changes), np.concatenate(rate_integrals)
     if len(change) < 10:
         return None
     # Correlation about zero instead of the mean, so that a steady turn also gives the sign.

@@ -8,15 +8,15 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.messages import error
 from lispac.survey.time_base import TimeBase, plausible_bases
-from lispac.survey.trajectory import LONGEST_GAP
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S
 
 Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
-MAX_HEIGHT = 1e5
+MAX_HEIGHT_M = 1e5
 """Largest accepted height, metres."""
 
-FASTEST_TURN = 0.7
+MAX_TURN_RATE = 0.7
 """Largest turn rate of a carrier over one second, radians per second; with a wrong unit of angles,
 it is exceeded in any turn."""
 
@@ -56,7 +56,7 @@ def require_heights(path: Path, height: Array, numbers: Numbers | None = None) -
     ------
     InputError
     """
-    bad = np.abs(height) > MAX_HEIGHT
+    bad = np.abs(height) > MAX_HEIGHT_M
     if bad.any():
         k = int(np.argmax(bad))
         in_row = numbers is not None
@@ -76,8 +76,8 @@ def require_attitude(
 ) -> None:
     """Refuse impossible angles, radians.
 
-    A heading may be continuous over several turns if it starts near a full circle and does not
-    change faster than a carrier turns.
+    A heading of more than two full turns is accepted if it is continuous: it is at some time within
+    two full turns, and does not change faster than a carrier turns.
 
     Parameters
     ----------
@@ -125,5 +125,5 @@ def _is_continuous_heading(time: Array, heading: Array) -> bool:
     turns = np.abs(np.diff(np.interp(seconds, time, heading)))
     # Across a gap, the heading may change by any amount.
     after = np.minimum(np.searchsorted(time, seconds[1:]), len(time) - 1)
-    known = time[after] - time[np.maximum(after - 1, 0)] <= LONGEST_GAP
-    return bool((turns[known] < FASTEST_TURN).all())
+    known = time[after] - time[np.maximum(after - 1, 0)] <= DEFAULT_LONGEST_GAP_S
+    return bool((turns[known] < MAX_TURN_RATE).all())

@@ -21,7 +21,7 @@ from lispac.io.text.text_table import (
     parse_with_hemisphere,
     read_columns,
 )
-from lispac.io.text.units import ANGLE_CODES, UNITS, UNKNOWN
+from lispac.io.text.units import ANGLE_UNIT_CODES, UNITS, UNKNOWN
 from lispac.io.trajectory.trajectory_checks import (
     Numbers,
     require_attitude,
@@ -29,8 +29,8 @@ from lispac.io.trajectory.trajectory_checks import (
     require_time_base,
 )
 from lispac.io.trajectory.trajectory_projection import (
-    LENGTHS,
-    UNSPECIFIED,
+    METRES_PER_UNIT,
+    UNSPECIFIED_UNIT,
     LengthUnit,
     TrajectoryProjection,
     projection_of_text,
@@ -43,28 +43,30 @@ from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
-_NOTATIONS: dict[str, Callable[[str], float]] = {
+_NOTATION_PARSERS: dict[str, Callable[[str], float]] = {
     "dms": degrees_minutes_seconds,
     "ddmm": degrees_and_minutes,
     "clock": clock_seconds,
     "date": date_seconds,
 }
-PARSERS = {code: (_NOTATIONS.get(code, parse_number), unit.si) for code, unit in UNITS.items()}
-PARSERS[UNSPECIFIED] = parse_number, 1.0
+UNIT_PARSERS = {
+    code: (_NOTATION_PARSERS.get(code, parse_number), unit.si) for code, unit in UNITS.items()
+}
+UNIT_PARSERS[UNSPECIFIED_UNIT] = parse_number, 1.0
 UNIT_NAMES = {code: unit.name for code, unit in UNITS.items()}
-for _unit in ANGLE_CODES:
+for _unit in ANGLE_UNIT_CODES:
     for _way, _code in (("west", "unit.positive_west"), ("south", "unit.positive_south")):
-        PARSERS[f"{_unit}-{_way}"] = PARSERS[_unit][0], -PARSERS[_unit][1]
+        UNIT_PARSERS[f"{_unit}-{_way}"] = UNIT_PARSERS[_unit][0], -UNIT_PARSERS[_unit][1]
         UNIT_NAMES[f"{_unit}-{_way}"] = Message(_code, Level.NOTE, {"unit": UNIT_NAMES[_unit]})
-PARSERS["hemisphere"] = hemisphere_sign, 1.0
-PARSERS["hemisphere-fr"] = partial(hemisphere_sign, o="W"), 1.0
-PARSERS["hemisphere-de"] = partial(hemisphere_sign, o="E"), 1.0
+UNIT_PARSERS["hemisphere"] = hemisphere_sign, 1.0
+UNIT_PARSERS["hemisphere-fr"] = partial(hemisphere_sign, letter_o="W"), 1.0
+UNIT_PARSERS["hemisphere-de"] = partial(hemisphere_sign, letter_o="E"), 1.0
 """Parser of each unit, and the factor to radians, metres or seconds.
 
 For eastings, northings and heights, the coordinate system may change the factor. The letter O means
 *ouest* in French and *Ost* in German."""
 
-_NAMES = {
+_COLUMN_NAMES = {
     "time": "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec zeit "
     "temps",
     "date": "date day",
@@ -90,21 +92,23 @@ _NAMES = {
     "pitch_sd": "pitchsd sdpitch pitchstd",
     "heading_sd": "headingsd sdheading headingstd yawsd",
 }
-ROLES = {name: role for role, names in _NAMES.items() for name in names.split()}
+ROLES_BY_COLUMN_NAME = {
+    name: role for role, names in _COLUMN_NAMES.items() for name in names.split()
+}
 """Role of a column by its name in lower case, with only letters and digits."""
 
-POSITION = ("latitude", "longitude")
-HEMISPHERES = ("latitude_hemisphere", "longitude_hemisphere")
-GRID = ("easting", "northing")
-HEIGHTS = ("height", "sea_height")
+POSITION_ROLES = ("latitude", "longitude")
+HEMISPHERE_ROLES = ("latitude_hemisphere", "longitude_hemisphere")
+GRID_ROLES = ("easting", "northing")
+HEIGHT_ROLES = ("height", "sea_height")
 _NO_FACTORS: Mapping[str, float] = {}
-ATTITUDE = ("roll", "pitch", "heading")
-SIGMAS = ("north_sd", "east_sd", "height_sd", "roll_sd", "pitch_sd", "heading_sd")
+ATTITUDE_ROLES = ("roll", "pitch", "heading")
+SIGMA_ROLES = ("north_sd", "east_sd", "height_sd", "roll_sd", "pitch_sd", "heading_sd")
 
 
 def role_of(name: str) -> str:
     """Role of a column called ``name``; empty if the program does not use it."""
-    return ROLES.get("".join(c for c in name.lower() if c.isalnum()), "")
+    return ROLES_BY_COLUMN_NAME.get("".join(c for c in name.lower() if c.isalnum()), "")
 
 
 @dataclass(frozen=True)
@@ -144,7 +148,7 @@ SIGN_NAMES = {
     "bow-down": note("sign.pitch_bow_down"),
 }
 """Names of the signs of roll and pitch, by the values of their options."""
-_SIGN_CODES = {
+_SIGN_NOTE_CODES = {
     "starboard-down": "assumed.roll_starboard_down",
     "port-down": "assumed.roll_port_down",
     "bow-up": "assumed.pitch_bow_up",
@@ -154,7 +158,7 @@ _SIGN_CODES = {
 
 def sign_note(sign: str) -> Message:
     """Note on the assumed sign of roll or pitch, by the value of its option."""
-    return note(_SIGN_CODES[sign])
+    return note(_SIGN_NOTE_CODES[sign])
 
 
 Rows = Iterator[tuple[int, list[str]]]
@@ -199,7 +203,7 @@ def trajectory_of(
     require_heights(path, height, numbers)
     if "height" not in values:
         notes += (note("assumed.heights_above_sea"),)
-    roll, pitch, heading = (values[role] for role in ATTITUDE)
+    roll, pitch, heading = (values[role] for role in ATTITUDE_ROLES)
     require_attitude(path, time, (roll, pitch, heading), numbers)
     attitude = np.stack(
         [
@@ -215,7 +219,7 @@ def trajectory_of(
             unit=lengths[column.role].name if column.role in lengths else UNIT_NAMES[column.unit],
         )
         for column in chosen
-        if column.role not in ("time", "date", *HEMISPHERES)
+        if column.role not in ("time", "date", *HEMISPHERE_ROLES)
     )  # fmt: skip
     return Trajectory(
         time,
@@ -235,24 +239,26 @@ def accuracy_of(
     Raises
     ------
     InputError
-        If a standard deviation is negative or not a number.
+        If a column is missing, or a standard deviation is negative or not a number.
     """
     chosen = [
         _find_column(path, columns, "time"),
-        *(_find_column(path, columns, role) for role in SIGMAS),
+        *(_find_column(path, columns, role) for role in SIGMA_ROLES),
     ]
     chosen += [column for column in columns if column.role == "date"]
     _require_known_units(path, chosen)
     for column in chosen[1:7]:
-        _require_unit_kind(path, column, "an angle" if column.role in SIGMAS[3:] else "a length")
+        _require_unit_kind(
+            path, column, "an angle" if column.role in SIGMA_ROLES[3:] else "a length"
+        )
     values, numbers = _read_values(path, rows, chosen)
     time, _ = _times_and_notes(path, values, conventions)
     require_increasing(time, path, "text", numbers)
-    for role in SIGMAS:
+    for role in SIGMA_ROLES:
         if (values[role] < 0).any():
             row = int(numbers[int(np.argmax(values[role] < 0))])
             raise InputError(error("trajectory.negative_sigma", file=str(path), row=row))
-    table = [values[role] for role in SIGMAS]
+    table = [values[role] for role in SIGMA_ROLES]
     return TrajectoryAccuracy(time, np.stack(table[:3], axis=1), np.stack(table[3:], axis=1))
 
 
@@ -260,9 +266,9 @@ def is_complete(columns: Sequence[Column]) -> bool:
     """True if the columns contain all values of a trajectory."""
     roles = {column.role for column in columns}
     return (
-        roles.issuperset(("time", *ATTITUDE))
-        and not roles.isdisjoint(HEIGHTS)
-        and (roles.issuperset(POSITION) or roles.issuperset(GRID))
+        roles.issuperset(("time", *ATTITUDE_ROLES))
+        and not roles.isdisjoint(HEIGHT_ROLES)
+        and (roles.issuperset(POSITION_ROLES) or roles.issuperset(GRID_ROLES))
     )
 
 
@@ -279,15 +285,17 @@ def _choose_columns(
     if not is_complete(columns):
         raise InputError(missing_columns(path, columns))
     roles = {column.role for column in columns}
-    place = GRID if conventions.crs and roles.issuperset(GRID) else POSITION
+    place = GRID_ROLES if conventions.crs and roles.issuperset(GRID_ROLES) else POSITION_ROLES
     if not roles.issuperset(place):
         raise InputError(error("trajectory.no_system", file=str(path)))
-    if conventions.heading == "grid" and place is POSITION:
+    if conventions.heading == "grid" and place is POSITION_ROLES:
         raise InputError(error("trajectory.grid_heading", file=str(path)))
     height = "height" if "height" in roles else "sea_height"
-    chosen = [_find_column(path, columns, role) for role in ("time", *place, height, *ATTITUDE)]
-    beside = ("date", *(HEMISPHERES if place is POSITION else ()))
-    return chosen + [column for column in columns if column.role in beside]
+    chosen = [
+        _find_column(path, columns, role) for role in ("time", *place, height, *ATTITUDE_ROLES)
+    ]
+    optional_roles = ("date", *(HEMISPHERE_ROLES if place is POSITION_ROLES else ()))
+    return chosen + [column for column in columns if column.role in optional_roles]
 
 
 def missing_columns(path: Path, columns: Sequence[Column]) -> Message:
@@ -296,14 +304,13 @@ def missing_columns(path: Path, columns: Sequence[Column]) -> Message:
     if not names:
         return error("trajectory.no_columns", file=file)
     roles = {column.role for column in columns}
-    has_height, has_position = (
-        not roles.isdisjoint(HEIGHTS), roles.issuperset(POSITION) or roles.issuperset(GRID)
-    )  # fmt: skip
+    has_height = not roles.isdisjoint(HEIGHT_ROLES)
+    has_position = roles.issuperset(POSITION_ROLES) or roles.issuperset(GRID_ROLES)
     missing = tuple(
         role
-        for role in ("time", *POSITION, "height", *ATTITUDE)
-        if not (role in roles or (role in HEIGHTS and has_height))
-        and not (role in POSITION and has_position)
+        for role in ("time", *POSITION_ROLES, "height", *ATTITUDE_ROLES)
+        if not (role in roles or (role in HEIGHT_ROLES and has_height))
+        and not (role in POSITION_ROLES and has_position)
     )
     if has_position:
         return error("trajectory.columns_missing", file=file, names=names, missing=missing)
@@ -313,7 +320,7 @@ def missing_columns(path: Path, columns: Sequence[Column]) -> Message:
 def map_warnings(
     path: Path, columns: Sequence[Column], conventions: TrajectoryConventions, read: Trajectory
 ) -> tuple[Message, ...]:
-    """Warnings about eastings and northings as read, and about heights.
+    """Warnings about the units of eastings, northings and heights, and the area of the system.
 
     Raises
     ------
@@ -334,7 +341,7 @@ def map_warnings(
 def _chosen_grid(
     path: Path, chosen: Sequence[Column], conventions: TrajectoryConventions
 ) -> TrajectoryProjection | None:
-    on_map = any(column.role in GRID for column in chosen)
+    on_map = any(column.role in GRID_ROLES for column in chosen)
     return projection_of_text(path, conventions.crs) if on_map else None
 
 
@@ -350,12 +357,12 @@ def _length_units(
     """
     lengths: dict[str, LengthUnit] = {}
     for column in chosen:
-        if column.role not in ("time", "date", *HEMISPHERES):
-            is_angle = column.role in (*POSITION, *ATTITUDE)
+        if column.role not in ("time", "date", *HEMISPHERE_ROLES):
+            is_angle = column.role in (*POSITION_ROLES, *ATTITUDE_ROLES)
             _require_unit_kind(path, column, "an angle" if is_angle else "a length")
-        if column.role in GRID and grid is not None:
+        if column.role in GRID_ROLES and grid is not None:
             lengths[column.role] = grid.unit(column.name, column.unit, path)
-        elif column.role in HEIGHTS:
+        elif column.role in HEIGHT_ROLES:
             lengths[column.role] = unit_of_heights(column.name, column.unit, grid, path)
     return lengths
 
@@ -368,9 +375,9 @@ def _require_unit_kind(path: Path, column: Column, kind: Literal["an angle", "a 
     InputError
     """
     if kind == "an angle":
-        fits = column.unit.removesuffix("-west").removesuffix("-south") in ANGLE_CODES
+        fits = column.unit.removesuffix("-west").removesuffix("-south") in ANGLE_UNIT_CODES
     else:
-        fits = column.unit in (UNSPECIFIED, *LENGTHS)
+        fits = column.unit in (UNSPECIFIED_UNIT, *METRES_PER_UNIT)
     if not fits:
         code = "trajectory.not_an_angle" if kind == "an angle" else "trajectory.not_a_length"
         raise InputError(error(code, file=str(path), column=column.name, unit=column.unit))
@@ -412,7 +419,7 @@ def _read_values(
             raise InputError(error(code, file=str(path), column=column.name))
     with np.errstate(over="ignore"):
         values = {
-            column.role: values * factors.get(column.role, PARSERS[column.unit][1])
+            column.role: values * factors.get(column.role, UNIT_PARSERS[column.unit][1])
             for column, values in zip(columns, table, strict=True)
         }
     return values, numbers
@@ -420,8 +427,8 @@ def _read_values(
 
 def _field_parser(column: Column) -> Callable[[str], float]:
     """Parser for a column, which refuses hemisphere letters of the other coordinate."""
-    parse = PARSERS[column.unit][0]
-    if column.role not in POSITION or parse is parse_number:
+    parse = UNIT_PARSERS[column.unit][0]
+    if column.role not in POSITION_ROLES or parse is parse_number:
         return parse
     return partial(
         parse_with_hemisphere, parse, letters="NS" if column.role == "latitude" else "EW"
@@ -436,13 +443,13 @@ def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -
     InputError
         If a value has both a sign and a hemisphere.
     """
-    for role, place in zip(HEMISPHERES, POSITION, strict=True):
+    for role, place in zip(HEMISPHERE_ROLES, POSITION_ROLES, strict=True):
         sign = values.pop(role, None)
         if sign is None:
             continue
-        twice = values[place] < 0
-        if twice.any():
-            row = int(numbers[int(np.argmax(twice))])
+        has_both = values[place] < 0
+        if has_both.any():
+            row = int(numbers[int(np.argmax(has_both))])
             raise InputError(
                 error("trajectory.sign_and_hemisphere", file=str(path), row=row, role=place)
             )

@@ -14,26 +14,28 @@ from lispac.survey.known_time_base import base_message
 from lispac.survey.line_source import printable
 from lispac.survey.time_base import base_of_key, plausible_bases
 from lispac.survey.time_quality import assess_times
-from lispac.survey.trajectory import LONGEST_GAP
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S
 
 Array = NDArray[np.float64]
 
-SHORTEST_STEP = 1e-6
+MIN_TIME_STEP_S = 1e-6
 """Smallest plausible time step, seconds; shorter steps indicate meaningless times."""
-MIN_SPEED = 0.3
+MIN_SPEED_FOR_COURSE = 0.3
 """Smallest speed for a meaningful course over ground, metres per second."""
 
-MAX_SPEED = 350.0
+MAX_CARRIER_SPEED = 350.0
 """Largest speed of any carrier of a survey, metres per second."""
 
-FASTEST_VESSEL = 60.0
+MAX_VESSEL_SPEED = 60.0
 """Largest plausible speed of a vessel, metres per second; beyond it a wrong unit is more likely."""
 
-MAX_CENTRES = 10_000
+MAX_VELOCITIES = 10_000
 """Largest number of states of a block used for velocities; of more states, every n-th."""
 
-SWAP_COORDINATES = Action("swap_coordinates", {"name": "order", "value": "longitude-latitude"})
-CHOOSE_TIME_BASE = Action("choose_time_base", {"name": "time"})
+SWAP_COORDINATES_ACTION = Action(
+    "swap_coordinates", {"name": "order", "value": "longitude-latitude"}
+)
+CHOOSE_TIME_BASE_ACTION = Action("choose_time_base", {"name": "time"})
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,24 +82,26 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
         empty = np.zeros(0)
         return TrajectoryMotion(np.zeros(0, dtype=np.int64), empty, empty, empty)
     with np.errstate(all="ignore"):
-        reach = min(0.25, float(time[-1] - time[0]) / 8)
-        index = np.arange(1, count - 1, 1 + count // MAX_CENTRES)
-        before = np.minimum(np.searchsorted(time, time[index] - reach), index - 1)
-        after = np.maximum(np.searchsorted(time, time[index] + reach, side="right") - 1, index + 1)
+        half_interval = min(0.25, float(time[-1] - time[0]) / 8)
+        index = np.arange(1, count - 1, 1 + count // MAX_VELOCITIES)
+        before = np.minimum(np.searchsorted(time, time[index] - half_interval), index - 1)
+        after = np.maximum(
+            np.searchsorted(time, time[index] + half_interval, side="right") - 1, index + 1
+        )
         after = np.minimum(after, count - 1)
         span = time[after] - time[before]
         sin = np.sin(latitude[index])
         root = np.sqrt(1 - ECCENTRICITY_SQUARED * sin**2)
         meridian = SEMI_MAJOR_AXIS * (1 - ECCENTRICITY_SQUARED) / root**3 + height[index]
         parallel = (SEMI_MAJOR_AXIS / root + height[index]) * np.cos(latitude[index])
-        turn = wrap_angle(longitude[after] - longitude[before])
+        longitude_change = wrap_angle(longitude[after] - longitude[before])
         north = (latitude[after] - latitude[before]) * meridian / span
-        east = turn * parallel / span
+        east = longitude_change * parallel / span
         up = (height[after] - height[before]) / span
         # The state has to be in the middle: in a turn, the velocity would differ otherwise.
         offset = np.abs((time[after] + time[before]) / 2 - time[index])
         sound = np.isfinite(north) & np.isfinite(east) & np.isfinite(up)
-        sound &= (span > 0) & (span < 2 * LONGEST_GAP) & (offset < 0.1 * span)
+        sound &= (span > 0) & (span < 2 * DEFAULT_LONGEST_GAP_S) & (offset < 0.1 * span)
     return TrajectoryMotion(index[sound], north[sound], east[sound], up[sound])
 
 
@@ -121,7 +125,7 @@ def trajectory_facts(
     """
     facts = span_facts(time)
     steps = np.diff(time)
-    steps = steps[(steps >= SHORTEST_STEP) & (steps <= LONGEST_GAP)]
+    steps = steps[(steps >= MIN_TIME_STEP_S) & (steps <= DEFAULT_LONGEST_GAP_S)]
     if len(steps):
         facts["Rate"] = note("fact.rate", rate=len(steps) / steps.sum())
     facts["Latitude"] = note("fact.geographic", low=latitude.min(), high=latitude.max())
@@ -163,7 +167,7 @@ def time_warnings(time: Array, base_key: str, file: str) -> tuple[Message, ...]:
         file_warnings.append(
             warning(
                 "trajectory.other_time_base", file=file, start=start, end=end, base=base_key,
-                bases=tuple(base.key for base in bases), actions=(CHOOSE_TIME_BASE,),
+                bases=tuple(base.key for base in bases), actions=(CHOOSE_TIME_BASE_ACTION,),
             )
         )  # fmt: skip
     else:
@@ -179,13 +183,13 @@ def time_warnings(time: Array, base_key: str, file: str) -> tuple[Message, ...]:
             file_warnings.append(
                 warning(
                     "times.several_bases", file=file, base=base_message(known), bases=others,
-                    actions=(CHOOSE_TIME_BASE,),
+                    actions=(CHOOSE_TIME_BASE_ACTION,),
                 )
             )  # fmt: skip
-    return (*file_warnings, *gap_warnings(time, LONGEST_GAP, file))
+    return (*file_warnings, *gap_warnings(time, DEFAULT_LONGEST_GAP_S, file))
 
 
-GAPS = "trajectory.gaps"
+GAPS_CODE = "trajectory.gaps"
 """Code of the warning about gaps."""
 
 
@@ -204,7 +208,7 @@ def gap_warnings(time: Array, longest_gap: float, file: str) -> tuple[Message, .
         return ()
     wide = int((steps > longest_gap).sum())
     longest = float(steps.max())
-    return (warning(GAPS, file=file, count=wide, limit=longest_gap, longest=longest),)
+    return (warning(GAPS_CODE, file=file, count=wide, limit=longest_gap, longest=longest),)
 
 
 def course_warnings(
@@ -225,19 +229,19 @@ def course_warnings(
         Name of the file.
     """
     speeds = np.concatenate([motion.speed for motion, _ in motions] or [np.zeros(0)])
-    fast = float(np.median(speeds)) if len(speeds) else 0.0
-    if fast > MAX_SPEED:
-        return (warning("trajectory.impossible_speed", file=file, speed=fast),)
+    median_speed = float(np.median(speeds)) if len(speeds) else 0.0
+    if median_speed > MAX_CARRIER_SPEED:
+        return (warning("trajectory.impossible_speed", file=file, speed=median_speed),)
     found: tuple[Message, ...] = ()
-    if fast > FASTEST_VESSEL:
-        found = (warning("trajectory.fast", file=file, speed=fast),)
-    elif len(speeds) and float(speeds.max()) > FASTEST_VESSEL:
+    if median_speed > MAX_VESSEL_SPEED:
+        found = (warning("trajectory.fast", file=file, speed=median_speed),)
+    elif len(speeds) and float(speeds.max()) > MAX_VESSEL_SPEED:
         largest = float(speeds.max())
-        found = (warning("trajectory.jumps", file=file, speed=fast, largest=largest),)
+        found = (warning("trajectory.jumps", file=file, speed=median_speed, largest=largest),)
     return (*found, *_heading_warnings(motions, headings, file))
 
 
-OTHER_UNIT, SAME_UNIT = np.radians(30.0), np.radians(10.0)
+CONTRADICTING_DIFFERENCE_RAD, CONFIRMING_DIFFERENCE_RAD = np.radians(30.0), np.radians(10.0)
 """Median differences of heading and course, radians: a larger one than the first contradicts the
 unit used, and a smaller one than the second confirms the other unit."""
 
@@ -263,7 +267,10 @@ def angle_unit_messages(
     )
     if len(own) < 20 or len(turned) < 20:
         return ()
-    if np.median(np.abs(own)) < OTHER_UNIT or np.median(np.abs(turned)) > SAME_UNIT:
+    if (
+        np.median(np.abs(own)) < CONTRADICTING_DIFFERENCE_RAD
+        or np.median(np.abs(turned)) > CONFIRMING_DIFFERENCE_RAD
+    ):
         return ()
     code = "trajectory.angles_in_radians" if unit == degree else "trajectory.angles_in_degrees"
     difference = float(np.median(np.abs(own)))
@@ -283,7 +290,7 @@ def _heading_warnings(
         return (warning("trajectory.too_slow", file=file),)
     own, exchanged = (float(np.median(np.abs(difference))) for difference in differences)
     if own > np.pi / 4 and exchanged < np.pi / 8 and exchanged < own / 3:
-        return (warning("trajectory.exchanged", file=file, actions=(SWAP_COORDINATES,)),)
+        return (warning("trajectory.exchanged", file=file, actions=(SWAP_COORDINATES_ACTION,)),)
     if own > 3 * np.pi / 4:
         return (warning("trajectory.heading_backward", file=file),)
     if own > np.pi / 4:
@@ -293,7 +300,7 @@ def _heading_warnings(
 
 def _heading_differences(motions: Sequence[TrajectoryMotion], headings: Sequence[Array]) -> Array:
     found = [
-        wrap_angle(motion.course - heading[motion.index])[motion.speed > MIN_SPEED]
+        wrap_angle(motion.course - heading[motion.index])[motion.speed > MIN_SPEED_FOR_COURSE]
         for motion, heading in zip(motions, headings, strict=True)
     ]
     return np.concatenate(found) if found else np.zeros(0)

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.files import file_kind_message, require_file
 from lispac.io.format_types import (
+    IMPOSSIBLE,
     LIKELY,
-    NOT,
     POSSIBLE,
     SURE,
     Choice,
@@ -21,10 +21,10 @@ from lispac.io.format_types import (
     FormatOption,
     Kind,
 )
-from lispac.io.text.text_table import SEPARATORS
+from lispac.io.text.text_table import SEPARATOR_NAMES
 from lispac.io.trajectory.ascii_trajectory import (
     ATTITUDE_CHOICES,
-    DEFAULTS,
+    DEFAULT_OPTIONS,
     LENGTH_CHOICES,
     POSITION_CHOICES,
     preview_ascii,
@@ -32,7 +32,7 @@ from lispac.io.trajectory.ascii_trajectory import (
     sniff_ascii,
 )
 from lispac.io.trajectory.cidco_states import (
-    ORIGIN,
+    ORIGIN_OPTION,
     preview_sigmas,
     preview_states,
     read_sigmas,
@@ -56,15 +56,15 @@ from lispac.io.trajectory.pospac_text import (
     sniff_pospac_accuracy,
 )
 from lispac.io.trajectory.sbet import (
-    AXES,
-    SMRMSG_RECORD,
+    SMRMSG_RECORD_BYTES,
+    VELOCITY_AXES,
     SbetOptions,
     is_smrmsg,
     read_sbet,
     read_smrmsg,
 )
 from lispac.io.trajectory.sbet_detection import (
-    RECORD,
+    RECORD_BYTES,
     detect_byte_order,
     detect_sbet,
     sbet_fit_at_end,
@@ -73,7 +73,7 @@ from lispac.io.trajectory.trajectory_preview import accuracy_facts, refusal_warn
 from lispac.language import N_
 from lispac.messages import Message, note, warning
 from lispac.survey.line_source import printable
-from lispac.survey.time_base import KEYS
+from lispac.survey.time_base import TIME_BASE_KEYS
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 SBET_COLUMNS = (
@@ -108,32 +108,32 @@ SMRMSG_COLUMNS = (
     N_("heading"),
 )
 
-PITCH = FormatOption(
+PITCH_OPTION = FormatOption(
     "pitch", N_("Direction of the bow for positive pitch."), ("bow-up", "bow-down"), "bow-up"
 )
-ROLL = FormatOption(
+ROLL_OPTION = FormatOption(
     "roll",
     N_("Side that is down for positive roll. Starboard down is port up."),
     ("starboard-down", "port-down"),
     "starboard-down",
 )
-TIME = FormatOption("time", N_("Time base."), KEYS, "gps-week")
+TIME_OPTION = FormatOption("time", N_("Time base."), TIME_BASE_KEYS, "gps-week")
 
 
 def _sniff_sbet(path: Path) -> float:
     try:
         size = Path(path).stat().st_size
     except OSError:
-        return NOT
-    if size < 2 * RECORD:
-        return NOT
+        return IMPOSSIBLE
+    if size < 2 * RECORD_BYTES:
+        return IMPOSSIBLE
     byte_order, fit = detect_byte_order(path)
     end = sbet_fit_at_end(path, byte_order)
     if fit == 1:
         # A truncated or padded file is still an SBET; its reader reports the error.
-        whole = size % RECORD == 0 and byte_order == "little-endian" and end == 1
+        whole = size % RECORD_BYTES == 0 and byte_order == "little-endian" and end == 1
         return SURE if whole else LIKELY
-    return POSSIBLE if min(fit, end) > 0 else NOT
+    return POSSIBLE if min(fit, end) > 0 else IMPOSSIBLE
 
 
 def _preview_sbet(path: Path, choice: Choice) -> FilePreview:
@@ -147,25 +147,25 @@ def _preview_sbet(path: Path, choice: Choice) -> FilePreview:
 
 
 def _read_sbet(path: Path, choice: Choice) -> Trajectory:
-    return read_sbet(path, SbetOptions(**SBET.resolved(choice)))
+    return read_sbet(path, SbetOptions(**SBET_FORMAT.resolved(choice)))
 
 
 def _first_smrmsg_records(path: Path) -> NDArray[np.float64]:
     try:
         with Path(path).open("rb") as file:
-            data = file.read(1000 * SMRMSG_RECORD)
+            data = file.read(1000 * SMRMSG_RECORD_BYTES)
     except OSError:
         return np.zeros((0, 10))
-    whole = len(data) // SMRMSG_RECORD * SMRMSG_RECORD
+    whole = len(data) // SMRMSG_RECORD_BYTES * SMRMSG_RECORD_BYTES
     return np.frombuffer(data[:whole], dtype="<f8").reshape(-1, 10)
 
 
 def _sniff_smrmsg(path: Path) -> float:
     head = _first_smrmsg_records(path)
     if not is_smrmsg(head):
-        # In the other byte order it is still an SBET; its reader reports the error.
-        return LIKELY if is_smrmsg(head.byteswap()) else NOT
-    return SURE if Path(path).stat().st_size % SMRMSG_RECORD == 0 else LIKELY
+        # In the other byte order it is still an smrmsg; its reader reports the error.
+        return LIKELY if is_smrmsg(head.byteswap()) else IMPOSSIBLE
+    return SURE if Path(path).stat().st_size % SMRMSG_RECORD_BYTES == 0 else LIKELY
 
 
 def _preview_smrmsg(path: Path, choice: Choice) -> FilePreview:
@@ -176,14 +176,14 @@ def _preview_smrmsg(path: Path, choice: Choice) -> FilePreview:
     file, kind = printable(path.name), file_kind_message("smrmsg")
     if not size:
         file_warnings.append(warning("file.empty", file=file, kind=kind))
-    elif rest := size % SMRMSG_RECORD:
+    elif rest := size % SMRMSG_RECORD_BYTES:
         file_warnings.append(
             warning(
-                "file.partial_record", file=file, kind=kind, size=size, record=SMRMSG_RECORD,
+                "file.partial_record", file=file, kind=kind, size=size, record=SMRMSG_RECORD_BYTES,
                 rest=rest,
             )
         )  # fmt: skip
-    facts: dict[str, Fact] = {"Records": size // SMRMSG_RECORD}
+    facts: dict[str, Fact] = {"Records": size // SMRMSG_RECORD_BYTES}
     if len(head) and not file_warnings:
         try:
             found, warnings = accuracy_facts(read_smrmsg(path), file)
@@ -223,7 +223,7 @@ def _make_format(
     return made
 
 
-SBET = _make_format(
+SBET_FORMAT = _make_format(
     note("format.sbet"),
     "sbet",
     "trajectory",
@@ -235,15 +235,15 @@ SBET = _make_format(
             ("minus-wander", "as-is"),
             "minus-wander",
         ),
-        PITCH,
-        ROLL,
+        PITCH_OPTION,
+        ROLL_OPTION,
         FormatOption(
             "axes",
             N_("Axes of the velocities. They are used to check the heading."),
-            ("unknown", *AXES),
+            ("unknown", *VELOCITY_AXES),
             "unknown",
         ),
-        TIME,
+        TIME_OPTION,
         FormatOption("unit", N_("Unit of all angles."), ("radians", "degrees"), "radians"),
         FormatOption(
             "order",
@@ -260,17 +260,17 @@ SBET = _make_format(
     _read_sbet,
 )
 
-GRID_SYSTEM = FormatOption(
+GRID_SYSTEM_OPTION = FormatOption(
     "crs",
     N_("Coordinate system of eastings and northings where there is no latitude (EPSG:...)."),
 )
 EXAIL_OPTIONS = (
-    FormatOption(PITCH.name, PITCH.meaning, PITCH.choices, "bow-down"),
-    ROLL,
-    FormatOption(TIME.name, TIME.meaning, TIME.choices, "unix"),
-    GRID_SYSTEM,
+    FormatOption(PITCH_OPTION.name, PITCH_OPTION.meaning, PITCH_OPTION.choices, "bow-down"),
+    ROLL_OPTION,
+    FormatOption(TIME_OPTION.name, TIME_OPTION.meaning, TIME_OPTION.choices, "unix"),
+    GRID_SYSTEM_OPTION,
 )
-EXAIL = _make_format(
+EXAIL_FORMAT = _make_format(
     note("format.exail"),
     "exail-text",
     "trajectory",
@@ -281,8 +281,8 @@ EXAIL = _make_format(
     read_exail,
 )
 
-POSPAC_OPTIONS = (TIME, GRID_SYSTEM)
-POSPAC = _make_format(
+POSPAC_OPTIONS = (TIME_OPTION, GRID_SYSTEM_OPTION)
+POSPAC_FORMAT = _make_format(
     note("format.pospac"),
     "pospac-text",
     "trajectory",
@@ -293,7 +293,7 @@ POSPAC = _make_format(
     read_pospac,
 )
 
-ASCII = _make_format(
+ASCII_FORMAT = _make_format(
     note("format.ascii"),
     "ascii-trajectory",
     "trajectory",
@@ -306,9 +306,9 @@ ASCII = _make_format(
                 "height, roll, pitch, heading; - skips a column."
             ),
             (),
-            DEFAULTS["columns"],
+            DEFAULT_OPTIONS["columns"],
         ),
-        FormatOption("separator", N_("Separator of the columns."), SEPARATORS, "auto"),
+        FormatOption("separator", N_("Separator of the columns."), SEPARATOR_NAMES, "auto"),
         FormatOption(
             "header",
             N_("Rows to skip at the beginning. auto: up to the first row of numbers."),
@@ -340,30 +340,30 @@ ASCII = _make_format(
             ),
             LENGTH_CHOICES,
         ),
-        PITCH,
-        ROLL,
+        PITCH_OPTION,
+        ROLL_OPTION,
         FormatOption(
             "heading", N_("North from which the heading counts."), ("true", "grid"), "true"
         ),
         FormatOption("crs", N_("Coordinate system of eastings and northings, such as EPSG:32619.")),
-        TIME,
+        TIME_OPTION,
     ),
     sniff_ascii,
     preview_ascii,
     read_ascii,
 )
 
-CIDCO_STATES = _make_format(
+CIDCO_STATES_FORMAT = _make_format(
     note("format.cidco_states"),
     "cidco-states",
     "trajectory",
     (),
-    (ORIGIN, TIME),
+    (ORIGIN_OPTION, TIME_OPTION),
     sniff_states,
     preview_states,
     read_states,
 )
-CIDCO_ACCURACY = _make_format(
+CIDCO_ACCURACY_FORMAT = _make_format(
     note("format.cidco_sigmas"),
     "cidco-sigmas",
     "accuracy",
@@ -374,7 +374,7 @@ CIDCO_ACCURACY = _make_format(
     read_sigmas,
 )
 
-SMRMSG = _make_format(
+SMRMSG_FORMAT = _make_format(
     note("format.smrmsg"),
     "smrmsg",
     "accuracy",
@@ -384,7 +384,7 @@ SMRMSG = _make_format(
     _preview_smrmsg,
     _read_smrmsg,
 )
-EXAIL_ACCURACY = _make_format(
+EXAIL_ACCURACY_FORMAT = _make_format(
     note("format.exail_sigmas"),
     "exail-sigmas",
     "accuracy",
@@ -394,7 +394,7 @@ EXAIL_ACCURACY = _make_format(
     preview_exail_accuracy,
     read_exail_accuracy,
 )
-POSPAC_ACCURACY = _make_format(
+POSPAC_ACCURACY_FORMAT = _make_format(
     note("format.pospac_sigmas"),
     "pospac-sigmas",
     "accuracy",

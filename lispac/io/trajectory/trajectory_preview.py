@@ -13,7 +13,7 @@ from lispac.io.format_types import Choice, Fact, FilePreview
 from lispac.io.text.text_table import encoding_of, is_data_row, last_lines, split_fields
 from lispac.io.text.units import UNITS
 from lispac.io.trajectory.trajectory_columns import (
-    SIGMAS,
+    SIGMA_ROLES,
     Column,
     Rows,
     TrajectoryConventions,
@@ -38,6 +38,7 @@ from lispac.survey.line_source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 HEAD_ROWS, TAIL_BYTES = 5000, 64 * 1024
+"""Rows at the beginning and bytes at the end of a file that are read for its preview."""
 
 
 @dataclass(frozen=True)
@@ -87,8 +88,8 @@ def preview_text(
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
     file_warnings = list(layout.file_warnings)
     if not is_complete(layout.columns):
-        lacking = missing_columns(path, layout.columns)
-        file_warnings.append(replace(lacking, level=Level.WARNING))
+        missing = missing_columns(path, layout.columns)
+        file_warnings.append(replace(missing, level=Level.WARNING))
         return FilePreview(facts, rows, choice, tuple(file_warnings))
     try:
         first = trajectory_of(path, iter(head), layout.columns, conventions, ())
@@ -166,7 +167,7 @@ def accuracy_facts(
     return facts, tuple(file_warnings)
 
 
-_SIGNS_ASSUMED = {
+_SIGN_ASSUMED_CODES = {
     ("roll", "starboard-down"): "trajectory.roll_starboard_down",
     ("roll", "port-down"): "trajectory.roll_port_down",
     ("pitch", "bow-up"): "trajectory.pitch_bow_up",
@@ -177,7 +178,7 @@ _SIGNS_ASSUMED = {
 
 def sign_assumed_warning(path: Path, angle: str, sign: str) -> Message:
     """Warning that a file does not specify the sign of roll or pitch."""
-    code, actions = _SIGNS_ASSUMED[angle, sign], (Action("check_sign", {"name": angle}),)
+    code, actions = _SIGN_ASSUMED_CODES[angle, sign], (Action("check_sign", {"name": angle}),)
     return Message(code, Level.WARNING, {"file": printable(path.name)}, actions=actions)
 
 
@@ -188,7 +189,7 @@ def refusal_warning(refused: InputError, path: Path) -> Message:
 
 def has_sigmas(columns: Sequence[Column]) -> bool:
     """True if the columns contain all six standard deviations."""
-    return {column.role for column in columns}.issuperset(SIGMAS)
+    return {column.role for column in columns}.issuperset(SIGMA_ROLES)
 
 
 def _with_last_rows(
@@ -203,8 +204,8 @@ def _with_last_rows(
         return first, []
     tail = list(_last_rows(path, layout))
     # In a short file, the last rows overlap the first ones.
-    seen = [k for k, (_, fields) in enumerate(tail) if fields == head[-1][1]]
-    rows = chain(head, tail[seen[-1] + 1 :] if seen else tail)
+    repeated = [k for k, (_, fields) in enumerate(tail) if fields == head[-1][1]]
+    rows = chain(head, tail[repeated[-1] + 1 :] if repeated else tail)
     try:
         return trajectory_of(path, rows, layout.columns, conventions, ()), []
     except InputError:

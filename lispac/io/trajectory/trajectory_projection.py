@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.text.units import FOOT, LENGTH_NAMES, UNITS, US_FOOT
+from lispac.io.text.units import INTERNATIONAL_FOOT_M, LENGTH_UNIT_NAMES, UNITS, US_SURVEY_FOOT_M
 from lispac.messages import Message, error, note, warning
 from lispac.survey.crs_area import area_of_use_elsewhere
 from lispac.survey.line_source import printable
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-LENGTHS = {code: unit.si for code, unit in UNITS.items() if unit.kind == "length"}
+METRES_PER_UNIT = {code: unit.si for code, unit in UNITS.items() if unit.kind == "length"}
 """Metres in each unit; ``ft`` are feet of unspecified kind."""
-UNSPECIFIED = ""
+UNSPECIFIED_UNIT = ""
 """Code for a length whose unit is not specified in the file."""
 
 
@@ -73,20 +73,22 @@ class TrajectoryProjection:
 
     def unit(self, name: str, title_unit: str, path: Path) -> LengthUnit:
         """Unit of a column of eastings or northings called ``name``."""
-        if title_unit == UNSPECIFIED:
+        if title_unit == UNSPECIFIED_UNIT:
             return LengthUnit(self.metres, note("unit.as_in_system", unit=self.name))
         if title_unit == "ft" and self.in_feet:
             return LengthUnit(self.metres, note("unit.feet_of_system", unit=self.name))
         if title_unit == "ft":
             return LengthUnit(
-                LENGTHS["ft"],
-                LENGTH_NAMES[LENGTHS["ft"]],
+                METRES_PER_UNIT["ft"],
+                LENGTH_UNIT_NAMES[METRES_PER_UNIT["ft"]],
                 warning(
                     "trajectory.feet_not_specified", file=printable(path.name), column=name,
                     system=self.text, unit=self.name,
                 ),
             )  # fmt: skip
-        return LengthUnit(LENGTHS[title_unit], LENGTH_NAMES[LENGTHS[title_unit]])
+        return LengthUnit(
+            METRES_PER_UNIT[title_unit], LENGTH_UNIT_NAMES[METRES_PER_UNIT[title_unit]]
+        )
 
     def place_warning(self, path: Path, latitude: Array, longitude: Array) -> Message | None:
         """Warning if positions are outside the area of use of the system.
@@ -167,7 +169,8 @@ def projection_of_text(path: Path, text: str) -> TrajectoryProjection:
         horizontal,
         across.unit_conversion_factor,
         _unit_name(across.unit_conversion_factor, across.unit_name),
-        "foot" in across.unit_name or across.unit_conversion_factor in (FOOT, US_FOOT),
+        "foot" in across.unit_name
+        or across.unit_conversion_factor in (INTERNATIONAL_FOOT_M, US_SURVEY_FOOT_M),
         up[0].unit_conversion_factor if up else None,
         _unit_name(up[0].unit_conversion_factor, up[0].unit_name) if up else None,
     )
@@ -178,7 +181,7 @@ def unit_of_heights(
 ) -> LengthUnit:
     """Unit of a column of heights called ``name``; metres by default."""
     own = None if grid is None else grid.height_metres
-    if title_unit == UNSPECIFIED:
+    if title_unit == UNSPECIFIED_UNIT:
         if grid is not None and own is not None and grid.height_name is not None:
             return LengthUnit(own, note("unit.as_in_system", unit=grid.height_name))
         reported = None
@@ -190,11 +193,11 @@ def unit_of_heights(
         return LengthUnit(1.0, note("unit.metres_assumed"), reported)
     if title_unit == "ft" and grid is not None and grid.in_feet:
         return LengthUnit(grid.metres, note("unit.feet_of_system", unit=grid.name))
-    return LengthUnit(LENGTHS[title_unit], LENGTH_NAMES[LENGTHS[title_unit]])
+    return LengthUnit(METRES_PER_UNIT[title_unit], LENGTH_UNIT_NAMES[METRES_PER_UNIT[title_unit]])
 
 
 def _unit_name(metres: float, name: str) -> Message:
-    near = [known for si, known in LENGTH_NAMES.items() if abs(metres / si - 1) < 1e-9]
+    near = [known for si, known in LENGTH_UNIT_NAMES.items() if abs(metres / si - 1) < 1e-9]
     return near[0] if near else note("unit.other", name=name, metres=metres)
 
 

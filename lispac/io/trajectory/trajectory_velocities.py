@@ -12,18 +12,18 @@ import numpy as np
 from lispac.errors import InputError
 from lispac.io.text.text_table import parse_number, read_columns
 from lispac.io.trajectory.trajectory_columns import Column
-from lispac.io.trajectory.trajectory_facts import MIN_SPEED, TrajectoryMotion
-from lispac.io.trajectory.trajectory_projection import LENGTHS
+from lispac.io.trajectory.trajectory_facts import MIN_SPEED_FOR_COURSE, TrajectoryMotion
+from lispac.io.trajectory.trajectory_projection import METRES_PER_UNIT
 from lispac.messages import Level, Message, Value
 from lispac.survey.line_source import printable
 
-_NAMES = {
+_VELOCITY_COLUMN_NAMES = {
     "east_velocity": ("eastvelocity", "velocityeast", "eastvel", "veleast", "veast", "ve"),
     "north_velocity": ("northvelocity", "velocitynorth", "northvel", "velnorth", "vnorth", "vn"),
 }
 SPEED_TOLERANCE = 0.05
 """Largest accepted deviation from 1 of the median ratio of both speeds."""
-FOOT = 0.3048
+FOOT_M = 0.3048
 """Metres; US survey feet do not differ within `SPEED_TOLERANCE`."""
 
 
@@ -37,7 +37,7 @@ def velocity_columns(names: Sequence[str], units: Sequence[str]) -> tuple[Column
     """
     bare = ["".join(c for c in name.lower() if c.isalnum()) for name in names]
     found = []
-    for role, known in _NAMES.items():
+    for role, known in _VELOCITY_COLUMN_NAMES.items():
         index = next((k for k, name in enumerate(bare) if name in known), None)
         if index is None:
             return ()
@@ -59,13 +59,13 @@ def speed_warnings(
         (east, north), _ = read_columns(path, iter(rows), columns)
     except InputError:
         return ()  # columns that are not used may have any content
-    factor = LENGTHS.get(velocities[0].unit)
+    factor = METRES_PER_UNIT.get(velocities[0].unit)
     recorded = np.hypot(east, north)[motion.index] * (factor or 1.0)
-    moving = recorded > MIN_SPEED
+    moving = recorded > MIN_SPEED_FOR_COURSE
     if np.count_nonzero(moving) < 20:
         return ()
     ratio = float(np.median(motion.speed[moving] / recorded[moving]))
-    by_feet = min(abs(ratio / FOOT - 1), abs(ratio * FOOT - 1)) < SPEED_TOLERANCE
+    by_feet = min(abs(ratio / FOOT_M - 1), abs(ratio * FOOT_M - 1)) < SPEED_TOLERANCE
     # Velocities in an unknown unit may be in knots; only feet and metres can be distinguished.
     if abs(ratio - 1) <= SPEED_TOLERANCE or (factor is None and not by_feet):
         return ()

@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 Axes = tuple[str, str, str]
 """Directions of X, Y and Z."""
 
-_DIRECTIONS: dict[str, tuple[int, int, int]] = {
+_DIRECTION_VECTORS: dict[str, tuple[int, int, int]] = {
     N_("forward"): (1, 0, 0),
     N_("aft"): (-1, 0, 0),
     N_("port"): (0, 1, 0),
@@ -21,14 +21,14 @@ _DIRECTIONS: dict[str, tuple[int, int, int]] = {
     N_("up"): (0, 0, 1),
     N_("down"): (0, 0, -1),
 }
-DIRECTIONS = tuple(_DIRECTIONS)
+DIRECTIONS = tuple(_DIRECTION_VECTORS)
 
 FORWARD_PORT_UP: Axes = ("forward", "port", "up")
-"""The axes of this program, of the body as of the scanner."""
+"""Axes of the body frame and of the LiDAR frame of this program."""
 
 
 def axes_matrix(axes: Axes) -> Array:
-    """Matrix that turns coordinates forward, port, up into those along ``axes``.
+    """Matrix that converts coordinates forward, port, up to coordinates along ``axes``.
 
     Parameters
     ----------
@@ -42,19 +42,19 @@ def axes_matrix(axes: Axes) -> Array:
     Raises
     ------
     InputError
-        If a word is not a direction, or two axes lie on one line.
+        If a word is not a direction, or two axes are parallel or opposite.
     """
     for word in axes:
-        if word not in _DIRECTIONS:
+        if word not in _DIRECTION_VECTORS:
             raise InputError(error("survey.unknown_direction", word=word, directions=DIRECTIONS))
-    matrix = np.array([_DIRECTIONS[word] for word in axes], dtype=float)
+    matrix = np.array([_DIRECTION_VECTORS[word] for word in axes], dtype=float)
     if abs(np.linalg.det(matrix)) < 0.5:
         raise InputError(error("survey.axes_not_spanning", axes=axes))
     return matrix
 
 
 def nearest_axes(rotation: Array) -> Axes:
-    """The directions of the vessel that a frame's axes are nearest to.
+    """Directions on the vessel that are nearest to the axes of a frame.
 
     Parameters
     ----------
@@ -64,15 +64,15 @@ def nearest_axes(rotation: Array) -> Axes:
     Returns
     -------
     three words of `DIRECTIONS`
-        Right-handed for a right-handed frame.
+        Always right-handed.
     """
-    # The best of the 24 right-handed choices as a whole: axis by axis two of them could fall on
-    # the same direction of a frame mounted askew.
+    # The best of all 24 right-handed choices. If each axis were chosen separately, two axes of an
+    # oblique frame could get the same direction.
     best: Axes = FORWARD_PORT_UP
     best_score = -np.inf
     for x in DIRECTIONS:
         for y in DIRECTIONS:
-            if abs(np.dot(_DIRECTIONS[x], _DIRECTIONS[y])) > 0:
+            if abs(np.dot(_DIRECTION_VECTORS[x], _DIRECTION_VECTORS[y])) > 0:
                 continue
             axes = complete_axes(x, y)
             score = float(np.trace(axes_matrix(axes) @ rotation))
@@ -82,16 +82,16 @@ def nearest_axes(rotation: Array) -> Axes:
 
 
 def complete_axes(x: str, y: str) -> Axes:
-    """The right-handed axes whose first two are given.
+    """Right-handed axes with the given directions of X and Y.
 
     Raises
     ------
     InputError
-        If the two lie on one line.
+        If X and Y are parallel or opposite.
     """
-    across = np.cross(_DIRECTIONS[x], _DIRECTIONS[y])
+    normal = np.cross(_DIRECTION_VECTORS[x], _DIRECTION_VECTORS[y])
     for z in DIRECTIONS:
-        if np.array_equal(_DIRECTIONS[z], across):
+        if np.array_equal(_DIRECTION_VECTORS[z], normal):
             return x, y, z
     raise InputError(
         error("survey.axes_on_one_line", x=direction_message(x), y=direction_message(y))
@@ -106,6 +106,7 @@ DIRECTION_CODES = {
     "up": "survey.direction_up",
     "down": "survey.direction_down",
 }
+"""Code of the message that names each direction."""
 
 
 def direction_message(word: str) -> Message:
@@ -114,6 +115,6 @@ def direction_message(word: str) -> Message:
 
 
 def axes_text(axes: Sequence[str]) -> LazyText:
-    """``X forward, Y starboard, Z down``."""
+    """Text of axes, such as ``X forward, Y starboard, Z down``."""
     x, y, z = map(gettext_lazy, axes)
     return gettext_lazy("X {x}, Y {y}, Z {z}", x=x, y=y, z=z)

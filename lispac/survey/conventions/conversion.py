@@ -1,4 +1,4 @@
-"""A boresight and a lever arm between this program and another, as angles and as matrices."""
+"""Conversion of boresight and lever arm between this program and others, as angles or matrices."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -17,16 +17,23 @@ from lispac.survey.conventions.axes import (
     direction_message,
     nearest_axes,
 )
-from lispac.survey.conventions.systems import LISPAC, SCANNER_WORDS, Convention, Scanner, Status
+from lispac.survey.conventions.systems import (
+    LISPAC_CONVENTION,
+    SCANNER_WORDS,
+    Convention,
+    Scanner,
+    Status,
+)
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-LOCKED = 1e-8
+GIMBAL_LOCK_COSINE = 1e-8
 """Cosine of the middle angle below which the two outer angles are not separable."""
-NEARLY_LOCKED = np.cos(np.radians(80.0))
-ORTHOGONAL = 5e-6
-"""Largest deviation of a typed matrix from a rotation: rounding to six decimals."""
+NEAR_GIMBAL_LOCK_COSINE = np.cos(np.radians(80.0))
+"""Cosine of the middle angle below which the two outer angles are almost not separable."""
+ORTHOGONALITY_TOLERANCE = 5e-6
+"""Largest element of M Mᵀ - I for a typed matrix M, which may be rounded to six decimals."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +43,8 @@ class ConventionSetup:
     Attributes
     ----------
     body_axes : directions of the system's body axes, if they differ from its convention
-    scanner : rule for its scanner axes relative to the raw points, if it differs from the default
+    scanner : rule for its scanner axes relative to the raw points, if it differs from the
+        convention
     mounting : nominal directions of the raw scanner axes, for a system with a mounting; None for
         the axes nearest to the boresight, or forward, port, up if the boresight is unknown
     """
@@ -89,7 +97,7 @@ class ConventionSetup:
         Raises
         ------
         InputError
-            If the raw scanner axes are kept but the body axes are left-handed.
+            If the scanner axes are kept or mounted, but the body axes are left-handed.
         """
         if self.scanner_frame == "turned":
             return self.permutation
@@ -108,7 +116,7 @@ class ConventionSetup:
         Parameters
         ----------
         rotation_body_lidar : ndarray of shape (3, 3), optional
-            Where it is known; its nearest axes are taken.
+            If known; the directions nearest to its axes are used.
         """
         if self.mounting is not None:
             return self.mounting
@@ -117,15 +125,15 @@ class ConventionSetup:
     @property
     def assumption(self) -> LazyText | None:
         """Assumption about the system, shown with every number."""
-        found = [gettext_lazy(self.convention.assumption)] if self.convention.assumption else []
+        sentences = [gettext_lazy(self.convention.assumption)] if self.convention.assumption else []
         if not self.is_as_documented:
-            found.append(
+            sentences.append(
                 gettext_lazy("The given axes differ from the documentation of the program.")
             )
         if self.convention.open_axes and self.body_axes is None:
             axes = axes_text(self.axes)
-            found.append(gettext_lazy("No axes were given: {axes} is assumed.", axes=axes))
-        return join_sentences(found) if found else None
+            sentences.append(gettext_lazy("No axes were given: {axes} is assumed.", axes=axes))
+        return join_sentences(sentences) if sentences else None
 
     def scanner_axes(self, rotation_body_lidar: Array) -> LazyText:
         """Assumption about the scanner's axes.
@@ -134,11 +142,11 @@ class ConventionSetup:
         ----------
         rotation_body_lidar : ndarray of shape (3, 3)
         """
-        found = [gettext_lazy(SCANNER_WORDS[self.scanner_frame])]
+        sentences = [gettext_lazy(SCANNER_WORDS[self.scanner_frame])]
         if self.scanner_frame == "mounted":
             axes = axes_text(self.nominal_axes(rotation_body_lidar))
-            found.append(gettext_lazy("Mounting used: scanner axes {axes}.", axes=axes))
-        return join_sentences(found)
+            sentences.append(gettext_lazy("Mounting used: scanner axes {axes}.", axes=axes))
+        return join_sentences(sentences)
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,16 +155,17 @@ class MountingInSystem:
 
     Attributes
     ----------
-    angles : ndarray of shape (3,), radians, in the order the system types them; None where it
-        takes a matrix only
+    angles : ndarray of shape (3,), radians, in the order of the input fields of the system; None if
+        it takes a matrix only
     lever_arm : ndarray of shape (3,), metres, body axes of the system
     rotation : ndarray of shape (3, 3)
-        The product of the angles; for a system without angles, scanner to body.
+        Product of the angles; for a system without angles, scanner to body.
     transform : ndarray of shape (4, 4)
-        Scanner to body coordinates of the system, lever arm included; from the raw scanner axes
-        where they are kept or mounted, else from the turned ones.
-    sigmas : ndarray of shape (3,), radians, of the angles; None where unknown or not to be had
-    note : what the user has to know about the angles
+        From scanner to body coordinates of the system, including the lever arm. The scanner axes
+        are those of the raw points if they are kept or mounted, otherwise those with the names of
+        the body axes.
+    sigmas : ndarray of shape (3,), radians, of the angles; None if unknown or at a gimbal lock
+    note : message on the angles near a gimbal lock
     """
 
     setup: ConventionSetup
@@ -169,11 +178,11 @@ class MountingInSystem:
 
 
 def rotation_of_angles(convention: Convention, angles: Array) -> Array:
-    """The matrix product of a system's angles, shape (3, 3), no unit.
+    """Matrix product of the angles of a system, shape (3, 3), no unit.
 
     Parameters
     ----------
-    angles : ndarray of shape (3,), radians, in the order the system types them
+    angles : ndarray of shape (3,), radians, in the order of `Convention.turns`
     """
     product = np.eye(3)
     for k in convention.order:
@@ -183,7 +192,7 @@ def rotation_of_angles(convention: Convention, angles: Array) -> Array:
 
 
 def angles_of_rotation(convention: Convention, rotation: Array) -> tuple[Array, Message | None]:
-    """Angles whose product is ``rotation``, and a message on them.
+    """Angles with the product ``rotation``, and a message on them.
 
     Parameters
     ----------
@@ -191,33 +200,33 @@ def angles_of_rotation(convention: Convention, rotation: Array) -> tuple[Array, 
 
     Returns
     -------
-    ndarray of shape (3,), radians, in the order the system types them
-        The middle factor in [-pi/2, pi/2], the outer ones in (-pi, pi].
+    ndarray of shape (3,), radians, in the order of `Convention.turns`
+        The middle factor in [-pi/2, pi/2], the outer ones in [-pi, pi].
     Message or None
-        Where the middle angle is near 90 deg.
+        If the middle angle is within 10 deg of ±90 deg.
     """
     first, middle, last = (convention.turns[k] for k in convention.order)
     i, j, k = first.axis, middle.axis, last.axis
-    even = 1.0 if (j - i) % 3 == 1 else -1.0
+    parity = 1.0 if (j - i) % 3 == 1 else -1.0
     cosine = float(np.hypot(rotation[i, i], rotation[i, j]))
     names: dict[str, Any] = {
         "first": first.title, "middle": middle.title, "last": last.title,
     }  # fmt: skip
     message: Message | None = None
-    if cosine < LOCKED:
+    if cosine < GIMBAL_LOCK_COSINE:
         # Both outer rotations are about the same axis: only their sum is determined.
-        a = np.arctan2(even * rotation[k, j], rotation[j, j])
-        pole = 90 if even * middle.sign * rotation[i, k] > 0 else -90
+        a = np.arctan2(parity * rotation[k, j], rotation[j, j])
+        pole = 90 if parity * middle.sign * rotation[i, k] > 0 else -90
         message = note("convention.gimbal_lock", angle=np.radians(pole), **names)
     else:
-        a = np.arctan2(-even * rotation[j, k], rotation[k, k])
-        if cosine < NEARLY_LOCKED:
+        a = np.arctan2(-parity * rotation[j, k], rotation[k, k])
+        if cosine < NEAR_GIMBAL_LOCK_COSINE:
             message = note("convention.near_gimbal_lock", **names)
-    # The others from what is left after the first turn: so the product is exact even where the
-    # first angle itself is uncertain.
+    # The other angles are those of the rotation that remains after the first one. The product is
+    # therefore exact even if the first angle itself is uncertain.
     rest = _rotation_about_axis(i, float(a)).T @ rotation
-    b = np.arctan2(even * rest[i, k], rest[k, k])
-    c = np.arctan2(even * rest[j, i], rest[j, j]) if cosine >= LOCKED else 0.0
+    b = np.arctan2(parity * rest[i, k], rest[k, k])
+    c = np.arctan2(parity * rest[j, i], rest[j, j]) if cosine >= GIMBAL_LOCK_COSINE else 0.0
     angles = np.empty(3)
     for place, turn, value in zip(convention.order, (first, middle, last), (a, b, c), strict=True):
         # Negative zeros are written as 0.
@@ -233,7 +242,8 @@ def convert_to_system(
     Parameters
     ----------
     covariance : ndarray of shape (3, 3), radians squared
-        Of roll, pitch and yaw in this program; turned through the Jacobian of the conversion.
+        Of roll, pitch and yaw in this program. It is propagated with the Jacobian of the
+        conversion, but not used for a mounting with nominal axes.
     """
     convention, rotation = setup.convention, mounting.rotation_body_lidar
     if mounting.axes is not None:  # the covariance is that of a rotation about the body axes
@@ -264,30 +274,30 @@ def convert_from_system(setup: ConventionSetup, rotation: Array, lever_arm: Arra
     Parameters
     ----------
     rotation : ndarray of shape (3, 3)
-        What the system's angles multiply to (`rotation_of_angles`); for a system without angles,
+        Product of the angles of the system (`rotation_of_angles`); for a system without angles,
         scanner to body.
     lever_arm : ndarray of shape (3,), metres, body axes of the system
     """
     coordinates = rotation if setup.convention.direction == "lidar_to_body" else rotation.T
     body_lidar = setup.permutation.T @ coordinates @ setup.scanner_matrix()
-    boresight, _ = angles_of_rotation(LISPAC, body_lidar)
+    boresight, _ = angles_of_rotation(LISPAC_CONVENTION, body_lidar)
     return Mounting(setup.permutation.T @ np.asarray(lever_arm, dtype=float), boresight)
 
 
 def mounting_of_angles(setup: ConventionSetup, angles: Array, lever_arm: Array) -> Mounting:
-    """The mounting in this program of angles and lever arm of another.
+    """Mounting of this program from the angles and the lever arm of another system.
 
     Parameters
     ----------
     angles : ndarray of shape (3,), radians
-        In the order the system types them.
+        In the order of `Convention.turns`.
     lever_arm : ndarray of shape (3,), metres
-        On the body axes of the system.
+        Along the body axes of the system.
 
     Raises
     ------
     InputError
-        If the system is not offered as angles.
+        If the system takes a matrix only.
     """
     require_angles(setup.convention)
     return convert_from_system(setup, rotation_of_angles(setup.convention, angles), lever_arm)
@@ -305,9 +315,9 @@ def require_angles(convention: Convention) -> None:
 
 
 def require_rotation(matrix: Array) -> Array:
-    """Rotation, shape (3, 3), nearest to a typed matrix, which is rounded to some decimals.
+    """Rotation, shape (3, 3), nearest to a typed matrix, whose elements may be rounded.
 
-    It follows from the singular value decomposition (Schönemann 1966).
+    It is computed by the singular value decomposition (Schönemann 1966).
 
     Parameters
     ----------
@@ -316,13 +326,14 @@ def require_rotation(matrix: Array) -> Array:
     Raises
     ------
     InputError
-        If the matrix is a reflection, or is not orthogonal to six decimals.
+        If the matrix is a reflection, is not orthogonal to six decimals, or has another shape or
+        values that are not finite.
     """
     if matrix.shape != (3, 3) or not np.isfinite(matrix).all():
         raise InputError(error("survey.matrix_shape"))
-    off = float(np.abs(matrix @ matrix.T - np.eye(3)).max())
-    if off > ORTHOGONAL:
-        raise InputError(error("survey.not_a_rotation", deviation=off))
+    deviation = float(np.abs(matrix @ matrix.T - np.eye(3)).max())
+    if deviation > ORTHOGONALITY_TOLERANCE:
+        raise InputError(error("survey.not_a_rotation", deviation=deviation))
     if np.linalg.det(matrix) < 0:
         raise InputError(error("survey.matrix_mirrors"))
     left, _, right = np.linalg.svd(matrix)
@@ -330,45 +341,46 @@ def require_rotation(matrix: Array) -> Array:
 
 
 def angle_jacobian(setup: ConventionSetup, boresight: Array) -> Array | None:
-    """Derivatives of a system's angles by roll, pitch and yaw of this program.
+    """Derivatives of a system's angles with respect to roll, pitch and yaw of this program.
 
     Parameters
     ----------
-    boresight : ndarray of shape (3,), radians, this program's
+    boresight : ndarray of shape (3,), radians, roll, pitch and yaw of this program
 
     Returns
     -------
-    ndarray of shape (3, 3), no unit, or None where the system's outer angles are not distinguished
+    ndarray of shape (3, 3), no unit; None if the outer angles of the system are not separable
     """
     mounting = Mounting(np.zeros(3), boresight)
     rotation = mounting.rotation_body_lidar
     convention = setup.convention
     matrix = setup.permutation @ rotation @ setup.scanner_matrix(rotation).T
-    # A small turn of the body-side axes; a left-handed permutation also turns it round.
+    # Small rotation vector in the body axes of the system; a left-handed permutation reverses it.
     turn = (
         np.linalg.det(setup.permutation)
         * setup.permutation
-        @ angle_to_turn_jacobian(LISPAC, boresight)
+        @ angle_to_turn_jacobian(LISPAC_CONVENTION, boresight)
     )
     if convention.direction == "body_to_lidar":
         matrix, turn = matrix.T, -matrix.T @ turn
     angles, _ = angles_of_rotation(convention, matrix)
     axes = angle_to_turn_jacobian(convention, angles)
-    if abs(np.linalg.det(axes)) < LOCKED:
+    if abs(np.linalg.det(axes)) < GIMBAL_LOCK_COSINE:
         return None
     return np.linalg.solve(axes, turn)
 
 
 def angle_to_turn_jacobian(convention: Convention, angles: Array) -> Array:
-    """Jacobian of the small rotation by the angles, shape (3, 3), no unit.
+    """Derivatives of the small rotation vector with respect to the angles.
 
     Parameters
     ----------
-    angles : ndarray of shape (3,), radians, in the order the system types them
+    angles : ndarray of shape (3,), radians, in the order of `Convention.turns`
 
     Returns
     -------
-    ndarray of shape (3, 3), a column for each angle
+    ndarray of shape (3, 3), no unit
+        One column for each angle.
     """
     columns = np.empty((3, 3))
     before = np.eye(3)

@@ -14,13 +14,13 @@ from lispac.survey.conventions.conversion import (
     require_angles,
     rotation_of_angles,
 )
-from lispac.survey.conventions.systems import LISPAC, Convention
+from lispac.survey.conventions.systems import LISPAC_CONVENTION, Convention
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-SUM_MATTERS = float(np.radians(0.0005))
-"""Difference in radians (1 mm at 100 m) below which a sum of angles may replace the product."""
+SUM_TOLERANCE_RAD = float(np.radians(0.0005))
+"""Largest error of a sum of angles that may replace the product of rotations: 1 mm at 100 m."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,15 +30,16 @@ class BoresightCorrection:
     Attributes
     ----------
     current_rotation : ndarray of shape (3, 3)
-        Product of the current settings.
+        Product of the current angles.
     rotation : ndarray of shape (3, 3)
-        ``rotation @ current_rotation`` is the product of the new settings.
-    current, new : ndarray of shape (3,), radians, in the order the system types them
-        None where it takes a matrix only.
+        ``rotation @ current_rotation`` is the product of the new angles.
+    current, new : ndarray of shape (3,), radians, in the order of `Convention.turns`
+        None for a program that takes a matrix only.
     correction : ndarray of shape (3,), radians
-        Angles of ``rotation`` in the same convention; None likewise.
+        Angles of ``rotation`` in the same convention; None for a program that takes a matrix only.
     sum_error : float, radians
-        Turn by which ``current + correction`` would miss the new settings; 0 likewise.
+        Angle between the rotations of ``current + correction`` and of ``new``; 0 for a program that
+        takes a matrix only.
     """
 
     current_rotation: Array
@@ -56,15 +57,15 @@ def correct_boresight(
 
     Parameters
     ----------
-    current : ndarray of shape (3,), radians, in the order the system types them
+    current : ndarray of shape (3,), radians, in the order of `Convention.turns`
         Or their product, of shape (3, 3).
     target_boresight : ndarray of shape (3, 3)
-        The product of the new angles, as `MountingInSystem.rotation` holds it.
+        Product of the new angles, see `MountingInSystem.rotation`.
 
     Raises
     ------
     InputError
-        If the system is not offered as angles and these are given.
+        If ``current`` contains angles, but the system takes a matrix only.
     """
     current_rotation = _angle_product(convention, current)
     rotation = target_boresight @ current_rotation.T
@@ -75,8 +76,8 @@ def correct_boresight(
     new, _ = angles_of_rotation(convention, target_boresight)
     correction, _ = angles_of_rotation(convention, rotation)
     summed = rotation_of_angles(convention, current + correction)
-    off = angle_between_rotations(summed, target_boresight)
-    return BoresightCorrection(current_rotation, rotation, current, new, correction, off)
+    sum_error = angle_between_rotations(summed, target_boresight)
+    return BoresightCorrection(current_rotation, rotation, current, new, correction, sum_error)
 
 
 def _angle_product(convention: Convention, current: Array) -> Array:
@@ -89,45 +90,46 @@ def _angle_product(convention: Convention, current: Array) -> Array:
 def add_to_applied_boresight(
     setup: ConventionSetup, current: Array, estimated: Mounting, covariance: Array | None = None
 ) -> tuple[Mounting, Array | None]:
-    """Whole boresight of lines already turned by the current settings.
+    """Total boresight of lines that are already rotated by the current settings.
 
     The axes of such lines are parallel to the body axes except for the error of these settings. The
     boresight estimated from them is this error; its rotation is multiplied from the left.
 
     Parameters
     ----------
-    current : ndarray of shape (3,), radians, in the order the system types them
+    current : ndarray of shape (3,), radians, in the order of `Convention.turns`
         Or their product, of shape (3, 3).
     estimated : Mounting
-        Of the lines as they were given to this program.
-    covariance : ndarray of shape (3, 3), radians squared, of the boresight found
+        Estimated from the rotated lines.
+    covariance : ndarray of shape (3, 3), radians squared, of the estimated boresight
 
     Returns
     -------
     Mounting
         Of the raw scanner, with the lever arm of ``estimated``.
-    ndarray of shape (3, 3), or None
+    ndarray of shape (3, 3), radians squared, or None
         Covariance of its boresight.
     """
     current_rotation = _angle_product(setup.convention, current)
     old = convert_from_system(setup, current_rotation, np.zeros(3)).rotation_body_lidar
     remainder = estimated.rotation_body_lidar
-    # The exported lines may use any axes along the body's, such as forward, starboard, down.
+    # The axes of the rotated lines may be any directions of the body, such as forward, starboard,
+    # down.
     rotation = remainder @ axes_matrix(nearest_axes(remainder)) @ old
-    whole = estimated.with_boresight(angles_of_rotation(LISPAC, rotation)[0])
+    whole = estimated.with_boresight(angles_of_rotation(LISPAC_CONVENTION, rotation)[0])
     if covariance is None:
         return whole, None
     jacobian = np.linalg.solve(
-        angle_to_turn_jacobian(LISPAC, whole.boresight),
-        angle_to_turn_jacobian(LISPAC, estimated.boresight),
+        angle_to_turn_jacobian(LISPAC_CONVENTION, whole.boresight),
+        angle_to_turn_jacobian(LISPAC_CONVENTION, estimated.boresight),
     )
     return whole, jacobian @ covariance @ jacobian.T
 
 
 def angle_between_rotations(one: Array, other: Array) -> float:
-    """The angle of the rotation that leads from one to the other, both of shape (3, 3), radians."""
+    """Angle, radians, of the rotation from ``one`` to ``other``, both of shape (3, 3)."""
     difference = one @ other.T
-    # From the skew part, because the arc cosine loses half the digits of a small angle.
+    # From the skew-symmetric part, because the arc cosine loses half the digits of a small angle.
     skew = np.array(
         [
             difference[2, 1] - difference[1, 2],

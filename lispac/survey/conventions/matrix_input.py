@@ -1,4 +1,4 @@
-"""Parse a matrix that is typed or pasted."""
+"""Parser of a matrix that is typed or pasted."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +11,9 @@ Array = NDArray[np.float64]
 
 
 def matrix_of_text(text: str, where: str) -> tuple[Array, Array | None]:
-    """The rotation in 9 or 16 numbers, row by row, and the lever arm of a 4x4 matrix.
+    """Rotation and lever arm from a text with the 9 or 16 numbers of a matrix, row by row.
 
-    Brackets, commas, semicolons and what stands behind ``#`` are passed over.
+    Brackets, commas, semicolons, and text after ``#`` are ignored.
 
     Parameters
     ----------
@@ -23,12 +23,12 @@ def matrix_of_text(text: str, where: str) -> tuple[Array, Array | None]:
     Returns
     -------
     rotation : ndarray of shape (3, 3)
-    lever_arm : ndarray of shape (3,), metres, or None
+    lever_arm : ndarray of shape (3,), metres; None for a 3x3 matrix
 
     Raises
     ------
     InputError
-        If there are not 9 or 16 numbers, or they are no rotation.
+        If the text does not contain 9 or 16 numbers, or they are not a rotation.
     """
     words = " ".join(line.partition("#")[0] for line in text.splitlines())
     for mark in ",;[]()":
@@ -60,7 +60,7 @@ def angle_product_of_matrix(setup: ConventionSetup, rotation: Array) -> Array:
     Parameters
     ----------
     rotation : ndarray of shape (3, 3)
-        As in `MountingInSystem.transform`: from the scanner axes that a mounting keeps.
+        Rotation of `MountingInSystem.transform`.
 
     Returns
     -------

@@ -39,10 +39,10 @@ class CurrentMountingInSystem:
 
     Attributes
     ----------
-    values : ndarray of shape (3,), radians, in the order the system types them
+    values : ndarray of shape (3,), radians, in the order of `Convention.turns`
         Or their product, of shape (3, 3).
     transform : ndarray of shape (4, 4), or None
-        Scanner to body as in `MountingInSystem.transform`, where the lever arm was given with it.
+        Scanner to body as in `MountingInSystem.transform`; None if no lever arm was given.
     """
 
     values: Array
@@ -60,11 +60,14 @@ class MountingReplacement:
 
     Attributes
     ----------
-    mounting : of the raw scanner
-    covariance : ndarray of shape (3, 3), radians squared, of its boresight; None where unknown
-    current, correction : None where no current mounting was given
+    mounting : new mounting of the raw scanner, in the convention of this program
+    covariance : ndarray of shape (3, 3), radians squared, of its boresight; None if unknown
+    in_system : new mounting in the convention of the other program
+    current, correction : None if no current mounting was given
     transform : ndarray of shape (4, 4), or None
-        Correction of the whole matrix, on the left of the current one.
+        The matrix that, multiplied by the current transform from the right, is the new one; None if
+        the current lever arm is unknown.
+    lever_arm : origin of the new lever arm
     """
 
     mounting: Mounting
@@ -82,7 +85,7 @@ class MountingReplacement:
 
     @property
     def lever_arm_note(self) -> Message | None:
-        """Origin of the new lever arm, if it is not simply the one given."""
+        """Message on the origin of the new lever arm; None if it was given or is unknown."""
         code = _LEVER_ARM_CODES.get(self.lever_arm)
         return None if code is None else note(code)
 
@@ -95,7 +98,7 @@ def current_mounting_of_matrix(
     Parameters
     ----------
     rotation : ndarray of shape (3, 3)
-    lever_arm : ndarray of shape (3,), metres, body axes of the system; None of a 3x3 matrix
+    lever_arm : ndarray of shape (3,), metres, body axes of the system; None for a 3x3 matrix
     """
     values = angle_product_of_matrix(setup, rotation)
     if lever_arm is None:
@@ -119,12 +122,13 @@ def replace_mounting(
     Parameters
     ----------
     estimated : Mounting
-        Of the lines as they were given to this program.
+        Estimated from the lines that were imported into this program.
     covariance : ndarray of shape (3, 3), radians squared, of its boresight
     applied : bool
-        The lines were already rotated by the current settings, and moved where these are a 4x4.
+        Whether the imported lines were already rotated by the current mounting, and shifted if it
+        has a lever arm.
     has_lever_arm : bool
-        Whether the lever arm of ``estimated`` is known; its zeros mean nothing otherwise.
+        Whether the lever arm of ``estimated`` is known; otherwise its zeros have no meaning.
     """
     mounting, source = estimated, _lever_arm_source(current, applied, has_lever_arm)
     if current is not None and applied:
@@ -134,7 +138,7 @@ def replace_mounting(
     if current is not None and current.transform is not None:
         old = setup.permutation.T @ current.transform[:3, 3]
         if applied:
-            # Moved lines lie in the body's axes, or in others along them.
+            # The axes of such lines are the body axes, or other directions of the body.
             remainder = estimated.rotation_body_lidar
             old = remainder @ axes_matrix(nearest_axes(remainder)) @ old
             mounting = replace(mounting, lever_arm=estimated.lever_arm + old)

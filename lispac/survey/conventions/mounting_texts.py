@@ -13,36 +13,37 @@ from lispac.survey.georeferencing import Mounting, is_steep
 
 Array = NDArray[np.float64]
 Amounts = Callable[[Sequence[float]], Sequence[LazyText | str]]
-"""Sizes of three angles (radians) or lengths (metres) with their units; empty where one is zero."""
+"""Function from angles (radians) or lengths (metres) to texts of their absolute values with units.
+The text of a value that rounds to zero is empty."""
 
 CHECK_FIRST = note("convention.check_first")
 UNCORRELATED_WARNING = warning("convention.uncorrelated")
-_DEGREES = {3: N_("{value:deg.3} deg"), 4: N_("{value:deg.4} deg")}
-_METRES = {3: N_("{value:m.3} m"), 4: N_("{value:m.4} m")}
-"""Texts of an amount by its decimals."""
-LARGE = np.radians(10.0)
-"""Angle in radians from which the order of the rotations matters and is named."""
+_DEGREES_TEXTS = {3: N_("{value:deg.3} deg"), 4: N_("{value:deg.4} deg")}
+_METRES_TEXTS = {3: N_("{value:m.3} m"), 4: N_("{value:m.4} m")}
+"""Texts of an angle or a length by the number of decimals."""
+LARGE_ANGLE_RAD = np.radians(10.0)
+"""Angle above which the order of the rotations matters and is stated."""
 
 
 def angle_amounts(values: Sequence[float]) -> list[LazyText | str]:
-    """Sizes of angles (radians) in degrees, with as many decimals as they need."""
-    return _formatted_amounts(values, float(np.degrees(1.0)), _DEGREES)
+    """Texts of absolute angles (radians) in degrees; see `decimals_of` for their decimals."""
+    return _formatted_amounts(values, float(np.degrees(1.0)), _DEGREES_TEXTS)
 
 
 def length_amounts(values: Sequence[float]) -> list[LazyText | str]:
-    """Sizes of lengths in metres, with as many decimals as they need."""
-    return _formatted_amounts(values, 1.0, _METRES)
+    """Texts of absolute lengths in metres; see `decimals_of` for their decimals."""
+    return _formatted_amounts(values, 1.0, _METRES_TEXTS)
 
 
 def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> LazyText:
-    """Orientation of the scanner; by its axes where the pitch is steep.
+    """Orientation of the scanner by roll, pitch and yaw, or by its axes if the pitch is steep.
 
     Parameters
     ----------
     boresight : ndarray of shape (3,), radians; roll, pitch, yaw of this program
     """
     if is_steep(boresight):
-        return _axes_pointing(rotation_matrix(*boresight), amounts)
+        return _axis_directions_text(rotation_matrix(*boresight), amounts)
     roll, pitch, yaw = (float(value) for value in boresight)
     rolled, pitched, yawed = amounts((roll, pitch, yaw))
     parts = []
@@ -65,16 +66,16 @@ def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> Lazy
         parts.append(gettext_lazy(template, angle=rolled))
     if not parts:
         return gettext_lazy("The scanner is parallel to the body.")
-    if len(parts) > 1 and max(abs(roll), abs(pitch), abs(yaw)) > LARGE:
-        # The body's axes are carried onto the scanner's by yaw, then pitch, then roll.
+    if len(parts) > 1 and max(abs(roll), abs(pitch), abs(yaw)) > LARGE_ANGLE_RAD:
+        # Rotations by yaw, then pitch, then roll move the body axes to the scanner axes.
         return gettext_lazy(
             "The scanner {parts:names} (order of rotations: yaw, pitch, roll).", parts=parts
         )
     return gettext_lazy("The scanner {parts:names}.", parts=parts)
 
 
-def _axes_pointing(rotation: Array, amounts: Amounts) -> LazyText:
-    """Directions of the axes of the scanner, to the nearest direction of the vessel.
+def _axis_directions_text(rotation: Array, amounts: Amounts) -> LazyText:
+    """Directions of the scanner axes, as the nearest directions on the vessel.
 
     Parameters
     ----------
@@ -83,8 +84,8 @@ def _axes_pointing(rotation: Array, amounts: Amounts) -> LazyText:
     """
     axes = nearest_axes(rotation)
     cosines = np.einsum("ij,ij->i", axes_matrix(axes), rotation.T)
-    off = float(np.arccos(np.clip(cosines.min(), -1.0, 1.0)))
-    deviation = amounts((off, 0.0, 0.0))[0]
+    largest = float(np.arccos(np.clip(cosines.min(), -1.0, 1.0)))
+    deviation = amounts((largest, 0.0, 0.0))[0]
     if not deviation:
         return gettext_lazy("Directions of the scanner axes: {axes}.", axes=axes_text(axes))
     return gettext_lazy(
@@ -96,17 +97,17 @@ def _axes_pointing(rotation: Array, amounts: Amounts) -> LazyText:
 def lever_arm_text(
     lever_arm: Sequence[float] | Array, amounts: Amounts = length_amounts
 ) -> LazyText:
-    """Position of the optical centre.
+    """Position of the optical centre of the scanner relative to the POS centre.
 
     Parameters
     ----------
-    lever_arm : three numbers, metres, body (forward, left, up)
+    lever_arm : three numbers, metres, body frame (forward, port, up)
     """
     forward, left, up = (float(value) for value in lever_arm)
     parts = [
         gettext_lazy(ahead if value > 0 else behind, distance=amount)
         for value, amount, (ahead, behind) in zip(
-            (forward, left, up), amounts((forward, left, up)), _SIDES, strict=True
+            (forward, left, up), amounts((forward, left, up)), _SIDE_TEXTS, strict=True
         )
         if amount
     ]
@@ -117,7 +118,7 @@ def lever_arm_text(
     )
 
 
-_SIDES = (
+_SIDE_TEXTS = (
     (N_("{distance} forward of"), N_("{distance} aft of")),
     (N_("{distance} to port of"), N_("{distance} to starboard of")),
     (N_("{distance} above"), N_("{distance} below")),
@@ -125,7 +126,7 @@ _SIDES = (
 
 
 def offsets_note(mounting: Mounting) -> Message | None:
-    """Other values that the other program must apply for the boresight to be valid."""
+    """Message on the other corrections that the other program must apply with the boresight."""
     offsets = (
         ("item.range_offset", mounting.range_offset, 1.0),
         ("item.scan_angle_offset", mounting.scan_angle_offset, float(np.degrees(1.0))),
@@ -138,7 +139,7 @@ def offsets_note(mounting: Mounting) -> Message | None:
 
 
 def decimals_of(size: float) -> int:
-    """Decimals of a size in degrees or metres: four where it is small."""
+    """Number of decimals of a value in degrees or metres: four below 0.1, otherwise three."""
     return 4 if size < 0.1 else 3
 
 

@@ -33,12 +33,12 @@ SCANNER_WORDS: dict[Scanner, str] = {
         "angles are the remaining rotation."
     ),
 }
-DIRECTION_WORDS: dict[Direction, str] = {  # what the matrix does to coordinates
+DIRECTION_WORDS: dict[Direction, str] = {  # conversion of coordinates by the matrix
     "lidar_to_body": N_("LiDAR to body"),
     "body_to_lidar": N_("body to LiDAR"),
 }
 
-_WINGS_DOWN = N_("positive starboard side down")
+_STARBOARD_DOWN = N_("positive starboard side down")
 _BOW_UP = N_("positive bow up")
 _CLOCKWISE = N_("positive clockwise seen from above")
 _RIGHT_HANDED = N_("right-handed")
@@ -53,7 +53,7 @@ ANGLE_CODES = {
     "Y rotation": "quantity.y_rotation",
     "Z rotation": "quantity.z_rotation",
 }
-"""Code of the message that names each angle."""
+"""Code of the message with the name of each angle."""
 
 
 @dataclass(frozen=True)
@@ -62,9 +62,9 @@ class AxisRotation:
 
     Attributes
     ----------
-    name : as the system's window calls it
-    axis : 0, 1 or 2, the axis of the system's body frame it turns about
-    sign : +1 where the matrix is Rx, Ry or Rz of the angle, -1 where it is that of its negative
+    name : name of the angle in the system
+    axis : 0, 1 or 2, the axis of rotation in the body frame of the system
+    sign : +1 if the matrix is Rx, Ry or Rz of the angle, -1 if it is that of the negative angle
     meaning : description of the sign
     """
 
@@ -75,12 +75,12 @@ class AxisRotation:
 
     @property
     def title(self) -> Message:
-        """Its name as part of a message."""
+        """Name of the angle as part of a message."""
         return note(ANGLE_CODES[self.name])
 
     @property
     def factor(self) -> LazyText:
-        """Its matrix in a formula."""
+        """Rotation matrix in a formula, such as ``Rz(heading)``."""
         name = gettext_lazy(self.name)
         if self.sign < 0:
             return gettext_lazy("R{axis}(-{angle})", axis="xyz"[self.axis], angle=name)
@@ -93,15 +93,18 @@ class Convention:
 
     Attributes
     ----------
+    key : name in commands and files
+    name : name on the screen and in the report
     axes : body axes of the system
-    turns : the three angles in the order in which they are typed and listed; empty where the
-        system takes a matrix only
+    turns : the three angles in the order of input and lists; empty if the system takes a matrix
+        only
     order : indices into ``turns``, factors of the matrix product from the left
-    direction : what the product does to coordinates
-    scanner : how the system's scanner axes lie to those of the raw points
-    open_axes : whether the body axes depend on the device, so that the user has to state them
-    source : where this was read
-    assumption : what was not found, and is assumed; shown with every number
+    status : degree of verification
+    direction : coordinates that the product converts, from LiDAR to body or from body to LiDAR
+    scanner : relation of the system's scanner axes to those of the raw points
+    open_axes : whether the body axes depend on the device, so that the user has to specify them
+    source : document or code from which the convention was taken
+    assumption : undocumented properties and their assumed values; shown with every number
     """
 
     key: str
@@ -118,12 +121,12 @@ class Convention:
 
     @property
     def has_angles(self) -> bool:
-        """Whether the system is offered as angles."""
+        """Whether the boresight of the system is given as angles, not only as a matrix."""
         return bool(self.turns)
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the angles in the order they are typed."""
+        """Names of the angles in the order of ``turns``."""
         return tuple(turn.name for turn in self.turns)
 
     @property
@@ -156,7 +159,7 @@ def _z_down_rotations(
 ) -> tuple[AxisRotation, AxisRotation, AxisRotation]:
     # X forward, Y starboard, Z down: all three turns are right-handed.
     return (
-        AxisRotation(N_("roll"), 0, 1, _WINGS_DOWN),
+        AxisRotation(N_("roll"), 0, 1, _STARBOARD_DOWN),
         AxisRotation(N_("pitch"), 1, 1, _BOW_UP),
         AxisRotation(heading, 2, 1, _CLOCKWISE),
     )
@@ -167,14 +170,14 @@ def _z_up_rotations(
 ) -> tuple[AxisRotation, AxisRotation, AxisRotation]:
     # X starboard, Y forward, Z up: a right-handed turn about Z goes to port.
     return (
-        AxisRotation(N_("roll"), 1, 1, _WINGS_DOWN),
+        AxisRotation(N_("roll"), 1, 1, _STARBOARD_DOWN),
         AxisRotation(N_("pitch"), 0, 1, _BOW_UP),
         AxisRotation(heading, 2, -1, _CLOCKWISE),
     )
 
 
 def _rotations_about_axes() -> tuple[AxisRotation, AxisRotation, AxisRotation]:
-    # Right-handed turns about axes that the user states.
+    # Right-handed turns about the axes X, Y and Z.
     return (
         AxisRotation(N_("X rotation"), 0, 1, _RIGHT_HANDED),
         AxisRotation(N_("Y rotation"), 1, 1, _RIGHT_HANDED),
@@ -185,8 +188,9 @@ def _rotations_about_axes() -> tuple[AxisRotation, AxisRotation, AxisRotation]:
 FORWARD_STARBOARD_DOWN: Axes = ("forward", "starboard", "down")
 STARBOARD_FORWARD_UP: Axes = ("starboard", "forward", "up")
 HEADING_PITCH_ROLL = (2, 1, 0)
+"""Order of the factors from the left, as indices into angles roll, pitch, heading."""
 
-LISPAC = Convention(
+LISPAC_CONVENTION = Convention(
     key="lispac",
     name=N_("This program (iXblue)"),
     axes=FORWARD_PORT_UP,
@@ -201,7 +205,7 @@ LISPAC = Convention(
 )
 
 SYSTEMS: tuple[Convention, ...] = (
-    LISPAC,
+    LISPAC_CONVENTION,
     Convention(
         key="applanix",
         name="Applanix POS MV, LVX, POSPac",
@@ -347,7 +351,7 @@ SYSTEMS: tuple[Convention, ...] = (
         name="Hypack",
         axes=("starboard", "forward", "down"),
         turns=(
-            AxisRotation(N_("roll"), 1, -1, _WINGS_DOWN),
+            AxisRotation(N_("roll"), 1, -1, _STARBOARD_DOWN),
             AxisRotation(N_("pitch"), 0, -1, _BOW_UP),
             AxisRotation(N_("yaw"), 2, -1, _CLOCKWISE),
         ),
@@ -376,17 +380,17 @@ SYSTEMS: tuple[Convention, ...] = (
         scanner="kept",
     ),
 )
-OTHER_SYSTEMS = tuple(each for each in SYSTEMS if each.key != LISPAC.key)
-"""The systems of other programs."""
+OTHER_SYSTEMS = tuple(each for each in SYSTEMS if each.key != LISPAC_CONVENTION.key)
+"""The conventions of other programs."""
 
 
 def convention_of_key(key: str) -> Convention:
-    """The system of that name.
+    """Convention with a key, in upper or lower case.
 
     Raises
     ------
     InputError
-        If there is none.
+        If there is none with this key.
     """
     for each in SYSTEMS:
         if each.key == key.lower():

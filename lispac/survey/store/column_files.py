@@ -16,10 +16,10 @@ from lispac.messages import error
 from lispac.survey.store.fingerprint import combine_crc32
 from lispac.survey.store.layout import StoredColumn, flush_to_disk, import_again_message
 
-HEADER = 128
-"""Size of the header in bytes, independent of the number of values, since it is written last."""
-PIECE = 1 << 24  # bytes read or filled at once
-WINDOW = 1 << 24  # values mapped at once for writing
+NPY_HEADER_BYTES = 128
+"""Size of the header. It does not depend on the number of values, as the header is written last."""
+PIECE_BYTES = 1 << 24  # bytes read or filled at once
+WINDOW_VALUES = 1 << 24  # values mapped at once for writing
 
 
 class ColumnFile:
@@ -32,7 +32,7 @@ class ColumnFile:
         self._path, self._name = folder / file, name
         self._dtype, self._shape = np.dtype(dtype), tuple(shape)
         self._file = self._path.open("xb")
-        self._file.write(bytes(HEADER))
+        self._file.write(bytes(NPY_HEADER_BYTES))
         self._count = self._checksum = self._bytes = 0
 
     def append(self, values: NDArray[Any]) -> None:
@@ -49,9 +49,9 @@ class ColumnFile:
         self._file.seek(0)
         self._file.write(header)
         flush_to_disk(self._file)
-        # The header comes before the rest, whose checksum is known already.
+        # The values follow the header; their checksum is already known.
         checksum = combine_crc32(crc32(header), self._checksum, self._bytes)
-        size = HEADER + self._bytes
+        size = NPY_HEADER_BYTES + self._bytes
         return StoredColumn(
             self._name, self._dtype.str, self._shape, self._path.name, self._count, size, checksum
         )  # fmt: skip
@@ -69,10 +69,10 @@ class ColumnFile:
 
 
 class ScatteredColumn:
-    """Column whose values are written in any order; the disk space is reserved at the start.
+    """Column whose values are written in any order; the file has its full size from the start.
 
-    If the space were reserved while a mapped file is filled, a full disk would terminate the
-    program instead of raising an error.
+    If a full disk were noticed only when a mapped file is filled, the operating system would
+    terminate the program instead of reporting an error.
     """
 
     def __init__(self, folder: Path, file: str, name: str, dtype: str, count: int) -> None:
@@ -82,16 +82,16 @@ class ScatteredColumn:
             column.write(npy_header(self._dtype, (count,)))
             left = count * self._dtype.itemsize
             while left > 0:
-                left -= column.write(bytes(min(left, PIECE)))
+                left -= column.write(bytes(min(left, PIECE_BYTES)))
 
     def put(self, places: NDArray[Any], values: NDArray[Any]) -> None:
-        """Write ``values`` at ``places``, both of shape (n,)."""
-        # Mapped again each time and in windows, since mapped pages count as used memory.
-        windows = places // WINDOW
+        """Write ``values`` at the indices ``places``, both of shape (n,)."""
+        # Mapped again for each call and window, because mapped pages count as used memory.
+        windows = places // WINDOW_VALUES
         for window in np.unique(windows).tolist():
-            start = window * WINDOW
-            length = min(WINDOW, self._count - start)
-            offset = HEADER + start * self._dtype.itemsize
+            start = window * WINDOW_VALUES
+            length = min(WINDOW_VALUES, self._count - start)
+            offset = NPY_HEADER_BYTES + start * self._dtype.itemsize
             mapped = np.memmap(self._path, self._dtype, "r+", offset, length)
             inside = windows == window
             mapped[places[inside] - start] = values[inside]
@@ -115,7 +115,7 @@ def npy_header(dtype: np.dtype[Any], shape: tuple[int, ...]) -> bytes:
     }  # fmt: skip
     np.lib.format.write_array_header_1_0(header, description)
     content = header.getvalue()
-    assert len(content) == HEADER, "a column of numbers has a header of one fixed size"
+    assert len(content) == NPY_HEADER_BYTES, "a column of numbers has a header of one fixed size"
     return content
 
 
@@ -123,7 +123,7 @@ def file_checksum(path: Path) -> int:
     """CRC-32 of a file."""
     checksum = 0
     with path.open("rb") as file:
-        while piece := file.read(PIECE):
+        while piece := file.read(PIECE_BYTES):
             checksum = crc32(piece, checksum)
     return checksum
 
@@ -134,7 +134,7 @@ def map_column(folder: Path, column: StoredColumn, count: int) -> NDArray[Any]:
     Raises
     ------
     ProjectError
-        If the file differs from the manifest.
+        If the file cannot be read, or its type or shape differs from the manifest.
     """
     shape = (count, *column.shape)
     if not column.file:
@@ -157,5 +157,5 @@ def map_column(folder: Path, column: StoredColumn, count: int) -> NDArray[Any]:
             "store.part_type", file=str(path), type=str(values.dtype), shape=str(values.shape)
         )
         raise ProjectError(import_again_message(found))
-    # A plain array on the same memory: the subclass makes every slice slower.
+    # A plain array on the same memory, because slices of `numpy.memmap` are slower.
     return np.asarray(values)

@@ -17,16 +17,16 @@ from lispac.survey.store.column_files import ColumnFile, ScatteredColumn
 from lispac.survey.store.layout import StoredColumn
 from lispac.survey.store.point_blocks import Place, Values, field_names
 from lispac.survey.store.read_ahead import read_ahead
-from lispac.survey.store.spatial_cells import Keys, is_drawn, stable_order
+from lispac.survey.store.spatial_cells import Keys, is_in_coarse_sample, stable_order
 from lispac.survey.store.spool import Spool
 
-COARSE = 1_000_000
-"""Largest number of points of the coarse level."""
+MAX_COARSE_POINTS = 1_000_000
+"""Largest number of points in the coarse sample of a line."""
 Columns = tuple[StoredColumn, ...]
-BUCKET = 1 << 20
-"""Approximate number of points in memory at once."""
-STEP = 1024
-"""Interval of the keys of a block that are sampled to divide the blocks into buckets."""
+BUCKET_POINTS = 1 << 20
+"""Approximate number of points in a bucket, of which a few are in memory at once."""
+KEY_SAMPLING_STEP = 1024
+"""Interval, in points, of the keys that are sampled to divide the blocks into buckets."""
 
 
 def write_columns(
@@ -37,16 +37,16 @@ def write_columns(
     Returns
     -------
     own : tuple of StoredColumn
-        ``xyz``, ``time``, ``number`` of each point, and ``before`` where points are excluded; the
-        ``row`` of each number; the ``octaves`` of the cells and where each ``starts``; the coarse
-        level.
+        ``xyz``, ``time`` and ``number`` of each point, and ``before`` if points are excluded; the
+        ``row`` of each number; the keys of the ``octaves`` and the row at which each ``starts``;
+        the coarse sample.
     attributes : tuple of StoredColumn
-        Of the file.
+        Attributes of the imported file.
 
     Raises
     ------
     ProjectError
-        If the data read from the disk differ from the data written.
+        If fewer points are read from the blocks than were written to them.
     """
     points, done = spool.points, 0
     attributes = _constant_attributes(spool)
@@ -69,7 +69,7 @@ def write_columns(
 
 
 class _ColumnsWriter:
-    """All columns while they are being written."""
+    """Writer of all columns of a line."""
 
     def __init__(
         self, stack: ExitStack, folder: Path, attributes: Columns, points: int, gaps: bool
@@ -102,7 +102,7 @@ class _ColumnsWriter:
                     self._coarse[field] = column("coarse_intensity", kind, *shape)
 
     def add(self, keys: Keys, values: Values, first: int, place: Place) -> None:
-        """Write the next points; they are in order."""
+        """Write the next points, which are sorted by key, as the rows from ``first``."""
         for field, file in (*self._own.items(), *self._files.items()):
             file.append(values[field])
         rows = np.arange(first, first + len(keys), dtype=np.uint32)
@@ -111,7 +111,7 @@ class _ColumnsWriter:
         self._octaves.append(keys[new])
         self._starts.append(rows[new])
         self._last = keys[-1]
-        chosen = is_drawn(values["number"], self._points, COARSE)
+        chosen = is_in_coarse_sample(values["number"], self._points, MAX_COARSE_POINTS)
         if not chosen.any():
             return
         coarse = {field: values[field][chosen] for field in self._coarse if field in values}
@@ -121,7 +121,7 @@ class _ColumnsWriter:
             file.append(coarse[field])
 
     def finish(self) -> tuple[Columns, Columns]:
-        """Close all of them: the store's own and those of the attributes."""
+        """Finish all files; descriptions of the store's columns and of the attributes."""
         self._starts.append(np.array([self._points], np.uint64))
         files = (*self._own.values(), self._octaves, self._starts, *self._coarse.values())
         own = (*(file.finish() for file in files), self._row.finish())
@@ -130,7 +130,7 @@ class _ColumnsWriter:
 
 
 def attribute_file_name(number: int, attribute: str) -> str:
-    """Name of the file that holds the column of an attribute."""
+    """Name of the file with the column of an attribute."""
     plain = "".join(c if c.isascii() and c.isalnum() else "_" for c in attribute)[:40]
     return f"attribute-{number:02d}-{plain}.npy"
 
@@ -138,14 +138,14 @@ def attribute_file_name(number: int, attribute: str) -> str:
 def merge_blocks(spool: Spool) -> Iterator[tuple[Keys, Values]]:
     """Yield keys and values bucket by bucket, each in the order of the blocks.
 
-    No key of a bucket is smaller than one before it. Points of one key stand in the order of their
-    numbers, also across buckets, once each bucket is sorted without moving equal keys.
+    No key of a bucket is smaller than a key of the buckets before it. After a stable sort of each
+    bucket, all points are ordered by key and, for equal keys, by number.
 
     Yields
     ------
     keys : ndarray of shape (n,)
     values : of n points
-        Without the columns that all points of the line share.
+        Without the columns that are constant in the whole line.
     """
     attributes = field_names(_constant_attributes(spool))
     varying = {field: column for field, column in attributes.items() if column.value is None}
@@ -158,8 +158,8 @@ def merge_blocks(spool: Spool) -> Iterator[tuple[Keys, Values]]:
     )
     for k in range(len(edges)):
         parts: list[tuple[Keys, Values]] = []
-        # A key that fills several buckets is passed on directly: its points are in order already.
-        alone = k + 1 < len(edges) and edges[k + 1] == edges[k] + np.uint64(1)
+        # The points of a bucket with a single key are already in order: they are yielded in parts.
+        has_single_key = k + 1 < len(edges) and edges[k + 1] == edges[k] + np.uint64(1)
         for number, (start, stop) in enumerate(bounds[:, k : k + 2].tolist()):
             if start == stop:
                 continue
@@ -170,7 +170,7 @@ def merge_blocks(spool: Spool) -> Iterator[tuple[Keys, Values]]:
                         (len(keys), *column.shape), column.value, dtype=column.dtype
                     )
             parts.append((keys, values))
-            if alone and sum(len(keys) for keys, _ in parts) >= BUCKET:
+            if has_single_key and sum(len(keys) for keys, _ in parts) >= BUCKET_POINTS:
                 yield _join_parts(parts)
                 parts = []
         if parts:
@@ -179,19 +179,19 @@ def merge_blocks(spool: Spool) -> Iterator[tuple[Keys, Values]]:
 
 def _bucket_edges(spool: Spool) -> Keys:
     """First key of each bucket, from samples of all blocks."""
-    # Copied: a view would keep all keys.
-    samples = [spool.keys(block.number)[::STEP].copy() for block in spool.blocks]
-    edges = np.sort(np.concatenate(samples))[:: max(1, BUCKET // STEP)]
+    # Copied, because a view would keep all keys in memory.
+    samples = [spool.keys(block.number)[::KEY_SAMPLING_STEP].copy() for block in spool.blocks]
+    edges = np.sort(np.concatenate(samples))[:: max(1, BUCKET_POINTS // KEY_SAMPLING_STEP)]
     heavy = edges[1:][edges[1:] == edges[:-1]]
     return np.unique(np.concatenate([np.zeros(1, np.uint64), edges, heavy + np.uint64(1)]))
 
 
 def _constant_attributes(spool: Spool) -> tuple[StoredColumn, ...]:
-    """The attributes, with the value where the points of all blocks have the same one."""
+    """The attributes, with their value if all points of all blocks have the same value."""
     found = []
     for same in zip(*(block.columns for block in spool.blocks), strict=True):
         first = same[0]
-        # By what is written of it, so that -0 and 0 differ.
+        # Compared as text, so that -0 and 0 differ.
         if any(str(column.value) != str(first.value) for column in same):
             first = StoredColumn(first.name, first.dtype, first.shape)
         found.append(first)

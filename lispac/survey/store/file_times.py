@@ -1,8 +1,8 @@
 """Modification times of the files of a store, to detect changes without reading.
 
-The time of a file that was changed or copied differs from that in the manifest. Only in this case
-the store is read completely when it is opened, and compared with its checksums. If they agree, the
-new times are stored, so that the check is made only once.
+The modification time of a file that was changed or copied differs from that in the manifest. Only
+in this case, the store is read completely when it is opened, and compared with its checksums. If
+they agree, the new times are stored, so that the check is made only once.
 """
 
 from dataclasses import replace
@@ -20,7 +20,7 @@ from lispac.survey.store.layout import (
 
 
 def with_file_times(folder: Path, manifest: Manifest) -> Manifest:
-    """Manifest with the present modification times of its files (`OSError`)."""
+    """Manifest with the current modification times of its files (`OSError` if one is missing)."""
 
     def with_time(column: StoredColumn) -> StoredColumn:
         if not column.file:
@@ -43,4 +43,4 @@ def replace_manifest(folder: Path, old: Manifest, new: Manifest) -> None:
             if read_manifest(folder) == old:
                 write_manifest(folder, new)
     except (OSError, ProjectError):
-        return  # a folder that may only be read is checked whenever it is opened
+        return  # a read-only folder is checked each time it is opened

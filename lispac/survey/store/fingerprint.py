@@ -10,12 +10,13 @@ from zlib import crc32
 import numpy as np
 from numpy.typing import NDArray
 
-POLYNOMIAL = 0xEDB88320
+CRC32_POLYNOMIAL = 0xEDB88320
+"""Generator polynomial of CRC-32, least significant bit first."""
 
 
 @dataclass(frozen=True)
 class RunningFingerprint:
-    """Number and two checksums of the points so far."""
+    """Number of points so far, and the checksums of their coordinates and of their times."""
 
     points: int = 0
     coordinates: int = 0
@@ -45,11 +46,12 @@ class RunningFingerprint:
 
 
 def combine_crc32(first: int, second: int, length: int) -> int:
-    """CRC-32 of two pieces one after the other, the second of ``length`` bytes.
+    """CRC-32 of two pieces of data one after the other; the second has ``length`` bytes.
 
-    Appending a zero byte is a linear map of the checksum's bits; its powers come by squaring.
+    Appending a zero byte is a linear map of the bits of the first checksum. The map of ``length``
+    zero bytes is a power of it, computed by repeated squaring.
     """
-    one_bit = [POLYNOMIAL] + [1 << k for k in range(31)]
+    one_bit = [CRC32_POLYNOMIAL] + [1 << k for k in range(31)]
     power = _square_gf2(_square_gf2(_square_gf2(one_bit)))  # one byte
     while length:
         if length & 1:

@@ -1,9 +1,10 @@
 """Files in the folder of a stored line, and its manifest.
 
 The folder contains the manifest ``store.json``, and a folder ``columns-N`` with one file in NumPy's
-format for each column. The manifest is written last and renamed. Files that it does not name, such
-as those of an interrupted import, are not part of the store. During the import of a line, its
-blocks of points are in the folder ``spool``.
+format for each column and, for a LAS file, its header and the checksum of the header. The manifest
+is written last and renamed. Folders of columns that it does not name, such as those of an
+interrupted import, are not part of the store. During the import of a line, its blocks of points are
+in the folder ``spool``.
 """
 
 import errno
@@ -26,29 +27,31 @@ from lispac.former_names import renamed_keys, renamed_reading
 from lispac.messages import Message, error
 from lispac.untrusted_values import json_values
 
-VERSION = 3
-NAMES_FROM_2 = {"": {"left_out": "excluded_points"}}
-"""New names of fields of the manifest by those of version 2, see `renamed_keys`."""
-OWN_FILES = {"xyz", "time", "number", "row", "octaves", "starts"} | {
+MANIFEST_VERSION = 3
+NEW_NAMES_OF_VERSION_2 = {"": {"left_out": "excluded_points"}}
+"""Names of fields of the manifest by their names in version 2, see `renamed_keys`."""
+REQUIRED_COLUMNS = {"xyz", "time", "number", "row", "octaves", "starts"} | {
     f"coarse_{name}" for name in ("row", "local", "xyz", "time")
 }
 """Columns that every store has."""
-LONGEST_TYPE = 16
-"""Characters of NumPy's name of the type of a number."""
-MANIFEST, SPOOL, COLUMNS, PART = "store.json", "spool", "columns-", ".part"
-COLUMNS_NAME = re.compile(rf"{COLUMNS}[0-9]{{1,9}}")
-HEADER, HEADER_SUM = "header.las", "header.sum"
-"""Header of the imported file and its checksum, beside the columns."""
-UNFINISHED = rf"((\.[0-9a-f]{{16}})?{re.escape(PART)})"
+MAX_TYPE_NAME_LENGTH = 16
+"""Largest number of characters in NumPy's name of a type."""
+MANIFEST_FILE, SPOOL_FOLDER = "store.json", "spool"
+COLUMNS_PREFIX, PART_SUFFIX = "columns-", ".part"
+COLUMNS_FOLDER_PATTERN = re.compile(rf"{COLUMNS_PREFIX}[0-9]{{1,9}}")
+HEADER_FILE, HEADER_CHECKSUM_FILE = "header.las", "header.sum"
+"""Header of an imported LAS file, and its checksum, in the folder of the columns."""
+PART_SUFFIX_PATTERN = rf"((\.[0-9a-f]{{16}})?{re.escape(PART_SUFFIX)})"
 """Pattern of the suffix of a file that is being written, see `replace_file_when_complete`."""
-COLUMN_FILE = re.compile(
-    rf"(({'|'.join(sorted(OWN_FILES))}|before|coarse_intensity|attribute-[0-9]{{2,}}-[A-Za-z0-9_]*)"
-    rf"\.npy|{re.escape(HEADER)}|{re.escape(HEADER_SUM)}){UNFINISHED}?"
+COLUMN_FILE_PATTERN = re.compile(
+    rf"(({'|'.join(sorted(REQUIRED_COLUMNS))}|before|coarse_intensity"
+    rf"|attribute-[0-9]{{2,}}-[A-Za-z0-9_]*)\.npy"
+    rf"|{re.escape(HEADER_FILE)}|{re.escape(HEADER_CHECKSUM_FILE)}){PART_SUFFIX_PATTERN}?"
 )
 """Names of the files that an import writes into the folder of its columns."""
-MANIFEST_PART = re.compile(re.escape(MANIFEST) + UNFINISHED)
-LARGEST_REACH, LARGEST_TIME = 1e7, 1e12
-"""Largest possible distance from the origin in metres, and largest possible time in seconds."""
+MANIFEST_PART_PATTERN = re.compile(re.escape(MANIFEST_FILE) + PART_SUFFIX_PATTERN)
+MAX_RANGE_M, MAX_TIME_S = 1e7, 1e12
+"""Largest possible distance from the scanner in metres, and largest possible time in seconds."""
 
 
 class DamagedStore(ProjectError):
@@ -61,7 +64,7 @@ def import_again_message(reason: Message) -> Message:
 
 
 def damage_reason(failure: ProjectError) -> Message | str:
-    """Reason why an imported line is damaged, without the request to import it again."""
+    """Reason why an imported line is damaged, without the advice to import it again."""
     if failure.message is not None and failure.code == "store.import_again":
         reason = failure.message.params["reason"]
         assert isinstance(reason, Message)
@@ -80,7 +83,7 @@ def is_link(path: Path) -> bool:
 
 
 def require_no_link(*paths: Path) -> None:
-    """Refuse to write or delete behind a link.
+    """Refuse paths that are links, so that nothing is written or deleted in another folder.
 
     Raises
     ------
@@ -93,27 +96,27 @@ def require_no_link(*paths: Path) -> None:
 
 @dataclass(frozen=True)
 class StoredColumn:
-    """Stored column.
+    """Description of a stored column.
 
     Attributes
     ----------
     name : str
-        The file's own name of an attribute, or that of one of the store's columns.
+        Name of an attribute in the imported file, or name of a column that the store adds.
     dtype : str
         NumPy's name of the type.
     shape : tuple of int
-        Of one point's value: empty for a number.
+        Of the value of one point: empty for a number.
     file : str
-        In the folder of the columns; empty where all points have the same value.
+        Name in the folder of the columns; empty if all points have the same value.
     count : int
         Values in the file.
     size : int, bytes
     checksum : int
         CRC-32 of the whole file.
     value : number or list of numbers
-        What all points have, where there is no file.
+        Value of all points, if there is no file.
     modified : int, nanoseconds
-        Time of the file when its content was last known to be whole; 0 where that is not known.
+        Modification time of the file when it was written or last checked; 0 if unknown.
     """
 
     name: str
@@ -129,7 +132,7 @@ class StoredColumn:
 
 @dataclass(frozen=True)
 class SourceFile:
-    """The file a line was imported from, as it was then.
+    """The file from which a line was imported, in its state at the import.
 
     Attributes
     ----------
@@ -137,7 +140,7 @@ class SourceFile:
     size : int, bytes
     modified : int, nanoseconds
     fingerprint : str
-        Of all of its content, see `lispac.survey.store.original_file`.
+        Hash of its whole content, see `lispac.survey.store.original_file`.
     """
 
     path: str
@@ -158,18 +161,18 @@ class Manifest:
     excluded_points : int
         Points of the file that are not in the store.
     folder : str
-        Of the columns.
+        Name of the folder of the columns.
     columns : tuple of StoredColumn
-        The store's own.
+        Coordinates, times and indices; see `lispac.survey.store.column_writer.write_columns`.
     attributes : tuple of StoredColumn
-        What the file has beyond place and time, under its own names.
+        Attributes of the points besides coordinates and time, under their names in the file.
     side : float, metres
-        Of a cell.
+        Edge length of the cubic cells.
     low, high : tuple of 3 floats, metres, local frame
-        Bounds of the placed points.
-    first_time, last_time : float, seconds
+        Smallest and largest coordinates of the georeferenced points.
+    first_time, last_time : float, seconds, in the trajectory's time base
     reach : float, metres
-        Of the farthest point from the scanner.
+        Distance from the scanner to the farthest point.
     fingerprint : str
         `Scan.fingerprint` of the points in the order of the file.
     original : SourceFile
@@ -179,8 +182,8 @@ class Manifest:
     placed_with : mapping
         Input that determines the spatial order: the mounting.
     assumptions : tuple of mapping
-        Messages about what the reader takes for granted, as plain values; texts in a store of an
-        earlier version.
+        Messages on the assumptions of the reader, as plain values; texts in a store of an earlier
+        version.
     audit : mapping
         `LineAudit` of the points of the file, as plain values; empty for a line imported by a
         version without one.
@@ -217,16 +220,16 @@ class Manifest:
 
 
 def write_manifest(folder: Path, manifest: Manifest) -> None:
-    """Write the manifest by a rename: from then on the line is imported."""
+    """Write the manifest and rename it to its final name, which completes the import."""
     content = asdict(manifest)
     text = json.dumps(
-        {"version": VERSION, "checksum": _checksum(content), "store": content}, indent=1
+        {"version": MANIFEST_VERSION, "checksum": _checksum(content), "store": content}, indent=1
     )
-    write_text_atomically(folder / MANIFEST, text + "\n")
+    write_text_atomically(folder / MANIFEST_FILE, text + "\n")
 
 
 def read_manifest(folder: Path) -> Manifest | None:
-    """The manifest of a line's folder; None where there is none.
+    """Read the manifest in the folder of a line; None if there is none.
 
     Raises
     ------
@@ -235,17 +238,17 @@ def read_manifest(folder: Path) -> Manifest | None:
     ProjectError
         If it is of a newer version of the program.
     """
-    path = folder / MANIFEST
+    path = folder / MANIFEST_FILE
     try:
         content = json_values(path.read_bytes())
-        if content["version"] > VERSION:
+        if content["version"] > MANIFEST_VERSION:
             raise ProjectError(error("store.newer_version", file=str(path)))
         store = content["store"]
         if content["checksum"] != _checksum(store):
             raise DamagedStore(
                 import_again_message(error("store.manifest_checksum", file=str(path)))
             )
-        store = renamed_keys(store, NAMES_FROM_2)
+        store = renamed_keys(store, NEW_NAMES_OF_VERSION_2)
         made_with = store.get("made_with", {})
         if "reading" in made_with:
             reading = renamed_reading(made_with["reading"])
@@ -288,7 +291,7 @@ def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
     for column in (*manifest.columns, *manifest.attributes):
         words += [column.name, column.file]
         counts += [column.count, column.size, column.checksum, column.modified, *column.shape]
-        if not isinstance(column.dtype, str) or len(column.dtype) > LONGEST_TYPE:
+        if not isinstance(column.dtype, str) or len(column.dtype) > MAX_TYPE_NAME_LENGTH:
             raise DamagedStore(import_again_message(values))
         if np.dtype(column.dtype).kind not in "biuf":
             damage = error("store.column_type", file=str(path), type=column.dtype)
@@ -300,11 +303,11 @@ def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
         and all(type(count) is int and count >= 0 for count in counts)
         and all(isinstance(n, int | float) and np.isfinite(n) for n in numbers)
         and all(isinstance(name, str) and name == Path(name).name for name in names)
-        and COLUMNS_NAME.fullmatch(manifest.folder) is not None
-        and 0 <= manifest.reach <= LARGEST_REACH
-        and max(abs(manifest.first_time), abs(manifest.last_time)) <= LARGEST_TIME
+        and COLUMNS_FOLDER_PATTERN.fullmatch(manifest.folder) is not None
+        and 0 <= manifest.reach <= MAX_RANGE_M
+        and max(abs(manifest.first_time), abs(manifest.last_time)) <= MAX_TIME_S
         and _has_mounting_values(manifest.placed_with)
-        and {column.name for column in manifest.columns} >= OWN_FILES
+        and {column.name for column in manifest.columns} >= REQUIRED_COLUMNS
         and all(isinstance(each, dict | str) for each in manifest.assumptions)
         and isinstance(manifest.made_with, dict)
         and isinstance(manifest.placed_with, dict)
@@ -315,7 +318,7 @@ def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
 
 
 def _has_mounting_values(placed_with: Any) -> bool:
-    """Whether it holds the nine values of a mounting, as numbers, or nothing."""
+    """Whether the mounting in ``placed_with`` is nine finite numbers, or absent."""
     if not isinstance(placed_with, dict):
         return False
     values = placed_with.get("mounting", [0.0] * 9)
@@ -335,7 +338,7 @@ def _checksum(content: Mapping[str, Any]) -> int:
 
 
 def require_file_sizes(folder: Path, manifest: Manifest) -> None:
-    """Refuse a store of which a file is missing or has another size than it was written with.
+    """Refuse a store if a file is missing or its size differs from that in the manifest.
 
     Raises
     ------
@@ -369,7 +372,7 @@ def read_checked_json(text: str) -> Any:
     KeyError
         If there is no checksum.
     TypeError
-        If it is damaged.
+        If the text is JSON of another structure.
     """
     whole = json_values(text)
     if whole["checksum"] != _checksum(whole["content"]):
@@ -391,7 +394,7 @@ def replace_file_when_complete(path: Path) -> Iterator[BinaryIO]:
     The file has a random name and is created only if nothing with this name exists, so that links
     are never followed. A link with the name of ``path`` is replaced.
     """
-    part = path.with_name(f"{path.name}.{secrets.token_hex(8)}{PART}")
+    part = path.with_name(f"{path.name}.{secrets.token_hex(8)}{PART_SUFFIX}")
     with part.open("xb") as file:
         try:
             yield file
@@ -413,26 +416,26 @@ def flush_to_disk(file: Any) -> None:
 
 
 def has_import(folder: Path) -> bool:
-    """Whether a line was imported into a folder, or an import into it was interrupted."""
-    return (folder / MANIFEST).exists() or (folder / SPOOL).is_dir()
+    """Whether a folder contains an imported line, or blocks of an incomplete import."""
+    return (folder / MANIFEST_FILE).exists() or (folder / SPOOL_FOLDER).is_dir()
 
 
 def has_complete_import(folder: Path) -> bool:
-    """Whether a line was imported into a folder, to the end."""
-    return (folder / MANIFEST).exists()
+    """Whether a folder contains a completely imported line."""
+    return (folder / MANIFEST_FILE).exists()
 
 
 def remove_columns(folder: Path) -> None:
-    """Remove the columns of an import; files that no import writes stay, and the folder too."""
+    """Remove the columns of an import; a folder with other files is kept with these files."""
     with suppress(OSError):
         for path in folder.iterdir():
-            if COLUMN_FILE.fullmatch(path.name) and not path.is_dir():
+            if COLUMN_FILE_PATTERN.fullmatch(path.name) and not path.is_dir():
                 path.unlink()
         folder.rmdir()
 
 
 def remove_leftovers(folder: Path, keep: str = "") -> None:
-    """Remove what interrupted imports left, but not the columns ``keep`` nor complete blocks."""
+    """Remove incomplete manifests and all folders of columns except ``keep``; keep the spool."""
     for path in columns_folders(folder):
         if path.name != keep and not is_link(path):
             remove_columns(path)
@@ -441,13 +444,13 @@ def remove_leftovers(folder: Path, keep: str = "") -> None:
 
 def columns_folders(folder: Path) -> list[Path]:
     """Entries of a line's folder with the name of a folder of columns, links included."""
-    return sorted(path for path in folder.iterdir() if COLUMNS_NAME.fullmatch(path.name))
+    return sorted(path for path in folder.iterdir() if COLUMNS_FOLDER_PATTERN.fullmatch(path.name))
 
 
 def remove_manifest_parts(folder: Path) -> None:
-    """Remove manifests that an interrupted import has not written to the end."""
+    """Remove incomplete manifests of interrupted imports."""
     for path in folder.iterdir():
-        if MANIFEST_PART.fullmatch(path.name) and (is_link(path) or path.is_file()):
+        if MANIFEST_PART_PATTERN.fullmatch(path.name) and (is_link(path) or path.is_file()):
             path.unlink(missing_ok=True)
 
 
@@ -460,7 +463,7 @@ def writing_errors_as_project_errors(
     Parameters
     ----------
     needed : callable
-        Gives the bytes that the import is expected to take, where that is known by then.
+        Returns the expected size of the import in bytes; None while it is unknown.
 
     Raises
     ------
@@ -474,7 +477,7 @@ def writing_errors_as_project_errors(
 
 
 def _cannot_write_error(folder: str, failure: OSError, size: int | None) -> Message:
-    """Why a line cannot be written; ``size`` is the space that its import needs, bytes."""
+    """Message why a line cannot be written; ``size`` is the space that it needs, in bytes."""
     if failure.errno in (errno.ENOSPC, errno.EDQUOT):
         if size:
             return error("store.disk_full_size", folder=folder, size=size)

@@ -19,11 +19,11 @@ from lispac.messages import error
 from lispac.progress import PointRate, Progress, no_progress, sub_progress
 from lispac.survey.store.column_writer import write_columns
 from lispac.survey.store.file_times import with_file_times
-from lispac.survey.store.import_lock import LOCK, lock_folder
+from lispac.survey.store.import_lock import LOCK_FILE, lock_folder
 from lispac.survey.store.layout import (
-    COLUMNS,
-    MANIFEST,
-    SPOOL,
+    COLUMNS_PREFIX,
+    MANIFEST_FILE,
+    SPOOL_FOLDER,
     DamagedStore,
     Manifest,
     SourceFile,
@@ -41,15 +41,16 @@ from lispac.survey.store.point_blocks import Place, PointPiece, gather_blocks
 from lispac.survey.store.read_ahead import read_ahead
 from lispac.survey.store.spool import Spool, SpoolSummary, remove_spool
 
-READING_SHARE = 0.6
-"""Part of the time that reading takes, for the progress."""
+READING_PROGRESS_SHARE = 0.6
+"""Share of the reading of the file in the progress of an import."""
 BYTES_PER_POINT = 100
-"""Bytes of an imported LAS point with all its attributes: block and columns together."""
+"""Disk space of a LAS point with all its attributes during the import, in the block and in the
+columns together."""
 
 Pieces = Callable[[int], Iterator[PointPiece]]
-"""Gives the points of a file from an index on."""
+"""Function that yields the points of a file from an index on."""
 Findings = Callable[[], tuple[tuple[dict[str, Any], ...], dict[str, Any]]]
-"""Gives the assumptions and the audit as plain values, once a file is read."""
+"""Function that returns the assumptions and the audit as plain values, after a file was read."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,7 @@ class ImportRecipe:
     line : str
         Name of the line.
     original : SourceFile
-        The file.
+        The imported file.
     made_with, placed_with : dict of plain values
         See `Manifest`.
     """
@@ -82,21 +83,21 @@ def write_store(
     beside: Callable[[Path], None] = lambda folder: None,
     progress: Progress = no_progress,
 ) -> Manifest:
-    """Import a line into its folder; an earlier import of it stays until this one is complete.
+    """Import a line into its folder; an earlier import is kept until this one is complete.
 
     Parameters
     ----------
     folder : Path
-        Of the line.
+        Folder of the line.
     pieces : callable
-        Gives the points of the file from an index on. It has to give the same points every time.
+        Yields the points of the file from an index on. It has to yield the same points each time.
     place : callable
-        Puts points into the local frame for the order in space.
+        Georeferences points, for the spatial order.
     findings : callable
-        Gives, once the file is read, the assumptions of the reader and the audit of the points, as
-        plain values.
+        Returns, after the file was read, the assumptions of the reader and the audit of the points,
+        as plain values.
     beside : callable
-        Puts into the folder of the columns what is to be kept besides them.
+        Writes further files into the folder of the columns.
 
     Raises
     ------
@@ -105,10 +106,10 @@ def write_store(
     InputError
         If the file cannot be read.
     LispacError
-        What ``pieces``, ``place`` and ``beside`` raise.
+        Errors of ``pieces``, ``place`` and ``beside``.
     """
-    require_no_link(folder.parent, folder, folder / SPOOL)
-    made = _missing_folders(folder)
+    require_no_link(folder.parent, folder, folder / SPOOL_FOLDER)
+    new_folders = _missing_folders(folder)
     try:
         with writing_errors_as_project_errors(folder):
             folder.mkdir(parents=True, exist_ok=True)
@@ -120,7 +121,7 @@ def write_store(
                     folder, recipe, pieces, place, findings, beside, current, progress
                 )
     except LispacError:
-        _remove_empty_folders(made)
+        _remove_empty_folders(new_folders)
         raise
 
 
@@ -140,21 +141,25 @@ def _import_line(
     try:
         with writing_errors_as_project_errors(folder, expected.bytes):
             spool = Spool(folder, asdict(recipe))
-            reading = sub_progress(progress, 0.0, READING_SHARE)
+            reading = sub_progress(progress, 0.0, READING_PROGRESS_SHARE)
             end = _fill_spool(spool, recipe, pieces, place, findings, expected, reading)
             new = _make_columns_folder(folder, current)
             own, attributes = write_columns(
-                spool, new, place, recipe.line, progress=sub_progress(progress, READING_SHARE, 1.0)
+                spool,
+                new,
+                place,
+                recipe.line,
+                progress=sub_progress(progress, READING_PROGRESS_SHARE, 1.0),
             )
             manifest = _build_manifest(spool, recipe, new.name, own, attributes, end)
             beside(new)
             manifest = with_file_times(folder, manifest)
             write_manifest(folder, manifest)
     except BaseException as failure:
-        # Where it stopped after the manifest, the line is imported
+        # If the manifest was written before the failure, the line is imported.
         if new is not None and _current_columns_folder(folder) != new.name:
             remove_columns(new)
-        # A file that cannot be read and a disk that is full get nothing from a half kept for later.
+        # Blocks are kept for the next import only after an interruption, not after an error.
         if spool is not None and isinstance(failure, LispacError):
             spool.remove()
         raise
@@ -164,10 +169,10 @@ def _import_line(
 
 
 def _make_columns_folder(folder: Path, current: str) -> Path:
-    """Make the folder of new columns, with the next number that nothing there has."""
-    number = int(current.removeprefix(COLUMNS) or 0) + 1
+    """Make the folder of new columns, with the next unused number."""
+    number = int(current.removeprefix(COLUMNS_PREFIX) or 0) + 1
     while True:
-        new = folder / f"{COLUMNS}{number}"
+        new = folder / f"{COLUMNS_PREFIX}{number}"
         try:
             new.mkdir()
         except FileExistsError:
@@ -218,12 +223,12 @@ def _fill_spool(
     expected: "_ExpectedSize",
     progress: Progress,
 ) -> SpoolSummary:
-    """Spool what is not spooled yet, and give what is known of the whole file.
+    """Spool the points that are not spooled yet, and return the summary of the whole file.
 
     Raises
     ------
     ProjectError
-        If there is no point in it.
+        If the file has no points.
     """
     known = spool.read_end
     if known is not None:
@@ -252,7 +257,7 @@ def _fill_spool(
 
 def remove_incomplete_parts(folder: Path, manifest: Manifest) -> None:
     """Remove incomplete parts of a store unless the line is being imported."""
-    parts = {MANIFEST, LOCK, manifest.folder}
+    parts = {MANIFEST_FILE, LOCK_FILE, manifest.folder}
     if is_link(folder.parent) or is_link(folder):
         return
     try:
@@ -262,31 +267,31 @@ def remove_incomplete_parts(folder: Path, manifest: Manifest) -> None:
             remove_leftovers(folder, keep=manifest.folder)
             remove_spool(folder)
     except (OSError, ProjectError):
-        return  # it may be read without being written
+        return  # the folder may be read-only
 
 
 class _ExpectedSize:
-    """Disk space of an import, once the number of points is known."""
+    """Expected disk space of an import, after the number of points is known."""
 
     points: int | None = None
 
     def bytes(self) -> int | None:
-        """None where it has not."""
+        """Expected bytes; None if the number of points is unknown."""
         return None if self.points is None else self.points * BYTES_PER_POINT
 
 
 def _current_columns_folder(folder: Path) -> str:
-    """Folder of the columns that count; one that is damaged does not."""
+    """Name of the folder of valid columns, empty if none; a damaged manifest is removed."""
     try:
         manifest = read_manifest(folder)
     except DamagedStore:
-        (folder / MANIFEST).unlink(missing_ok=True)
+        (folder / MANIFEST_FILE).unlink(missing_ok=True)
         return ""
     return "" if manifest is None else manifest.folder
 
 
 def _missing_folders(folder: Path) -> list[Path]:
-    """Those of the folder and the one above that are not there yet."""
+    """The folder and its parent folder, as far as they do not exist yet."""
     return [path for path in (folder, folder.parent) if not path.exists()]
 
 
@@ -294,5 +299,5 @@ def _remove_empty_folders(folders: list[Path]) -> None:
     for path in folders:
         try:
             path.rmdir()
-        except OSError:  # it holds something, or was never made
+        except OSError:  # it is not empty, or was never made
             return

@@ -8,7 +8,7 @@ from lispac.survey.store.layout import SourceFile
 
 
 def source_file_of(path: Path) -> SourceFile:
-    """Size, time and fingerprint of a file (`OSError` where it cannot be read)."""
+    """Size, time and fingerprint of a file (`OSError` if it cannot be read)."""
     status = path.stat()
     return SourceFile(str(path), status.st_size, status.st_mtime_ns, _file_fingerprint(path))
 

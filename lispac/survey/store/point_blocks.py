@@ -14,28 +14,29 @@ from lispac.survey.store.layout import StoredColumn
 
 Array = NDArray[np.float64]
 Place = Callable[[Array, Array], Array]
-"""Points in the LiDAR frame, shape (n, 3), metres, and their times to points in the local frame."""
+"""Function that georeferences points: takes coordinates in the LiDAR frame, shape (n, 3), metres,
+and times, shape (n,), seconds; returns coordinates in the local frame, shape (n, 3), metres."""
 
-BLOCK = 1_000_000
+BLOCK_POINTS = 1_000_000
 """Number of points that are georeferenced, sorted and spooled at once."""
-MAX_POINTS = 2**32 - 1
+MAX_POINTS_PER_LINE = 2**32 - 1
 """Largest number of points of a line, since their numbers have 32 bits."""
-OWN = (
+POINT_COLUMNS = (
     StoredColumn("xyz", "<f4", (3,)),
     StoredColumn("time", "<f8"),
     StoredColumn("number", "<u4"),
     StoredColumn("before", "<u4"),
 )
-"""Columns of every point: its place in the scanner frame, its time, its number in the line, and how
-many points before it in the file are excluded."""
+"""Columns of every point: its coordinates in the LiDAR frame, its time, its number in the line, and
+the number of excluded points before it in the file."""
 
 Values = dict[str, NDArray[Any]]
-"""Values of some points by field: the names of `OWN`, and those of `field_names` for attributes."""
+"""Values of points by field: the names of `POINT_COLUMNS`, and `field_names` of the attributes."""
 
 
 @dataclass(frozen=True, eq=False)
 class PointPiece:
-    """Some points of a line in the order of its file.
+    """Piece of the points of a line, in the order of its file.
 
     Attributes
     ----------
@@ -44,6 +45,7 @@ class PointPiece:
     index : ndarray of shape (n,), int64
         Index of each point in its file, from 0, where excluded points are counted as well.
     extra : mapping of str to ndarray of shape (n, ...)
+        Attributes of the points, by their names in the file.
     read : int
         Points of the file up to here, including excluded ones.
     total : int or None
@@ -72,33 +74,39 @@ class PointPiece:
 
 @dataclass(eq=False)
 class PointBlock:
-    """Block into which points are gathered, up to `BLOCK` of them.
+    """Block into which points are gathered, up to `BLOCK_POINTS` of them.
 
     Attributes
     ----------
-    points_lidar : ndarray of shape (BLOCK, 3), metres, LiDAR frame
-    time : ndarray of shape (BLOCK,), seconds
+    first : int
+        Number of the first point in the line.
+    columns : tuple of StoredColumn
+        Attributes of the file.
+    running : RunningFingerprint
+        Fingerprint of the line up to the last point of the block.
+    points_lidar : ndarray of shape (BLOCK_POINTS, 3), metres, LiDAR frame
+    time : ndarray of shape (BLOCK_POINTS,), seconds
         Only the first ``count`` elements of both arrays are in use.
     """
 
     first: int
     columns: tuple[StoredColumn, ...]
     running: RunningFingerprint
-    points_lidar: Array = field(default_factory=lambda: np.empty((BLOCK, 3)))
-    time: Array = field(default_factory=lambda: np.empty(BLOCK))
+    points_lidar: Array = field(default_factory=lambda: np.empty((BLOCK_POINTS, 3)))
+    time: Array = field(default_factory=lambda: np.empty(BLOCK_POINTS))
     count: int = 0
     next_index: int = 0
     """Index in the file after the last point."""
 
     def __post_init__(self) -> None:
-        own = {column.name: column for column in OWN}
+        own = {column.name: column for column in POINT_COLUMNS}
         self._values = {
-            field: np.empty((BLOCK, *column.shape), column.dtype)
+            field: np.empty((BLOCK_POINTS, *column.shape), column.dtype)
             for field, column in (own | field_names(self.columns)).items()
         }
 
     def add(self, piece: PointPiece) -> None:
-        """Take the points of a piece that fit here."""
+        """Add the points of a piece, at most `free_points`."""
         rows = slice(self.count, self.count + len(piece))
         self.points_lidar[rows], self.time[rows] = piece.points_lidar, piece.time
         numbers = np.arange(len(piece)) + (self.first + self.count)
@@ -113,22 +121,22 @@ class PointBlock:
 
     @property
     def values(self) -> Values:
-        """Values of the points added so far, by column."""
+        """Values of the points added so far, by field."""
         return {field: values[: self.count] for field, values in self._values.items()}
 
     @property
     def free_points(self) -> int:
         """Number of points that the block can still take."""
-        return BLOCK - self.count
+        return BLOCK_POINTS - self.count
 
 
 def field_names(attributes: tuple[StoredColumn, ...]) -> dict[str, StoredColumn]:
-    """Names under which the attributes of a file go with those of `OWN`."""
+    """Attributes of a file by field names, which differ from the names of `POINT_COLUMNS`."""
     return {f"attribute{k}": column for k, column in enumerate(attributes)}
 
 
 def attribute_columns(piece: PointPiece, source: str) -> tuple[StoredColumn, ...]:
-    """The attributes of a file, by a piece of it.
+    """Descriptions of the attributes of a file, from one piece of its points.
 
     Raises
     ------
@@ -168,12 +176,16 @@ def require_same_attributes(
 def gather_blocks(
     pieces: Iterator[PointPiece], first: int, running: RunningFingerprint, source: str
 ) -> Iterator[tuple[PointBlock | None, PointPiece]]:
-    """Gather pieces into blocks; a piece that does not complete a block is yielded with None.
+    """Gather pieces into blocks; a piece that does not fill a block is yielded with None.
 
     Parameters
     ----------
     first : int
-        Number of the first point in the line: a multiple of `BLOCK`.
+        Number in the line of the first point.
+    running : RunningFingerprint
+        Fingerprint of the points before it.
+    source : str
+        Name of the file for error messages.
 
     Raises
     ------
@@ -191,8 +203,10 @@ def gather_blocks(
             if columns is None:
                 columns = attribute_columns(piece, source)
             require_same_attributes(piece, columns, source)
-            if piece.index[-1] >= MAX_POINTS:
-                raise ProjectError(error("store.too_many_points", file=source, limit=MAX_POINTS))
+            if piece.index[-1] >= MAX_POINTS_PER_LINE:
+                raise ProjectError(
+                    error("store.too_many_points", file=source, limit=MAX_POINTS_PER_LINE)
+                )
         filled = False
         while start < len(piece):
             assert columns is not None

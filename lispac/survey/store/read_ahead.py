@@ -1,4 +1,4 @@
-"""Read the next piece of work while the present one is processed."""
+"""Compute the next item of an iterator in a thread while the current one is processed."""
 
 import queue
 import threading
@@ -7,11 +7,11 @@ from typing import TypeVar
 
 T = TypeVar("T")
 
-POLL_INTERVAL = 0.1  # seconds between two checks whether the next piece is still needed
+POLL_INTERVAL_S = 0.1  # seconds between two checks whether the next piece is still needed
 
 
 def read_ahead(source: Iterator[T], depth: int = 1) -> Generator[T, None, None]:
-    """Yield from ``source``, which runs in a separate thread up to ``depth`` pieces ahead.
+    """Yield from ``source``, which runs in a separate thread; up to ``depth`` pieces are queued.
 
     An exception in the source is raised here. When the generator is closed, it waits until the
     thread has finished its current piece, because the thread may have a file open.
@@ -23,7 +23,7 @@ def read_ahead(source: Iterator[T], depth: int = 1) -> Generator[T, None, None]:
     def hand_over(piece: tuple[T] | None) -> None:
         while not unwanted.is_set():
             try:
-                pieces.put(piece, timeout=POLL_INTERVAL)
+                pieces.put(piece, timeout=POLL_INTERVAL_S)
                 return
             except queue.Full:
                 continue

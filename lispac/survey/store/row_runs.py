@@ -13,14 +13,14 @@ Runs = NDArray[np.int64]
 
 
 def row_runs(starts: NDArray[np.uint64], octave_runs: Runs) -> Runs:
-    """Rows of runs of octaves.
+    """Runs of rows that belong to runs of octaves; adjacent runs are joined.
 
     Parameters
     ----------
     starts : ndarray of shape (n + 1,)
         First row of each octave, and the number of rows.
     octave_runs : ndarray of shape (k, 2)
-        First octave and the one behind the last.
+        First octave and the octave after the last.
 
     Returns
     -------
@@ -65,34 +65,34 @@ def gather_values(values: NDArray[Any], runs: Runs) -> NDArray[Any]:
 
 
 def split_runs(runs: Runs, rows: int) -> Iterator[Runs]:
-    """The same rows some at a time: runs that together have at most ``rows`` of them.
+    """Yield the runs in groups with at most ``rows`` rows each; long runs are divided.
 
     Parameters
     ----------
     runs : ndarray of shape (k, 2)
     rows : int
     """
-    behind = np.cumsum(runs[:, 1] - runs[:, 0])
-    before = behind - (runs[:, 1] - runs[:, 0])
-    for low in range(0, int(behind[-1]) if len(runs) else 0, rows):
-        first = np.searchsorted(behind, low, side="right")
-        last = np.searchsorted(before, low + rows, side="left")
-        some = runs[first:last].copy()
-        some[-1, 1] -= max(0, behind[last - 1] - low - rows)
-        some[0, 0] += max(0, low - before[first])
-        yield some
+    ends = np.cumsum(runs[:, 1] - runs[:, 0])
+    starts = ends - (runs[:, 1] - runs[:, 0])
+    for low in range(0, int(ends[-1]) if len(runs) else 0, rows):
+        first = np.searchsorted(ends, low, side="right")
+        last = np.searchsorted(starts, low + rows, side="left")
+        group = runs[first:last].copy()
+        group[-1, 1] -= max(0, ends[last - 1] - low - rows)
+        group[0, 0] += max(0, low - starts[first])
+        yield group
 
 
 @njit(nogil=True, cache=True)
 def select_within_sphere(points_local, runs, centre, radius):  # type: ignore[no-untyped-def]
-    """Rows and points of those within a sphere; points are given run after run."""
+    """Rows and coordinates of the points within a sphere; the points are those of ``runs``."""
     rows, kept = np.empty(len(points_local), np.int64), np.empty_like(points_local)
     count = i = 0
     for k in range(len(runs)):
         for row in range(runs[k, 0], runs[k, 1]):
             x, y, z = points_local[i, 0], points_local[i, 1], points_local[i, 2]
-            away = (x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2
-            if away <= radius * radius:
+            squared = (x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2
+            if squared <= radius * radius:
                 rows[count] = row
                 kept[count, 0], kept[count, 1], kept[count, 2] = x, y, z
                 count += 1

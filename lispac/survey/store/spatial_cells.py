@@ -17,26 +17,28 @@ from lispac.compiled_code import njit
 Array = NDArray[np.float64]
 Keys = NDArray[np.uint64]
 
-BITS = 16
-"""Bits of a cell's number along each axis."""
-HALF = 1 << (BITS - 1)
+BITS_PER_AXIS = 16
+"""Bits of the number of a cell along each axis."""
+HALF_GRID_CELLS = 1 << (BITS_PER_AXIS - 1)
+"""Number of cells along each axis on either side of the origin."""
 OCTAVE_BITS = 4
+"""Bits of the number of an octave in its cell."""
 MAX_HALVINGS = (1 << OCTAVE_BITS) - 1
 """Largest number of halvings of a sample."""
-SIDES = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
-"""Possible sides of a cell, metres. With the smallest one, the cells extend 16 km from the origin;
-points beyond belong to the outermost cells."""
-FULL = 64
-"""Smallest mean number of points per cell, as long as larger cells are possible."""
+CELL_SIDES_M = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
+"""Possible edge lengths of a cell. With the smallest one, the cells extend 16 km from the origin;
+points farther away belong to the outermost cells."""
+MIN_MEAN_POINTS_PER_CELL = 64
+"""Smallest mean number of points in the occupied cells, unless the largest cells have fewer."""
 
 
 def choose_cell_side(points_local: Array) -> float:
-    """Side of the cells for a line that starts with these points, shape (n, 3), metres."""
-    for side in SIDES:
+    """Edge length of the cells, metres, for a line with these first points, shape (n, 3)."""
+    for side in CELL_SIDES_M:
         cells = np.unique(order_keys(points_local, np.zeros(len(points_local), np.int64), side))
-        if len(cells) * FULL <= len(points_local):
+        if len(cells) * MIN_MEAN_POINTS_PER_CELL <= len(points_local):
             return side
-    return SIDES[-1]
+    return CELL_SIDES_M[-1]
 
 
 def order_keys(points_local: Array, numbers: NDArray[Any], side: float) -> Keys:
@@ -46,12 +48,14 @@ def order_keys(points_local: Array, numbers: NDArray[Any], side: float) -> Keys:
     ----------
     points_local : ndarray of shape (n, 3), metres, local frame
     numbers : ndarray of shape (n,)
-        Of the points in the line.
+        Numbers of the points in the line.
+    side : float, metres
+        Edge length of the cells.
 
     Returns
     -------
     ndarray of shape (n,)
-        Points are ordered by this and, where it is equal, by their number.
+        Points are ordered by key and, for equal keys, by number.
     """
     keys = np.empty(len(points_local), np.uint64)
     _fill_order_keys(points_local, numbers.astype(np.uint64), side, keys)
@@ -59,11 +63,12 @@ def order_keys(points_local: Array, numbers: NDArray[Any], side: float) -> Keys:
 
 
 def is_octave_in_sample(octaves: Keys, halvings: int) -> NDArray[np.bool_]:
-    """Which octaves make up a sample of a half, a quarter, an eighth ... of the points.
+    """Mask of the octaves that belong to a sample of a half, a quarter, ... of the points.
 
     Parameters
     ----------
     octaves : ndarray of shape (n,)
+        Keys, or numbers of the octaves in their cells.
     halvings : int
         One for a half, two for a quarter.
 
@@ -76,14 +81,15 @@ def is_octave_in_sample(octaves: Keys, halvings: int) -> NDArray[np.bool_]:
 
 
 def is_number_in_sample(numbers: NDArray[Any], halvings: int) -> NDArray[np.bool_]:
-    """Which points, by their numbers, make up a sample of a half, a quarter, ... of a line.
+    """Mask of the points that belong to a sample of a half, a quarter, ... of a line.
 
-    It is the sample of `is_octave_in_sample`: the same points for a line in memory and one on disk.
+    The sample is that of `is_octave_in_sample`, so that a line in memory and a line on disk have
+    the same one.
 
     Parameters
     ----------
     numbers : ndarray of shape (n,), int
-        Places in the line.
+        Numbers of the points in the line.
     halvings : int
         One for a half, two for a quarter.
 
@@ -96,16 +102,16 @@ def is_number_in_sample(numbers: NDArray[Any], halvings: int) -> NDArray[np.bool
     return is_octave_in_sample(octaves, halvings)
 
 
-def is_drawn(numbers: NDArray[Any], points: int, count: int) -> NDArray[np.bool_]:
-    """Whether each point belongs to a fair sample of at most ``count`` out of ``points``.
+def is_in_coarse_sample(numbers: NDArray[Any], points: int, count: int) -> NDArray[np.bool_]:
+    """Mask of the points in a uniform random sample of at most ``count`` out of ``points``.
 
-    The draw goes by the hash that also makes the octaves, so that the sample comes from the
-    beginnings of the cells. It aims five standard deviations below ``count``.
+    Points are selected by the hash that also determines the octaves, so that those of a cell are at
+    its beginning. The expected size is five standard deviations below ``count``.
 
     Parameters
     ----------
     numbers : ndarray of shape (n,), int
-        Places in the line.
+        Numbers of the points in the line.
 
     Returns
     -------
@@ -119,7 +125,7 @@ def is_drawn(numbers: NDArray[Any], points: int, count: int) -> NDArray[np.bool_
 
 @njit(nogil=True, cache=True)
 def corners_and_reach(points_lidar, points_local):  # type: ignore[no-untyped-def]
-    """Lowest and highest corner of placed points, and the farthest from the scanner, metres."""
+    """Smallest and largest local coordinates, and largest range from the scanner, metres."""
     low, high, farthest = np.full(3, np.inf), np.full(3, -np.inf), 0.0
     for i in range(len(points_lidar)):
         squared = 0.0
@@ -133,7 +139,7 @@ def corners_and_reach(points_lidar, points_local):  # type: ignore[no-untyped-de
 
 @njit(nogil=True, cache=True, inline="always")
 def _splitmix_hash(number):  # type: ignore[no-untyped-def]
-    """The finaliser of splitmix64 (Stafford's mix 13): every bit of the number moves every bit."""
+    """Hash of a number: the finaliser of splitmix64 (Stafford's mix 13)."""
     z = number + np.uint64(0x9E3779B97F4A7C15)
     z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
@@ -150,7 +156,7 @@ def _splitmix_hashes(numbers):  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True, inline="always")
 def _octave_of_number(number):  # type: ignore[no-untyped-def]
-    """Octave of a point in its cell; half of the points are in the last octave."""
+    """Number of the octave of a point in its cell; half of the points are in the last octave."""
     octave, hashed = np.uint64((1 << OCTAVE_BITS) - 1), _splitmix_hash(number)
     while octave > 0 and not hashed >> np.uint64(63):
         hashed <<= np.uint64(1)
@@ -176,34 +182,34 @@ def _spread_bits(value):  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True)
 def _fill_order_keys(points_local, numbers, side, keys):  # type: ignore[no-untyped-def]
-    last = float(2 * HALF - 1)
+    last = float(2 * HALF_GRID_CELLS - 1)
     for i in range(len(keys)):
         key = np.uint64(0)
         for axis in range(3):
-            cell = min(max(np.floor(points_local[i, axis] / side) + HALF, 0.0), last)
+            cell = min(max(np.floor(points_local[i, axis] / side) + HALF_GRID_CELLS, 0.0), last)
             key |= _spread_bits(int(cell)) << np.uint64(axis)
         keys[i] = key << np.uint64(OCTAVE_BITS) | _octave_of_number(numbers[i])
 
 
 def stable_order(keys: Keys) -> NDArray[np.intp]:
-    """Order (n,) that sorts ``keys`` (n,); equal ones stay as they stand."""
+    """Order (n,) that sorts ``keys`` (n,); points with equal keys keep their order."""
     return np.argsort(keys, kind="stable")
 
 
 @njit(nogil=True, cache=True)
 def octave_runs_in_sphere(octaves, side, centre, radius):  # type: ignore[no-untyped-def]
-    """Cells that a sphere touches, as runs of places in the sorted ``octaves``, shape (k, 2)."""
+    """Cells that a sphere intersects, as runs of indices into the sorted ``octaves``, (k, 2)."""
     runs = np.empty((64, 2), np.int64)
     count = 0
-    # Outside the grid its outermost cells hold what lies beyond: moving both the points and the
-    # centre to the nearest place in it brings none of them farther apart.
-    edge = HALF * side
+    # The outermost cells also contain the points outside the grid. Moving these points and the
+    # centre to the nearest position in the grid does not increase their distance.
+    edge = HALF_GRID_CELLS * side
     x = min(max(centre[0], -edge), edge)
     y = min(max(centre[1], -edge), edge)
     z = min(max(centre[2], -edge), edge)
-    stack = np.empty((8 * (BITS + 1), 2), np.int64)  # first cell of a cube, and its level
+    stack = np.empty((8 * (BITS_PER_AXIS + 1), 2), np.int64)  # first cell of a cube, and its level
     depth = 1
-    stack[0, 0], stack[0, 1] = 0, BITS
+    stack[0, 0], stack[0, 1] = 0, BITS_PER_AXIS
     while depth:
         depth -= 1
         corner, level = stack[depth]
@@ -216,9 +222,9 @@ def octave_runs_in_sphere(octaves, side, centre, radius):  # type: ignore[no-unt
         gap, span = 0.0, 0.0
         for axis in range(3):
             number = 0
-            for bit in range(BITS):
+            for bit in range(BITS_PER_AXIS):
                 number |= ((corner >> (3 * bit + axis)) & 1) << bit
-            low = (number - HALF) * side
+            low = (number - HALF_GRID_CELLS) * side
             at = x if axis == 0 else (y if axis == 1 else z)
             gap += max(low - at, at - low - width, 0.0) ** 2
             span += max(at - low, low + width - at) ** 2
@@ -235,7 +241,7 @@ def octave_runs_in_sphere(octaves, side, centre, radius):  # type: ignore[no-unt
             runs[count, 0], runs[count, 1] = first, last
             count += 1
             continue
-        for child in range(7, -1, -1):  # the first one is taken first
+        for child in range(7, -1, -1):  # the first child is on top of the stack
             stack[depth, 0] = corner + (child << (3 * (level - 1)))
             stack[depth, 1] = level - 1
             depth += 1

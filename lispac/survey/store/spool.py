@@ -23,8 +23,8 @@ from lispac.messages import error
 from lispac.survey.store.column_files import file_checksum
 from lispac.survey.store.fingerprint import RunningFingerprint
 from lispac.survey.store.layout import (
-    SPOOL,
-    UNFINISHED,
+    PART_SUFFIX_PATTERN,
+    SPOOL_FOLDER,
     StoredColumn,
     is_link,
     json_with_checksum,
@@ -32,7 +32,14 @@ from lispac.survey.store.layout import (
     replace_file_when_complete,
     write_text_atomically,
 )
-from lispac.survey.store.point_blocks import BLOCK, OWN, Place, PointBlock, Values, field_names
+from lispac.survey.store.point_blocks import (
+    BLOCK_POINTS,
+    POINT_COLUMNS,
+    Place,
+    PointBlock,
+    Values,
+    field_names,
+)
 from lispac.survey.store.spatial_cells import (
     Keys,
     choose_cell_side,
@@ -41,13 +48,15 @@ from lispac.survey.store.spatial_cells import (
     stable_order,
 )
 
-DAMAGED = (OSError, ValueError, KeyError, TypeError, RecursionError)
-RECIPE, COMPLETE = "recipe.json", "complete.json"
-VERSION = 3
-SPOOLED_NAME = re.compile(
-    rf"(block-[0-9]{{5,}}\.(keys|columns|json)|{re.escape(RECIPE)}|{re.escape(COMPLETE)}){UNFINISHED}?"
+READING_ERRORS = (OSError, ValueError, KeyError, TypeError, RecursionError)
+"""Errors that a missing or damaged file of the spool raises."""
+RECIPE_FILE, COMPLETION_FILE = "recipe.json", "complete.json"
+SPOOL_VERSION = 3
+SPOOL_FILE_PATTERN = re.compile(
+    rf"(block-[0-9]{{5,}}\.(keys|columns|json)|{re.escape(RECIPE_FILE)}|{re.escape(COMPLETION_FILE)})"
+    rf"{PART_SUFFIX_PATTERN}?"
 )
-"""Names of the files of a spool: no others are removed."""
+"""Pattern of the names of the files of a spool; other files are not removed."""
 
 
 @dataclass(frozen=True)
@@ -57,23 +66,25 @@ class SpooledBlock:
     Attributes
     ----------
     number : int
-        Of the block, from 0.
+        Number of the block, from 0.
     count : int
-        Points in it.
+        Number of points.
     next_index : int
-        Index in the file behind its last point.
+        Index in the imported file after the last point.
     running : RunningFingerprint
-        Checksums up to its end.
+        Fingerprint of the line up to the last point.
     side : float, metres
-        Of the cells it is sorted by.
+        Edge length of the cells by which the points are sorted.
     low, high : list of 3 floats, metres, local frame
+        Smallest and largest coordinates.
     times : list of 2 floats, seconds
         First and last.
     reach : float, metres
+        Distance from the scanner to the farthest point.
     columns : tuple of StoredColumn
-        Attributes of the file; with the value where all points of the block share it.
+        Attributes of the imported file, with their value if all points of the block have the same.
     checksums : list of 2 int
-        Of keys and columns.
+        CRC-32 of the files of keys and of columns.
     """
 
     number: int
@@ -98,8 +109,9 @@ class SpoolSummary:
     read : int
         Points of the file, including excluded ones.
     assumptions : tuple of mapping
-        Messages as plain values; texts where an earlier version wrote it.
-    audit : mapping of plain values
+        Messages as plain values; texts if an earlier version wrote the file.
+    audit : mapping
+        `LineAudit` of the points as plain values.
     """
 
     read: int
@@ -108,13 +120,13 @@ class SpoolSummary:
 
 
 def remove_spool(folder: Path) -> None:
-    """Remove the spool of a stored line; files that no import writes stay, and the spool too."""
-    spool = folder / SPOOL
+    """Remove the spool of a line; a folder with other files is kept with these files."""
+    spool = folder / SPOOL_FOLDER
     if is_link(spool):
         return
     with suppress(OSError):
         for path in spool.iterdir():
-            if SPOOLED_NAME.fullmatch(path.name):
+            if SPOOL_FILE_PATTERN.fullmatch(path.name):
                 path.unlink()
         spool.rmdir()
 
@@ -127,21 +139,21 @@ class Spool:
     folder : Path
         Of the line.
     recipe : mapping
-        All that the blocks follow from; those made from anything else are removed.
+        All inputs that determine the blocks. Blocks made from other inputs are removed.
     """
 
     def __init__(self, folder: Path, recipe: Mapping[str, Any]) -> None:
-        self.folder = folder / SPOOL
+        self.folder = folder / SPOOL_FOLDER
         self.blocks: list[SpooledBlock] = []
-        content = json.dumps({"version": VERSION, "block": BLOCK, **recipe}, indent=1)
+        content = json.dumps({"version": SPOOL_VERSION, "block": BLOCK_POINTS, **recipe}, indent=1)
         try:
-            known = (self.folder / RECIPE).read_text(encoding="utf-8")
+            known = (self.folder / RECIPE_FILE).read_text(encoding="utf-8")
         except (OSError, ValueError):
             known = ""
         if known != content:
             self.remove()
             self.folder.mkdir(parents=True, exist_ok=True)
-            write_text_atomically(self.folder / RECIPE, content)
+            write_text_atomically(self.folder / RECIPE_FILE, content)
         self._find_blocks()
 
     @property
@@ -161,24 +173,24 @@ class Spool:
 
     @property
     def read_end(self) -> SpoolSummary | None:
-        """State at the end of the file; None if it is not yet read to its end."""
+        """Summary of the imported file; None if it is not yet read to its end."""
         try:
-            content = read_checked_json((self.folder / COMPLETE).read_text(encoding="utf-8"))
+            content = read_checked_json((self.folder / COMPLETION_FILE).read_text(encoding="utf-8"))
             if content["points"] != self.points:
                 return None
             return SpoolSummary(
                 int(content["read"]), tuple(content["assumptions"]), content["audit"]
             )
-        except DAMAGED:
+        except READING_ERRORS:
             return None
 
     def mark_complete(self, end: SpoolSummary) -> None:
-        """Record that the file is read to its end."""
+        """Record that the imported file was read to its end."""
         content = {"points": self.points, **asdict(end)}
-        write_text_atomically(self.folder / COMPLETE, json_with_checksum(content))
+        write_text_atomically(self.folder / COMPLETION_FILE, json_with_checksum(content))
 
     def add(self, block: PointBlock, place: Place) -> None:
-        """Place, sort and write a block."""
+        """Georeference, sort and write a block."""
         points_lidar, time = block.points_lidar[: block.count], block.time[: block.count]
         points_local = place(points_lidar, time)
         side = self.blocks[0].side if self.blocks else choose_cell_side(points_local)
@@ -220,24 +232,24 @@ class Spool:
         return np.fromfile(self._path(number, "keys"), np.uint64)
 
     def slice_of(self, number: int, start: int, stop: int) -> tuple[Keys, Values]:
-        """Keys and values of a part of a block; without the columns that the block shares.
+        """Keys and values of a part of a block, without the columns that are constant in it.
 
         Raises
         ------
         ProjectError
-            If the block is cut short.
+            If a file of the block is too short.
         """
         block, count = self.blocks[number], stop - start
         keys = np.fromfile(self._path(number, "keys"), np.uint64, count, offset=8 * start)
-        values, at = {}, 0
+        values, offset = {}, 0
         with self._path(number, "columns").open("rb") as file:
             for field, column in _columns_on_disk(block.columns).items():
                 kind = np.dtype((column.dtype, column.shape))
-                file.seek(at + start * kind.itemsize)
-                some = np.fromfile(file, column.dtype, count * prod(column.shape))
-                values[field] = some.reshape(-1, *column.shape)
-                at += block.count * kind.itemsize
-        if any(len(some) != count for some in (keys, *values.values())):
+                file.seek(offset + start * kind.itemsize)
+                numbers = np.fromfile(file, column.dtype, count * prod(column.shape))
+                values[field] = numbers.reshape(-1, *column.shape)
+                offset += block.count * kind.itemsize
+        if any(len(column) != count for column in (keys, *values.values())):
             folder = str(self.folder.parent)
             raise ProjectError(error("store.block_cut_short", folder=folder, block=number))
         return keys, values
@@ -248,16 +260,20 @@ class Spool:
         self.blocks = []
 
     def _find_blocks(self) -> None:
-        while (found := self._is_block_sound(len(self.blocks))) is not None:
+        while (found := self._read_sound_block(len(self.blocks))) is not None:
             self.blocks.append(found)
-        kept = {self._path(block.number, kind).name for block in self.blocks for kind in KINDS}
-        kept |= {RECIPE, COMPLETE}
+        kept = {
+            self._path(block.number, kind).name
+            for block in self.blocks
+            for kind in BLOCK_FILE_SUFFIXES
+        }
+        kept |= {RECIPE_FILE, COMPLETION_FILE}
         for path in self.folder.iterdir():
-            if path.name not in kept and SPOOLED_NAME.fullmatch(path.name):
+            if path.name not in kept and SPOOL_FILE_PATTERN.fullmatch(path.name):
                 path.unlink()
 
-    def _is_block_sound(self, number: int) -> SpooledBlock | None:
-        """A block of an earlier import, if it is whole: read again, so that no part is missing."""
+    def _read_sound_block(self, number: int) -> SpooledBlock | None:
+        """Read a block of an earlier import; None if it is missing or a checksum is wrong."""
         try:
             content = read_checked_json(self._path(number, "json").read_text(encoding="utf-8"))
             sums = [file_checksum(self._path(number, kind)) for kind in ("keys", "columns")]
@@ -273,11 +289,11 @@ class Spool:
                     "columns": columns,
                 }
             )
-        except DAMAGED:
+        except READING_ERRORS:
             return None
 
     def _write(self, number: int, kind: str, columns: Iterable[NDArray[Any]]) -> int:
-        """Write a file of a block; gives its checksum."""
+        """Write a file of a block and return its checksum."""
         path, checksum = self._path(number, kind), 0
         with replace_file_when_complete(path) as file:
             for values in columns:
@@ -290,21 +306,21 @@ class Spool:
         return self.folder / f"block-{number:05d}.{kind}"
 
 
-SOME = 1000
-KINDS = ("keys", "columns", "json")
+FIRST_COMPARED_POINTS = 1000
+BLOCK_FILE_SUFFIXES = ("keys", "columns", "json")
 
 
 def _columns_on_disk(columns: tuple[StoredColumn, ...]) -> dict[str, StoredColumn]:
-    """Columns that a block has on disk, by field."""
-    own = {column.name: column for column in OWN}
+    """Columns of a block that are not constant, by field; only these are on disk."""
+    own = {column.name: column for column in POINT_COLUMNS}
     return own | {f: column for f, column in field_names(columns).items() if column.value is None}
 
 
 def _column_with_constant(column: StoredColumn, values: NDArray[Any]) -> StoredColumn:
-    """The column, with its value where all points have the same one."""
+    """The column, with its value if all points have the same finite value."""
     bits = values.view(f"u{values.itemsize}").reshape(len(values), -1)
-    # By their bits, so that -0 stays -0; what is no number cannot stand in the manifest.
-    for some in (bits[:SOME], bits):  # mostly the first ones differ
-        if (some != bits[0]).any() or not np.isfinite(values[0]).all():
+    # Bits are compared, so that -0 and 0 differ. JSON has no NaN or infinity.
+    for part in (bits[:FIRST_COMPARED_POINTS], bits):  # usually, the first points differ already
+        if (part != bits[0]).any() or not np.isfinite(values[0]).all():
             return StoredColumn(column.name, column.dtype, column.shape)
     return StoredColumn(column.name, column.dtype, column.shape, value=values[0].tolist())

@@ -1,4 +1,4 @@
-"""A stored line: its columns as memory-mapped arrays, which are read when accessed."""
+"""A stored line: its columns are memory-mapped arrays, which are read from disk when accessed."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from lispac.survey.store.column_files import file_checksum, map_column
 from lispac.survey.store.file_times import replace_manifest, with_file_times
 from lispac.survey.store.import_lock import is_import_running
 from lispac.survey.store.layout import (
-    SPOOL,
+    SPOOL_FOLDER,
     Manifest,
     StoredColumn,
     import_again_message,
@@ -43,29 +43,30 @@ from lispac.survey.store.spatial_cells import (
 
 Array = NDArray[np.float64]
 
-CROWDED = 4
-"""Ratio of the points in the cells around a sphere to the limit from which the sphere is assumed to
-exceed the limit as well."""
-AT_ONCE = 1 << 20
-"""Largest number of points georeferenced at once; limits the points outside a sphere in memory."""
-FARTHEST = 1e8
-"""Largest possible distance from the origin of a local frame, metres."""
-FINEST = 1e-6
-"""Tolerance for the rounding of ranges near zero, metres."""
-ROUNDING = 2.0**-23
-"""Largest displacement by rounding since a point was sorted, as a share of its range."""
+MAX_CANDIDATE_RATIO = 4
+"""Largest ratio of the points in the cells around a sphere to the limit of points in the sphere.
+Above it, the sphere is assumed to have more points than the limit."""
+PLACED_POINTS_PER_STEP = 1 << 20
+"""Largest number of points that are georeferenced at once, which limits the memory required."""
+MAX_LOCAL_COORDINATE_M = 1e8
+"""Largest possible coordinate in a local frame."""
+RANGE_TOLERANCE_M = 1e-6
+"""Tolerance of the check of coordinates against the largest range, for ranges near zero."""
+MAX_ROUNDING_SHARE = 2.0**-23
+"""Largest displacement of a point by rounding its coordinates to 32 bits after the points were
+sorted, as a share of its range."""
 
 
 @dataclass(frozen=True, eq=False)
 class LineSample:
-    """Uniform random sample of a line for the first picture.
+    """Uniform random sample of a line, which is displayed before the line itself is read.
 
     Attributes
     ----------
     rows : ndarray of shape (n,)
         Rows of the points in the line, increasing.
     points_local : ndarray of shape (n, 3), metres, local frame
-        Georeferenced with the mounting by which the line was ordered.
+        Georeferenced with the mounting that was used at the import.
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
     time : ndarray of shape (n,), seconds
     intensity : ndarray of shape (n,) or None
@@ -78,8 +79,8 @@ class LineSample:
     intensity: NDArray[Any] | None
 
 
-CHECKED_AT_ONCE = 1_000_000
-"""Points whose values are checked at a time."""
+CHECKED_POINTS_PER_STEP = 1_000_000
+"""Number of points whose values are checked at once."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,17 +115,17 @@ class StoredLine:
     @cached_property
     def points_lidar(self) -> NDArray[np.float32]:
         """All points, shape (n, 3), metres, LiDAR frame."""
-        return self._own("xyz")
+        return self._stored_column("xyz")
 
     @cached_property
     def time(self) -> Array:
         """Times, shape (n,), seconds, in the trajectory's time base."""
-        return self._own("time")
+        return self._stored_column("time")
 
     @cached_property
     def extra(self) -> Mapping[str, NDArray[Any]]:
         """Attributes of the file under its own names, shape (n, ...) each."""
-        return {c.name: self._opened(c, len(self)) for c in self.manifest.attributes}
+        return {c.name: self._mapped_column(c, len(self)) for c in self.manifest.attributes}
 
     @property
     def intensity(self) -> NDArray[Any] | None:
@@ -133,38 +134,38 @@ class StoredLine:
 
     @cached_property
     def coarse(self) -> LineSample:
-        """At most a million points of the line."""
+        """Uniform random sample of at most a million points of the line."""
         intensity = None
         if "coarse_intensity" in self._columns:
-            intensity = self._own("coarse_intensity")
+            intensity = self._stored_column("coarse_intensity")
         elif self.intensity is not None:  # the same for all points
-            intensity = self.intensity[: len(self._own("coarse_row"))]
-        rows, xyz, time = (self._own(f"coarse_{name}") for name in ("row", "xyz", "time"))
+            intensity = self.intensity[: len(self._stored_column("coarse_row"))]
+        rows, xyz, time = (self._stored_column(f"coarse_{name}") for name in ("row", "xyz", "time"))
         self._require_points(xyz, time)
         self._require_numbers_below(rows, len(self))
-        local = self._own("coarse_local")
+        local = self._stored_column("coarse_local")
         # The extent of the trajectory is not known here: only impossible coordinates are refused.
-        if not np.isfinite(local).all() or (np.abs(local) > FARTHEST).any():
+        if not np.isfinite(local).all() or (np.abs(local) > MAX_LOCAL_COORDINATE_M).any():
             raise self._damage_error()
         return LineSample(rows, local, xyz, time, intensity)
 
     def numbers(self, rows: NDArray[Any]) -> NDArray[np.int64]:
-        """Places (n,) in the line as read, in the order of the file, of points in ``rows`` (n,)."""
+        """Numbers, shape (n,), in the order of the file, of the points in ``rows``, shape (n,)."""
         return self._values_at("number", rows)
 
     def rows(self, numbers: NDArray[Any]) -> NDArray[np.int64]:
-        """The inverse of `numbers`."""
+        """Rows, shape (n,), of the points with the given numbers; the inverse of `numbers`."""
         return self._values_at("row", numbers)
 
     def _values_at(self, name: str, at: NDArray[Any]) -> NDArray[np.int64]:
-        """Rows or numbers, at others.
+        """Values of the column ``number`` or ``row`` at the given indices.
 
         Raises
         ------
         ProjectError
-            If one is not of this line.
+            If an index or a value is not that of a point of this line.
         """
-        column = self._own(name)
+        column = self._stored_column(name)
         self._require_numbers_below(at, len(column))
         found = column[at].astype(np.int64)
         self._require_numbers_below(found, len(self))
@@ -175,7 +176,7 @@ class StoredLine:
             raise self._damage_error()
 
     def _require_points(self, points_lidar: NDArray[Any], time: NDArray[Any]) -> None:
-        """Refuse points beyond the range in the manifest, and times outside its span.
+        """Refuse coordinates above the largest range of the manifest, and times outside its limits.
 
         Raises
         ------
@@ -183,7 +184,7 @@ class StoredLine:
         """
         if not len(time):
             return
-        limit = self.manifest.reach * (1 + ROUNDING) + FINEST
+        limit = self.manifest.reach * (1 + MAX_ROUNDING_SHARE) + RANGE_TOLERANCE_M
         early, late = self.manifest.first_time, self.manifest.last_time
         if not (np.abs(points_lidar).max() <= limit and early <= time.min() <= time.max() <= late):
             raise self._damage_error()
@@ -192,10 +193,10 @@ class StoredLine:
         return ProjectError(import_again_message(error("store.values", line=self.name)))
 
     def indices_in_file(self, rows: NDArray[Any]) -> NDArray[np.int64]:
-        """Places of ``rows``, both (n,), in the original file, which also has excluded points."""
+        """Indices in the imported file of ``rows``, both (n,); excluded points are counted."""
         numbers = self.numbers(rows)
         if "before" in self._columns:
-            numbers += self._own("before")[rows]
+            numbers += self._stored_column("before")[rows]
         return numbers
 
     @property
@@ -227,24 +228,24 @@ class StoredLine:
         return self.intensity[self.rows(numbers)].astype(np.float64)
 
     def near(self, centre: Array, radius: float, *, margin: float = 0.0, halvings: int = 0) -> Runs:
-        """Runs of rows that hold all points within a sphere, and others about it.
+        """Runs of rows with all points within a sphere, and further points around it.
 
         Parameters
         ----------
         centre : ndarray of shape (3,), metres, local frame
         radius : float, metres
         margin : float, metres
-            How far points may have moved since they were ordered, for example by another boresight.
+            Largest displacement of a point since the import, for example by another boresight.
         halvings : int
-            Of the points: 1 gives a fair sample of half of them, 2 of a quarter, and so on.
+            1 for a uniform random sample of half of the points, 2 for a quarter, and so on.
 
         Returns
         -------
         ndarray of shape (k, 2)
-            First row and the one behind the last, increasing.
+            See `Runs`.
         """
         centre = np.asarray(centre, dtype=np.float64)
-        reach = radius + margin + ROUNDING * self.manifest.reach
+        reach = radius + margin + MAX_ROUNDING_SHARE * self.manifest.reach
         found = octave_runs_in_sphere(self._octaves, self.manifest.side, centre, float(reach))
         if halvings:
             every = rows_of_runs(found)
@@ -260,12 +261,12 @@ class StoredLine:
         *,
         margin: float = 0.0,
     ) -> tuple[NDArray[np.int64], Array]:
-        """All points within a sphere, placed anew.
+        """All points within a sphere, georeferenced again.
 
         Parameters
         ----------
         place : callable
-            Puts points into the local frame.
+            Georeferences points.
         centre, radius, margin
             See `near`.
 
@@ -298,7 +299,7 @@ class StoredLine:
         halvings = 0
         while limit and halvings < MAX_HALVINGS:
             runs = self.near(centre, radius, margin=margin, halvings=halvings)
-            if (runs[:, 1] - runs[:, 0]).sum() <= CROWDED * limit:
+            if (runs[:, 1] - runs[:, 0]).sum() <= MAX_CANDIDATE_RATIO * limit:
                 break
             halvings += 1
         rows, points = self._placed_within(centre, radius, place, margin, halvings)
@@ -317,18 +318,18 @@ class StoredLine:
     def _placed_within(
         self, centre: Array, radius: float, place: Place, margin: float, halvings: int
     ) -> tuple[NDArray[np.int64], Array]:
-        """Points within a sphere, from a sample after some halvings."""
+        """Points of a sample, with the given number of halvings, within a sphere."""
         middle = np.asarray(centre, dtype=np.float64)
         found = [(np.zeros(0, np.int64), np.zeros((0, 3)))]
-        for some in split_runs(
-            self.near(centre, radius, margin=margin, halvings=halvings), AT_ONCE
+        for group in split_runs(
+            self.near(centre, radius, margin=margin, halvings=halvings), PLACED_POINTS_PER_STEP
         ):
             points, time = (
-                gather_values(values, some) for values in (self.points_lidar, self.time)
+                gather_values(values, group) for values in (self.points_lidar, self.time)
             )
             self._require_points(points, time)
             placed = place(points.astype(np.float64), time)
-            found.append(select_within_sphere(placed, some, middle, float(radius)))
+            found.append(select_within_sphere(placed, group, middle, float(radius)))
         rows = np.concatenate([rows for rows, _ in found])
         return rows, np.concatenate([points for _, points in found])
 
@@ -346,47 +347,47 @@ class StoredLine:
             try:
                 _require_checksum(path, column.checksum)
             except ProjectError as failure:
-                raise self.imported_again_or(failure) from failure
+                raise self.reimport_error_or(failure) from failure
             done += column.size
             progress(done / self.manifest.bytes)
-        for first in range(0, len(self), CHECKED_AT_ONCE):
-            rows = slice(first, first + CHECKED_AT_ONCE)
+        for first in range(0, len(self), CHECKED_POINTS_PER_STEP):
+            rows = slice(first, first + CHECKED_POINTS_PER_STEP)
             self._require_points(self.points_lidar[rows], self.time[rows])
 
-    def is_of(self, path: Path) -> bool:
-        """Whether the file at ``path`` is still the one that was imported (`OSError`)."""
+    def is_source_unchanged(self, path: Path) -> bool:
+        """Whether the file at ``path`` is the imported one, unchanged (`OSError` if unreadable)."""
         return is_original_unchanged(self.manifest.original, path)
 
     @cached_property
     def _columns(self) -> Mapping[str, Any]:
         return {column.name: column for column in self.manifest.columns}
 
-    def _own(self, name: str) -> NDArray[Any]:
+    def _stored_column(self, name: str) -> NDArray[Any]:
         column = self._columns[name]
-        return self._opened(column, column.count)
+        return self._mapped_column(column, column.count)
 
-    def _opened(self, column: StoredColumn, count: int) -> NDArray[Any]:
+    def _mapped_column(self, column: StoredColumn, count: int) -> NDArray[Any]:
         try:
             return map_column(self.folder / self.manifest.folder, column, count)
         except ProjectError as failure:
-            raise self.imported_again_or(failure) from failure
+            raise self.reimport_error_or(failure) from failure
 
-    def imported_again_or(self, failure: ProjectError) -> ProjectError:
-        """Error that the line was imported again since it was opened, or ``failure`` if not."""
+    def reimport_error_or(self, failure: ProjectError) -> ProjectError:
+        """Error that the line was imported again after it was opened; ``failure`` if it was not."""
         if _is_manifest_current(self.folder, self.manifest):
             return failure
         return ProjectError(error("store.imported_again", line=self.name))
 
     @cached_property
     def _octaves(self) -> Keys:
-        octaves = np.array(self._own("octaves"))
+        octaves = np.array(self._stored_column("octaves"))
         if (octaves[1:] <= octaves[:-1]).any():
             raise self._damage_error()
         return octaves
 
     @cached_property
     def _starts(self) -> Keys:
-        starts = np.array(self._own("starts"))
+        starts = np.array(self._stored_column("starts"))
         sound = len(starts) == len(self._octaves) + 1 and starts[0] == 0
         if not sound or starts[-1] != len(self) or (starts[1:] <= starts[:-1]).any():
             raise self._damage_error()
@@ -404,13 +405,13 @@ def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> 
     ProjectError
         If the line is not imported, its import was interrupted, or it is damaged.
     FileNotFoundError
-        If a file is removed meanwhile.
+        If a file is removed during the check.
     """
     manifest = read_manifest(folder)
     if manifest is None:
         if is_import_running(folder):
             raise ProjectError(error("store.being_imported", line=line))
-        if (folder / SPOOL).is_dir():
+        if (folder / SPOOL_FOLDER).is_dir():
             raise ProjectError(error("store.interrupted", line=line))
         raise ProjectError(error("store.not_imported", line=line))
     if manifest.line != line:
@@ -436,7 +437,7 @@ def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> 
 
 
 def _is_manifest_current(folder: Path, manifest: Manifest) -> bool:
-    """Whether a manifest read earlier still names the valid columns."""
+    """Whether the manifest on disk names the same columns as one read earlier, or is missing."""
     try:
         now = read_manifest(folder)
     except ProjectError:

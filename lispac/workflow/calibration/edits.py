@@ -25,14 +25,14 @@ def with_use_of_sighting(project: Project, name: str, line: str, used: bool) -> 
 
 
 def with_use_of_line(project: Project, line: str, used: bool) -> Project:
-    """Include or exclude every target's sighting on a line."""
+    """Include or exclude the sightings of all targets on a line, without validation planes."""
     for target in project.targets_of_role("target"):
         project = with_use_of_sighting(project, target.name, line, used)
     return project
 
 
 def with_renamed_target(project: Project, old: str, new: str) -> Project:
-    """Rename a target without changing the order, and clear the results under its old name.
+    """Rename a target without changing the order; the results that depend on it are cleared.
 
     Raises
     ------
@@ -45,7 +45,7 @@ def with_renamed_target(project: Project, old: str, new: str) -> Project:
     if any(target.name == new for target in project.targets if target.name != old):
         raise ProjectError(error("edit.name_taken", name=new, target=old))
     names = [target.name for target in project.targets]
-    # The edit clears the results that are out of date; only the order is restored here.
+    # These edits clear the results and append the target; below, the order is restored.
     edited = project.without_target(old).with_target(replace(project.target(old), name=new))
     by_name = {target.name: target for target in edited.targets}
     order = [new if name == old else name for name in names]

@@ -29,11 +29,11 @@ from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 
-RESELECTIONS = 3
+MAX_RESELECTIONS = 3
 """Largest number of repeated selections of the points. Each reduces the error caused by the smeared
 surfaces of the previous selection to about a third."""
 
-MAX_WARNINGS = 3
+MAX_DATA_WARNINGS = 3
 """Largest number of warnings about the data in the error of a failed adjustment."""
 
 SELECTION_SPACING = 0.1
@@ -41,7 +41,8 @@ SELECTION_SPACING = 0.1
 surface may have hundreds of times the density of the far end, and would otherwise dominate."""
 
 CONVERGENCE_LIMIT = 0.1
-"""Change of an angle, as a share of its sigma, below which the selection is not repeated."""
+"""Change of an angle, as a share of its sigma, below which the selection is not repeated.
+All three angles must satisfy it."""
 
 
 def observations_of(
@@ -68,7 +69,7 @@ def observations_of(
     AdjustmentError
         If no target has sightings on two lines.
     RankDeficient
-        If there is only one line.
+        If all used sightings are on one line.
     """
     settings = settings or project.settings
     averages = settings.pos_errors == "correlated"
@@ -186,7 +187,7 @@ def estimate(
     survey: Survey,
     *,
     settings: Settings | None = None,
-    reselections: int = RESELECTIONS,
+    reselections: int = MAX_RESELECTIONS,
     cross_check: bool = True,
     progress: Progress = no_progress,
 ) -> Project:
@@ -246,7 +247,7 @@ def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
         warnings = [each for each in survey.messages if each.level is Level.WARNING]
         alone = single_line_notes(project.targets)
         reason = failure.reason
-        causes: list[Message | str] = [*alone, *warnings[:MAX_WARNINGS]]
+        causes: list[Message | str] = [*alone, *warnings[:MAX_DATA_WARNINGS]]
         for cause in causes:
             reason = error("estimate.possible_cause", reason=reason, cause=cause)
         if isinstance(failure, TargetDisagrees):
@@ -258,7 +259,7 @@ def reselect_points(
     project: Project,
     survey: Survey,
     *,
-    rounds: int = RESELECTIONS,
+    rounds: int = MAX_RESELECTIONS,
     progress: Progress = no_progress,
 ) -> Project:
     """Select the points of the targets again with a boresight that is estimated between selections.
@@ -275,8 +276,8 @@ def reselect_points(
         subsample=max(settings.subsample, SELECTION_SPACING),
         parameters=(),
     )
-    # The geometry is judged by the times and surfaces that are given.
-    judged = replace(settings.stochastic_model, pos_errors="independent", loss="none")
+    # Everything else of the stochastic model is that of the project.
+    coarse_model = replace(settings.stochastic_model, pos_errors="independent", loss="none")
     angles = prior.boresight
     for k in range(rounds):
         step = sub_progress(progress, k / rounds, (k + 1) / rounds)
@@ -288,12 +289,12 @@ def reselect_points(
                 count=rounds,
             ),
         )
-        # The correlated model would treat points of another surface as POS errors. With this model
-        # they remain visible as residuals.
+        # The correlated model would treat points of another surface as POS errors. With
+        # independent errors they remain visible as residuals.
         with _add_failure_causes(project, survey):
             thinned = observations_of(selected, survey, settings=coarse)
             result = adjust_or_explain(
-                thinned, prior, judged,
+                thinned, prior, coarse_model,
                 accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
             )  # fmt: skip
         changes = np.abs(result.boresight - angles)
@@ -364,9 +365,9 @@ def complete_result(
 def _with_advice(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
     """Result with a note on the additional line that would improve the precision most."""
     # The additional line is assessed with the sigmas of the complete adjustment.
-    judged = observations.with_sigmas(*result.sigma_factors)
+    scaled = observations.with_scaled_sigmas(*result.sigma_factors)
     seen = result.observability
-    if seen is None or not (found := further_line_advice(judged, result)):
+    if seen is None or not (found := further_line_advice(scaled, result)):
         return result
     messages = (*seen.messages, *found)
     return replace(result, observability=replace(seen, messages=messages))
@@ -396,8 +397,8 @@ def _selected_observations(
 
 def _with_cross_checks(project: Project, observations: Observations, progress: Progress) -> Project:
     assert project.result is not None
-    # The parts are judged by the sigmas of the whole.
-    observations = observations.with_sigmas(*project.result.sigma_factors)
+    # The parts are adjusted with the sigmas of the complete adjustment.
+    observations = observations.with_scaled_sigmas(*project.result.sigma_factors)
     prior, parameters = project.mounting("prior"), project.settings.parameters
     checks = cross_checks(observations, prior, project.result, parameters, progress=progress)
     return project.with_cross_checks(checks)

@@ -25,7 +25,8 @@ def adjust_natural_planes(
     Raises
     ------
     AdjustmentError
-        If there are too few validation planes, or they have too few orientations.
+        If there are fewer than two validation planes that are used on several lines, or they do not
+        determine the boresight.
     """
     planes = tuple(
         replace(plane, role="target")
@@ -105,16 +106,18 @@ def run_method(
         return adjust_natural_planes(project, survey, progress=progress)
     if method == "targetless":
         return targetless_result(targetless(project, survey, progress=progress))
-    laid = patch_test.propose_objects(project, survey, progress=sub_progress(progress, 0.0, 0.4))
+    placed = patch_test.propose_objects(project, survey, progress=sub_progress(progress, 0.0, 0.4))
     return patch_test_result(
-        patch_test.find_boresight(project, survey, laid, progress=sub_progress(progress, 0.4, 1.0))
+        patch_test.find_boresight(
+            project, survey, placed, progress=sub_progress(progress, 0.4, 1.0)
+        )
     )
 
 
 def run_missing_methods(
     project: Project, survey: Survey, *, progress: Progress = no_progress
 ) -> tuple[Project, dict[str, Message]]:
-    """Run all methods without a result; return the project, and errors by method.
+    """Run all methods without a result; returns the project, and errors by method.
 
     Methods with a result are not run again.
     """

@@ -9,7 +9,7 @@ from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.workflow.project.survey import Survey
 
-MAX_POINTS = 500
+MAX_POINTS_PER_TARGET = 500
 """Largest number of points of a target used for its orientation."""
 
 
@@ -34,9 +34,9 @@ def do_targets_face_one_way(project: Project, survey: Survey) -> bool:
         cloud: Cloud | None = survey.clouds.get(sighting.line)
         if cloud is None:
             return False
-        sample = sighting.indices[:: -(-len(sighting.indices) // MAX_POINTS)]
+        sample = sighting.indices[:: -(-len(sighting.indices) // MAX_POINTS_PER_TARGET)]
         try:
             normals.append(fit_plane(cloud[sample]).normal)
         except PlaneNotFound:
-            return False  # its quality reports this
+            return False  # the quality of the sighting reports this
     return have_one_orientation(np.array(normals), np.zeros(len(normals), dtype=bool))

@@ -170,7 +170,7 @@ def place_objects(
 def find_boresight(
     project: Project,
     survey: Survey,
-    laid: PlacedObjects,
+    placed: PlacedObjects,
     *,
     pairs: Sequence[LinePair] | None = None,
     start: Array | None = None,
@@ -192,32 +192,32 @@ def find_boresight(
     """
     project.settings.require_sound()
     chosen = line_pairs(survey) if pairs is None else tuple(pairs)
-    names = {each.name for each in laid.objects}
-    at = np.asarray(laid.boresight if start is None else start, dtype=float)
-    together = minimise_mismatch(
-        laid.sample, laid.blocks(names, chosen), at, progress=sub_progress(progress, 0.0, 0.4)
+    names = {each.name for each in placed.objects}
+    at = np.asarray(placed.boresight if start is None else start, dtype=float)
+    all_angles = minimise_mismatch(
+        placed.sample, placed.blocks(names, chosen), at, progress=sub_progress(progress, 0.0, 0.4)
     )
-    if not np.abs(together.boresight - laid.boresight).max() <= RESELECT_ANGLE:
-        laid = place_objects(
+    if not np.abs(all_angles.boresight - placed.boresight).max() <= RESELECT_ANGLE:
+        placed = place_objects(
             project,
             survey,
-            laid.moved_to_boresight(together.boresight),
-            together.boresight,
+            placed.moved_to_boresight(all_angles.boresight),
+            all_angles.boresight,
             progress=sub_progress(progress, 0.4, 0.5),
         )
         step = sub_progress(progress, 0.5, 0.7)
-        together = minimise_mismatch(
-            laid.sample, laid.blocks(names, chosen), together.boresight, progress=step
+        all_angles = minimise_mismatch(
+            placed.sample, placed.blocks(names, chosen), all_angles.boresight, progress=step
         )
-    blocks = laid.blocks(names, chosen)
-    turned = minimise_angle_by_angle(
-        laid.sample, blocks, at, progress=sub_progress(progress, 0.7, 1.0)
+    blocks = placed.blocks(names, chosen)
+    angle_by_angle = minimise_angle_by_angle(
+        placed.sample, blocks, at, progress=sub_progress(progress, 0.7, 1.0)
     )
-    return _assess_patch_test(project, survey, laid, blocks, together, turned)
+    return _assess_patch_test(project, survey, placed, blocks, all_angles, angle_by_angle)
 
 
 def find_angle(
-    laid: PlacedObjects, blocks: Sequence[PairBlock], start: Array, angle: int,
+    placed: PlacedObjects, blocks: Sequence[PairBlock], start: Array, angle: int,
     *, progress: Progress = no_progress,
 ) -> MismatchMinimum:  # fmt: skip
     """Find one angle with the smallest mismatch while the others are fixed.
@@ -233,31 +233,31 @@ def find_angle(
     AdjustmentError
         If lines do not overlap at the objects, or do not determine the angle.
     """
-    return minimise_mismatch(laid.sample, blocks, start, (angle,), progress=progress)
+    return minimise_mismatch(placed.sample, blocks, start, (angle,), progress=progress)
 
 
 def _assess_patch_test(
-    project: Project, survey: Survey, laid: PlacedObjects, blocks: Sequence[PairBlock],
-    together: MismatchMinimum, turned: MismatchMinimum,
+    project: Project, survey: Survey, placed: PlacedObjects, blocks: Sequence[PairBlock],
+    all_angles: MismatchMinimum, angle_by_angle: MismatchMinimum,
 ) -> PatchTestResult:  # fmt: skip
-    model, mismatch = project.settings.stochastic_model, Mismatch(laid.sample, blocks)
-    judged = bootstrap_precision(
-        mismatch, together.boresight, survey.accuracy, model.position_time, model.attitude_time
+    model, mismatch = project.settings.stochastic_model, Mismatch(placed.sample, blocks)
+    precision = bootstrap_precision(
+        mismatch, all_angles.boresight, survey.accuracy, model.position_time, model.attitude_time
     )
-    used_names = {each.name for each in judged.objects}
+    used_names = {each.name for each in precision.objects}
     used = [b for b in blocks if b.first.object.name in used_names]
     return PatchTestResult(
-        boresight=together.boresight,
-        one_by_one=turned.boresight,
-        covariance=judged.covariance,
-        curvature=judged.curvature,
+        boresight=all_angles.boresight,
+        one_by_one=angle_by_angle.boresight,
+        covariance=precision.covariance,
+        curvature=precision.curvature,
         mismatch_before=mismatch(project.mounting("prior").boresight),
-        mismatch=mismatch(together.boresight),
+        mismatch=mismatch(all_angles.boresight),
         lines=tuple(
             line for line in survey.lines if any(line in block.pair.lines for block in used)
         ),
-        objects=judged.objects,
-        rounds=turned.rounds,
-        converged=together.converged and turned.converged,
-        without_pairs=tuple(each.name for each in laid.objects if each.name not in used_names),
+        objects=precision.objects,
+        rounds=angle_by_angle.rounds,
+        converged=all_angles.converged and angle_by_angle.converged,
+        without_pairs=tuple(each.name for each in placed.objects if each.name not in used_names),
     )

@@ -20,7 +20,7 @@ from lispac.project import (
     require_valid_target,
 )
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sighting_agreement import split_by_agreement
 from lispac.targets.sphere_finder import SpherePatch
@@ -43,7 +43,7 @@ def find_target(
     threshold: float | None = None,
     radius: float | None = None,
     expected: ExpectedTarget | None = None,
-    choices: FinderChoices = USUAL,
+    choices: FinderChoices = DEFAULT_CHOICES,
     progress: Progress = no_progress,
 ) -> Target:
     """Find the target at a seed, without adding it to the project.
@@ -60,7 +60,7 @@ def find_target(
     threshold : float, metres, optional
         RANSAC distance threshold; by default that of the project, or a larger one for spheres.
     radius : float, metres, optional
-        Search radius about the seed; `DEFAULT_RADII` by default.
+        Search radius about the seed; by default those of `TargetSearch.search_radii` in turn.
     expected : ExpectedTarget, optional
         Expected size and inclination of a plane, with which the detected planes are compared.
     choices : FinderChoices
@@ -122,7 +122,7 @@ def pick_target(
     threshold: float | None = None,
     radius: float | None = None,
     expected: ExpectedTarget | None = None,
-    choices: FinderChoices = USUAL,
+    choices: FinderChoices = DEFAULT_CHOICES,
     progress: Progress = no_progress,
 ) -> Project:
     """Find the target at a seed in all lines or one and add it; parameters as for `find_target`.
@@ -197,7 +197,7 @@ def point_position(project: Project, survey: Survey, line: str, number: int) -> 
 
 
 def require_survey_points(survey: Survey, target: Target) -> None:
-    """Refuse a target whose points do not exist in the survey's lines.
+    """Refuse a target whose points do not exist, or whose lines have changed since the pick.
 
     Raises
     ------

@@ -14,17 +14,18 @@ from lispac.project import PickedSighting, Target
 from lispac.survey.cloud import Cloud
 
 Array = NDArray[np.float64]
-Chosen = Callable[[Array], NDArray[np.bool_]]
+PointSelector = Callable[[Array], NDArray[np.bool_]]
 """Function of points (n, 3) that returns flags of the selected ones."""
 
-MIN_POINTS = 10
+MIN_POINTS_PER_SIGHTING = 10
 """Smallest number of points that a sighting must keep."""
 EDIT_MARGIN = 2.0
-"""Metres beyond a sighting within which points are added to it."""
+"""Distance by which an added point may be farther from the centre of a sighting than its farthest
+point, metres."""
 
 
 def without_points(
-    target: Target, clouds: Mapping[str, Cloud], chosen: Chosen, line: str = ""
+    target: Target, clouds: Mapping[str, Cloud], chosen: PointSelector, line: str = ""
 ) -> tuple[Target, int]:
     """Remove points from a target's sightings, or from the one on ``line``.
 
@@ -39,12 +40,13 @@ def without_points(
     Raises
     ------
     ProjectError
-        If a sighting would keep fewer than `MIN_POINTS` points.
+        If a sighting would keep fewer than `MIN_POINTS_PER_SIGHTING` points, or points that do not
+        determine a plane.
     """
 
     def edited(sighting: PickedSighting, cloud: Cloud) -> NDArray[np.int64]:
         kept = sighting.indices[~chosen(cloud[sighting.indices])]
-        if len(kept) < min(MIN_POINTS, len(sighting.indices)):
+        if len(kept) < min(MIN_POINTS_PER_SIGHTING, len(sighting.indices)):
             raise ProjectError(
                 error(
                     "edit.few_points_left", target=target.name, line=sighting.line, count=len(kept)
@@ -56,12 +58,13 @@ def without_points(
 
 
 def with_points(
-    target: Target, clouds: Mapping[str, Cloud], chosen: Chosen, line: str = ""
+    target: Target, clouds: Mapping[str, Cloud], chosen: PointSelector, line: str = ""
 ) -> tuple[Target, int]:
     """Add points near their surface to a target's sightings, or to the one on ``line``.
 
-    Points are added only within the target's threshold of the surface of the sighting and within
-    `EDIT_MARGIN` of its outline, because a selection on the screen also contains points behind it.
+    Points are added only within the target's threshold of the surface of the sighting and not much
+    farther from its centre than its own points (`EDIT_MARGIN`), because a selection on the screen
+    also contains points behind it.
 
     Parameters, returns
     -------------------

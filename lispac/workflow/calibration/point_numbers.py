@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.messages import error
 
-_RUN = re.compile(r"(\d{1,15})(?:\+(\d{1,9}))?")
+_RUN_PATTERN = re.compile(r"(\d{1,15})(?:\+(\d{1,9}))?")
+"""First index and, after a plus sign, the number of consecutive indices."""
 MAX_POINTS = 10**9
 """Largest number of points that a text may list."""
 
@@ -52,7 +53,7 @@ def point_numbers(text: str) -> NDArray[np.int64]:
 
 def _parse_runs(text: str) -> Iterator[tuple[int, int]]:
     for word in text.split():
-        found = _RUN.fullmatch(word)
+        found = _RUN_PATTERN.fullmatch(word)
         if found is None:
             raise InputError(error("pick.not_a_number", text=word[:40]))
         yield int(found[1]), int(found[2] or 1)

@@ -10,7 +10,7 @@ from lispac.workflow.calibration.picking import next_name
 from lispac.workflow.calibration.proposals import Proposal
 
 
-def without_picked(project: Project, proposal: Proposal) -> Proposal:
+def without_picked_surfaces(project: Project, proposal: Proposal) -> Proposal:
     """Remove the surfaces that the project already has from a proposal, and use free names."""
     targets: list[Target] = []
     reasons: dict[str, Message] = {}
@@ -28,7 +28,7 @@ def without_picked(project: Project, proposal: Proposal) -> Proposal:
     return replace(proposal, targets=tuple(targets), reasons=reasons, picked=tuple(picked))
 
 
-def with_accepted(
+def with_accepted_targets(
     project: Project, proposal: Proposal, names: Collection[str]
 ) -> tuple[Project, tuple[str, ...]]:
     """Add the proposed targets with given names; returns the project and their names in it.

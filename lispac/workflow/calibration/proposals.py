@@ -23,19 +23,19 @@ from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Role, Target, Triple
 from lispac.survey.cloud import Cloud, place_clouds
-from lispac.targets.boresight_smear import ROUGHLY_OFF
+from lispac.targets.boresight_smear import ROUGH_BORESIGHT_SIGMA
 from lispac.targets.occlusion import does_plane_end_within
-from lispac.targets.plane_detection import DetectedPlane, Found, detect_planes
+from lispac.targets.plane_detection import DetectedPlane, PatchesAndReasons, detect_planes
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sighting_quality import SightingQuality
-from lispac.validation.plane_comparison import comparable_pairs, reciprocal
-from lispac.warning_causes import RESULT
+from lispac.validation.plane_comparison import are_reciprocal, comparable_pairs
+from lispac.warning_causes import RESULT_CAUSE
 from lispac.workflow.calibration.estimation import estimate, observations_of
 from lispac.workflow.calibration.refusals import refused_by_method
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.calibration.target_choice import (
     MIN_TARGETS,
-    MIN_VALIDATION,
+    MIN_VALIDATION_PLANES,
     CandidatePlanes,
     choose_targets,
 )
@@ -44,17 +44,17 @@ from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 
-MIN_AREA = 2.0
+MIN_VALIDATION_AREA = 2.0
 """Smallest area of a validation plane, square metres, if there are enough planes of that size."""
-MAX_POOR = 0.5
+MAX_POOR_SHARE = 0.5
 """Limit for the share of a plane's sightings with poor quality.
 
 A plane is not proposed if the flatness is not good in this share of its sightings or more. If the
 rating is poor in exactly this share, the plane is proposed only if there are too few others; if it
 is poor in more, the plane is not proposed."""
-MAX_SHARED_POINTS = 0.01
-"""Smallest share of the points of a plane in common with another one for an overlap."""
-UNCHECKED = {
+MAX_SHARED_POINT_SHARE = 0.01
+"""Largest share of the points of a plane in common with another one that is not an overlap."""
+UNCHECKED_TARGET_CODES = {
     "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
 }  # fmt: skip
 """Codes of warnings that the targets do not check each other."""
@@ -75,7 +75,8 @@ class Proposal:
     picked : tuple of str
         Targets of the project that would have been proposed.
     warnings : tuple of Message
-        Warnings of an adjustment of the proposed targets, without notes.
+        Warnings of an adjustment of the proposed targets, without notes, and a warning if no
+        validation plane is proposed.
     """
 
     targets: tuple[Target, ...]
@@ -98,7 +99,7 @@ def propose_targets(
     Raises
     ------
     TargetNotFound
-        If there are fewer than two planes on two or more lines.
+        If there are fewer than two flat planes on two or more lines.
     AdjustmentError
         If the planes do not determine the boresight.
     """
@@ -109,7 +110,7 @@ def propose_targets(
     if aligned.is_aligned:
         settings = replace(settings, max_shift=ALIGNED_MAX_SHIFT)
 
-    def find(seed: Array, line: str, step: Progress) -> Found:
+    def find(seed: Array, line: str, step: Progress) -> PatchesAndReasons:
         return find_planes_in_lines(
             aligned.clouds, seed, settings,
             first_line=line, accuracy=aligned.accuracy, progress=step,
@@ -154,14 +155,14 @@ def propose_targets(
     for number, name in enumerate(chosen, start=1):
         proposed.append(_proposed_target(survey, named[name], f"T{number}", "target", threshold))
         reasons[f"T{number}"] = _target_reason(planes, chosen, name, len(named[name].found))
-    ordered = _order_validation_planes({name: named[name] for name in separate}, separate, survey)
+    ordered = _choose_validation_planes({name: named[name] for name in separate}, separate, survey)
     for number, name in enumerate(ordered, start=1):
         plane, is_reciprocal = named[name], _has_reciprocal_lines(separate[name], survey)
         proposed.append(_proposed_target(survey, plane, f"V{number}", "validation", threshold))
         reasons[f"V{number}"] = _validation_plane_reason(plane, is_reciprocal, judged[name])
     warnings = _adjustment_warnings(solved.result)
     if not ordered:
-        warnings += (warning("targets.no_validation_plane", subject=RESULT),)
+        warnings += (warning("targets.no_validation_plane", subject=RESULT_CAUSE),)
     progress(1.0)
     return Proposal(tuple(proposed), reasons, planes.predicted_sigma(chosen), (), warnings)
 
@@ -175,7 +176,7 @@ def _comparable_planes(
     """Candidate validation planes, with the pairs of lines that can be compared on them.
 
     They pass the same flatness test as the targets. Poorly observed planes come last, and are
-    included only until there are `MIN_VALIDATION` planes.
+    included only until there are `MIN_VALIDATION_PLANES` planes.
     """
     assert solved.result is not None
     usable = [target for target in left if judged[target.name].use in ("any", "at need")]
@@ -185,7 +186,7 @@ def _comparable_planes(
     placed = place_clouds(survey.clouds, solved.result.mounting)
     found: dict[str, tuple[tuple[str, str], ...]] = {}
     for target in sorted(usable, key=lambda target: judged[target.name].use == "at need"):
-        if judged[target.name].use == "at need" and len(found) >= MIN_VALIDATION:
+        if judged[target.name].use == "at need" and len(found) >= MIN_VALIDATION_PLANES:
             break
         before, after = (
             {
@@ -201,7 +202,7 @@ def _comparable_planes(
 
 def _is_boresight_known(result: AdjustmentResult) -> bool:
     """True if the boresight is precise enough to attribute a bend of a plane to the surface."""
-    return float(result.sigma.max()) <= ROUGHLY_OFF
+    return float(result.sigma.max()) <= ROUGH_BORESIGHT_SIGMA
 
 
 def _choose_targets(
@@ -211,14 +212,15 @@ def _choose_targets(
     named: Mapping[str, DetectedPlane],
     judged: dict[str, "_PlaneAssessment"],
 ) -> tuple[list[str], Project, CandidatePlanes]:
-    """Choose the targets: their names, a project with their adjustment, and all planes.
+    """Choose the targets; returns their names, a project with their adjustment, and all planes.
 
-    Planes found not to be flat are marked in ``judged``.
+    Planes that turn out not to be flat, and those with a rejected sighting, are marked as not flat
+    in ``judged``.
 
     Raises
     ------
     TargetNotFound
-        If too few planes are found.
+        If fewer than two planes remain.
     AdjustmentError
         If the planes do not determine the angles.
     """
@@ -309,15 +311,16 @@ def _validation_plane_reason(
 def _adjustment_warnings(result: AdjustmentResult) -> tuple[Message, ...]:
     """Warnings of the adjustment of the chosen targets."""
     found = [message for message in result_warnings(result, None) if message.is_serious]
-    if any(message.code in UNCHECKED for message in found):
-        found.append(warning("targets.proposal_unchecked", subject=RESULT))
+    if any(message.code in UNCHECKED_TARGET_CODES for message in found):
+        found.append(warning("targets.proposal_unchecked", subject=RESULT_CAUSE))
     return tuple(found)
 
 
 def _do_planes_overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:
     """True if two planes have points in common."""
     return any(
-        np.isin(plane.found[line].indices, other.found[line].indices).mean() > MAX_SHARED_POINTS
+        np.isin(plane.found[line].indices, other.found[line].indices).mean()
+        > MAX_SHARED_POINT_SHARE
         for line in plane.found
         if line in other.found
     )
@@ -378,11 +381,11 @@ def _assess_plane(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
     poor = tuple(line for line, quality in lines.items() if quality.rating == "poor")
     uneven = [line for line, quality in lines.items() if quality.flatness != "good"]
     reason = lines[poor[0]].reasons[0] if poor else ""
-    if len(uneven) >= MAX_POOR * len(lines):
+    if len(uneven) >= MAX_POOR_SHARE * len(lines):
         return _PlaneAssessment("not flat", poor, reason)
-    if len(poor) < MAX_POOR * len(lines):
+    if len(poor) < MAX_POOR_SHARE * len(lines):
         return _PlaneAssessment("any", poor, reason)
-    at_limit = len(poor) == MAX_POOR * len(lines)
+    at_limit = len(poor) == MAX_POOR_SHARE * len(lines)
     return _PlaneAssessment("at need" if at_limit else "poor", poor, reason)
 
 
@@ -469,21 +472,26 @@ def _complete_planes(planes: Mapping[str, DetectedPlane]) -> set[str]:
 
 
 def _has_reciprocal_lines(pairs: Sequence[tuple[str, str]], survey: Survey) -> bool:
-    return any(reciprocal(survey.heading[a], survey.heading[b]) for a, b in pairs)
+    return any(are_reciprocal(survey.heading[a], survey.heading[b]) for a, b in pairs)
 
 
-def _order_validation_planes(
+def _choose_validation_planes(
     planes: Mapping[str, DetectedPlane],
     compared: Mapping[str, Sequence[tuple[str, str]]],
     survey: Survey,
 ) -> list[str]:
-    """Order validation planes: first those with reciprocal lines, then far from the others."""
-    large = [name for name, plane in planes.items() if plane.area >= MIN_AREA]
-    names = large if len(large) >= MIN_VALIDATION else list(planes)
+    """Choose up to `MIN_VALIDATION_PLANES` + 1 validation planes, in the order of their use.
+
+    Planes smaller than `MIN_VALIDATION_AREA` are used only if there are too few larger ones. The
+    first is the largest one, with reciprocal lines if there are any. Each further one is the
+    farthest from those already chosen; planes with reciprocal lines come first.
+    """
+    large = [name for name, plane in planes.items() if plane.area >= MIN_VALIDATION_AREA]
+    names = large if len(large) >= MIN_VALIDATION_PLANES else list(planes)
     is_reciprocal = {name: _has_reciprocal_lines(compared[name], survey) for name in names}
     left = sorted(names, key=lambda name: (not is_reciprocal[name], -planes[name].area))
     kept = left[:1]
-    while len(left) > len(kept) and len(kept) < MIN_VALIDATION + 1:
+    while len(left) > len(kept) and len(kept) < MIN_VALIDATION_PLANES + 1:
         rest = [name for name in left if name not in kept]
         opposite = [name for name in rest if is_reciprocal[name]] or rest
         kept.append(

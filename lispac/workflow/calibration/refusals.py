@@ -8,10 +8,10 @@ from lispac.errors import NotConverged, RankDeficient
 from lispac.messages import Message, as_message, error, note
 
 Method = Literal["propose", "targetless"]
-UNDETERMINED = {"propose": "propose.undetermined", "targetless": "targetless.undetermined"}
-"""Code of the error that names the undetermined angle, by method."""
-NO_RESULT = {"propose": "propose.no_result", "targetless": "targetless.no_result"}
-"""Code of all other errors, by method."""
+UNDETERMINED_CODES = {"propose": "propose.undetermined", "targetless": "targetless.undetermined"}
+"""Codes of the error that the angles are not determined, by method."""
+NO_RESULT_CODES = {"propose": "propose.no_result", "targetless": "targetless.no_result"}
+"""Codes of the error that there is no result for another reason, by method."""
 
 
 @contextmanager
@@ -47,9 +47,9 @@ def _refusal(reason: Message, project: str, method: Method) -> Message:
         )  # fmt: skip
     if reason.code in ("adjustment.undetermined", "adjustment.undetermined_because"):
         return error(
-            UNDETERMINED[method],
+            UNDETERMINED_CODES[method],
             project=project,
             direction=reason.params["direction"],
             reason=reason.params.get("reason", note("adjustment.few_directions")),
         )
-    return error(NO_RESULT[method], project=project, reason=reason)
+    return error(NO_RESULT_CODES[method], project=project, reason=reason)

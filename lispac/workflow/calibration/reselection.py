@@ -11,14 +11,14 @@ from lispac.language import gettext_lazy
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud
-from lispac.targets.boresight_smear import ROUGHLY_OFF
+from lispac.targets.boresight_smear import ROUGH_BORESIGHT_SIGMA
 from lispac.targets.sighting_agreement import PlacementAccuracy
 from lispac.workflow.calibration.target_search import ALIGNED_MAX_SHIFT, TargetSearch
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 
-ESTIMATED = PlacementAccuracy(ROUGHLY_OFF)
+ESTIMATED_ACCURACY = PlacementAccuracy(ROUGH_BORESIGHT_SIGMA)
 """Accuracy of lines placed with an adjusted boresight. It is not better than roughly aligned,
 because the first adjustment used points selected with the prior boresight."""
 
@@ -56,25 +56,25 @@ def reselect_target(
     before: Mapping[str, Cloud],
     after: Mapping[str, Cloud],
     *,
-    narrowed: float = THRESHOLD_FACTOR,
+    threshold_factor: float = THRESHOLD_FACTOR,
 ) -> Target:
     """Search the used sightings of a target again, in lines placed differently.
 
     Parameters
     ----------
     before, after : lines by name, as placed when the target was picked and as placed now
-    narrowed : float
+    threshold_factor : float
         Factor on the threshold of the pick; not applied to spheres.
     """
     line, seed = _moved_seed(target, before, after)
-    narrowed = narrowed if target.shape == "plane" else 1.0
+    factor = threshold_factor if target.shape == "plane" else 1.0
     settings = target.choices.settings(
-        threshold=narrowed * target.threshold, radius=target.radius, max_shift=ALIGNED_MAX_SHIFT
+        threshold=factor * target.threshold, radius=target.radius, max_shift=ALIGNED_MAX_SHIFT
     )
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
     try:
         found, _ = TargetSearch.for_target(target).find_in_lines(
-            lines, seed, settings, first_line=line, accuracy=ESTIMATED
+            lines, seed, settings, first_line=line, accuracy=ESTIMATED_ACCURACY
         )
     except TargetNotFound:
         return target

@@ -20,7 +20,8 @@ from lispac.workflow.calibration.picking import find_target, next_name
 from lispac.workflow.project.coordinates import axis_names, require_near_trajectory
 from lispac.workflow.project.survey import Survey
 
-PLANE = {"shape": "plane", "sphere_radius": None, "expected": None}
+PLANE_OPTIONS = {"shape": "plane", "sphere_radius": None, "expected": None}
+"""Arguments of `find_target` for a validation plane: any plane, without an expected size."""
 
 
 @dataclass(frozen=True)
@@ -174,7 +175,7 @@ def pick_seeds(
                 count=len(seeds),
             ),
         )
-        options = dict(how) if seed.role == "target" else {**how, **PLANE}
+        options = dict(how) if seed.role == "target" else {**how, **PLANE_OPTIONS}
         try:
             target = find_target(
                 project,
@@ -243,7 +244,7 @@ def _placeholder_target(name: str, role: Role) -> Target:
 def columns_note(points: PointList, system: CoordinateSystem | None) -> Message:
     """Note on the order of the columns of a list of points."""
     axes = dict(zip("xyz", axis_names(system), strict=True))
-    columns = tuple(note(_COLUMNS[axes.get(name, name)]) for name in points.columns)
+    columns = tuple(note(_COLUMN_NAME_CODES[axes.get(name, name)]) for name in points.columns)
     code = "assumed.columns_as_named" if points.are_columns_given else "assumed.columns_by_order"
     return note(code, columns=columns)
 
@@ -255,7 +256,7 @@ def _list_notes(points: PointList, system: CoordinateSystem | None) -> tuple[Mes
     return order, note("assumed.list_system", system=system.name), *system.assumptions
 
 
-_COLUMNS = {
+_COLUMN_NAME_CODES = {
     "name": "list_column.name",
     "role": "list_column.role",
     "plane": "list_column.plane",
@@ -273,4 +274,4 @@ _COLUMNS = {
     "easting": "axis.easting",
     "northing": "axis.northing",
 }
-"""Codes of the names of columns and axes."""
+"""Codes of the texts for columns of a list and axes of a coordinate system."""

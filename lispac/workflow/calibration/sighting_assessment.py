@@ -14,7 +14,7 @@ from lispac.messages import Message, as_message, note
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Settings, Target
 from lispac.survey.georeferencing import Georeferencer
-from lispac.targets.boresight_smear import PRIOR_OFF, ROUGHLY_OFF
+from lispac.targets.boresight_smear import PRIOR_BORESIGHT_SIGMA, ROUGH_BORESIGHT_SIGMA
 from lispac.targets.expected_target import deviations_from_expected
 from lispac.targets.finder_settings import FinderSettings
 from lispac.targets.occlusion import ObservedExtent, compare_observed_extents, does_plane_end_within
@@ -31,12 +31,12 @@ from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 
-Key = tuple[str, str]
+SightingKey = tuple[str, str]
 """Names of target and line."""
 
-STEP = 1e-5
+DERIVATIVE_STEP = 1e-5
 """Change of an angle, radians, for the numerical derivatives of point positions."""
-MAX_POINTS = 50_000
+MAX_SEARCHED_POINTS = 50_000
 """Largest number of points around a sighting in which similar surfaces are searched for."""
 
 
@@ -47,22 +47,29 @@ class AssessedQuality:
     Attributes
     ----------
     indices : ndarray of shape (n,), int
-        Indices of the assessed points.
+        Picked points of the sighting.
+    compared_sightings : tuple of (ndarray of int, bool)
+        Picked points of each sighting of the target, and whether the sighting is used.
+    dependencies : tuple of object
+        All other values that the quality depends on.
     """
 
     quality: SightingQuality
     indices: NDArray[np.int64]
-    beside: tuple[tuple[NDArray[np.int64], bool], ...]
-    of: tuple[object, ...]
+    compared_sightings: tuple[tuple[NDArray[np.int64], bool], ...]
+    dependencies: tuple[object, ...]
 
     def is_current(self, project: Project, target: Target, sighting: PickedSighting) -> bool:
         """True if the quality was assessed from the present state of the sighting."""
         now = _compared_sightings(target)
         return (
             self.indices is sighting.indices
-            and len(self.beside) == len(now)
-            and all(a[0] is b[0] and a[1] == b[1] for a, b in zip(self.beside, now, strict=True))
-            and self.of == _quality_dependencies(project, target)
+            and len(self.compared_sightings) == len(now)
+            and all(
+                a[0] is b[0] and a[1] == b[1]
+                for a, b in zip(self.compared_sightings, now, strict=True)
+            )
+            and self.dependencies == _quality_dependencies(project, target)
         )
 
 
@@ -70,9 +77,9 @@ def assess_sightings(
     project: Project,
     survey: Survey,
     *,
-    known: Mapping[Key, AssessedQuality] | None = None,
+    known: Mapping[SightingKey, AssessedQuality] | None = None,
     progress: Progress = no_progress,
-) -> dict[Key, AssessedQuality]:
+) -> dict[SightingKey, AssessedQuality]:
     """Assess every sighting of a project; valid ``known`` results are kept.
 
     Before the calibration, the picked points are assessed, and deviations that an error of the
@@ -81,9 +88,9 @@ def assess_sightings(
     use the picked points either. For validation planes, the picked points are always assessed.
     """
     known = known or {}
-    judged: dict[Key, AssessedQuality] = {}
+    judged: dict[SightingKey, AssessedQuality] = {}
     placings = {
-        role: _PlacedMounting.of(project, survey, estimated=_is_selected_again(project, role))
+        role: _SurveyPlacement.of(project, survey, estimated=_is_selected_again(project, role))
         for role in {target.role for target in project.targets}
     }
     placed = survey.placed(project, "estimated") if project.result is not None else None
@@ -108,7 +115,7 @@ def assess_sightings(
         if placed is not None and _is_selected_again(project, target.role):
             sightings = tuple(replace(s, used=True) for s in target.sightings)
             every = replace(target, sightings=sightings, used=True)
-            now = reselect_target(every, survey.clouds, placed, narrowed=1.0)
+            now = reselect_target(every, survey.clouds, placed, threshold_factor=1.0)
         found = _target_qualities(project, survey, placings[target.role], target, now.sightings)
         for picked, quality in zip(target.sightings, found, strict=True):
             judged[target.name, picked.line] = AssessedQuality(
@@ -132,41 +139,53 @@ def assess_target(project: Project, survey: Survey, target: Target) -> dict[str,
 
 def sighting_qualities(
     project: Project, survey: Survey, *, progress: Progress = no_progress
-) -> dict[Key, SightingQuality]:
+) -> dict[SightingKey, SightingQuality]:
     """Quality of every sighting, by the names of target and line."""
     judged = assess_sightings(project, survey, progress=progress)
     return {key: each.quality for key, each in judged.items()}
 
 
 @dataclass(frozen=True, eq=False)
-class _PlacedMounting:
+class _SurveyPlacement:
     """Placement of points and scanner positions, with the derivatives by each boresight angle.
 
-    The estimated mounting is used if there is one, otherwise the mounting that approximately aligns
-    the lines. The error of the latter bends planes scanned from a moving vessel; the derivatives
-    serve to ignore deviations that such an error can explain.
+    After the calibration, targets are placed with the estimated mounting; in all other cases the
+    mounting is the one that approximately aligns the lines. Its error bends planes scanned from a
+    moving vessel; the derivatives serve to ignore deviations that such an error can explain.
+
+    Attributes
+    ----------
+    points, scanner : placement of points, and of the origin of the LiDAR frame
+    turned : placement with each angle changed by `DERIVATIVE_STEP`; empty if not needed
+    boresight_sigma : largest error of the boresight, radians
+    is_nearly_aligned : whether the lines agree within the errors of a rough alignment
     """
 
     points: Georeferencer
     scanner: Georeferencer
     turned: tuple[Georeferencer, ...]
-    boresight_off: float
+    boresight_sigma: float
     is_nearly_aligned: bool
 
     @classmethod
-    def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_PlacedMounting":
-        """Placement with the estimated mounting or that of the approximate alignment."""
+    def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_SurveyPlacement":
+        """Placement with the estimated mounting, or with that of the approximate alignment."""
         mounting = project.mounting("estimated") if estimated else survey.alignment.mounting
         # A range offset does not affect the position of the scanner.
         scanner = replace(mounting, range_offset=0.0, scan_angle_offset=0.0)
-        turned = (mounting.with_boresight(mounting.boresight + step) for step in STEP * np.eye(3))
+        turned = (
+            mounting.with_boresight(mounting.boresight + step)
+            for step in DERIVATIVE_STEP * np.eye(3)
+        )
         return cls(
             Georeferencer.of(survey.trajectory, mounting),
             Georeferencer.of(survey.trajectory, scanner),
             tuple(Georeferencer.of(survey.trajectory, each) for each in turned)
             if not estimated
             else (),
-            ROUGHLY_OFF if estimated or survey.alignment.is_aligned else PRIOR_OFF,
+            ROUGH_BORESIGHT_SIGMA
+            if estimated or survey.alignment.is_aligned
+            else PRIOR_BORESIGHT_SIGMA,
             estimated or survey.alignment.is_aligned,
         )
 
@@ -181,7 +200,7 @@ class _SightingPoints:
 
     @classmethod
     def of(
-        cls, survey: Survey, placing: _PlacedMounting, sighting: PickedSighting
+        cls, survey: Survey, placing: _SurveyPlacement, sighting: PickedSighting
     ) -> "_SightingPoints":
         lidar, time = survey.scans[sighting.line].take(sighting.indices)
         return cls(lidar, time, placing.points(lidar, time))
@@ -190,7 +209,7 @@ class _SightingPoints:
 def _target_qualities(
     project: Project,
     survey: Survey,
-    placing: _PlacedMounting,
+    placing: _SurveyPlacement,
     target: Target,
     sightings: tuple[PickedSighting, ...],
 ) -> list[SightingQuality]:
@@ -200,8 +219,8 @@ def _target_qualities(
     if target.shape == "plane" and placing.is_nearly_aligned:
         shown = _observed_parts(target, placing, seen)
     judged = [
-        _sighting_quality(project, placing, target, sighting, each, beside)
-        for sighting, each, beside in zip(sightings, seen, shown, strict=True)
+        _sighting_quality(project, placing, target, sighting, each, extent)
+        for sighting, each, extent in zip(sightings, seen, shown, strict=True)
     ]
     if target.shape == "plane" and not placing.is_nearly_aligned:
         judged = [
@@ -219,10 +238,10 @@ def _ambiguity_note(
     points = cloud[sighting.indices]
     try:
         plane = fit_plane(points)
-    except LispacError:  # reported with its quality
+    except LispacError:  # reported with the quality of the sighting
         return ()
     reach = FinderSettings().max_shift
-    about = cloud.within(points.mean(axis=0), reach + target.radius, limit=MAX_POINTS)
+    about = cloud.within(points.mean(axis=0), reach + target.radius, limit=MAX_SEARCHED_POINTS)
     distance = nearest_similar_surface(about.points, points, plane, target.threshold, reach)
     if distance is None:
         return ()
@@ -230,9 +249,12 @@ def _ambiguity_note(
 
 
 def _observed_parts(
-    target: Target, placing: _PlacedMounting, seen: list[_SightingPoints]
+    target: Target, placing: _SurveyPlacement, seen: list[_SightingPoints]
 ) -> list[ObservedExtent | None]:
-    """Part of a plane observed in each line, if the search radius cuts the plane in no line."""
+    """Part of a plane observed in each line.
+
+    None for all lines if the search radius cuts the plane in one of them.
+    """
     planes: dict[int, Array] = {}
     extents = []
     for k, each in enumerate(seen):
@@ -248,7 +270,7 @@ def _observed_parts(
     found = compare_observed_extents(
         list(planes.values()),
         [target.sightings[k].used for k in planes],
-        placing.boresight_off * max(ranges),
+        placing.boresight_sigma * max(ranges),
     )
     for k, each_shown in zip(planes, found, strict=True):
         shown[k] = each_shown
@@ -257,7 +279,7 @@ def _observed_parts(
 
 def _sighting_quality(
     project: Project,
-    placing: _PlacedMounting,
+    placing: _SurveyPlacement,
     target: Target,
     sighting: PickedSighting,
     seen: _SightingPoints,
@@ -275,12 +297,12 @@ def _sighting_quality(
     turns = None
     if placing.turned:
         turned = [each(seen.lidar, seen.time) for each in placing.turned]
-        turns = np.stack([(points - seen.local) / STEP for points in turned])
+        turns = np.stack([(points - seen.local) / DERIVATIVE_STEP for points in turned])
     quality = plane_quality(
         seen.lidar, seen.local, every, plane, noise,
         scanner_local=placing.scanner(np.zeros_like(seen.lidar), seen.time), turns_local=turns,
-        boresight_off=placing.boresight_off,
-        threshold=None if sighting.by_hand else target.threshold, shown=shown,
+        boresight_sigma=placing.boresight_sigma,
+        threshold=None if sighting.by_hand else target.threshold, observed_extent=shown,
     )  # fmt: skip
     if target.expected is None or quality.extent is None:
         return quality

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.excess_scatter import expected_sigma_factors
-from lispac.adjustment.diagnostics.observability import CLUSTER_RATIO, MAX_SIGMA_RATIO
+from lispac.adjustment.diagnostics.observability import MAX_CLUSTER_RATIO, MAX_SIGHTING_SIGMA_RATIO
 from lispac.adjustment.model.threads import single_blas_thread
 from lispac.adjustment.solve.adjustment_problem import LinearisedProblem
 from lispac.errors import AdjustmentError
@@ -21,7 +21,7 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-MAX_TARGETS, MIN_TARGETS, MIN_VALIDATION = 6, 3, 4
+MAX_TARGETS, MIN_TARGETS, MIN_VALIDATION_PLANES = 6, 3, 4
 """Largest and smallest number of targets, and number of planes that are reserved for validation
 once the targets check each other."""
 MAX_SIGMA_SHARE = 0.85
@@ -47,7 +47,7 @@ class CandidatePlanes:
     centres : mapping of name to ndarray of shape (3,), metres, local frame
     whole : collection of str
         Planes that lie completely within the search radius, with the same outline in every line.
-    one_way : collection of pairs of str
+    parallel_pairs : collection of pairs of str
         Pairs of planes of the same orientation, which the adjustment would refuse.
     """
 
@@ -55,7 +55,7 @@ class CandidatePlanes:
     predicted: LinearisedProblem
     centres: dict[str, Array]
     whole: Collection[str]
-    one_way: Collection[tuple[str, str]]
+    parallel_pairs: Collection[tuple[str, str]]
     _sigmas: dict[frozenset[str], Array] = field(default_factory=dict)
 
     def sigma(self, names: Iterable[str]) -> Array:
@@ -89,7 +89,11 @@ class CandidatePlanes:
         """True if the other planes reveal an error of any one of the planes."""
         return (
             len(names) >= MIN_TARGETS
-            and bool((self.sigma_without_one(names) <= MAX_SIGMA_RATIO * self.sigma(names)).all())
+            and bool(
+                (
+                    self.sigma_without_one(names) <= MAX_SIGHTING_SIGMA_RATIO * self.sigma(names)
+                ).all()
+            )
             and self.are_spread(names)
         )
 
@@ -100,7 +104,7 @@ class CandidatePlanes:
             for a, b in combinations(names, 2)
         ]
         points = self.linearised.problem.observations.points_lidar
-        return min(distances) >= CLUSTER_RATIO * float(np.linalg.norm(points, axis=1).mean())
+        return min(distances) >= MAX_CLUSTER_RATIO * float(np.linalg.norm(points, axis=1).mean())
 
 
 def _sigma_of_targets(linearised: LinearisedProblem, names: Iterable[str]) -> Array:
@@ -114,7 +118,7 @@ def _sigma_of_targets(linearised: LinearisedProblem, names: Iterable[str]) -> Ar
 
 
 def choose_targets(planes: CandidatePlanes) -> list[str]:
-    """Choose the planes to use as targets, the best first.
+    """Choose the planes to use as targets, in the order of the choice.
 
     The first two are the pair with the smallest worst sigma. Further planes are added until each
     angle is checked, then as long as a plane clearly improves an angle and enough planes remain for
@@ -133,7 +137,7 @@ def choose_targets(planes: CandidatePlanes) -> list[str]:
         pool = boards if set(chosen) <= set(boards) else names
         while len(chosen) < min(MAX_TARGETS, len(names)):
             checked = planes.are_mutually_checked(chosen)
-            spare = len(names) - MIN_VALIDATION
+            spare = len(names) - MIN_VALIDATION_PLANES
             if checked and len(chosen) >= spare:
                 break
             added = _best_addition(planes, chosen, pool, checked)
@@ -160,19 +164,19 @@ def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
     worst = {
         pair: float(planes.sigma(pair).max())
         for pair in combinations(names, 2)
-        if pair not in planes.one_way
+        if pair not in planes.parallel_pairs
     }
     if not worst:
         raise AdjustmentError(error("propose.one_orientation"))
-    least = min(worst.values())
-    if not np.isfinite(least):
+    smallest = min(worst.values())
+    if not np.isfinite(smallest):
         raise AdjustmentError(error("propose.not_determined"))
     preferences: tuple[Callable[[Sequence[str]], bool], ...] = (
         planes.are_spread, set(planes.whole).issuperset,
     )  # fmt: skip
     for is_preferred in preferences:
         preferred = {pair: sigma for pair, sigma in worst.items() if is_preferred(pair)}
-        if preferred and min(preferred.values()) <= MAX_PAIR_RATIO * least:
+        if preferred and min(preferred.values()) <= MAX_PAIR_RATIO * smallest:
             worst = preferred
     best = min(worst, key=worst.__getitem__)
     return list(best)

@@ -13,8 +13,8 @@ from lispac.errors import ProjectError
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
-from lispac.survey.cloud import MAX_POINTS, Cloud, SphereRegion
-from lispac.targets.line_search import CLICK_GAP
+from lispac.survey.cloud import MAX_REGION_POINTS, Cloud, SphereRegion
+from lispac.targets.line_search import MAX_CLICK_DISTANCE
 from lispac.targets.plane_finder import (
     FinderSettings,
     PlanePatch,
@@ -31,7 +31,7 @@ from lispac.targets.spheres_across_lines import find_spheres_in_lines
 
 Array = NDArray[np.float64]
 Patch = PlanePatch | SpherePatch
-OnePatch = TypeVar("OnePatch", PlanePatch, SpherePatch)
+PatchT = TypeVar("PatchT", PlanePatch, SpherePatch)
 
 DEFAULT_RADII: dict[Role, tuple[float, ...]] = {"target": (2.0,), "validation": (4.0, 10.0, 20.0)}
 """Search radii about the seed by role, metres, tried in turn until the plane is found in two lines.
@@ -40,7 +40,7 @@ A board fits into a radius of two metres. A validation plane is a part of a wall
 points improve the fit, and its centre may be occluded or out of the range of the lines.
 """
 
-SPHERE_THRESHOLD, LARGEST_SHARE = 0.03, 0.3
+SPHERE_THRESHOLD, MAX_THRESHOLD_SHARE = 0.03, 0.3
 """Default threshold for spheres, metres, and its largest share of a known radius.
 
 A ball is crossed in a tenth of a second, during which the roll of the vessel displaces its profiles
@@ -49,18 +49,19 @@ are crossed for longer and only the displacement along the normal has an effect.
 to the radius would include points beside a small ball.
 """
 
-SPHERE_FACTOR = 3.0
+SPHERE_RADIUS_FACTOR = 3.0
 """Search radius about the seed in radii of a known sphere, if that is more than the default. The
 seed may be on the far side of the ball, and the surroundings help to find it in other lines."""
 
-SEARCH_SAMPLE = 50_000
+MAX_SAMPLE_POINTS = 50_000
 """Largest number of points about a seed in which a plane is searched for. If a line has more, the
 plane is found in a sample, and then all points on it are selected."""
 
 CLICK_RADIUS = 0.1
 """Metres from a clicked point within which its neighbours are searched for."""
 
-UP = np.array([0.0, 0.0, 1.0])
+UP_VECTOR = np.array([0.0, 0.0, 1.0])
+"""Direction to which the normal of a fitted plane is turned."""
 
 ALIGNED_MAX_SHIFT = 0.5
 """Largest displacement of a target between approximately aligned lines, metres, due to the errors
@@ -96,7 +97,9 @@ class TargetSearch:
     def search_radii(self, role: Role) -> tuple[float, ...]:
         """Default search radii about the seed, metres, tried in turn."""
         usual = DEFAULT_RADII[role]
-        return tuple(max(radius, SPHERE_FACTOR * (self.sphere_radius or 0.0)) for radius in usual)
+        return tuple(
+            max(radius, SPHERE_RADIUS_FACTOR * (self.sphere_radius or 0.0)) for radius in usual
+        )
 
     def threshold(self, usual: float) -> float:
         """Default threshold, metres, from ``usual``, the one for planes."""
@@ -104,7 +107,7 @@ class TargetSearch:
             return usual
         if self.sphere_radius is None:
             return max(usual, SPHERE_THRESHOLD)
-        return max(usual, min(SPHERE_THRESHOLD, LARGEST_SHARE * self.sphere_radius))
+        return max(usual, min(SPHERE_THRESHOLD, MAX_THRESHOLD_SHARE * self.sphere_radius))
 
     def require_same(self, known: Target) -> None:
         """Refuse to add a sighting of another shape, or of another known radius, to a target.
@@ -144,10 +147,10 @@ class TargetSearch:
             return _with_point_numbers(
                 find_sphere(region.points, seed, self.radius_range, settings), region
             )
-        region = cloud.within(require_seed(seed), settings.radius, limit=SEARCH_SAMPLE)
-        beside = _points_near_click(region, cloud, require_seed(seed))
+        region = cloud.within(require_seed(seed), settings.radius, limit=MAX_SAMPLE_POINTS)
+        points_at_seed = _points_near_click(region, cloud, require_seed(seed))
         return _complete_plane(
-            find_plane(region.points, seed, settings, beside=beside), region, cloud
+            find_plane(region.points, seed, settings, points_at_seed=points_at_seed), region, cloud
         )
 
     def patch_of_points(self, cloud: Cloud, indices: NDArray[np.int64]) -> Patch:
@@ -165,7 +168,7 @@ class TargetSearch:
         points = cloud[indices]
         every = np.arange(len(points))
         if self.shape == "plane":
-            return replace(patch_of(points, every, UP), indices=indices)
+            return replace(patch_of(points, every, UP_VECTOR), indices=indices)
         patch = patch_on_sphere(points, every, self.radius_range)
         return replace(patch, indices=indices[patch.indices])
 
@@ -225,14 +228,17 @@ def find_planes_in_lines(
     accuracy: PlacementAccuracy = PRIOR_ACCURACY,
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
-    """Find the plane at ``seed`` (3,), local frame, in every line, or the reason without it."""
-    regions, points = _search_regions(clouds, seed, settings, limit=SEARCH_SAMPLE)
-    beside = {
+    """Find the plane at the seed in every line, with the reasons for lines without it.
+
+    Parameters and errors as for `TargetSearch.find_in_lines`.
+    """
+    regions, points = _search_regions(clouds, seed, settings, limit=MAX_SAMPLE_POINTS)
+    points_at_seed = {
         name: _points_near_click(regions[name], cloud, seed) for name, cloud in clouds.items()
     }
     found, missing = find_in_lines(
         points, seed, settings, first_line=first_line, progress=progress,
-        beside={name: close for name, close in beside.items() if close is not None},
+        points_at_seed={name: close for name, close in points_at_seed.items() if close is not None},
     )  # fmt: skip
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         every = pool.map(
@@ -248,10 +254,12 @@ def find_planes_in_lines(
 def _clicked_line(
     first_line: str | None, lines: Iterable[str], seed: Array, clouds: Mapping[str, Cloud]
 ) -> str | None:
-    """Name of the clicked line; None if it is not known."""
+    """Line in which the seed was clicked; None if it is not given and no line has a point there."""
     if first_line is not None:
         return first_line
-    return next((name for name in lines if len(clouds[name].within(seed, CLICK_GAP).numbers)), None)
+    return next(
+        (name for name in lines if len(clouds[name].within(seed, MAX_CLICK_DISTANCE).numbers)), None
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -293,7 +301,7 @@ class SearchPlace:
         """
         seed = require_seed(seed)
         reach = ALIGNED_MAX_SHIFT if aligned.is_aligned else FinderSettings().max_shift
-        reaches = (CLICK_GAP,) if line is None else (CLICK_GAP, 0.1, radius)
+        reaches = (MAX_CLICK_DISTANCE,) if line is None else (MAX_CLICK_DISTANCE, 0.1, radius)
         nearest: list[tuple[float, str, Array]] = []
         for name in aligned.before if line is None else (line,):
             nearest += _nearest_point(aligned, name, seed, reaches)
@@ -323,7 +331,7 @@ def thinned_notes(target: Target) -> tuple[Message, ...]:
     """Notes on the sightings for which not all points around the seed were used."""
     return tuple(
         note(
-            "finder.points_thinned", target=target.name, line=sighting.line, most=MAX_POINTS,
+            "finder.points_thinned", target=target.name, line=sighting.line, most=MAX_REGION_POINTS,
             one_in=sighting.one_in,
         )
         for sighting in target.sightings
@@ -349,13 +357,13 @@ def _points_near_click(region: SphereRegion, cloud: Cloud, seed: Array) -> Array
     The sample may contain none of these points. A click on the edge of a board would then appear to
     be in front of the wall behind it.
     """
-    if region.one_in == 1 or len(cloud.within(seed, CLICK_GAP).numbers) == 0:
+    if region.one_in == 1 or len(cloud.within(seed, MAX_CLICK_DISTANCE).numbers) == 0:
         return None
     points = cloud.within(seed, CLICK_RADIUS).points
     return points[np.argsort(np.linalg.norm(points - seed, axis=1), kind="stable")]
 
 
-def _with_point_numbers(patch: OnePatch, region: SphereRegion) -> OnePatch:
+def _with_point_numbers(patch: PatchT, region: SphereRegion) -> PatchT:
     """Patch with the indices of its points in the line instead of in the search region."""
     return replace(patch, indices=region.numbers[patch.indices], one_in=region.one_in)
 

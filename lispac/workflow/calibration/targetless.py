@@ -1,8 +1,8 @@
 """Targetless estimation of the boresight from surfaces of the scene.
 
 Patches of natural surfaces are used as targets in the same adjustment: their points are averaged,
-weighted, tested and cross-checked like those of boards. The scene is divided into patches again
-with each new boresight until the angles converge.
+weighted and tested like those of boards. The scene is divided into patches again with each new
+boresight until the angles converge, at most as many times as `ROUND_THRESHOLDS` has values.
 """
 
 from collections import Counter
@@ -33,17 +33,19 @@ from lispac.workflow.project.survey import Survey
 
 Indices = NDArray[np.int64]
 
-THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
-"""Largest distance of a line from its region in each round, metres; in the first round, the
-displacement by 0.1 deg at a distance of some tens of metres."""
-QUICK_SPACING = 0.3
+ROUND_THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
+"""Largest distance of a point of any line from its region in each round, metres, as in
+`find_patches`. The threshold of the project is used if it is larger. The first value is the
+displacement of a point by a boresight error of 0.1 deg at a range of 34 m."""
+COARSE_SPACING = 0.3
 """Distance over which points are averaged in the rounds before the final adjustment, metres."""
 CONVERGENCE_LIMIT = 0.1
-"""Change of an angle, as a share of its sigma, below which no further round is run."""
+"""Change of an angle, as a share of its predicted sigma, below which no further round is run."""
 MIN_PATCHES = 4
-"""Smallest number of patches; with fewer the result cannot be checked."""
-MAX_SHARE = 0.3
-"""Share of rejected sightings from which a line is reported as disagreeing."""
+"""Smallest number of chosen patches; with fewer the result could not be checked."""
+MAX_REJECTED_SHARE = 0.3
+"""Share of rejected sightings from which a line is reported as disagreeing, if there are at least
+two."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,14 +55,17 @@ class TargetlessResult:
     Attributes
     ----------
     project : Project
-        Project with the patches as its targets, and the result.
+        Project whose targets are the chosen patches, with the project's own targets if these were
+        adjusted together with them, and the result.
     rounds : int
+        Number of times that the scene was divided into patches.
     converged : bool
-        Whether the angles no longer changed in the last round.
+        Whether each angle changed by less than `CONVERGENCE_LIMIT` of its sigma in the last round.
     candidates : int
-        Number of patches found; the chosen ones are targets of the project.
+        Number of patches found in the last round, of which the best were chosen.
     disagreeing : tuple of str
-        Lines that share no surface with the others, or do not agree with them as a whole.
+        Lines that share no surface with the others or disagree with them; see
+        `disagreeing_lines`.
     targets : int
         Number of the project's own targets that were adjusted with the patches.
     raised : float
@@ -116,8 +121,8 @@ def targetless(
     Raises
     ------
     AdjustmentError
-        If lines do not overlap or share too few surfaces; with targets also if one of these is used
-        in only one line.
+        If there is only one line, the lines share too few surfaces, or these do not determine the
+        boresight; with targets also if none of these is used on two lines.
     """
     settings = project.settings
     settings.require_sound()
@@ -126,12 +131,12 @@ def targetless(
     own = _targets_only(project) if with_targets else None
     started = perf_counter()
     progress(0.0, gettext_lazy("Aligning the lines"))
-    # The start does not depend on the error of the prior boresight.
+    # The initial boresight does not depend on the error of the prior boresight.
     mounting = survey.alignment.mounting
-    quick = replace(settings, subsample=max(settings.subsample, QUICK_SPACING), parameters=())
-    judged = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
+    coarse = replace(settings, subsample=max(settings.subsample, COARSE_SPACING), parameters=())
+    coarse_model = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
     picked, found, rounds, converged, mixed = project, 0, 0, False, 0
-    for rounds, threshold in enumerate(THRESHOLDS, 1):
+    for rounds, threshold in enumerate(ROUND_THRESHOLDS, 1):
         step = sub_progress(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
         step(0.0, gettext_lazy("Matching the lines: iteration {number:n}", number=rounds))
         clouds = place_clouds(survey.clouds, mounting)
@@ -153,16 +158,16 @@ def targetless(
         picked = replace(
             project, targets=_targets_of_patches(patches, choice, clouds, survey), result=None
         )
-        observations = observations_of(picked, survey, settings=quick, mounting=mounting)
+        observations = observations_of(picked, survey, settings=coarse, mounting=mounting)
         with refused_by_method(project.name, "targetless"):
             result = adjust(
-                observations, mounting, judged,
+                observations, mounting, coarse_model,
                 accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
                 progress=sub_progress(step, 0.7, 1.0),
             )  # fmt: skip
         changes = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)
-        # The sigmas of the quick model are far too small to be used as a tolerance.
+        # The sigmas of the coarse model are far too small to be used as a tolerance.
         converged = rounds > 1 and bool((changes < CONVERGENCE_LIMIT * choice.sigma).all())
         if converged:
             break
@@ -184,7 +189,7 @@ def targetless(
         )
     solved = SolvedEquations.of(
         result,
-        observations.with_sigmas(*result.sigma_factors),
+        observations.with_scaled_sigmas(*result.sigma_factors),
         project.mounting("prior"),
         settings.parameters,
         progress=sub_progress(progress, 0.9, 0.95),
@@ -192,20 +197,20 @@ def targetless(
     raised_result, shifted = result, tuple[str, ...]()
     if solved is not None:
         raised_result = raise_sigmas_by_scatter(
-            result, solved.here, solved.origins, progress=sub_progress(progress, 0.95, 1.0)
+            result, solved.linearised, solved.origins, progress=sub_progress(progress, 0.95, 1.0)
         )
         if (
             raised_result.observability is not None
             and raised_result.angle_sigma_factors is not None
         ):
             seen = assess_observability(
-                solved.here,
+                solved.linearised,
                 angle_sigma_factors=raised_result.angle_sigma_factors,
                 covariance=raised_result.covariance,
                 origins=solved.origins,
             )
             raised_result = replace(raised_result, observability=seen)
-        shifted = LineShiftScores.of(solved.here).shifted_lines()
+        shifted = LineShiftScores.of(solved.linearised).shifted_lines()
     raised = float((raised_result.sigma / result.sigma).max())
     final = replace(picked, result=replace(raised_result, elapsed=perf_counter() - started))
     named = disagreeing_lines(result, survey.clouds, shifted)
@@ -250,7 +255,7 @@ def _surfaces_off_targets(
 def _targets_of_patches(
     patches: Patches, choice: PatchChoice, clouds: Mapping[str, Cloud], survey: Survey
 ) -> tuple[Target, ...]:
-    """Targets from the chosen patches, with all points on the plane of each line in the region."""
+    """Targets from the chosen patches, with the points of each line; see `Patches.points_on`."""
     planes, names = patches.planes, list(clouds)
     found = []
     for k, rows in enumerate(choice.rows):
@@ -284,22 +289,24 @@ def _targets_of_patches(
 def disagreeing_lines(
     result: AdjustmentResult, lines: Iterable[str], shifted: Collection[str]
 ) -> tuple[str, ...]:
-    """Lines that are shifted, share no surface, or have many rejected sightings.
+    """Lines without a sighting, with many rejected sightings, or shifted as a whole.
 
-    A line whose displacement exceeds its POS error has no sightings, or sightings that disagree
-    with the others and are rejected.
+    If the displacement of a line exceeds its POS errors, no patches are found in it, or its
+    sightings disagree with those of the other lines and are rejected.
 
     Parameters
     ----------
     lines : iterable of str
         All lines.
     shifted : collection of str
-        Lines whose position is shifted as a whole.
+        Lines shifted as a whole; see `LineShiftScores`.
     """
     count = Counter(residual.sighting.line for residual in result.sightings)
     rejected = Counter(sighting.line for sighting in result.rejected_sightings)
     return tuple(
         line
         for line in lines
-        if not count[line] or line in shifted or rejected[line] >= max(2.0, MAX_SHARE * count[line])
+        if not count[line]
+        or line in shifted
+        or rejected[line] >= max(2.0, MAX_REJECTED_SHARE * count[line])
     )

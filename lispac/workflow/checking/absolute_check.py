@@ -15,7 +15,7 @@ from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
-from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 from lispac.targets.thinning import thin_points
 from lispac.validation.absolute_check import (
     AbsoluteCheck,
@@ -27,9 +27,9 @@ from lispac.validation.absolute_check import (
     shared_histogram,
 )
 from lispac.validation.cylinder_diameters import (
-    NARROWEST,
-    WIDE,
-    WIDEST,
+    DIAMETER_FACTOR,
+    MAX_DIAMETER_M,
+    MIN_DIAMETER_M,
     candidate_places,
     cylinder_diameters,
     select_separate_places,
@@ -37,7 +37,7 @@ from lispac.validation.cylinder_diameters import (
 )
 from lispac.validation.normal_distance import NormalDistances
 from lispac.validation.reference_places import (
-    SMOOTH,
+    NORMAL_SPHERE_FACTOR,
     CorePointDistances,
     is_reference_flat,
     measure_to_points,
@@ -56,7 +56,7 @@ DEFAULT_SIGMA = 0.005
 SEARCH_DISTANCE = 1.0
 """Largest distance of line points from the reference, metres; at a range of 50 m, this corresponds
 to a boresight error of 1.1 deg."""
-PER_DIAMETER, PER_WIDTH = 4, 5
+POINTS_PER_DIAMETER, CYLINDERS_PER_WIDTH = 4, 5
 """Sampling of a surveyed plane: points along the diameter of a cylinder, and cylinders along the
 shorter side of the plane."""
 MIN_PLACES = {"scan": 30, "points": 1}
@@ -119,7 +119,7 @@ def check_absolute(
         trajectory_datum=trajectory_datum, epoch=epoch, progress=sub_progress(progress, 0.0, 0.3),
     )  # fmt: skip
     clouds = _lines_near_reference(project, survey, reference, reach)
-    where = _MeasuredReference.of(reference, survey, project.settings.lidar_sigma, reach)
+    where = _ComparisonPlaces.of(reference, survey, project.settings.lidar_sigma, reach)
     lines, not_compared = [], list[Message]()
     for k, cloud in enumerate(clouds):
         progress(
@@ -188,11 +188,26 @@ def _lines_near_reference(
 
 
 @dataclass(frozen=True, eq=False)
-class _MeasuredReference:
-    """Reference surfaces and places at which the lines are compared.
+class _ComparisonPlaces:
+    """Surfaces and places of a reference at which the lines are compared.
 
-    For a scan, ``candidates`` are possible places, shape (k, 3), with the diameters required by the
-    density of the scan. ``sigmas`` are that of the scan, or those of surveyed points, then planes.
+    Attributes
+    ----------
+    reference : Reference
+    candidates : ndarray of shape (k, 3), metres, local frame
+        Possible places on a scan; empty for surveyed points.
+    diameters : ndarray of shape (k,), metres
+        Diameters of the cylinders that the density of the scan requires at these places.
+    names : tuple of str
+        Names of the surveyed points, then of the planes; empty for a scan.
+    sigmas : ndarray of shape (m,), metres
+        Standard deviation of the scan, or those of the surveyed points, then of the planes.
+    vessel : ndarray of shape (3,), metres, local frame
+        Mean position of the vessel.
+    reach : float, metres
+        Largest distance of line points from the reference.
+    roughest : float, metres
+        Largest roughness of the reference at a place.
     """
 
     reference: Reference
@@ -207,14 +222,14 @@ class _MeasuredReference:
     @classmethod
     def of(
         cls, reference: Reference, survey: Survey, lidar_sigma: float, reach: float
-    ) -> "_MeasuredReference":
+    ) -> "_ComparisonPlaces":
         planes, surface = reference.planes, reference.surface
         places = candidate_places(surface) if len(surface) else surface
         own = (
             twelfth_neighbour_distance(build_tree(surface), places) if len(surface) else np.zeros(0)
         )
         return cls(
-            reference, places, np.minimum(WIDE * own, WIDEST),
+            reference, places, np.minimum(DIAMETER_FACTOR * own, MAX_DIAMETER_M),
             (*reference.names, *(plane.name for plane in planes)),
             np.array([reference.sigma]) if reference.kind == "scan"
             else np.array([*reference.sigmas, *(plane.sigma for plane in planes)]),
@@ -223,7 +238,7 @@ class _MeasuredReference:
         )  # fmt: skip
 
     def surfaces(self, tree: "cKDTree") -> Iterator[tuple[Array, Array, Array, int]]:
-        """Surfaces that a line came near.
+        """Surfaces near which a line has points.
 
         Yields for each surface its points, the places on it, the diameters there (from the density
         of line and reference), and its index in ``sigmas``.
@@ -234,21 +249,21 @@ class _MeasuredReference:
             both = np.maximum(diameters, self.diameters)[near]
             chosen, wide = select_separate_places(self.candidates[near], both)
             surface, cores = self.reference.surface, self.candidates[near][chosen]
-            flat = is_reference_flat(surface, cores, SMOOTH * wide, self.roughest)
+            flat = is_reference_flat(surface, cores, NORMAL_SPHERE_FACTOR * wide, self.roughest)
             yield surface, cores[flat], wide[flat], 0
         for k, plane in enumerate(self.reference.planes):
             # A plane is flat at any width, so the diameter may be increased for a sparse line.
-            side = float(np.clip(plane.width / PER_WIDTH, NARROWEST, WIDEST))
+            side = float(np.clip(plane.width / CYLINDERS_PER_WIDTH, MIN_DIAMETER_M, MAX_DIAMETER_M))
             diameters = cylinder_diameters(tree, plane.grid(side), self.reach)
             if np.isfinite(diameters).any():
                 side = max(side, float(np.nanmedian(diameters)))
-                grid = plane.grid(side / PER_DIAMETER)
+                grid = plane.grid(side / POINTS_PER_DIAMETER)
                 cores = grid[thin_points(grid, side)]
                 yield grid, cores, np.full(len(cores), side), len(self.reference.names) + k
 
 
 def _compare_line(
-    project: Project, survey: Survey, cloud: _LineNearReference, where: _MeasuredReference
+    project: Project, survey: Survey, cloud: _LineNearReference, where: _ComparisonPlaces
 ) -> LinePlaces:
     """Compare a line with the whole reference.
 
@@ -294,7 +309,7 @@ def _compare_line(
     )
 
 
-def _too_few_message(where: _MeasuredReference, count: int, tried: int) -> Message:
+def _too_few_message(where: _ComparisonPlaces, count: int, tried: int) -> Message:
     """Message with the reason why a line cannot be compared, and a suggested action."""
     if where.reference.kind == "points":
         return error("check.no_surveyed_point_near", distance=where.reach)
@@ -321,7 +336,10 @@ def _place_sensitivities(
     project: Project, survey: Survey, cloud: _LineNearReference, measured: CorePointDistances,
     group: NDArray[np.intp],
 ) -> LinePlaces:  # fmt: skip
-    """Sensitivity of each place to the placement of the nearest point of the line."""
+    """Distances at the places of a line, with the effects of POS and mounting errors on them.
+
+    The effects are those on the point of the line nearest to each place.
+    """
     result = project.result
     assert result is not None
     mounting = result.mounting
@@ -335,7 +353,7 @@ def _place_sensitivities(
     _, position, attitude = result.sigma_factors
     values, vectors = np.linalg.eigh(result.covariance_all)
     mixtures = vectors * np.sqrt(np.maximum(values, 0.0))
-    estimated = [CALIBRATION.index(name) for name in result.estimated]
+    estimated = [MOUNTING_VALUE_NAMES.index(name) for name in result.estimated]
     return LinePlaces(
         cloud.line,
         float(np.median(time)),

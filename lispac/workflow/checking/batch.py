@@ -20,7 +20,7 @@ from lispac.message_texts import english_text, message_text
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Triple
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.untrusted_values import as_csv_cell
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.checking.calibration_history import find_projects
@@ -31,7 +31,8 @@ from lispac.workflow.project.survey import load_survey
 from lispac.workflow.project.survey_dates import survey_dates
 
 Verdict = Literal["good", "notes", "warnings", "refused"]
-REPORTS = ("pdf", "html", "json", "zip")
+REPORT_FORMATS = ("pdf", "html", "json", "zip")
+"""File types of a report, without the dot."""
 
 
 @accept_script_names
@@ -45,7 +46,8 @@ class BatchRow:
     name, vessel, dates : str
         Empty if not known.
     verdict : {"good", "notes", "warnings", "refused"}
-        Highest level of the messages in the report; ``warnings`` also stands for errors.
+        Highest level of the messages in the report; ``warnings`` also stands for errors. A project
+        that cannot be calibrated is refused.
     boresight_deg, sigma_deg : roll, pitch, yaw in degrees, or None
     sigma_0 : float or None, no unit
         A posteriori sigma_0; 1 if the errors agree with the given sigmas.
@@ -54,7 +56,8 @@ class BatchRow:
     rms_before, rms_after : float or None, metres
         RMS distances between the lines on all validation planes.
     messages : tuple of str
-        Messages of the report; for a refused project, the reason.
+        Messages of the report, after the reason why a validation was not possible; for a refused
+        project, the reason.
     """
 
     folder: Path
@@ -76,7 +79,7 @@ def batch(
     save: bool = False,
     reports: str | Path | None = None,
     form: str = "pdf",
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
     progress: Progress = no_progress,
 ) -> tuple[BatchRow, ...]:
     """Estimate and validate every project in the given folders with its picked targets.
@@ -124,8 +127,8 @@ def calibrate_each(
     InputError
         If the file type of the reports is not valid.
     """
-    if form not in REPORTS:
-        raise InputError(error("report.format", formats=tuple(REPORTS), format=form))
+    if form not in REPORT_FORMATS:
+        raise InputError(error("report.format", formats=tuple(REPORT_FORMATS), format=form))
     found, unreadable = find_projects([Path(folder) for folder in folders])
     files = [f"{name}.{form}" for name in _report_names(found)]
     for k, (folder, file) in enumerate(zip(found, files, strict=True)):
@@ -228,7 +231,7 @@ def _report_names(folders: Sequence[Path]) -> Iterator[str]:
         yield name
 
 
-HEADS = (
+COLUMN_NAMES = (
     "folder", "project", "vessel", "dates", "verdict",
     *(f"{angle}_deg" for angle in ANGLES), *(f"sigma_{angle}_deg" for angle in ANGLES),
     "sigma_0", "chi_square_passed", "rms_before_m", "rms_after_m", "messages",
@@ -246,7 +249,7 @@ def write_table(rows: Sequence[BatchRow], path: Path) -> None:
     stream = StringIO()
     stream.write("\ufeff")  # spreadsheets detect UTF-8 by the byte order mark
     writer = csv.writer(stream)
-    writer.writerow(HEADS)
+    writer.writerow(COLUMN_NAMES)
     for row in rows:
         cells = (
             row.folder, row.name, row.vessel, row.dates, row.verdict,

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.diagnostics.error_budget import (
-    DISTANCES,
+    DEFAULT_DISTANCES,
     ErrorBudget,
     SystemErrors,
     error_budget,
@@ -25,7 +25,7 @@ TIMES_PER_LINE = 1_000
 def error_budget_of(
     project: Project,
     survey: Survey,
-    distances: Sequence[float] = DISTANCES,
+    distances: Sequence[float] = DEFAULT_DISTANCES,
     *,
     lever_sigma: Sequence[float] | None = None,
 ) -> ErrorBudget:

@@ -12,7 +12,7 @@ import numpy as np
 from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError, ProjectError
-from lispac.io.project.project_file import FILE_NAME
+from lispac.io.project.project_file import PROJECT_FILE_NAME
 from lispac.language import gettext, gettext_lazy
 from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
@@ -24,8 +24,9 @@ from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.shared_lines import has_same_lines
 from lispac.workflow.project.survey_dates import survey_dates
 
-_DAY = re.compile(r"(\d{4})-(\d{2})-(\d{2})")
-SYSTEM = ("vessel", "scanner", "scanner_serial", "pos", "pos_serial")
+_DATE_PATTERN = re.compile(r"(\d{4})-(\d{2})-(\d{2})")
+"""Year, month and day of a date such as 2026-03-04."""
+SYSTEM_FIELDS = ("vessel", "scanner", "scanner_serial", "pos", "pos_serial")
 """Fields of the identity that distinguish systems."""
 
 
@@ -42,7 +43,7 @@ class CalibratedSystem:
     @classmethod
     def of(cls, project: Project) -> "CalibratedSystem":
         """System of a project."""
-        return cls(*(getattr(project.identity, name) for name in SYSTEM))
+        return cls(*(getattr(project.identity, name) for name in SYSTEM_FIELDS))
 
     @property
     def full_name(self) -> str:
@@ -57,8 +58,8 @@ class CalibratedSystem:
 
     def is_same_system(self, other: "CalibratedSystem") -> bool:
         """True if both systems have the same names, regardless of capitals and blanks."""
-        return [_normalised_name(getattr(self, name)) for name in SYSTEM] == [
-            _normalised_name(getattr(other, name)) for name in SYSTEM
+        return [_normalised_name(getattr(self, name)) for name in SYSTEM_FIELDS] == [
+            _normalised_name(getattr(other, name)) for name in SYSTEM_FIELDS
         ]
 
 
@@ -107,7 +108,7 @@ def find_projects(folders: Sequence[Path]) -> tuple[list[Path], list[Message]]:
             raise ProjectError(error("history.no_permission", folder=str(folder)))
         for place, inner, files in os.walk(folder, onerror=add_unreadable):
             inner.sort()
-            if FILE_NAME in files:
+            if PROJECT_FILE_NAME in files:
                 found[Path(place)] = None
     if not found:
         raise ProjectError(error("history.no_project", folders=[str(folder) for folder in folders]))
@@ -127,7 +128,7 @@ def read_histories(
     ----------
     folders : folders searched at any depth
     vessel : vessel whose systems are read; all vessels if None
-    also : open projects, used in their present state instead of the saved one
+    also : open projects to include, in their present state instead of the saved one
 
     Returns
     -------
@@ -170,7 +171,7 @@ def read_histories(
             known.append((day, project))
     if not known:
         raise ProjectError(_no_calibration_message(vessel, excluded))
-    # Of two projects on the same lines, the open one is used.
+    # Of two projects with the same lines and date, the open one is used.
     known.sort(
         key=lambda each: (
             each[0], each[1].folder.resolve() not in open_ones, str(each[1].folder)
@@ -222,7 +223,7 @@ def _system_history(group: Sequence[tuple[date, Project]]) -> CalibrationHistory
     for k in range(1, len(projects)):
         messages += comparability_notes(names[k - 1 : k + 1], projects[k - 1 : k + 1])
     system = CalibratedSystem.of(projects[0])
-    if not any(getattr(system, name) for name in SYSTEM):
+    if not any(getattr(system, name) for name in SYSTEM_FIELDS):
         messages.append(note("history.unnamed_system"))
     entries = [
         HistoryEntry(project, day, charted)
@@ -250,7 +251,7 @@ def _without_repeated_surveys(
 
 def first_date_in(text: str) -> date | None:
     """First date in a text, in the form 2026-03-04."""
-    for found in _DAY.finditer(text):
+    for found in _DATE_PATTERN.finditer(text):
         try:
             return date(*map(int, found.groups()))
         except ValueError:

@@ -19,8 +19,8 @@ from lispac.validation.line_differences import (
     LineDifference,
     compare_lines,
 )
-from lispac.validation.normal_distance import NMAD
-from lispac.workflow.output.georeferencing import Which
+from lispac.validation.normal_distance import SIGMA_PER_MAD
+from lispac.workflow.output.georeferencing import BoresightChoice
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
@@ -74,7 +74,7 @@ class DifferenceStatistics:
             len(distance),
             median,
             float(np.sqrt(np.mean(distance**2))),
-            NMAD * float(np.median(np.abs(distance - median))),
+            SIGMA_PER_MAD * float(np.median(np.abs(distance - median))),
             float(np.percentile(size, 95.0)),
             float(size.max()),
             float(np.mean(size > half_width)),
@@ -92,21 +92,21 @@ class LineQuality:
     not_compared : reasons why other pairs are not compared
     """
 
-    which: Which
+    which: BoresightChoice
     pairs: tuple[LineDifference, ...]
     not_compared: tuple[Message, ...]
 
-    def figures_of_pair(
+    def statistics_of_pair(
         self, pair: LineDifference, facing: Facing = "all"
     ) -> DifferenceStatistics | None:
         """Statistics of a pair; None if there are too few places of that orientation."""
         own = pair.facing(facing)
         return _difference_statistics([own])
 
-    def pooled_figures(self, facing: Facing = "all") -> DifferenceStatistics | None:
+    def pooled_statistics(self, facing: Facing = "all") -> DifferenceStatistics | None:
         """Statistics of all pairs, with equal weight for each place."""
-        figures = _difference_statistics([pair.facing(facing) for pair in self.pairs])
-        return figures and replace(figures, median=None, robust_sigma=None)
+        statistics = _difference_statistics([pair.facing(facing) for pair in self.pairs])
+        return statistics and replace(statistics, median=None, robust_sigma=None)
 
     def rows(self) -> list[tuple[str, str, Facing, DifferenceStatistics]]:
         """All statistics: of each pair, then of all pairs together."""
@@ -114,18 +114,18 @@ class LineQuality:
 
         def add(one: str, other: str, of: Callable[[Facing], DifferenceStatistics | None]) -> None:
             for facing in FACINGS:
-                figures = of(facing)
-                if figures is not None:
-                    found.append((one, other, facing, figures))
+                statistics = of(facing)
+                if statistics is not None:
+                    found.append((one, other, facing, statistics))
 
         for pair in self.pairs:
             add(
                 pair.first,
                 pair.second,
-                lambda facing, pair=pair: self.figures_of_pair(pair, facing),  # type: ignore[misc]
+                lambda facing, pair=pair: self.statistics_of_pair(pair, facing),  # type: ignore[misc]
             )
         if len(self.pairs) > 1:
-            add("all", "all", self.pooled_figures)
+            add("all", "all", self.pooled_statistics)
         return found
 
 
@@ -140,7 +140,7 @@ def line_quality(
     project: Project,
     survey: Survey,
     *,
-    which: Which = "prior",
+    which: BoresightChoice = "prior",
     reach: float = SEARCH_DISTANCE,
     progress: Progress = no_progress,
 ) -> LineQuality:

@@ -22,7 +22,7 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.validation.absolute_check import Kind
 from lispac.workflow.calibration.seed_lists import columns_note
 from lispac.workflow.output.export_request import output_system_of
-from lispac.workflow.output.output_crs import LOCAL, trajectory_datum_of
+from lispac.workflow.output.output_crs import LOCAL_FRAME, trajectory_datum_of
 from lispac.workflow.project.coordinates import (
     distances_from_trajectory,
     require_near_trajectory,
@@ -32,12 +32,12 @@ from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 
-MAX_POINTS = 2_000_000
-"""Largest number of points of a static scan; a larger one is sampled."""
-LARGEST_SIGMA = 0.2
+MAX_SCAN_POINTS = 2_000_000
+"""Largest number of points of a static scan in the area of the lines; more points are sampled."""
+MAX_PLAUSIBLE_SIGMA = 0.2
 """Largest plausible sigma of a surveyed point, metres; a larger one is probably in millimetres."""
-LEAST_CELL = 1.0
-"""Smallest side of the cells that mark the part of a scan covered by the lines, metres."""
+MIN_CELL_SIZE = 1.0
+"""Smallest side of the cells that mark the area of the lines, metres."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,8 +94,9 @@ class Reference:
     system : str
         Coordinate system as text.
     sigma : float, metres
-        Standard deviation common to all points of a scan, or the default one of surveyed points.
-    notes : tuple of Message or str
+        Standard deviation common to all points of a scan, or the median of those of the surveyed
+        points and planes.
+    notes : tuple of Message
         Notes on the reading, and warnings about the reference.
     surface : ndarray of shape (n, 3), metres, local frame
         Points of a scan in the area of the lines; empty for surveyed points.
@@ -161,15 +162,15 @@ def read_reference(
             epoch=year if epoch is None else epoch,
         )  # fmt: skip
     else:
-        chosen = crs or found.system or LOCAL
+        chosen = crs or found.system or LOCAL_FRAME
         system = output_system_of(
             project, survey.trajectory, chosen, height, trajectory_datum, epoch
         )
-    words = "the local frame" if system is None else system.name
+    system_name = "the local frame" if system is None else system.name
     notes: tuple[Message, ...] = (
         note("assumed.local_frame")
         if system is None
-        else note("assumed.list_system", system=words),
+        else note("assumed.list_system", system=system_name),
         *(() if system is None else system.assumptions),
         *(each for each in found.messages if not (crs and each.actions)),
     )
@@ -182,13 +183,22 @@ def read_reference(
         messages += _sigma_warnings([point for point, _ in points])
         usual = float(np.median([*sigmas, *(p.sigma for p in planes)]))
         return Reference(
-            *file_facts, "points", words, usual, (*notes, columns, *messages), np.zeros((0, 3)),
-            names, places, sigmas, planes,
+            *file_facts, "points", system_name, usual, (*notes, columns, *messages),
+            np.zeros((0, 3)), names, places, sigmas, planes,
         )  # fmt: skip
     surface, used = _read_surface(found, system, survey, project, reach, progress)
     nothing = np.zeros((0, 3))
     return Reference(
-        *file_facts, "scan", words, sigma, (*notes, used), surface, (), nothing, np.zeros(0), ()
+        *file_facts,
+        "scan",
+        system_name,
+        sigma,
+        (*notes, used),
+        surface,
+        (),
+        nothing,
+        np.zeros(0),
+        (),
     )
 
 
@@ -216,7 +226,7 @@ def _read_points(
 def _group_points(
     points: Sequence[tuple[ListedPoint, Array]], sigma: float, path: Path
 ) -> tuple[tuple[str, ...], Array, Array, tuple[PlaneReference, ...], list[Message]]:
-    """Group surveyed points into single points and planes."""
+    """Group surveyed points into single points and planes, with warnings about uneven planes."""
     alone = [(p.name or f"P{k}", x, sigma if p.sigma is None else p.sigma)
              for k, (p, x) in enumerate(points, start=1) if not p.plane]  # fmt: skip
     together: dict[str, list[tuple[Array, float]]] = {}
@@ -246,12 +256,12 @@ def _sigma_warnings(points: Sequence[ListedPoint]) -> list[Message]:
     large = [
         (point.name or f"P{k}", point.sigma)
         for k, point in enumerate(points, start=1)
-        if point.sigma is not None and point.sigma > LARGEST_SIGMA
+        if point.sigma is not None and point.sigma > MAX_PLAUSIBLE_SIGMA
     ]
     if not large:
         return []
     name, sigma = large[0]
-    limit = LARGEST_SIGMA
+    limit = MAX_PLAUSIBLE_SIGMA
     return [warning("reference.large_sigma", count=len(large), name=name, sigma=sigma, limit=limit)]
 
 
@@ -293,14 +303,14 @@ def _read_surface(
     scan: StaticScan, system: CoordinateSystem | None, survey: Survey, project: Project,
     reach: float, progress: Progress,
 ) -> tuple[Array, Message]:  # fmt: skip
-    """Read the part of a scan in the area of the lines, and count its points.
+    """Read the part of a scan in the area of the lines, with a note on the number of its points.
 
     Raises
     ------
     InputError
         If no point of the scan is near the lines.
     """
-    seen = _VisibleCells.of(survey, project, reach)
+    seen = _CoveredCells.of(survey, project, reach)
     parts: list[Array] = []
     numbers: list[NDArray[np.int64]] = []
     done = kept = halvings = 0
@@ -315,7 +325,7 @@ def _read_surface(
         parts.append(placed[good])
         numbers.append(own[good])
         done, kept = done + len(chunk), kept + int(good.sum())
-        while kept > MAX_POINTS and halvings < MAX_HALVINGS:
+        while kept > MAX_SCAN_POINTS and halvings < MAX_HALVINGS:
             halvings += 1
             chosen = [is_number_in_sample(some, halvings) for some in numbers]
             parts = [part[which] for part, which in zip(parts, chosen, strict=True)]
@@ -337,14 +347,14 @@ def _require_same_site(
     path: Path, chunk: Array, placed: Array, system: CoordinateSystem | None,
     trajectory: LocalTrajectory,
 ) -> None:  # fmt: skip
-    """Refuse a scan of another site, judged by the nearest point in its first chunk."""
+    """Refuse a scan whose first chunk has no point near the trajectory, as one of another site."""
     step = max(1, len(placed) // 1000)
     nearest = int(np.argmin(distances_from_trajectory(placed[::step], trajectory)))
     require_near_trajectory(chunk[::step][nearest], system, trajectory, f"{path}")
 
 
 @dataclass(frozen=True, eq=False)
-class _VisibleCells:
+class _CoveredCells:
     """Cells of the local frame that contain points of the lines, and neighbouring cells."""
 
     side: float
@@ -353,8 +363,8 @@ class _VisibleCells:
     cells: NDArray[np.int64]
 
     @classmethod
-    def of(cls, survey: Survey, project: Project, reach: float) -> "_VisibleCells":
-        side = max(LEAST_CELL, reach)
+    def of(cls, survey: Survey, project: Project, reach: float) -> "_CoveredCells":
+        side = max(MIN_CELL_SIZE, reach)
         seen = [
             np.unique(np.floor(cloud.sample / side).astype(np.int64), axis=0)
             for clouds in (survey.clouds, survey.placed(project, "estimated"))
@@ -363,9 +373,9 @@ class _VisibleCells:
         cells = np.unique(np.concatenate(seen), axis=0)
         low = cells.min(axis=0) - 1
         counts = cells.max(axis=0) + 2 - low
-        beside = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3), axis=-1).reshape(-1, 3)
-        wide = [np.ravel_multi_index((cells - low + b).T, counts) for b in beside]
-        return cls(side, low, counts, np.unique(np.concatenate(wide)))
+        offsets = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3), axis=-1).reshape(-1, 3)
+        neighbours = [np.ravel_multi_index((cells - low + offset).T, counts) for offset in offsets]
+        return cls(side, low, counts, np.unique(np.concatenate(neighbours)))
 
     def contains(self, points: Array) -> NDArray[np.bool_]:
         """Flags of points, shape (n, 3), that lie in the cells; False for points not finite."""

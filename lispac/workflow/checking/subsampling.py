@@ -21,7 +21,7 @@ from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 
-DISTANCES = (0.0, 0.05, 0.10, 0.15, 0.20)
+DEFAULT_DISTANCES = (0.0, 0.05, 0.10, 0.15, 0.20)
 """Default distances, metres: 0 for all points, those of the thesis, and an additional one."""
 
 
@@ -50,7 +50,7 @@ class SubsamplingResult:
 def subsampling_study(
     project: Project,
     survey: Survey,
-    distances: Sequence[float] = DISTANCES,
+    distances: Sequence[float] = DEFAULT_DISTANCES,
     *,
     progress: Progress = no_progress,
 ) -> tuple[SubsamplingResult, ...]:

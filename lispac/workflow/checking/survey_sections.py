@@ -22,23 +22,24 @@ from lispac.targets.cross_section import (
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
-Which = Literal["prior", "estimated"]
+BoresightChoice = Literal["prior", "estimated"]
 
 
 @dataclass(frozen=True, eq=False)
 class SectionPoints:
-    """A section through the lines in one placement.
+    """A section through the lines, placed with the prior or the estimated boresight.
 
     Attributes
     ----------
     section : Section
         Position and size of the section.
-    points : ndarray of shape (n, 2) by line, metres, to the right and upwards from the centre
+    points : mapping of line name to ndarray of shape (n, 2), metres
+        Positions to the right of the centre and above it.
     separation : float or None, metres
         Largest distance between two lines along the normal of a plane; None without a plane.
     """
 
-    which: Which
+    which: BoresightChoice
     section: Section
     points: Mapping[str, Array]
     separation: float | None = None
@@ -121,8 +122,10 @@ def cut_between_points(
     )
 
 
-def _placements(project: Project, survey: Survey) -> list[tuple[Which, Mapping[str, Cloud]]]:
-    placements: list[tuple[Which, Mapping[str, Cloud]]] = [("prior", survey.clouds)]
+def _placements(
+    project: Project, survey: Survey
+) -> list[tuple[BoresightChoice, Mapping[str, Cloud]]]:
+    placements: list[tuple[BoresightChoice, Mapping[str, Cloud]]] = [("prior", survey.clouds)]
     if project.result is not None:
         placements.append(("estimated", survey.placed(project, "estimated")))
     return placements
@@ -137,7 +140,7 @@ def _end_times(line: Line) -> Array:
 
 
 def _section_points(
-    which: Which, clouds: Mapping[str, Cloud], section: Section, progress: Progress
+    which: BoresightChoice, clouds: Mapping[str, Cloud], section: Section, progress: Progress
 ) -> SectionPoints:
     points = {}
     for k, (line, cloud) in enumerate(clouds.items()):

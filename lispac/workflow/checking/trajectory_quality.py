@@ -7,7 +7,7 @@ from lispac.workflow.project.survey import Survey
 
 
 def trajectory_on_lines(survey: Survey) -> tuple[LineTrajectorySummary, ...]:
-    """Motion and accuracy of the trajectory on each line with at least two states."""
+    """Motion and accuracy of the trajectory on each line with at least two trajectory states."""
     found = []
     for name, scan in survey.scans.items():
         times = survey.trajectory.time

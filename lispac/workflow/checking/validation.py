@@ -21,7 +21,7 @@ def validate(
     model: LocalModel = SIX_POINT_PLANE,
     progress: Progress = no_progress,
 ) -> Project:
-    """Compare the lines on every validation plane with the prior and the estimated boresight.
+    """Compare the lines on every used validation plane, before and after the calibration.
 
     Parameters
     ----------
@@ -31,10 +31,10 @@ def validate(
     Raises
     ------
     ProjectError
-        If nothing has been estimated, or there is no validation plane.
+        If nothing has been estimated, or no validation plane is used.
     NotComparable
-        If two lines have no plane in common. If this applies only to some planes, they are listed
-        in ``not_compared`` instead.
+        If lines can be compared on none of the planes. If this applies only to some planes, they
+        are listed in ``not_compared`` instead.
     """
     placed = survey.placed(project, "estimated")
     planes = [plane for plane in project.targets_of_role("validation") if plane.used]

@@ -1,7 +1,8 @@
 """List of all warnings about an open project, each with its cause.
 
 The list collects the messages about the files, the sightings, the adjustment, the validation and
-the checks. No further checks are made here.
+the checks. Only the gaps of the trajectory and, before the estimation, the number and orientation
+of the targets are checked here.
 """
 
 from collections.abc import Iterator, Mapping
@@ -22,13 +23,13 @@ from lispac.warning_causes import Cause
 from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
 from lispac.workflow.project.survey import Survey
 
-DATA, ADJUST = Cause.of_step("Data"), Cause.of_step("Adjust")
+DATA_STEP, ADJUST_STEP = Cause.of_step("Data"), Cause.of_step("Adjust")
 
-LISTED_SINGLY = {
+SUMMARY_CODES = {
     "report.sightings", "report.not_found_target", "report.not_found_plane", "report.not_compared",
 }  # fmt: skip
-"""Codes of summary messages in a report, whose single messages are listed here."""
-OF_A_REPORT = {"report.not_calibrated"}
+"""Codes of summaries in a report; the list contains the summarised messages instead."""
+REPORT_ONLY_CODES = {"report.not_calibrated"}
 """Codes used only in a report: in the window, the steps show what remains to be done."""
 
 
@@ -42,7 +43,7 @@ def warnings_of(
     outdated: bool = False,
     storage: Message | None = None,
 ) -> tuple[Message, ...]:
-    """All warnings, then all notes, in the order of the workflow; assumptions last.
+    """All messages by level (errors, warnings, notes), and within a level by step of the workflow.
 
     Parameters
     ----------
@@ -76,7 +77,7 @@ def warnings_of(
 
 def _storage_warning(storage: Message | None) -> Iterator[Message]:
     if storage is not None:
-        yield warning("project.storage", reason=storage, subject=DATA)
+        yield warning("project.storage", reason=storage, subject=DATA_STEP)
 
 
 def _trajectory_gaps(project: Project, survey: Survey | None) -> Iterator[Message]:
@@ -87,7 +88,7 @@ def _trajectory_gaps(project: Project, survey: Survey | None) -> Iterator[Messag
     if count := int((steps > limit).sum()):
         longest = float(steps.max())
         yield note(
-            "project.trajectory_gaps", count=count, limit=limit, longest=longest, subject=DATA
+            "project.trajectory_gaps", count=count, limit=limit, longest=longest, subject=DATA_STEP
         )
 
 
@@ -108,7 +109,7 @@ def _file_cause(project: Project, about: Message) -> Cause:
         line for line in project.lines
         if about.params.get("file") in (printable(line.path.name), str(line.path))
     ]  # fmt: skip
-    return Cause.of_line(lines[0].name) if len(lines) == 1 else DATA
+    return Cause.of_line(lines[0].name) if len(lines) == 1 else DATA_STEP
 
 
 def _poor_sightings(
@@ -137,7 +138,7 @@ def _targets_not_found(project: Project) -> Iterator[Message]:
 
 
 def _target_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
-    """Notes on targets that an estimation would refuse, if there is no result yet."""
+    """Notes on targets with which an estimation would fail, if there is no result yet."""
     if project.result is not None:
         return
     used = [target for target in project.targets_of_role("target") if target.used]
@@ -149,9 +150,9 @@ def _target_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
 
 def _refusal_warning(refusal: Message | str, outdated: bool) -> Iterator[Message]:
     if refusal:
-        yield warning("project.refused", reason=refusal, subject=ADJUST)
+        yield warning("project.refused", reason=refusal, subject=ADJUST_STEP)
     elif outdated:
-        yield note("project.out_of_date", subject=ADJUST)
+        yield note("project.out_of_date", subject=ADJUST_STEP)
 
 
 def _result_warnings(project: Project, also: tuple[Message, ...]) -> Iterator[Message]:
@@ -162,7 +163,7 @@ def _result_warnings(project: Project, also: tuple[Message, ...]) -> Iterator[Me
     )  # fmt: skip
     yield from all_warnings(project, also)
     for message in report_warnings(content, ()):
-        if message.code not in LISTED_SINGLY | OF_A_REPORT:
+        if message.code not in SUMMARY_CODES | REPORT_ONLY_CODES:
             yield message
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from lispac.errors import LispacError
 from lispac.io.format_types import Choice, FileFormat
-from lispac.io.points.point_reader_common import FRAME, SCANNER
+from lispac.io.points.point_reader_common import FRAME_OPTION, SCANNER_FRAME
 from lispac.language import gettext_lazy
 from lispac.messages import Level, Message
 from lispac.progress import Progress, no_progress
@@ -62,7 +62,9 @@ def audit_file(
         If the file cannot be read.
     """
     resolved = format.resolved(options)
-    screen = PointScreen(PointSelection.of(resolved), ranged=resolved[FRAME.name] == SCANNER)
+    screen = PointScreen(
+        PointSelection.of(resolved), ranged=resolved[FRAME_OPTION.name] == SCANNER_FRAME
+    )
     attributes: set[str] = set()
     read, name = 0, printable(path.name)
     complete = True

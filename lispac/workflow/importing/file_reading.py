@@ -11,11 +11,11 @@ from lispac.geometry.frames import LocalFrame
 from lispac.io.files import message_with_file_name, require_file
 from lispac.io.format_types import LIKELY, Choice, FileFormat, FilePreview, Kind
 from lispac.io.formats import format_of, is_las, recognise_formats
-from lispac.io.las.las_format import ASSUMPTIONS as LAS_ASSUMPTIONS
+from lispac.io.las.las_format import SCANNER_FRAME_ASSUMPTIONS as LAS_ASSUMPTIONS
 from lispac.io.points.point_reader_common import (
-    CHOOSE_FRAME,
-    NO_SYSTEM,
-    SCANNER,
+    CHOOSE_FRAME_ACTION,
+    NO_SYSTEM_CODE,
+    SCANNER_FRAME,
     crs_of_options,
     require_not_empty,
 )
@@ -27,21 +27,24 @@ from lispac.survey.line_source import printable
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
 MAX_ORIGIN_DISTANCE = 100_000.0
-"""Largest distance of the trajectory from the origin of the local frame, metres; a frame tangent to
-the ellipsoid at a more distant origin is not suitable."""
-WORDS: Mapping[Kind, str] = {
+"""Largest distance of the first position of the trajectory from the origin of the local frame,
+metres; a frame tangent to the ellipsoid at a more distant origin is not suitable."""
+KIND_NAMES: Mapping[Kind, str] = {
     "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
 }  # fmt: skip
-_NOT_OF_KIND: Mapping[Kind, str] = {
+"""Word for each kind of file in `lispac.io.files.require_file`."""
+_WRONG_KIND_CODES: Mapping[Kind, str] = {
     "trajectory": "import.not_trajectory_format",
     "accuracy": "import.not_accuracy_format",
     "points": "import.not_line_format",
 }
-_UNKNOWN_OF_KIND: Mapping[Kind, str] = {
+"""Code of the error that a format is not one of the required kind, by that kind."""
+_UNKNOWN_FORMAT_CODES: Mapping[Kind, str] = {
     "trajectory": "import.unknown_trajectory_format",
     "accuracy": "import.unknown_accuracy_format",
     "points": "import.unknown_line_format",
 }
+"""Code of the error that a file has no known format of the required kind, by that kind."""
 
 
 @dataclass(frozen=True)
@@ -108,11 +111,14 @@ def preview_with_options(path: Path, format: FileFormat, given: Choice) -> FileP
     crs = str(given.get("crs", ""))
     if format.kind != "points" or not crs:
         return finding
-    if {**finding.choice, **given}.get("frame", SCANNER) != SCANNER:
-        kept = tuple(each for each in finding.file_warnings if each.code != NO_SYSTEM)
+    if {**finding.choice, **given}.get("frame", SCANNER_FRAME) != SCANNER_FRAME:
+        kept = tuple(each for each in finding.file_warnings if each.code != NO_SYSTEM_CODE)
         return replace(finding, file_warnings=kept)
     unused = warning(
-        "points.unused_system", file=printable(path.name), system=crs, actions=(CHOOSE_FRAME,)
+        "points.unused_system",
+        file=printable(path.name),
+        system=crs,
+        actions=(CHOOSE_FRAME_ACTION,),
     )
     return replace(finding, file_warnings=(*finding.file_warnings, unused))
 
@@ -131,15 +137,15 @@ def detect_reading(path: Path, kind: Kind, reading: Reading) -> tuple[Reading, t
     InputError
         If the file is missing, its format is not known, or an option does not belong to it.
     """
-    path = require_file(Path(path), WORDS[kind])
+    path = require_file(Path(path), KIND_NAMES[kind])
     if reading.format:
         format = format_of(reading.format)
         if format.kind != kind:
-            raise InputError(error(_NOT_OF_KIND[kind], file=str(path), format=format.name))
+            raise InputError(error(_WRONG_KIND_CODES[kind], file=str(path), format=format.name))
     else:
         found = recognise_formats(path, kind)
         if not found:
-            raise InputError(error(_UNKNOWN_OF_KIND[kind], file=str(path)))
+            raise InputError(error(_UNKNOWN_FORMAT_CODES[kind], file=str(path)))
         format = found[0][0]
     given = dict(reading.options)
     finding = preview_with_options(path, format, given)
@@ -148,16 +154,18 @@ def detect_reading(path: Path, kind: Kind, reading: Reading) -> tuple[Reading, t
     detected = [f"{name}={value}" for name, value in choice.items() if value and name not in given]
     if detected:
         file = printable(path.name)
-        messages.append(note(READ_AS, file=file, format=format.name, options=detected))
+        messages.append(
+            note(DETECTED_OPTIONS_CODE, file=file, format=format.name, options=detected)
+        )
     options = tuple((name, str(value)) for name, value in choice.items() if value != "")
     return replace(reading, format=format.key, options=options), tuple(messages)
 
 
-READ_AS = "import.read_as"
+DETECTED_OPTIONS_CODE = "import.read_as"
 """Code of the note on the options that were detected."""
 
 
-def usual_or_detected_reading(
+def default_or_detected_reading(
     path: Path, kind: Kind, given_reading: Reading, *, columns: bool = False
 ) -> tuple[Reading, tuple[Message, ...]]:
     """Complete the reading options of a file, or keep the defaults if the file agrees with them.
@@ -177,29 +185,29 @@ def usual_or_detected_reading(
         if not found or found[0][0].key == "text":
             return given_reading, ()
     if not given_reading.format and not given_reading.options and not recognise_formats(path, kind):
-        return given_reading, ()  # the usual reader gives the best message for a damaged file
+        return given_reading, ()  # the default reader gives the best message for a damaged file
     reading, messages = detect_reading(path, kind, given_reading)
-    usual = USUAL[kind]
-    own = reading.format == usual and not given_reading.format and not given_reading.options
-    if own and _agrees_with_usual(reading, usual):
-        kept = tuple(each for each in messages if each.code != READ_AS)
+    default = DEFAULT_FORMATS[kind]
+    own = reading.format == default and not given_reading.format and not given_reading.options
+    if own and _agrees_with_default(reading, default):
+        kept = tuple(each for each in messages if each.code != DETECTED_OPTIONS_CODE)
         return replace(reading, format="", options=()), kept
     return reading, messages
 
 
-USUAL: Mapping[Kind, str] = {"trajectory": "sbet", "accuracy": "smrmsg", "points": "las"}
+DEFAULT_FORMATS: Mapping[Kind, str] = {"trajectory": "sbet", "accuracy": "smrmsg", "points": "las"}
 """Default format for each kind of file, read with its default options."""
 
-BESIDE = ("axes", "time", "time_base", "crs", "height_unit")
+OPTIONS_WITHOUT_EFFECT = ("axes", "time", "time_base", "crs", "height_unit")
 """Options without effect on the reading of points in the LiDAR frame and of poses. Time bases have
 an effect only through the time shift of a line (`shift_lines_to_trajectory`)."""
 
 
-def _agrees_with_usual(reading: Reading, key: str) -> bool:
+def _agrees_with_default(reading: Reading, key: str) -> bool:
     usual = {name: value for name, value in format_of(key).resolved({}).items() if value != ""}
     found = dict(reading.options)
-    return {k: v for k, v in found.items() if k not in BESIDE} == {
-        k: v for k, v in usual.items() if k not in BESIDE
+    return {k: v for k, v in found.items() if k not in OPTIONS_WITHOUT_EFFECT} == {
+        k: v for k, v in usual.items() if k not in OPTIONS_WITHOUT_EFFECT
     }
 
 

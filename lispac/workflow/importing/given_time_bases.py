@@ -17,10 +17,10 @@ from lispac.survey.known_time_base import (
     no_overlap_error,
     time_base_error,
 )
-from lispac.survey.line_source import TIME_ROLLOVER, printable
+from lispac.survey.line_source import TIME_ROLLOVER_OPTION, printable
 from lispac.survey.time_base import base_of_key
-from lispac.survey.time_rollover import NONE
-from lispac.workflow.importing.file_reading import USUAL, format_of_line, read_trajectory
+from lispac.survey.time_rollover import NO_ROLLOVER
+from lispac.workflow.importing.file_reading import DEFAULT_FORMATS, format_of_line, read_trajectory
 
 SHIFT_TOLERANCE = 1e-3
 """Largest difference of a given shift from the one that follows from the time bases, seconds."""
@@ -63,7 +63,7 @@ def has_given_time_base(trajectory: Path, reading: Reading) -> bool:
     given = kept.pop("time", "")
     if not given:
         return False
-    format = format_of(reading.format or USUAL["trajectory"])
+    format = format_of(reading.format or DEFAULT_FORMATS["trajectory"])
     found = format.resolved({**format.preview(trajectory, kept).choice, **kept})
     return given != str(found.get("time", ""))
 
@@ -106,7 +106,7 @@ def shift_lines_to_trajectory(
         return tuple(lines), ()
     track = read_trajectory(trajectory, trajectory_reading).time
     other = known_time_base(
-        format_of(trajectory_reading.format or USUAL["trajectory"]), trajectory,
+        format_of(trajectory_reading.format or DEFAULT_FORMATS["trajectory"]), trajectory,
         dict(trajectory_reading.options), "time", given=trajectory_given,
     )  # fmt: skip
     shifted_lines: list[LineSource] = []
@@ -117,7 +117,7 @@ def shift_lines_to_trajectory(
             continue
         format, choice, _ = format_of_line(line)
         own = known_time_base(format, line.path, choice, "time_base", given=bool(base))
-        choice = {**choice, TIME_ROLLOVER: line.reading.time_rollover or NONE}
+        choice = {**choice, TIME_ROLLOVER_OPTION: line.reading.time_rollover or NO_ROLLOVER}
         times = read_line_times(line.path, format, choice).sample
         if wrong := time_base_error(times, own, str(line.path)):
             raise InputError(wrong)

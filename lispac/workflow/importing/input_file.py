@@ -25,7 +25,7 @@ from lispac.survey.line_source import Reading, printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.importing.file_audit import audit_file
 from lispac.workflow.importing.file_reading import (
-    USUAL,
+    DEFAULT_FORMATS,
     FileCheck,
     check_file,
     preview_with_options,
@@ -83,10 +83,12 @@ class InputFile:
         Reason why the file cannot be used.
     shift : float, seconds
         Time shift, added to the times of a line.
-    follows : bool
+    shift_follows_bases : bool
         Whether the shift follows from given time bases.
     place : LineLocation or None
         Location of a georeferenced line.
+    pending : bool
+        Whether the file has to be examined, for the first time or after a change of its options.
     remembered : bool
         Whether the columns are those chosen for an earlier file with the same layout.
     project_reading : Reading or None
@@ -106,7 +108,7 @@ class InputFile:
     content: Content | None = None
     error: Message | None = None
     shift: float = 0.0
-    follows: bool = False
+    shift_follows_bases: bool = False
     place: LineLocation | None = None
     pending: bool = True
     remembered: bool = False
@@ -144,7 +146,7 @@ class InputFile:
 
     @property
     def reading(self) -> Reading:
-        """Given reading options for the project; the others are detected again."""
+        """Reading options given by the user; `complete_readings` detects the others again."""
         given = {} if self.given_options is None else dict(self.given_options)
         if self.format is None or (not given and self.format in self.formats[:1]):
             return Reading("", (), self.shift)
@@ -217,7 +219,7 @@ def examine_project_file(input_file: InputFile, *, progress: Progress = no_progr
         return replace(
             input_file, error=message_with_file_name(refused, input_file.path), pending=False
         )
-    format = format_of(input_file.project_reading.format or USUAL[input_file.role])
+    format = format_of(input_file.project_reading.format or DEFAULT_FORMATS[input_file.role])
     given = dict(input_file.project_reading.options)
     return reexamine_file(
         replace(input_file, checks=tuple(found), format=format, given_options=given or None),
@@ -242,7 +244,7 @@ def reexamine_file(input_file: InputFile, *, progress: Progress = no_progress) -
     missing = missing_columns(input_file.format, input_file.columns)
     if missing:
         file = printable(input_file.path.name)
-        return replace(input_file, error=error(COLUMNS_NOT_CHOSEN, file=file, columns=missing))
+        return replace(input_file, error=error(COLUMNS_NOT_CHOSEN_CODE, file=file, columns=missing))
     if input_file.given_options:
         input_file = _with_preview(input_file, dict(input_file.given_options))
     if input_file.error or input_file.finding is None:
@@ -256,7 +258,7 @@ def reexamine_file(input_file: InputFile, *, progress: Progress = no_progress) -
         return replace(input_file, error=message_with_file_name(refused, input_file.path))
 
 
-COLUMNS_NOT_CHOSEN = "import.columns_not_chosen"
+COLUMNS_NOT_CHOSEN_CODE = "import.columns_not_chosen"
 """Code of the error that the user has to choose the meanings of the columns."""
 
 
@@ -264,7 +266,7 @@ def _with_preview(input_file: InputFile, given: dict[str, str]) -> InputFile:
     assert input_file.format is not None
     known = next((check for check in input_file.checks if check.format is input_file.format), None)
     if not given and known is not None:
-        # If the columns are reset to the detected ones, these are those of the first check.
+        # Without given options, the preview of the first check applies.
         return replace(input_file, finding=known.finding, error=known.error)
     try:
         return replace(
@@ -286,7 +288,8 @@ def _with_content(input_file: InputFile, progress: Progress) -> InputFile:
         )
         place = input_file.place
         if input_file.is_georeferenced:
-            # The times of a line do not depend on its coordinate system, so they are read anyway.
+            # The times of a line do not depend on its coordinate system, so they are read even if
+            # the system is not known.
             place = _line_location(input_file, times)
         found = audit_file(
             input_file.path,

@@ -8,9 +8,9 @@ import numpy as np
 
 from lispac.geometry.frames import geodetic_to_ecef
 from lispac.io.points.line_times import LineTimes
-from lispac.io.points.point_reader_common import CHOOSE_SYSTEM
-from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED
-from lispac.io.trajectory.trajectory_facts import GAPS, gap_warnings
+from lispac.io.points.point_reader_common import CHOOSE_SYSTEM_ACTION
+from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED_CODE
+from lispac.io.trajectory.trajectory_facts import GAPS_CODE, gap_warnings
 from lispac.messages import Action, Level, Message, Value, error, note, sort_by_level, warning
 from lispac.project import LineSource
 from lispac.survey.known_time_base import (
@@ -20,14 +20,14 @@ from lispac.survey.known_time_base import (
     matches_of_known_bases,
     time_base_error,
 )
-from lispac.survey.line_source import TIME_ROLLOVER, printable
+from lispac.survey.line_source import TIME_ROLLOVER_OPTION, printable
 from lispac.survey.time_base import TimeBase, TimeMatch, equally_good_matches
 from lispac.survey.time_quality import TrajectoryCoverage, accuracy_coverage_warning
-from lispac.survey.time_rollover import NONE, rollover_note
+from lispac.survey.time_rollover import NO_ROLLOVER, rollover_note
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
-from lispac.workflow.importing.input_file import COLUMNS_NOT_CHOSEN, InputFile
+from lispac.workflow.importing.input_file import COLUMNS_NOT_CHOSEN_CODE, InputFile
 from lispac.workflow.importing.input_times import (
-    SHARE_NEEDED,
+    MIN_SHARE_ON_TRAJECTORY,
     line_coverage,
     line_time_base,
     matching_shifts,
@@ -35,59 +35,65 @@ from lispac.workflow.importing.input_times import (
     trajectory_time_base,
 )
 
-MAX_DISTANCE = 20_000.0
+MAX_LINE_DISTANCE = 20_000.0
 """Largest plausible distance of a line from the trajectory, metres; no scanner has such a range."""
 
-SETTING_OPTIONS = {
+OPTION_SETTING_ACTIONS = {
     "set_option", "use_degrees", "use_feet", "use_us_survey_feet", "swap_coordinates",
     "clear_time_base", "ignore_rollover",
 }  # fmt: skip
-"""Actions that give an option (parameter ``name``) a value (parameter ``value``)."""
-CHOOSING_OPTIONS = {
+"""Codes of actions that give an option (parameter ``name``) a value (parameter ``value``)."""
+OPTION_CHOICE_ACTIONS = {
     "choose_system", "check_system", "choose_vertical_reference", "choose_frame",
     "choose_time_base", "check_sign",
 }  # fmt: skip
-"""Actions by which the user chooses the value of an option (parameter ``name``)."""
-BRIDGE_GAPS = "bridge_gaps"
-"""Action that changes the longest gap of the project."""
-OF_A_FILE = {
+"""Codes of actions by which the user chooses the value of an option (parameter ``name``)."""
+BRIDGE_GAPS_CODE = "bridge_gaps"
+"""Code of the action that changes the longest gap of the project."""
+FILE_ACTION_CODES = {
     "split_line", "keep_one_line", "leave_out", "shift_times", "clear_shift", "detect_columns",
-    BRIDGE_GAPS, *SETTING_OPTIONS, *CHOOSING_OPTIONS,
+    BRIDGE_GAPS_CODE, *OPTION_SETTING_ACTIONS, *OPTION_CHOICE_ACTIONS,
 }  # fmt: skip
-"""Actions that apply to a file as a whole."""
+"""Codes of all actions that apply to a file as a whole."""
 
-LEAVE_OUT = Action("leave_out")
-CLEAR_TIME_BASE = Action("clear_time_base", {"name": "time_base", "value": ""})
-IGNORE_ROLLOVER = Action("ignore_rollover", {"name": TIME_ROLLOVER, "value": NONE})
+LEAVE_OUT_ACTION = Action("leave_out")
+CLEAR_TIME_BASE_ACTION = Action("clear_time_base", {"name": "time_base", "value": ""})
+IGNORE_ROLLOVER_ACTION = Action(
+    "ignore_rollover", {"name": TIME_ROLLOVER_OPTION, "value": NO_ROLLOVER}
+)
 
-SYSTEM_ERRORS = {
+COORDINATE_SYSTEM_ERROR_CODES = {
     "trajectory.no_system", "trajectory.grid_heading", "trajectory.outside_system",
     "trajectory.not_projected", "trajectory.unusable_system", "file.coordinate_system",
     "las.local_frame",
 }  # fmt: skip
 """Codes of errors that another coordinate system may resolve."""
-ABOUT_COLUMNS = {
+COLUMN_WARNING_CODES = {
     "text.columns_not_named", "trajectory.columns_missing", "trajectory.position_missing",
-    "trajectory.no_columns", COLUMNS_ASSUMED,
+    "trajectory.no_columns", COLUMNS_ASSUMED_CODE,
 }  # fmt: skip
 """Codes of warnings that are redundant if an error requests the columns."""
 
 
 def option_to_choose(action: Action) -> str:
     """Name of the option whose value an action asks the user to choose; empty for other actions."""
-    return str(action.params["name"]) if action.code in CHOOSING_OPTIONS else ""
+    return str(action.params["name"]) if action.code in OPTION_CHOICE_ACTIONS else ""
 
 
-def already_in_project(input_file: InputFile, lines: Mapping[Path, str]) -> tuple[Message, ...]:
+def already_in_project_error(
+    input_file: InputFile, lines: Mapping[Path, str]
+) -> tuple[Message, ...]:
     """Error that a file is already a line of the open project; ``lines`` are names by path."""
     name = lines.get(input_file.path)
     if name is None or input_file.role != "points":
         return ()
     file = printable(input_file.path.name)
-    return (error("import.already_in_project", file=file, line=name, actions=(LEAVE_OUT,)),)
+    return (error("import.already_in_project", file=file, line=name, actions=(LEAVE_OUT_ACTION,)),)
 
 
-def without_changes(input_file: InputFile, messages: tuple[Message, ...]) -> tuple[Message, ...]:
+def without_project_changes(
+    input_file: InputFile, messages: tuple[Message, ...]
+) -> tuple[Message, ...]:
     """Messages without the actions that would change the open project to which lines are added."""
     return tuple(
         replace(
@@ -95,7 +101,7 @@ def without_changes(input_file: InputFile, messages: tuple[Message, ...]) -> tup
             actions=tuple(
                 action
                 for action in message.actions
-                if input_file.project_reading is None and action.code != BRIDGE_GAPS
+                if input_file.project_reading is None and action.code != BRIDGE_GAPS_CODE
             ),
         )
         for message in messages
@@ -124,7 +130,7 @@ def file_messages(
     if input_file.role is None:
         return (as_note(input_file.error),) if input_file.error else ()
     messages = _own_messages(input_file, longest_gap)
-    file, actions = printable(input_file.path.name), (LEAVE_OUT,)
+    file, actions = printable(input_file.path.name), (LEAVE_OUT_ACTION,)
     if input_file.role == "trajectory":
         if trajectories > 1:
             messages.append(error("import.several_trajectories", file=file, actions=actions))
@@ -155,9 +161,9 @@ def with_possible_actions(
 
 
 def _is_possible(input_file: InputFile, action: Action) -> bool:
-    if action.code not in OF_A_FILE:
+    if action.code not in FILE_ACTION_CODES:
         return False
-    if action.code not in SETTING_OPTIONS | CHOOSING_OPTIONS:
+    if action.code not in OPTION_SETTING_ACTIONS | OPTION_CHOICE_ACTIONS:
         return True
     options, name = input_file.options, str(action.params["name"])
     return name in options and options[name] != action.params.get("value")
@@ -168,11 +174,13 @@ def _own_messages(input_file: InputFile, longest_gap: float) -> list[Message]:
     file = printable(input_file.path.name)
     messages: list[Message] = []
     if input_file.error:
-        about_system = input_file.error.code in SYSTEM_ERRORS
-        actions = (CHOOSE_SYSTEM, LEAVE_OUT) if about_system else (LEAVE_OUT,)
+        about_system = input_file.error.code in COORDINATE_SYSTEM_ERROR_CODES
+        actions = (CHOOSE_SYSTEM_ACTION, LEAVE_OUT_ACTION) if about_system else (LEAVE_OUT_ACTION,)
         messages.append(replace(input_file.error, actions=(*input_file.error.actions, *actions)))
     elif input_file.place is not None and input_file.place.error:
-        messages.append(replace(input_file.place.error, actions=(CHOOSE_SYSTEM, LEAVE_OUT)))
+        messages.append(
+            replace(input_file.place.error, actions=(CHOOSE_SYSTEM_ACTION, LEAVE_OUT_ACTION))
+        )
     if input_file.remembered and input_file.finding is not None:
         actions = (Action("detect_columns"),)
         messages.append(note("import.columns_remembered", file=file, actions=actions))
@@ -200,13 +208,13 @@ def _own_messages(input_file: InputFile, longest_gap: float) -> list[Message]:
 
 def _is_superseded(input_file: InputFile, reported: Message) -> bool:
     """True if another message about the file reports the same with better information."""
-    if reported.code == GAPS and isinstance(input_file.content, Trajectory):
+    if reported.code == GAPS_CODE and isinstance(input_file.content, Trajectory):
         return True  # the reader does not know the longest gap that is bridged
     if input_file.error is None:
         return False
     is_same = (reported.code, reported.params) == (input_file.error.code, input_file.error.params)
-    is_about_columns = input_file.error.code in ABOUT_COLUMNS | {COLUMNS_NOT_CHOSEN}
-    return is_same or (is_about_columns and reported.code in ABOUT_COLUMNS)
+    is_about_columns = input_file.error.code in COLUMN_WARNING_CODES | {COLUMNS_NOT_CHOSEN_CODE}
+    return is_same or (is_about_columns and reported.code in COLUMN_WARNING_CODES)
 
 
 def _is_resolved_by_split(message: Message, by: str) -> bool:
@@ -225,7 +233,7 @@ def _accuracy_time_messages(input_file: InputFile, trajectory: InputFile | None)
         return [
             error(
                 "import.accuracy_times", file=file, first=float(own[0]), last=float(own[-1]),
-                start=float(track[0]), end=float(track[-1]), actions=(LEAVE_OUT,),
+                start=float(track[0]), end=float(track[-1]), actions=(LEAVE_OUT_ACTION,),
             )
         ]  # fmt: skip
     too_short = accuracy_coverage_warning(own, track, file)
@@ -242,14 +250,14 @@ def time_messages(
     file = printable(input_file.path.name)
     own, base = line_time_base(input_file), known.base
     if wrong := time_base_error(times.sample, own, file):
-        return [replace(wrong, actions=(CLEAR_TIME_BASE, LEAVE_OUT))]
-    if input_file.follows:
+        return [replace(wrong, actions=(CLEAR_TIME_BASE_ACTION, LEAVE_OUT_ACTION))]
+    if input_file.shift_follows_bases:
         messages = _given_base_notes(input_file, times, track, own, known)
     else:
         messages = _shift_messages(input_file, times, track, base)
     if times.rollover:
         rollover = rollover_note(times.sample, times.rollover, file)
-        messages.append(replace(rollover, actions=(IGNORE_ROLLOVER,)))
+        messages.append(replace(rollover, actions=(IGNORE_ROLLOVER_ACTION,)))
     if covered.usable == covered.count:
         return messages
     if covered.usable == 0 and covered.outside:
@@ -279,7 +287,7 @@ def _given_base_notes(
     if not found or not input_file.shift:
         return []
     first, *others = known_base_notes(found, line_base, other, printable(input_file.path.name))
-    actions = (CLEAR_TIME_BASE,) if line_base.is_given else ()
+    actions = (CLEAR_TIME_BASE_ACTION,) if line_base.is_given else ()
     return [replace(first, actions=actions), *others]
 
 
@@ -339,7 +347,7 @@ def _coverage_warnings(
         widest = max((close - open_ for open_, close in covered.gaps), default=0.0)
         if widest <= 10 * longest_gap:
             bridged = float(np.ceil(widest * 10) / 10)
-            in_gaps = replace(in_gaps, actions=(Action(BRIDGE_GAPS, {"gap": bridged}),))
+            in_gaps = replace(in_gaps, actions=(Action(BRIDGE_GAPS_CODE, {"gap": bridged}),))
         found.append(in_gaps)
     return found
 
@@ -352,16 +360,20 @@ def _outside_errors(
     start, end = float(times.start + input_file.shift), float(times.end + input_file.shift)
     first, last = float(track.time[0]), float(track.time[-1])
     found = matching_shifts(times, track, base)
-    if found and found[0].share >= SHARE_NEEDED and abs(found[0].shift - input_file.shift) > 1e-9:
+    if (
+        found
+        and found[0].share >= MIN_SHARE_ON_TRAJECTORY
+        and abs(found[0].shift - input_file.shift) > 1e-9
+    ):
         best, rivals = found[0], equally_good_matches(found)[:2]
-        actions = (*map(_shift_action, (best, *rivals)), LEAVE_OUT)
+        actions = (*map(_shift_action, (best, *rivals)), LEAVE_OUT_ACTION)
         span: dict[str, Value] = {
             "file": file, "first": start, "last": end, "start": first, "end": last,
             "share": best.share,
         }  # fmt: skip
         if abs(best.shift) < 1e-9:
             code = "import.outside_without_shift"
-            actions = (Action("clear_shift"), *map(_shift_action, rivals), LEAVE_OUT)
+            actions = (Action("clear_shift"), *map(_shift_action, rivals), LEAVE_OUT_ACTION)
         else:
             code = "import.outside_with_shift"
             span |= {
@@ -375,7 +387,7 @@ def _outside_errors(
         error(
             "import.before_trajectory" if is_before else "import.after_trajectory", file=file,
             first=start, last=end, start=first, end=last,
-            distance=first - end if is_before else start - last, actions=(LEAVE_OUT,),
+            distance=first - end if is_before else start - last, actions=(LEAVE_OUT_ACTION,),
         )
     ]  # fmt: skip
 
@@ -387,11 +399,11 @@ def _location_messages(input_file: InputFile, track: Trajectory) -> list[Message
     points = geodetic_to_ecef(np.array([place.latitude]), np.array([place.longitude]), np.zeros(1))
     path = geodetic_to_ecef(track.latitude[::50], track.longitude[::50], 0 * track.height[::50])
     distance = float(np.linalg.norm(path - points, axis=1).min())
-    if distance < MAX_DISTANCE:
+    if distance < MAX_LINE_DISTANCE:
         return []
     return [
         error(
             "import.far_from_trajectory", file=printable(input_file.path.name), system=place.system,
-            distance=distance, actions=(CHOOSE_SYSTEM, LEAVE_OUT),
+            distance=distance, actions=(CHOOSE_SYSTEM_ACTION, LEAVE_OUT_ACTION),
         )
     ]  # fmt: skip

@@ -11,28 +11,28 @@ from functools import cached_property
 from pathlib import Path
 from typing import Literal
 
-from lispac.identity import BLANK, Identity
+from lispac.identity import EMPTY_IDENTITY, Identity
 from lispac.installation_paths import expand_user, home_folder
 from lispac.io.format_types import POSSIBLE, Kind
-from lispac.io.project.project_file import FILE_NAME, is_project_file
+from lispac.io.project.project_file import PROJECT_FILE_NAME, is_project_file
 from lispac.language import Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Action, Level, Message
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.known_time_base import KnownTimeBase
-from lispac.survey.line_source import USUAL, Reading, printable
+from lispac.survey.line_source import DEFAULT_READING, Reading, printable
 from lispac.survey.time_base import TimeBase, plausible_bases
 from lispac.survey.time_quality import TrajectoryCoverage
-from lispac.survey.trajectory import LONGEST_GAP, Trajectory, TrajectoryAccuracy
+from lispac.survey.trajectory import DEFAULT_LONGEST_GAP_S, Trajectory, TrajectoryAccuracy
 from lispac.workflow.importing.input_columns import with_meaning
 from lispac.workflow.importing.input_file import InputFile
 from lispac.workflow.importing.input_file_messages import (
-    BRIDGE_GAPS,
-    SETTING_OPTIONS,
-    already_in_project,
+    BRIDGE_GAPS_CODE,
+    OPTION_SETTING_ACTIONS,
+    already_in_project_error,
     file_messages,
     time_messages,
-    without_changes,
+    without_project_changes,
 )
 from lispac.workflow.importing.input_times import (
     line_coverage,
@@ -43,7 +43,7 @@ from lispac.workflow.importing.input_times import (
 
 State = Literal["pending", "fine", "warning", "error", "out"]
 
-MAX_FILES = 500
+MAX_FILES_PER_FOLDER = 500
 """Largest number of files taken from one folder; a survey rarely has more."""
 
 
@@ -56,9 +56,9 @@ class ImportRequest:
     accuracy: Path | None
     lines: tuple[LineSource, ...]
     settings: Settings
-    trajectory_reading: Reading = USUAL
-    accuracy_reading: Reading = USUAL
-    identity: Identity = BLANK
+    trajectory_reading: Reading = DEFAULT_READING
+    accuracy_reading: Reading = DEFAULT_READING
+    identity: Identity = EMPTY_IDENTITY
 
 
 def find_project(paths: Iterable[Path]) -> Path | None:
@@ -66,18 +66,21 @@ def find_project(paths: Iterable[Path]) -> Path | None:
     for path in paths:
         if is_project_file(path):
             return path
-        if (path / FILE_NAME).is_file():
+        if (path / PROJECT_FILE_NAME).is_file():
             return path
     return None
 
 
 def collect_files(paths: Iterable[Path]) -> tuple[Path, ...]:
-    """Files among the paths and directly in folders among them, without hidden files."""
+    """Files among the paths, and files directly in folders among them.
+
+    Hidden files in folders are skipped, and at most `MAX_FILES_PER_FOLDER` are taken from each.
+    """
     found: list[Path] = []
     for path in paths:
         if path.is_dir():
             inside = sorted(p for p in path.iterdir() if p.is_file() and p.name[:1] != ".")
-            found += inside[:MAX_FILES]
+            found += inside[:MAX_FILES_PER_FOLDER]
         else:
             found.append(path)
     return tuple(dict.fromkeys(path.absolute() for path in found))
@@ -92,13 +95,13 @@ class InputFiles:
     files : tuple of InputFile
         Files in the order in which they were added.
     longest_gap : float, seconds
-    into : Project or None
+    project : Project or None
         Project to which lines are added; None for a new project.
     """
 
     files: tuple[InputFile, ...] = ()
-    longest_gap: float = LONGEST_GAP
-    into: Project | None = None
+    longest_gap: float = DEFAULT_LONGEST_GAP_S
+    project: Project | None = None
 
     @classmethod
     def of_project(cls, project: Project) -> "InputFiles":
@@ -175,10 +178,10 @@ class InputFiles:
         Actions that ask the user for a value have no effect here.
         """
         params, file = action.params, self.file(path)
-        if action.code in SETTING_OPTIONS:
+        if action.code in OPTION_SETTING_ACTIONS:
             return self.with_option(path, str(params["name"]), str(params["value"]))
         match action.code:
-            case code if code == BRIDGE_GAPS:
+            case code if code == BRIDGE_GAPS_CODE:
                 return replace(self, longest_gap=_require_number(params["gap"]))
             case "shift_times":
                 return self.with_changed_file(replace(file, shift=_require_number(params["shift"])))
@@ -197,7 +200,7 @@ class InputFiles:
         return self
 
     def with_shift_for_all(self) -> "InputFiles":
-        """Apply the best time shift to every line that lies outside the trajectory."""
+        """Apply the proposed time shifts of all lines."""
         changed = self
         for file, shift in self.proposed_shifts:
             changed = changed.with_changed_file(replace(file, shift=shift))
@@ -218,10 +221,10 @@ class InputFiles:
             return self.with_role(path, "points")
         return self
 
-    # -- what there is -----------------------------------------------------------------------
+    # -- content -----------------------------------------------------------------------------
 
     def file(self, path: Path) -> InputFile:
-        """The file with a path."""
+        """File with a given path."""
         return next(file for file in self.files if file.path == path)
 
     def files_of_role(self, role: Kind) -> tuple[InputFile, ...]:
@@ -263,7 +266,10 @@ class InputFiles:
 
     @property
     def time_base(self) -> TimeBase | None:
-        """Time base of the trajectory, given or assumed; None if its options have none."""
+        """Time base of the trajectory: that of its options, else the most plausible for its times.
+
+        None if its options have none and its times have not been read or do not fit any.
+        """
         if self._base.base is not None:
             return self._base.base
         return (
@@ -288,7 +294,7 @@ class InputFiles:
 
     @property
     def _project_lines(self) -> tuple[LineSource, ...]:
-        return () if self.into is None else self.into.lines
+        return () if self.project is None else self.project.lines
 
     def coverage(self, file: InputFile) -> TrajectoryCoverage | None:
         """Coverage of a line by the trajectory; None until both have been read."""
@@ -305,11 +311,12 @@ class InputFiles:
             file.path: file_messages(file, self.trajectory, *counts, self.longest_gap)
             for file in self.files
         }
-        if self.into is None:
+        if self.project is None:
             return found
-        known = {line.path: line.name for line in self.into.lines}
+        known = {line.path: line.name for line in self.project.lines}
         return {
-            file.path: already_in_project(file, known) or without_changes(file, found[file.path])
+            file.path: already_in_project_error(file, known)
+            or without_project_changes(file, found[file.path])
             for file in self.files
         }
 
@@ -336,7 +343,7 @@ class InputFiles:
 
     @cached_property
     def proposed_shifts(self) -> tuple[tuple[InputFile, float], ...]:
-        """Time shifts to propose for lines completely or largely outside the trajectory."""
+        """Time shifts proposed for lines with points outside the trajectory (`proposed_shift`)."""
         track = self.trajectory_content
         if track is None:
             return ()
@@ -347,7 +354,7 @@ class InputFiles:
                 found.append((file, best.shift))
         return tuple(found)
 
-    # -- the end -----------------------------------------------------------------------------
+    # -- new project -------------------------------------------------------------------------
 
     def import_problem(self, folder: str) -> str:
         """Reason why no project can be made, in the present language; empty if one can."""
@@ -393,7 +400,7 @@ class InputFiles:
             lines=self.sources(),
             settings=replace(settings, longest_gap=self.longest_gap),
             trajectory_reading=trajectory.reading,
-            accuracy_reading=USUAL if accuracy is None else accuracy.reading,
+            accuracy_reading=DEFAULT_READING if accuracy is None else accuracy.reading,
         )
 
     def sources(self) -> tuple[LineSource, ...]:
@@ -419,7 +426,7 @@ def folder_problem(folder: str) -> str:
     if not folder.strip():
         return gettext("Choose a folder for the project.")
     place = expand_user(Path(folder.strip()))
-    if (place / FILE_NAME).exists():
+    if (place / PROJECT_FILE_NAME).exists():
         return gettext("This folder already contains a project. Choose another folder.")
     if place.is_file():
         return gettext("This is a file. Choose a folder for the project.")
@@ -437,7 +444,10 @@ def _require_number(value: object) -> float:
 
 
 def proposed_folder(input_files: InputFiles) -> Path | None:
-    """Free, writable folder beside the data, as a proposal for the project."""
+    """Folder that a project can be created in, as a proposal; None if there is none.
+
+    It is in the folder of the data or, if that cannot be written, in the home folder.
+    """
     used = [file for file in (input_files.trajectory, *input_files.lines) if file is not None]
     if not used:
         return None

@@ -14,7 +14,7 @@ from lispac.survey.time_quality import TrajectoryCoverage, assess_coverage
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.importing.input_file import InputFile
 
-SHARE_NEEDED = 0.5
+MIN_SHARE_ON_TRAJECTORY = 0.5
 """Smallest share of a line's points that a proposed time shift must bring onto the trajectory."""
 
 
@@ -55,9 +55,9 @@ def with_time_base_shifts(files: tuple[InputFile, ...]) -> tuple[InputFile, ...]
         if file.role == "points" and isinstance(file.content, LineTimes):
             found = matches_of_known_bases(file.content.sample, track, line_time_base(file), other)
             if found:
-                file = replace(file, shift=found[0].shift, follows=True)
-            elif file.follows:
-                file = replace(file, shift=0.0, follows=False)
+                file = replace(file, shift=found[0].shift, shift_follows_bases=True)
+            elif file.shift_follows_bases:
+                file = replace(file, shift=0.0, shift_follows_bases=False)
         resolved.append(file)
     return tuple(resolved)
 
@@ -74,9 +74,10 @@ def line_coverage(
 def proposed_shift(
     file: InputFile, track: Trajectory, longest_gap: float, base: TimeBase | None
 ) -> TimeMatch | None:
-    """Time shift to propose for a line that has no or clearly fewer points inside without it.
+    """Time shift that brings clearly more points of a line onto the trajectory; None without one.
 
-    No shift is proposed if one follows from given time bases.
+    No shift is proposed for a line within the trajectory, or whose shift follows from given time
+    bases.
 
     Parameters
     ----------
@@ -84,7 +85,7 @@ def proposed_shift(
         Time base of the trajectory.
     """
     covered = line_coverage(file, track, longest_gap)
-    if file.follows or covered is None or not isinstance(file.content, LineTimes):
+    if file.shift_follows_bases or covered is None or not isinstance(file.content, LineTimes):
         return None
     if not covered.outside:
         return None
@@ -93,7 +94,7 @@ def proposed_shift(
         best = clearly_better_match(found, 1 - covered.share_outside)
     else:
         best = found[0] if found else None
-    if best is None or best.share < SHARE_NEEDED or abs(best.shift - file.shift) < 1e-9:
+    if best is None or best.share < MIN_SHARE_ON_TRAJECTORY or abs(best.shift - file.shift) < 1e-9:
         return None
     return best
 
@@ -101,10 +102,15 @@ def proposed_shift(
 def matching_shifts(
     times: LineTimes, track: Trajectory, base: TimeBase | None
 ) -> tuple[TimeMatch, ...]:
-    """Time shifts that bring a line onto the trajectory: those for its time base, else for any."""
+    """Time shifts that bring a line onto the trajectory.
+
+    The shifts are those for ``base``, the time base of the trajectory, if it is known and at least
+    `MIN_SHARE_ON_TRAJECTORY` of the points are on the trajectory with the best of them. Otherwise
+    they are those for all time bases.
+    """
     some = times.sample[:: max(1, len(times.sample) // 1000)]
     if base is not None:
         found = find_time_matches(some, track.time, trajectory_bases=(base,))
-        if found and found[0].share >= SHARE_NEEDED:
+        if found and found[0].share >= MIN_SHARE_ON_TRAJECTORY:
             return found
     return find_time_matches(some, track.time)

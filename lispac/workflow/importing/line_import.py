@@ -24,7 +24,13 @@ from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.store.column_files import file_checksum
-from lispac.survey.store.layout import HEADER, HEADER_SUM, MANIFEST, SourceFile, damage_reason
+from lispac.survey.store.layout import (
+    HEADER_CHECKSUM_FILE,
+    HEADER_FILE,
+    MANIFEST_FILE,
+    SourceFile,
+    damage_reason,
+)
 from lispac.survey.store.line_import import ImportRecipe, remove_incomplete_parts, write_store
 from lispac.survey.store.original_file import source_file_of
 from lispac.survey.store.point_blocks import PointPiece
@@ -36,7 +42,7 @@ from lispac.workflow.importing.line_points import DistantDuplicates, LinePoints
 
 Array = NDArray[np.float64]
 
-LINES = "lines"
+LINES_FOLDER = "lines"
 """Folder of the stored lines in the folder of the project."""
 
 
@@ -91,7 +97,7 @@ def import_lines(
     progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
     trajectory, _ = local_trajectory(project)
     for line in lines:  # checked before hours of reading; imported lines no longer need their file
-        if again or not (line_folder(project, line) / MANIFEST).exists():
+        if again or not (line_folder(project, line) / MANIFEST_FILE).exists():
             require_file(line.path, "line")
     sizes = [line.path.stat().st_size if line.path.exists() else 0 for line in lines]
     total = sum(sizes) or 1
@@ -126,7 +132,7 @@ def import_line(
         try:
             return ImportedLine(open_stored_line(project, line, trajectory, progress=progress), 0.0)
         except ProjectError as failure:  # damaged or made from other data: imported now
-            if (folder / MANIFEST).exists():
+            if (folder / MANIFEST_FILE).exists():
                 reason = note("import.repeated", line=line.name, reason=damage_reason(failure))
                 if not line.path.exists():
                     raise InputError(
@@ -168,8 +174,10 @@ def import_line(
 def _store_header(line: LineSource, columns: Path) -> None:
     """Store the header of a LAS file, to write clouds of the line if the file is missing later."""
     if line.reading.format == "las" or (not line.reading.format and is_las(line.path)):
-        write_header_copy(line.path, columns / HEADER)
-        (columns / HEADER_SUM).write_text(f"{file_checksum(columns / HEADER):08x}\n", "ascii")
+        write_header_copy(line.path, columns / HEADER_FILE)
+        (columns / HEADER_CHECKSUM_FILE).write_text(
+            f"{file_checksum(columns / HEADER_FILE):08x}\n", "ascii"
+        )
 
 
 def assumptions_of(stored: StoredLine) -> tuple[Message, ...]:
@@ -198,16 +206,16 @@ def stored_header(stored: StoredLine) -> Path | None:
     """
     columns = stored.folder / stored.manifest.folder
     try:
-        kept = int((columns / HEADER_SUM).read_text("ascii"), 16)
-        return columns / HEADER if file_checksum(columns / HEADER) == kept else None
+        kept = int((columns / HEADER_CHECKSUM_FILE).read_text("ascii"), 16)
+        return columns / HEADER_FILE if file_checksum(columns / HEADER_FILE) == kept else None
     except (OSError, ValueError):
         return None
 
 
 def is_header_damaged(stored: StoredLine) -> bool:
-    """True if the stored header of a line's file is damaged."""
+    """True if a header of a line's file was stored and is damaged."""
     columns = stored.folder / stored.manifest.folder
-    kept = (columns / HEADER).exists() or (columns / HEADER_SUM).exists()
+    kept = (columns / HEADER_FILE).exists() or (columns / HEADER_CHECKSUM_FILE).exists()
     return kept and stored_header(stored) is None
 
 
@@ -233,7 +241,7 @@ def open_stored_line(
     refusal: Message | None = None
     for name, value in made_with.items():
         if stored.manifest.made_with.get(name) != value:
-            change = error(CHANGES[name], line=line.name)
+            change = error(CHANGE_CODES[name], line=line.name)
             if refusal is None:
                 refusal = change
             else:
@@ -241,7 +249,7 @@ def open_stored_line(
     if refusal is not None:
         raise ProjectError(refusal)
     try:
-        same = stored.is_of(line.path)
+        same = stored.is_source_unchanged(line.path)
     except FileNotFoundError:  # an imported line no longer needs its file
         same = line.path.name == Path(stored.manifest.original.path).name
     except OSError as failure:
@@ -263,22 +271,29 @@ def line_folder(project: Project, line: LineSource) -> Path:
     """Folder of a line's store in the folder of the project."""
     plain = re.sub(r"[^A-Za-z0-9_-]", "_", line.name)
     alike = [n for n in project.lines if n.name != line.name and n.name.lower() == plain.lower()]
-    if plain != line.name or alike or plain.lower() in RESERVED:
+    if plain != line.name or alike or plain.lower() in RESERVED_FILE_NAMES:
         plain += f"-{hashlib.sha256(line.name.encode()).hexdigest()[:8]}"
-    return project.folder / LINES / plain
+    return project.folder / LINES_FOLDER / plain
 
 
-RESERVED = {"con", "prn", "aux", "nul", *(f"{p}{k}" for p in ("com", "lpt") for k in range(10))}
+RESERVED_FILE_NAMES = {
+    "con",
+    "prn",
+    "aux",
+    "nul",
+    *(f"{p}{k}" for p in ("com", "lpt") for k in range(10)),
+}
 """Names that Windows reserves for devices."""
 
 
-CHANGES = {
+CHANGE_CODES = {
     "reading": "import.reading_changed",
     "columns": "import.columns_changed",
     "trajectory": "import.trajectory_changed",
     "recovered_with": "import.mounting_changed",
     "latency": "import.latency_changed",
 }
+"""Code of the reason to import a line again, by the changed item of `_store_dependencies`."""
 
 
 def _store_dependencies(
@@ -287,7 +302,7 @@ def _store_dependencies(
     """Settings and data that the content of a store depends on, as plain values."""
     on_map = LinePoints(line, trajectory, mounting).recovery is not None
     return {
-        "reading": json.loads(json.dumps(encode_value(line.reading))),  # as read back
+        "reading": json.loads(json.dumps(encode_value(line.reading))),  # in the form read from JSON
         "columns": list(line.columns),
         "trajectory": _trajectory_fingerprint(trajectory),
         "recovered_with": mounting.without_nominal_axes.values.tolist() if on_map else None,

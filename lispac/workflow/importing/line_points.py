@@ -40,12 +40,12 @@ from lispac.workflow.importing.time_shift_advice import outside_trajectory_messa
 
 Array = NDArray[np.float64]
 
-TIMES_KEPT = 100
-"""Number of times of each chunk that are kept for examination."""
-SAMPLE_OF_CHUNK, MAX_SAMPLES = 4000, 50
-"""Largest number of points of a chunk, and of chunks, that are kept to check the recovery of a
+TIMES_PER_CHUNK = 100
+"""Approximate number of times of each chunk that are kept for messages about the time shift."""
+SAMPLE_POINTS_PER_CHUNK, MAX_SAMPLED_CHUNKS = 4000, 50
+"""Largest numbers of points of a chunk and of chunks that are kept to check the recovery of a
 georeferenced line."""
-MAX_COPY_SHARE = 0.01
+MAX_DISTANT_COPY_SHARE = 0.01
 """Estimated share of distant copies of points above which a line is read again without them."""
 
 
@@ -65,11 +65,11 @@ class LineFindings:
 
 
 class DistantDuplicates(Exception):
-    """Error that the line contains copies of points far apart in the file."""
+    """Raised if a line has copies of points far apart in the file; it is then read again."""
 
 
-OTHER_LEVER_ARM = 0.001
-"""Smallest difference from which the lever arm of a cloud counts as different, metres."""
+LEVER_ARM_TOLERANCE = 0.001
+"""Difference from the project's lever arm above which that of a cloud is reported, metres."""
 
 
 def mounting_of_cloud(line: LineSource, prior: Mounting) -> tuple[Mounting, tuple[Message, ...]]:
@@ -94,7 +94,7 @@ def mounting_of_cloud(line: LineSource, prior: Mounting) -> tuple[Mounting, tupl
         )
     ]  # fmt: skip
     off = made.lever_arm - prior.lever_arm
-    if np.linalg.norm(off) > OTHER_LEVER_ARM:
+    if np.linalg.norm(off) > LEVER_ARM_TOLERANCE:
         x, y, z = (float(value) for value in made.lever_arm)
         found.append(
             Message(
@@ -107,7 +107,7 @@ def mounting_of_cloud(line: LineSource, prior: Mounting) -> tuple[Mounting, tupl
 
 
 class LinePoints:
-    """Reader of a line in chunks without unusable points; recovers scanner points from a cloud.
+    """Reader of the usable points of a line in chunks; recovers scanner points from a cloud.
 
     Parameters
     ----------
@@ -182,7 +182,7 @@ class LinePoints:
         require_distinct_times(
             float(np.nanmin(times)), float(np.nanmax(times)), read, self.line.path
         )
-        if not self._far_copies and self._screen.result().repeated > MAX_COPY_SHARE:
+        if not self._far_copies and self._screen.result().repeated > MAX_DISTANT_COPY_SHARE:
             raise DistantDuplicates
 
     @property
@@ -250,9 +250,9 @@ class LinePoints:
         attributes: Mapping[str, NDArray[Any]],
     ) -> None:  # fmt: skip
         """Keep some points of a georeferenced line, to check their recovery."""
-        if len(self._samples) >= MAX_SAMPLES:
+        if len(self._samples) >= MAX_SAMPLED_CHUNKS:
             return
-        step = slice(None, None, 1 + len(time) // SAMPLE_OF_CHUNK)
+        step = slice(None, None, 1 + len(time) // SAMPLE_POINTS_PER_CHUNK)
         ring = ring_numbers(attributes)
         if ring is not None:
             ring = ring[used][step].copy()
@@ -262,7 +262,7 @@ class LinePoints:
         """Mask of the times (n,), in the trajectory's time base, with a pose; counts the others."""
         finite = time[np.isfinite(time)]
         # Copied, because a view would keep the whole chunk in memory.
-        self._times.append(time[:: max(1, len(time) // TIMES_KEPT)].copy())
+        self._times.append(time[:: max(1, len(time) // TIMES_PER_CHUNK)].copy())
         self._times += [finite.min(keepdims=True), finite.max(keepdims=True)] if len(finite) else []
         posed = self.trajectory.covers(time)
         if self._latency:
@@ -291,7 +291,7 @@ class LinePoints:
 
 
 def read_chunks(chunks: Any) -> Iterator[PointChunk]:
-    """Read the chunks of a file in a format of points."""
+    """Yield the chunks of points that the reader of a format returns."""
     assert isinstance(chunks, Iterator)
     yield from chunks
 

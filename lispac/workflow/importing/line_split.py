@@ -11,7 +11,7 @@ from lispac.survey.point_screening import AttributeCondition
 from lispac.workflow.importing.file_audit import audit_file
 from lispac.workflow.importing.file_reading import format_of_line
 
-GAP = "gap"
+GAP_CRITERION = "gap"
 """Criterion that splits a line at gaps in its times."""
 
 
@@ -36,7 +36,7 @@ def split_line(line: LineSource, by: str) -> tuple[LineSource, ...]:
     """
     format, choice, _ = format_of_line(line)
     found = audit_file(line.path, format, choice, max_points=sys.maxsize)
-    if by != GAP and by not in found.attributes:
+    if by != GAP_CRITERION and by not in found.attributes:
         raise InputError(
             error(
                 "import.no_attribute",
@@ -60,7 +60,7 @@ def parts_of_line(line: LineSource, audit: LineAudit, by: str, key: str) -> tupl
     key : str
         Key of the file format.
     """
-    if by == GAP:
+    if by == GAP_CRITERION:
         conditions = [AttributeCondition("time", start, end) for start, end in audit.spans]
         names = [f"{line.name}_{k}" for k in range(1, len(conditions) + 1)]
     else:
@@ -78,7 +78,7 @@ def parts_of_line(line: LineSource, audit: LineAudit, by: str, key: str) -> tupl
 def _line_with_condition(
     line: LineSource, name: str, condition: AttributeCondition, key: str
 ) -> LineSource:
-    """Line with the points that meet a condition, under another name."""
+    """Line with another name that contains only the points that meet a condition."""
     options = dict(line.reading.options)
     before = options.get("only", "")
     options["only"] = f"{before} {condition}".strip()

@@ -9,13 +9,13 @@ from lispac.io.format_types import Choice, FileFormat, PointChunk
 from lispac.io.points.line_times import read_line_times
 from lispac.messages import Message
 from lispac.project import LineSource
-from lispac.survey.line_source import TIME_ROLLOVER, printable
-from lispac.survey.time_rollover import NONE, PERIODS, rollover_note
+from lispac.survey.line_source import TIME_ROLLOVER_OPTION, printable
+from lispac.survey.time_rollover import NO_ROLLOVER, ROLLOVER_PERIODS_S, rollover_note
 from lispac.workflow.importing.file_reading import format_of_line
 
-MIN_MARGIN = 6 * 3600.0
-"""Time from midnight or the end of the week, seconds. A line whose first points are farther from
-both is assumed not to reach them, so that its other times are not checked for a rollover."""
+ROLLOVER_MARGIN = 6 * 3600.0
+"""Time before and after midnight or the end of the week, seconds. A line whose first points are
+farther from both is assumed not to reach them, and its other times are not checked."""
 
 
 def resolve_time_rollovers(
@@ -38,16 +38,16 @@ def resolve_time_rollovers(
     notes: list[Message] = []
     for line in lines:
         resolved.append(line)
-        if line.reading.time_rollover == NONE:
+        if line.reading.time_rollover == NO_ROLLOVER:
             continue
         format, choice, _ = format_of_line(line)
         if not line.reading.time_rollover and not _is_near_rollover(format, choice, line):
             continue
-        choice = {**choice, TIME_ROLLOVER: line.reading.time_rollover}
+        choice = {**choice, TIME_ROLLOVER_OPTION: line.reading.time_rollover}
         times = read_line_times(line.path, format, choice)
         if not times.rollover:
             continue
-        options = dict(line.reading.options) | {TIME_ROLLOVER: times.rollover}
+        options = dict(line.reading.options) | {TIME_ROLLOVER_OPTION: times.rollover}
         resolved[-1] = replace(line, reading=replace(line.reading, options=tuple(options.items())))
         notes.append(rollover_note(times.sample, times.rollover, printable(line.path.name)))
     return tuple(resolved), tuple(notes)
@@ -62,6 +62,10 @@ def _is_near_rollover(format: FileFormat, choice: Choice, line: LineSource) -> b
         return False
     time = first.time
     return any(
-        bool(((time >= 0) & (time < period) & (np.minimum(time, period - time) < MIN_MARGIN)).any())
-        for period in PERIODS.values()
+        bool(
+            (
+                (time >= 0) & (time < period) & (np.minimum(time, period - time) < ROLLOVER_MARGIN)
+            ).any()
+        )
+        for period in ROLLOVER_PERIODS_S.values()
     )

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from lispac.messages import Level, Message, Value, note
 from lispac.project import LineSource, Reading
 from lispac.survey.known_time_base import MIN_SHARE_GAIN, base_message, shift_note
-from lispac.survey.line_source import TIME_ROLLOVER, printable
+from lispac.survey.line_source import TIME_ROLLOVER_OPTION, printable
 from lispac.survey.time_base import (
     TimeBase,
     base_of_key,
@@ -16,7 +16,12 @@ from lispac.survey.time_base import (
     find_time_matches,
     plausible_bases,
 )
-from lispac.survey.time_rollover import NONE, PERIODS, PLACES, find_rollover
+from lispac.survey.time_rollover import (
+    NO_ROLLOVER,
+    ROLLOVER_NAMES,
+    ROLLOVER_PERIODS_S,
+    find_rollover,
+)
 
 Array = NDArray[np.float64]
 
@@ -29,7 +34,7 @@ def outside_trajectory_message(reading: Reading, times: Array, track: Array, fil
     reading : Reading
         Reading options of the line.
     times : ndarray of shape (n,), seconds
-        Times of the line, as read.
+        Times of the line, with the time shift and rollover of ``reading`` applied.
     track : ndarray of shape (m,), seconds, increasing
         Times of the trajectory.
     file : Path
@@ -84,7 +89,7 @@ def shift_gain_note(line: LineSource, times: Array, track: Array) -> Message | N
     ----------
     line : LineSource
     times : ndarray of shape (n,), seconds
-        Times of the line, as read: all times or a sample.
+        All times of the line or a sample, with its time shift and rollover applied.
     track : ndarray of shape (m,), seconds, increasing
         Times of the trajectory.
     """
@@ -95,11 +100,13 @@ def shift_gain_note(line: LineSource, times: Array, track: Array) -> Message | N
         return note(
             "import.restart_found",
             file=file,
-            place=PLACES[found],
-            option=f"{TIME_ROLLOVER}={found}",
+            place=ROLLOVER_NAMES[found],
+            option=f"{TIME_ROLLOVER_OPTION}={found}",
         )
     inside = (times >= track[0]) & (times <= track[-1])
-    if reading.time_rollover in PERIODS:  # the times of the trajectory may have been sorted
+    if (
+        reading.time_rollover in ROLLOVER_PERIODS_S
+    ):  # the times of the trajectory may have been sorted
         written = reading.to_file_time(times) + reading.time_shift
         share = float(((written >= track[0]) & (written <= track[-1])).mean())
         if share >= float(inside.mean()) + MIN_SHARE_GAIN:
@@ -107,7 +114,7 @@ def shift_gain_note(line: LineSource, times: Array, track: Array) -> Message | N
                 "import.restart_not_needed",
                 file=file,
                 share=share,
-                option=f"{TIME_ROLLOVER}={NONE}",
+                option=f"{TIME_ROLLOVER_OPTION}={NO_ROLLOVER}",
             )
     if reading.time_shift:
         return None

@@ -21,15 +21,15 @@ from lispac.io.las.las_export import CloudWriter, RecordLayout, open_cloud_write
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import PointRate, Progress, no_progress
-from lispac.survey.line_source import USUAL, Reading, printable
+from lispac.survey.line_source import DEFAULT_READING, Reading, printable
 from lispac.survey.point_mapping import ScannerPointConverter
-from lispac.survey.point_screening import MAX_RANGE, is_within_range
+from lispac.survey.point_screening import MAX_RANGE_M, is_within_range
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 
 Array = NDArray[np.float64]
 
-IN_FLIGHT = 3
-"""Largest number of chunks between reading and writing."""
+MAX_WAITING_CHUNKS = 3
+"""Largest number of chunks that are read and not yet written."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +75,8 @@ class WrittenLine:
 
 @dataclass(frozen=True, eq=False)
 class _GeoreferencedChunk:
+    """Records of a chunk for the writer, and numbers of excluded points as in `WrittenLine`."""
+
     records: ScaleAwarePointRecord
     outside: int
     in_gaps: int
@@ -88,9 +90,9 @@ def write_cloud(
     mapping: ScannerPointConverter,
     pattern: Callable[[PointChunk], RecordLayout],
     *,
-    reading: Reading = USUAL,
+    reading: Reading = DEFAULT_READING,
     recovery: RecoverySetup | None = None,
-    max_range: float = MAX_RANGE,
+    max_range: float = MAX_RANGE_M,
     compressed: bool = True,
     progress: Progress = no_progress,
 ) -> WrittenLine:
@@ -160,7 +162,7 @@ def write_cloud(
             while chunk is not None:
                 placed = workers.submit(place, cloud, chunk)
                 waiting.append(writer.submit(_write_records, cloud, placed))
-                if len(waiting) > IN_FLIGHT:
+                if len(waiting) > MAX_WAITING_CHUNKS:
                     finish()
                 chunk = next(source, None)
             while waiting:
@@ -195,7 +197,7 @@ def _write_records(
 
 @dataclass(frozen=True, eq=False)
 class _ChunkGeoreferencer:
-    """Georeferencing of a chunk by a worker."""
+    """Function that georeferences a chunk in a worker thread."""
 
     mapping: ScannerPointConverter
     reading: Reading
@@ -207,7 +209,7 @@ class _ChunkGeoreferencer:
         trajectory, latency = self.mapping.trajectory, self.mapping.mounting.latency
         usable = trajectory.covers(moved + latency)
         if self.recovery is not None:
-            usable &= self.recovery.usable(moved)
+            usable &= self.recovery.has_pose(moved)
         lost = len(usable) - int(np.count_nonzero(usable))
         outside = excluded = 0
         if lost:

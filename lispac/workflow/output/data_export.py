@@ -18,8 +18,8 @@ from lispac.io.formats import format_of
 from lispac.io.las.las_export import layout_of_columns, open_cloud_writer
 from lispac.io.text.plane_file import write_plane_file
 from lispac.io.text.text_export import (
-    LINE_AND_TIME,
-    SCANNER_NAMES,
+    LINE_AND_TIME_COLUMNS,
+    SCANNER_COLUMN_NAMES,
     coordinate_names,
     write_table,
     write_trajectory_text,
@@ -32,9 +32,9 @@ from lispac.project import Project, Target
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import georeference
 from lispac.survey.point_mapping import ScannerPointConverter
-from lispac.workflow.importing.file_reading import USUAL, read_trajectory
+from lispac.workflow.importing.file_reading import DEFAULT_FORMATS, read_trajectory
 from lispac.workflow.importing.given_time_bases import known_time_base
-from lispac.workflow.output.georeferencing import Which, require_no_overwrite
+from lispac.workflow.output.georeferencing import BoresightChoice, require_no_overwrite
 from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
@@ -56,7 +56,7 @@ def export_targets(
     project: Project,
     survey: Survey,
     output: Path,
-    which: Which = "estimated",
+    which: BoresightChoice = "estimated",
     *,
     system: CoordinateSystem | None = None,
     ending: PointsEnding = "laz",
@@ -106,7 +106,7 @@ def export_planes(
     project: Project,
     survey: Survey,
     output: Path,
-    which: Which = "estimated",
+    which: BoresightChoice = "estimated",
     *,
     names: Sequence[str] = (),
     progress: Progress = no_progress,
@@ -166,7 +166,7 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
     Raises
     ------
     InputError
-        If the trajectory cannot be read or the file cannot be written.
+        If the trajectory cannot be read, or the file cannot be written or is one of the project.
     """
     if output.exists() and output.samefile(project.trajectory):
         raise InputError(error("export.own_trajectory", file=str(output)))
@@ -180,7 +180,8 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
     return output
 
 
-SBET_ZEROS = note("export.sbet_zeros")
+SBET_ZEROS_NOTE = note("export.sbet_zeros")
+"""Note on the fields of an SBET that are written as zeros."""
 
 
 def trajectory_datum_note(project: Project) -> Message:
@@ -191,7 +192,7 @@ def trajectory_datum_note(project: Project) -> Message:
 def _trajectory_time_base(project: Project) -> str:
     """Key of the time base of the trajectory; empty if it is not known."""
     reading = project.trajectory_reading
-    format = format_of(reading.format or USUAL["trajectory"])
+    format = format_of(reading.format or DEFAULT_FORMATS["trajectory"])
     try:
         found = known_time_base(
             format, project.trajectory, dict(reading.options), "time", given=False
@@ -234,7 +235,7 @@ def _write_csv(
 ) -> None:
     names, formats = coordinate_names(system)
     columns = [np.array(lines)[points.line], points.time, *placed.T, *points.points_lidar.T]
-    titles = [*LINE_AND_TIME, *names, *SCANNER_NAMES]
+    titles = [*LINE_AND_TIME_COLUMNS, *names, *SCANNER_COLUMN_NAMES]
     forms = ["s", ".9f", *formats, ".5f", ".5f", ".5f"]
     if points.intensity is not None:
         columns.append(points.intensity)

@@ -14,7 +14,7 @@ from lispac.messages import Level, Message, error
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
-from lispac.report.options import USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, ReportOptions
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.checking.trajectory_quality import trajectory_on_lines
@@ -63,7 +63,7 @@ def write_report(
     path: Path,
     *,
     pictures: Mapping[str, Path] | None = None,
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
     refused: Message | str = "",
     generated: datetime | None = None,
     progress: Progress = no_progress,
@@ -118,7 +118,7 @@ def preview_report(
     survey: Survey,
     *,
     pictures: Mapping[str, Path] | None = None,
-    options: ReportOptions = USUAL,
+    options: ReportOptions = DEFAULT_OPTIONS,
     refused: Message | str = "",
     ppi: float = 96.0,
     progress: Progress = no_progress,

@@ -11,18 +11,18 @@ from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.line_chunks import LineChunks
 from lispac.workflow.output.data_export import (
-    SBET_ZEROS,
+    SBET_ZEROS_NOTE,
     export_planes,
     export_targets,
     export_trajectory,
     trajectory_datum_note,
 )
-from lispac.workflow.output.georeferencing import Which, georeference_project
-from lispac.workflow.output.output_crs import LOCAL, output_system
+from lispac.workflow.output.georeferencing import BoresightChoice, georeference_project
+from lispac.workflow.output.output_crs import LOCAL_FRAME, output_system
 from lispac.workflow.project.survey import Survey
 
-What = Literal["lines", "targets", "planes", "trajectory"]
-ENDINGS: dict[What, tuple[str, ...]] = {
+ExportContent = Literal["lines", "targets", "planes", "trajectory"]
+FILE_TYPES: dict[ExportContent, tuple[str, ...]] = {
     "lines": ("laz", "las"),
     "targets": ("laz", "las", "csv"),
     "planes": ("txt",),
@@ -43,17 +43,17 @@ class ExportRequest:
     which : {"prior", "estimated"}
         Boresight that is used.
     form : str
-        One of `ENDINGS`.
+        One of `FILE_TYPES`.
     system, height, trajectory_datum, epoch
         For lines and targets, as for
         `lispac.workflow.output.georeferencing.georeference_project`.
     """
 
-    what: What
+    what: ExportContent
     output: Path
-    which: Which = "estimated"
+    which: BoresightChoice = "estimated"
     form: str = "laz"
-    system: str = LOCAL
+    system: str = LOCAL_FRAME
     height: str = ""
     trajectory_datum: str | None = None
     epoch: float | None = None
@@ -64,7 +64,7 @@ def output_system_of(
     trajectory_datum: str | None = None, epoch: float | None = None,
 ) -> CoordinateSystem | None:  # fmt: skip
     """Coordinate system of an export for all lines of a project."""
-    chosen = [] if system == LOCAL else [LineChunks.of(line) for line in project.lines]
+    chosen = [] if system == LOCAL_FRAME else [LineChunks.of(line) for line in project.lines]
     return output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
 
 
@@ -109,5 +109,5 @@ def export(
         paths = export_planes(project, survey, request.output, request.which, progress=progress)
         return paths, ()
     path = export_trajectory(project, request.output, form)
-    zeros = (SBET_ZEROS,) if form == "sbet" else ()
+    zeros = (SBET_ZEROS_NOTE,) if form == "sbet" else ()
     return [path], (trajectory_datum_note(project), *zeros)

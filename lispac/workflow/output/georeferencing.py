@@ -12,13 +12,13 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.files import atomic_write, require_file
 from lispac.io.format_types import PointChunk
 from lispac.io.las.las_export import RecordLayout, layout_of_las
-from lispac.io.points.point_reader_common import CHUNK
+from lispac.io.points.point_reader_common import POINTS_PER_CHUNK
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.crs import CoordinateSystem
-from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 from lispac.survey.store.stored_line import StoredLine
@@ -29,14 +29,15 @@ from lispac.workflow.importing.line_points import mounting_of_cloud
 from lispac.workflow.output.cloud_export import WrittenLine, write_cloud
 from lispac.workflow.output.output_crs import output_system
 
-Which = Literal["prior", "estimated"]
+BoresightChoice = Literal["prior", "estimated"]
+"""Boresight with which points are placed."""
 Ending = Literal["laz", "las"]
 
 
 def georeference_project(
     project: Project,
     output: Path,
-    which: Which = "estimated",
+    which: BoresightChoice = "estimated",
     *,
     system: str = "",
     height: str = "",
@@ -81,7 +82,7 @@ def georeference_project(
     target = output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
     paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
     require_no_overwrite(project, paths)
-    way = ScannerPointConverter(target, trajectory, mounting)
+    converter = ScannerPointConverter(target, trajectory, mounting)
     stores = {} if sources is None else dict(sources)
     stored_layouts: dict[str, RecordLayout | None] = {}
     for chunks in chosen:
@@ -107,7 +108,7 @@ def georeference_project(
                     chunks if own is None else own,
                     stack.enter_context(atomic_write(path)),
                     path,
-                    way,
+                    converter,
                     _layout_function(chunks, stored_layouts.get(chunks.line.name)),
                     reading=chunks.line.reading,
                     recovery=recovery,
@@ -158,7 +159,7 @@ def _chosen_lines(project: Project, names: Sequence[str]) -> list[LineSource]:
     return found
 
 
-def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[PointChunk]:
+def stored_chunks(stored: StoredLine, reading: Reading = DEFAULT_READING) -> Iterator[PointChunk]:
     """Chunks of an imported line, in spatial order.
 
     Parameters
@@ -167,8 +168,8 @@ def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[Poin
         Reading options, whose effect on times is reversed to restore the times of the file (to the
         last digit of a double).
     """
-    for start in range(0, len(stored), CHUNK):
-        rows = slice(start, start + CHUNK)
+    for start in range(0, len(stored), POINTS_PER_CHUNK):
+        rows = slice(start, start + POINTS_PER_CHUNK)
         yield PointChunk(
             np.asarray(stored.points_lidar[rows], dtype=np.float64),
             reading.to_file_time(np.array(stored.time[rows])),

@@ -14,18 +14,19 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
-from lispac.caches import MANUAL, MANUAL_MARK, usable_cache_folder
+from lispac.caches import MANUAL_FOLDER, MANUAL_MARKER_FILE, usable_cache_folder
 from lispac.errors import InputError, system_reason
 from lispac.installation_paths import resource_path
 from lispac.language import LANGUAGES, gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 
-SHIPPED = "html"
+SHIPPED_PAGES_FOLDER = "html"
 """Folder of the built pages beside their sources in a bundle."""
-BUILDERS = {"sphinx": "Sphinx", "myst_parser": "myst-parser", "furo": "furo"}
+BUILD_PACKAGES = {"sphinx": "Sphinx", "myst_parser": "myst-parser", "furo": "furo"}
 """Packages that build the manual, with the names shown in messages."""
 POLL_INTERVAL_S = 0.1
+"""Time between two checks whether the build has ended, seconds."""
 
 
 def manual_page(
@@ -41,7 +42,7 @@ def manual_page(
     Parameters
     ----------
     language : one of `lispac.language.LANGUAGES`
-    page : name of the page without suffix; a page missing in this language is given in English
+    page : name of the page without suffix; the English page is used if this language has none
     sources : Path or None
         Folder with ``conf.py``, ``en`` and ``fr``; None for the manual of this installation.
     place : Path or None
@@ -55,9 +56,9 @@ def manual_page(
         If the user cancels.
     """
     sources = sources or resource_path("manual")
-    built = sources / SHIPPED
+    built = sources / SHIPPED_PAGES_FOLDER
     if not built.is_dir():
-        place = place or usable_cache_folder() / MANUAL
+        place = place or usable_cache_folder() / MANUAL_FOLDER
         built = place / _sources_digest(sources)
         if not built.is_dir():
             _build_atomically(sources, place, built, progress)
@@ -81,7 +82,9 @@ def build_manual(
     Cancelled
         If the user cancels.
     """
-    missing = [name for module, name in BUILDERS.items() if not importlib.util.find_spec(module)]
+    missing = [
+        name for module, name in BUILD_PACKAGES.items() if not importlib.util.find_spec(module)
+    ]
     if missing:
         raise InputError(
             error("manual.not_installed", count=len(missing), packages=missing, folder=str(sources))
@@ -127,7 +130,7 @@ def _build_atomically(sources: Path, place: Path, built: Path, progress: Progres
     """
     try:
         place.mkdir(parents=True, exist_ok=True)
-        (place / MANUAL_MARK).touch()
+        (place / MANUAL_MARKER_FILE).touch()
         draft = Path(tempfile.mkdtemp(prefix=".draft-", dir=place))
         try:
             build_manual(sources, draft, progress=progress)

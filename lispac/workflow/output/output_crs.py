@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from lispac.errors import InputError
-from lispac.io.points.point_reader_common import DATUM, EPOCH, crs_of_options
+from lispac.io.points.point_reader_common import DATUM_OPTION, EPOCH_OPTION, crs_of_options
 from lispac.messages import Message, error, warning
 from lispac.project import LineSource, Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
@@ -13,9 +13,9 @@ from lispac.survey.crs_area import area_of_use_elsewhere
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.line_chunks import LineChunks
 
-LOCAL = "local"
-"""Selects the local frame instead of a coordinate system."""
-FIRST_YEAR, LAST_YEAR = 1900.0, 2100.0
+LOCAL_FRAME = "local"
+"""Text by which the user selects the local frame instead of a coordinate system."""
+MIN_EPOCH, MAX_EPOCH = 1900.0, 2100.0
 """Range of accepted epochs, decimal years; others are considered typing errors."""
 
 
@@ -43,13 +43,13 @@ def output_system(
     InputError
         If the system is not known, the lines have different ones, or an epoch has no effect.
     """
-    if epoch is not None and not FIRST_YEAR <= epoch <= LAST_YEAR:
+    if epoch is not None and not MIN_EPOCH <= epoch <= MAX_EPOCH:
         raise InputError(error("export.bad_epoch", epoch=f"{epoch:g}"))
     if not system and not height and not trajectory_datum:
         own = _chunks_system(chosen)
         if own is not None:
             return own if epoch is None else _own_system_at_epoch(chosen, epoch)
-    if trajectory_datum is None and system != LOCAL:
+    if trajectory_datum is None and system != LOCAL_FRAME:
         trajectory_datum, own_epoch = _chunks_datum(chosen)
         epoch = own_epoch if epoch is None else epoch
     return requested_system(system, trajectory, height, trajectory_datum or "", epoch)
@@ -59,8 +59,8 @@ def _own_system_at_epoch(chosen: Sequence[LineChunks], epoch: float) -> Coordina
     """System of the lines, with the datum of their trajectory at another epoch."""
     georeferenced = next(chunks for chunks in chosen if chunks.system is not None)
     choice = georeferenced.choice
-    _require_datum(choice[DATUM.name], epoch)
-    return crs_of_options({**choice, EPOCH.name: repr(epoch)}, georeferenced.line.path)
+    _require_datum(choice[DATUM_OPTION.name], epoch)
+    return crs_of_options({**choice, EPOCH_OPTION.name: repr(epoch)}, georeferenced.line.path)
 
 
 def _require_datum(trajectory_datum: str, epoch: float | None) -> None:
@@ -81,7 +81,7 @@ def trajectory_datum_of(lines: Sequence[LineSource]) -> tuple[str, float | None]
 
 def _chunks_datum(chosen: Sequence[LineChunks]) -> tuple[str, float | None]:
     found = {
-        (str(c.choice[DATUM.name]).strip(), str(c.choice[EPOCH.name]).strip())
+        (str(c.choice[DATUM_OPTION.name]).strip(), str(c.choice[EPOCH_OPTION.name]).strip())
         for c in chosen if c.system is not None
     }  # fmt: skip
     if len(found) > 1:
@@ -102,12 +102,12 @@ def requested_system(
     InputError
         If no system is chosen, or it is not known.
     """
-    if text == LOCAL:
+    if text == LOCAL_FRAME:
         if height or trajectory_datum or epoch is not None:
             raise InputError(error("export.local_frame_options"))
         return None
     if not text:
-        raise InputError(error("export.no_system", zone=utm_zone(trajectory), local=LOCAL))
+        raise InputError(error("export.no_system", zone=utm_zone(trajectory), local=LOCAL_FRAME))
     _require_datum(trajectory_datum, epoch)
     found = coordinate_system(text, height=height, trajectory_datum=trajectory_datum, epoch=epoch)
     return replace(found, assumptions=(*found.assumptions, *_far_away_warning(found, trajectory)))
@@ -152,7 +152,7 @@ def _system_description(chunks: LineChunks) -> str:
     """Name of a line's coordinate system with height, datum and epoch."""
     assert chunks.system is not None
     details = [str(chunks.system.height)]
-    if datum := str(chunks.choice[DATUM.name]).strip():
-        epoch = str(chunks.choice[EPOCH.name]).strip()
+    if datum := str(chunks.choice[DATUM_OPTION.name]).strip():
+        epoch = str(chunks.choice[EPOCH_OPTION.name]).strip()
         details.append(f"{datum}@{epoch}" if epoch else datum)
     return f"{chunks.line.name}: {chunks.system.name} ({'; '.join(details)})"

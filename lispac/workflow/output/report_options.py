@@ -8,12 +8,13 @@ from lispac.errors import InputError
 from lispac.io.files import require_file
 from lispac.language import LANGUAGES
 from lispac.messages import error
-from lispac.report.options import PAGES, USUAL, Page, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, PAGE_SIZES, Page, ReportOptions
 from lispac.survey.conventions.systems import convention_of_key
 from lispac.untrusted_values import InvalidContentError, toml_values
 
-KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")
-MAX_LENGTH = 2000
+TEMPLATE_KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")
+"""Keys of a report template."""
+MAX_TEXT_LENGTH = 2000
 """Largest number of characters of a text in a template."""
 
 
@@ -27,7 +28,7 @@ def report_options(
     InputError
         If the template or a chosen option is not valid.
     """
-    options = USUAL if template is None else _read_template(Path(template))
+    options = DEFAULT_OPTIONS if template is None else _read_template(Path(template))
     if page:
         options = replace(options, page=_parse_page(page))
     if convention:
@@ -47,19 +48,19 @@ def _read_template(path: Path) -> ReportOptions:
             error("report_template.not_toml", file=str(path), reason=reason)
         ) from failure
     for key, value in content.items():
-        if key not in KEYS:
+        if key not in TEMPLATE_KEYS:
             raise InputError(
-                error("report_template.unknown_key", file=str(path), key=key, keys=KEYS)
+                error("report_template.unknown_key", file=str(path), key=key, keys=TEMPLATE_KEYS)
             )
         if not isinstance(value, str):
             raise InputError(error("report_template.not_text", file=str(path), key=key))
     try:
         return ReportOptions(
-            page=_parse_page(content.get("page", USUAL.page)),
+            page=_parse_page(content.get("page", DEFAULT_OPTIONS.page)),
             convention=convention_of_key(content["convention"]).key
             if content.get("convention")
             else "",
-            language=_parse_language(content.get("language", USUAL.language)),
+            language=_parse_language(content.get("language", DEFAULT_OPTIONS.language)),
             logo=_find_logo(path.parent, content["logo"]) if content.get("logo") else None,
             **{
                 key: _clean_text(key, content.get(key, ""))
@@ -73,10 +74,10 @@ def _read_template(path: Path) -> ReportOptions:
 
 
 def _parse_page(text: Any) -> Page:
-    for page in PAGES:
+    for page in PAGE_SIZES:
         if text.strip().lower() == page:
             return page
-    raise InputError(error("report_template.no_page", page=str(text), pages=tuple(PAGES)))
+    raise InputError(error("report_template.no_page", page=str(text), pages=tuple(PAGE_SIZES)))
 
 
 def _parse_language(text: str) -> str:
@@ -113,6 +114,6 @@ def _find_logo(folder: Path, name: str) -> Path:
 
 def _clean_text(key: str, text: str) -> str:
     tidy = "\n".join(line.strip() for line in text.strip().splitlines())
-    if len(tidy) > MAX_LENGTH or any(not (c.isprintable() or c == "\n") for c in tidy):
-        raise InputError(error("report_template.long_text", key=key, limit=MAX_LENGTH))
+    if len(tidy) > MAX_TEXT_LENGTH or any(not (c.isprintable() or c == "\n") for c in tidy):
+        raise InputError(error("report_template.long_text", key=key, limit=MAX_TEXT_LENGTH))
     return tidy

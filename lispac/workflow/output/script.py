@@ -1,8 +1,9 @@
 """Python script that makes a project from its raw files with the steps of the window.
 
-The script is derived from the state of the project, not from a history: undone steps are not in it,
-and a project made on another computer has one, too. The script is tested: seeds must lead to the
-points of the project, and an adjustment to its angles.
+The script is derived from the state of the project, not from a history of steps. It therefore
+contains no undone steps, and can be written for a project that was made on another computer. Its
+steps are tried before it is written: a target whose seed does not lead to the points of the project
+is written with all its points, and a note reports different angles of the adjustment.
 """
 
 import textwrap
@@ -25,10 +26,10 @@ from lispac.message_texts import english_text
 from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, PickedSighting, Project, Target
-from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import DEFAULT_READING
 from lispac.survey.store.stored_line import StoredLine
-from lispac.targets.finder_settings import USUAL as USUAL_CHOICES
-from lispac.targets.line_search import CLICK_GAP
+from lispac.targets.finder_settings import DEFAULT_CHOICES
+from lispac.targets.line_search import MAX_CLICK_DISTANCE
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import find_target
@@ -46,12 +47,15 @@ from lispac.workflow.output.script_text import (
 from lispac.workflow.project.projects import complete_readings
 from lispac.workflow.project.survey import Survey
 
-WIDTH = 98
-BY_HAND = "its points were edited manually"
-OTHERWISE = (
+COMMENT_WIDTH = 98
+"""Largest number of characters of a line of comment."""
+MANUAL_EDIT_REASON = "its points were edited manually"
+"""Reason to write a target with all its points, as a comment in the script."""
+OTHER_POINTS_REASON = (
     "the search from its seed now gives other points, because it was found with other lines or "
     "another prior boresight, or proposed automatically"
 )
+"""Reason to write a target with all its points although they were not edited manually."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +64,8 @@ class Script:
 
     Attributes
     ----------
+    text : str
+        Code of the script.
     messages : tuple of Message
         Notes on differences from the numbers of the project and on unknown values; they are also
         included in the text.
@@ -96,7 +102,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
     if project.result is not None:
         checks = project.cross_checks is not None
         named = {} if checks else {"cross_check": False}
-        blocks.append([call_text("project.estimate", **named), *_comparison_steps(project)])
+        blocks.append([call_text("project.estimate", **named), *_validation_steps(project)])
         messages += _angle_difference_notes(project, survey, sub_progress(progress, 0.6, 0.9))
     if project.absolute is not None:
         step = sub_progress(progress, 0.9, 1.0)
@@ -136,7 +142,7 @@ def _script_head(project: Project, files: FilePaths, messages: list[Message]) ->
     ]
     comments = [
         row for words in statements
-        for row in textwrap.wrap(words, WIDTH, initial_indent="# ", subsequent_indent="# ")
+        for row in textwrap.wrap(words, COMMENT_WIDTH, initial_indent="# ", subsequent_indent="# ")
     ]  # fmt: skip
     return "\n".join([
         *comments, "import sys", "from pathlib import Path", "", "import lispac", "",
@@ -154,7 +160,7 @@ def _new_project_step(project: Project, files: FilePaths, *, resolved: bool) -> 
     if project.accuracy is not None:
         named["accuracy"] = files(project.accuracy)
     for name in ("trajectory_reading", "accuracy_reading"):
-        if (reading := getattr(project, name)) != USUAL:
+        if (reading := getattr(project, name)) != DEFAULT_READING:
             named[name] = reading
     named |= {"lever_arm": settings.lever_arm, **non_default_fields(settings, but=("lever_arm",))}
     if project.truth_deg is not None:
@@ -165,9 +171,10 @@ def _new_project_step(project: Project, files: FilePaths, *, resolved: bool) -> 
 
 
 def _are_readings_detected(project: Project, survey: Survey) -> bool:
-    """True if detection gives the reading options and notes of the project.
+    """True if the detection of reading options gives those of the project and notes of the survey.
 
-    The comparison applies to a project that was just created; an opened one has no such notes.
+    Only the survey of a newly created project has notes of the detection. The script of an opened
+    project therefore contains the complete reading options.
     """
     readings = project.lines, project.trajectory_reading, project.accuracy_reading
     try:
@@ -180,7 +187,7 @@ def _are_readings_detected(project: Project, survey: Survey) -> bool:
 
 
 def _missing_file_notes(project: Project) -> list[Message]:
-    """Note on missing files that the script needs."""
+    """Note on missing files that the script needs, if there are any."""
     paths = [project.trajectory, project.accuracy, *(line.path for line in project.lines)]
     missing = [str(path) for path in paths if path is not None and not path.exists()]
     return [note("script.missing_files", files=missing)] if missing else []
@@ -188,16 +195,16 @@ def _missing_file_notes(project: Project) -> list[Message]:
 
 def _line_code(line: LineSource, files: FilePaths) -> PythonCode:
     path = files(line.path)
-    if line.name == line.path.stem and not line.columns and line.reading == USUAL:
+    if line.name == line.path.stem and not line.columns and line.reading == DEFAULT_READING:
         return path
     options = {"columns": line.columns} if line.columns else {}
-    if line.reading != USUAL:
+    if line.reading != DEFAULT_READING:
         options["reading"] = line.reading  # type: ignore[assignment]
     return PythonCode(call_text("lispac.LineSource", line.name, path, **options))
 
 
-def _comparison_steps(project: Project) -> Iterator[str]:
-    """Steps for the validation in the project."""
+def _validation_steps(project: Project) -> Iterator[str]:
+    """Step of the validation, if the project has one."""
     if not project.validation:
         return
     model = project.validation[0].model
@@ -206,7 +213,7 @@ def _comparison_steps(project: Project) -> Iterator[str]:
 
 
 def _angle_difference_notes(project: Project, survey: Survey, progress: Progress) -> list[Message]:
-    """Notes on differences of the angles of the script from those of the project."""
+    """Note if the angles of a new adjustment differ from those of the project, or it fails."""
     assert project.result is not None
     try:
         again = estimate(project, survey, cross_check=False, progress=progress).result
@@ -224,8 +231,12 @@ def _angle_difference_notes(project: Project, survey: Survey, progress: Progress
 def _reference_check_steps(
     project: Project, survey: Survey, check: AbsoluteCheck, files: FilePaths, progress: Progress
 ) -> tuple[list[str], list[Message]]:
-    """Steps of the check against a reference, with notes on its unknown options."""
-    # For a list, the project stores the default sigma of its points, not the given one.
+    """Step of the check against a reference, as a comment if the reference is not found.
+
+    A note is added if the reference is not found, or the step does not give the check of the
+    project, which depends on options that are not stored.
+    """
+    # For a list, the project stores the median sigma of the points and planes, not the given one.
     sigmas = (check.sigma,) if check.kind == "scan" else (DEFAULT_SIGMA, check.sigma)
     path = _find_reference(check, [files.folder, project.folder, project.folder.parent])
     if path is None:
@@ -261,6 +272,7 @@ def _reference_check_call(path: str, sigma: float, reach: float) -> str:
 
 
 def _find_reference(check: AbsoluteCheck, folders: list[Path]) -> Path | None:
+    """File in one of the folders with the name and content of the reference of a check."""
     for folder in folders:
         path = folder / check.reference
         if path.is_file() and path.stat().st_size == check.size_bytes:
@@ -279,7 +291,7 @@ def target_steps(
     if seeded is not None:
         yield call_text("project.seed", target.name, target.seed, **seeded)
     else:
-        yield f"# {target.name}: {BY_HAND if by_hand else OTHERWISE}."
+        yield f"# {target.name}: {MANUAL_EDIT_REASON if by_hand else OTHER_POINTS_REASON}."
         yield call_text("project.put", _target_code(target))
     for sighting in target.sightings:
         if not sighting.used:
@@ -291,7 +303,7 @@ def target_steps(
 def _seed_arguments(
     project: Project, survey: Survey, target: Target, progress: Progress
 ) -> dict[str, Any] | None:
-    """Arguments with which the seed leads to the target; None if there are none."""
+    """Arguments with which the search from the seed gives the target; None if there are none."""
     search = TargetSearch.for_target(target)
     named: dict[str, Any] = {
         "role": (target.role, "target"),
@@ -300,13 +312,16 @@ def _seed_arguments(
         "threshold": (target.threshold, search.threshold(project.settings.threshold)),
         "radius": (target.radius, search.search_radii(target.role)[0]),
         "expected": (target.expected, None),
-        "choices": (target.choices, USUAL_CHOICES),
+        "choices": (target.choices, DEFAULT_CHOICES),
     }
     given = {name: value for name, (value, usual) in named.items() if value != usual}
-    # If several lines or no line have a point at the seed, the clicked line affects the result.
+    # The clicked line, which is not stored, affects the result if several lines or no line have a
+    # point at the seed.
     place = np.array(target.seed)
     clicked = [
-        line for line in survey.lines if len(survey.clouds[line].within(place, CLICK_GAP).points)
+        line
+        for line in survey.lines
+        if len(survey.clouds[line].within(place, MAX_CLICK_DISTANCE).points)
     ]
     for line in (None, *(clicked or [sighting.line for sighting in target.sightings])):
         try:
@@ -333,7 +348,7 @@ def _is_same_target(picked: Target, target: Target) -> bool:
 
 
 def _target_code(target: Target) -> PythonCode:
-    """Code of a target with all its points, all of which are used."""
+    """Code of a target with all its points; `target_steps` excludes sightings that are not used."""
     named: dict[str, Any] = {
         "name": target.name, "role": target.role, "seed": target.seed,
         "threshold": target.threshold, "radius": target.radius,
@@ -345,7 +360,7 @@ def _target_code(target: Target) -> PythonCode:
         named |= {"shape": target.shape, "sphere_radius": target.sphere_radius}
     if target.expected is not None:
         named["expected"] = target.expected
-    if target.choices != USUAL_CHOICES:
+    if target.choices != DEFAULT_CHOICES:
         named["choices"] = target.choices
     return PythonCode(call_text("lispac.Target", **named))
 

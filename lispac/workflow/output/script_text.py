@@ -6,8 +6,9 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
-WIDTH = 100
-SHORT = 72
+MAX_LINE_LENGTH = 100
+"""Largest number of characters of a line of the script, if it can be wrapped."""
+MAX_PIECE_LENGTH = 72
 """Largest number of characters of a piece of a long text."""
 
 
@@ -59,7 +60,7 @@ def call_text(function: str, *arguments: object, **named: object) -> str:
         *(f"{name}={python_literal(value)}" for name, value in named.items()),
     ]
     short = f"{function}({', '.join(parts)})"
-    if len(short) <= WIDTH - 8 and "\n" not in short:
+    if len(short) <= MAX_LINE_LENGTH - 8 and "\n" not in short:
         return short
     rows = "".join(f"    {part.replace(chr(10), chr(10) + '    ')},\n" for part in parts)
     return f"{function}(\n{rows})"
@@ -77,7 +78,7 @@ def split_text_code(text: str) -> PythonCode:
     """Code of a long text without line breaks, split into pieces of whole words."""
     pieces = [""]
     for word in text.split(" "):
-        if pieces[-1] and len(pieces[-1]) + len(word) >= SHORT:
+        if pieces[-1] and len(pieces[-1]) + len(word) >= MAX_PIECE_LENGTH:
             pieces.append("")
         pieces[-1] += word + " "
     pieces[-1] = pieces[-1][:-1]
@@ -87,7 +88,11 @@ def split_text_code(text: str) -> PythonCode:
 
 
 class FilePaths:
-    """File paths of a project in a script, relative to the folder that contains most files."""
+    """File paths of a project in a script.
+
+    Paths of files in the folder with most of the files are relative to it, as ``data``; other paths
+    are written completely.
+    """
 
     def __init__(self, paths: Sequence[Path]) -> None:
         parents = [path.parent for path in paths]

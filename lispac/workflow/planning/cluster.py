@@ -36,14 +36,14 @@ POLL_INTERVAL = 2.0
 WORKER_TIMEOUT = 60.0
 """Longest time without any worker, seconds, after which the computation ends with an error."""
 
-MAX_SENDINGS = 3
+MAX_SENDS_PER_CHUNK = 3
 """Largest number of times that a chunk is sent to the scheduler. Each time, the scheduler tolerates
 several lost workers before it gives the chunk up."""
 
 
 @contextmanager
 def cluster_mapper(access: ClusterAccess | str) -> Iterator[Mapper]:
-    """A mapper over the workers of a dask scheduler.
+    """Mapper over the workers of a dask scheduler.
 
     Unfinished chunks are cancelled when the context is left.
 
@@ -55,8 +55,9 @@ def cluster_mapper(access: ClusterAccess | str) -> Iterator[Mapper]:
     Raises
     ------
     LispacError
-        dask.distributed is not installed, no scheduler answers, it has no workers, or they have
-        another LISPAC; from the mapper: all workers are gone, or a chunk ends every worker.
+        If dask.distributed is not installed, there is no scheduler at the address, it has no
+        workers, or they have another version of LISPAC. Raised by the mapper: if no worker is left,
+        or a chunk has lost its worker too often.
     """
     access = ClusterAccess(access) if isinstance(access, str) else access
     address = access.url
@@ -65,7 +66,7 @@ def cluster_mapper(access: ClusterAccess | str) -> Iterator[Mapper]:
     except ImportError as failure:
         raise LispacError(error("cluster.not_installed")) from failure
     security = access.security()
-    with _silenced_logs():
+    with _suppressed_logs():
         _require_scheduler(address, security)
         client = distributed.Client(
             address, timeout=CONNECT_TIMEOUT, set_as_default=False, security=security
@@ -79,7 +80,7 @@ def cluster_mapper(access: ClusterAccess | str) -> Iterator[Mapper]:
 
 
 @contextmanager
-def _silenced_logs() -> Iterator[None]:
+def _suppressed_logs() -> Iterator[None]:
     """Suppress the log of the client, since the program reports its errors itself."""
     logs = [logging.getLogger(name) for name in ("distributed", "distributed.client")]
     levels = [log.level for log in logs]
@@ -93,7 +94,7 @@ def _silenced_logs() -> Iterator[None]:
 
 
 def _require_scheduler(address: str, security: Any) -> None:
-    """Refuse an address without a scheduler, for which the client would wait for ever.
+    """Refuse an address without a scheduler, for which the client would wait without end.
 
     Raises
     ------
@@ -101,13 +102,13 @@ def _require_scheduler(address: str, security: Any) -> None:
     """
     from distributed.comm import connect
 
-    async def greeted() -> None:
+    async def try_connection() -> None:
         options = security.get_connection_args("client") | {"timeout": CONNECT_TIMEOUT}
         comm = await asyncio.wait_for(connect(address, **options), CONNECT_TIMEOUT)
         comm.abort()
 
     try:
-        asyncio.run(greeted())
+        asyncio.run(try_connection())
     except Exception as failure:  # another program's reply may cause any error
         raise LispacError(
             error("cluster.no_scheduler", address=address, limit=CONNECT_TIMEOUT)
@@ -119,21 +120,21 @@ class _Cluster:
 
     def __init__(self, client: Any, address: str) -> None:
         self.client, self.address = client, address
-        self.under_way: set[_ChunkInProgress] = set()
+        self.in_progress: set[_ChunkInProgress] = set()
 
     def check(self) -> None:
-        """Refuse a cluster without workers, or with workers of another version.
+        """Refuse a cluster without workers, or with a scheduler or workers of another version.
 
         Raises
         ------
         LispacError
-            If a worker is missing or has another version.
+            If there is no worker, or one of them or the scheduler has another version.
         """
-        try:  # one that was lost is perhaps being started again
+        try:  # a lost worker may be restarting
             self.client.wait_for_workers(1, timeout=START_TIMEOUT)
         except TimeoutError:
             raise LispacError(error("cluster.no_workers", address=self.address)) from None
-        try:  # it reads every chunk before it hands it on
+        try:  # the scheduler unpickles the chunks before it sends them to workers
             found = self.client.run_on_scheduler(_program_version)
         except Exception as failure:
             found = failure
@@ -158,18 +159,18 @@ class _Cluster:
                 )  # fmt: skip
 
     def map(self, function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
-        """Yield results in the order of the values, each as soon as the previous are available."""
+        """Yield the results in the order of the values, as soon as they are available."""
         values = list(values)
         size = chunk_size(len(values), self._count_threads())
         chunks = [values[k : k + size] for k in range(0, len(values), size)]
         task = partial(_map_on_worker, function, __version__)
-        back: SimpleQueue[_ChunkInProgress] = SimpleQueue()
+        completed: SimpleQueue[_ChunkInProgress] = SimpleQueue()
         for k, chunk in enumerate(chunks):
-            self._send_chunk(_ChunkInProgress(k, task, chunk, back))
+            self._send_chunk(_ChunkInProgress(k, task, chunk, completed))
         results: dict[int, list[Any]] = {}
         for k in range(len(chunks)):
             while k not in results:
-                sent = self._wait_for_result(back)
+                sent = self._wait_for_result(completed)
                 result = self._receive_result(sent)
                 if result is None:
                     self._send_chunk(sent)
@@ -181,28 +182,28 @@ class _Cluster:
         sent.times += 1
         with self._report_lost_connection():
             sent.future = self.client.submit(sent.task, sent.chunk, pure=False)
-        self.under_way.add(sent)
+        self.in_progress.add(sent)
         sent.future.add_done_callback(sent.on_done)
 
-    def _wait_for_result(self, back: "SimpleQueue[_ChunkInProgress]") -> "_ChunkInProgress":
+    def _wait_for_result(self, completed: "SimpleQueue[_ChunkInProgress]") -> "_ChunkInProgress":
         """Wait for the next completed chunk while the connection holds.
 
         Raises
         ------
         LispacError
-            If all workers are gone.
+            If no worker is left.
         """
-        alone_since = None
+        without_workers_since = None
         while True:
             try:
-                return back.get(timeout=POLL_INTERVAL)
+                return completed.get(timeout=POLL_INTERVAL)
             except Empty:
                 pass
             if self._count_threads():
-                alone_since = None
+                without_workers_since = None
             else:
-                alone_since = alone_since or monotonic()
-                if monotonic() - alone_since > WORKER_TIMEOUT:
+                without_workers_since = without_workers_since or monotonic()
+                if monotonic() - without_workers_since > WORKER_TIMEOUT:
                     raise self._connection_error()
 
     def _receive_result(self, sent: "_ChunkInProgress") -> list[Any] | None:
@@ -211,7 +212,7 @@ class _Cluster:
         Raises
         ------
         LispacError
-            If it was sent too often already, or all workers are gone.
+            If it was sent too often already, or no worker is left.
         """
         import distributed
 
@@ -219,7 +220,7 @@ class _Cluster:
         with self._report_lost_connection():
             lost = self._query_scheduler(sent.future.exception)
             if lost is None:
-                # If its worker was lost since, others compute it again, or are lost as well
+                # If the worker was lost since, the chunk is computed again, or given up.
                 try:
                     result = list(self._query_scheduler(sent.future.result))
                 except distributed.scheduler.KilledWorker as killed:
@@ -227,13 +228,13 @@ class _Cluster:
         if lost is not None and not isinstance(lost, distributed.scheduler.KilledWorker):
             raise lost
         self._discard_chunk(sent)
-        if lost is not None and sent.times >= MAX_SENDINGS:
+        if lost is not None and sent.times >= MAX_SENDS_PER_CHUNK:
             raise LispacError(
                 error(
                     "cluster.worker_lost_repeatedly",
                     address=self.address,
                     count=len(sent.chunk),
-                    times=MAX_SENDINGS,
+                    times=MAX_SENDS_PER_CHUNK,
                 )
             )
         return result
@@ -279,12 +280,12 @@ class _Cluster:
 
     def _discard_chunk(self, sent: "_ChunkInProgress") -> None:
         sent.future.release()
-        self.under_way.discard(sent)
+        self.in_progress.discard(sent)
 
     def close(self) -> None:
         """Cancel unfinished chunks and close the connection."""
-        with suppress(Exception):  # the scheduler may be gone, and then there is nothing to cancel
-            self.client.cancel([sent.future for sent in self.under_way])
+        with suppress(Exception):  # if the scheduler has ended, there is nothing to cancel
+            self.client.cancel([sent.future for sent in self.in_progress])
         self.client.close()
 
 
@@ -298,19 +299,19 @@ class _ChunkInProgress:
         number: int,
         task: Callable[[Sequence[Any]], list[Any]],
         chunk: Sequence[Any],
-        back: "SimpleQueue[_ChunkInProgress]",
+        completed: "SimpleQueue[_ChunkInProgress]",
     ) -> None:
-        self.number, self.task, self.chunk, self.back = number, task, chunk, back
+        self.number, self.task, self.chunk, self.completed = number, task, chunk, completed
         self.times = 0
 
     def on_done(self, future: Any) -> None:
         """Called in a thread of the client when the chunk is completed."""
-        self.back.put(self)
+        self.completed.put(self)
 
 
-_ONE_AT_A_TIME = threading.Lock()
-"""Lock of a worker process, which may have several threads while the number of BLAS threads is a
-setting of the process."""
+_WORKER_LOCK = threading.Lock()
+"""Lock by which a worker process computes one chunk at a time. It may have several threads, but the
+number of BLAS threads is a setting of the whole process."""
 
 
 def _program_version() -> str:
@@ -318,11 +319,12 @@ def _program_version() -> str:
 
 
 def _require_version(code: str, version: str, required: str = "", *, address: str = "") -> None:
-    """Refuse another version than ``required``, by default this one, by the message ``code``.
+    """Require the version ``required``, by default that of this program.
 
     Raises
     ------
     LispacError
+        If ``version`` differs; ``code`` is the code of its message.
     """
     required = required or __version__
     if version != required:
@@ -334,5 +336,5 @@ def _map_on_worker(
 ) -> list[Any]:
     """Compute the results of a chunk on the worker."""
     _require_version("cluster.late_worker_version", __version__, version)
-    with _ONE_AT_A_TIME:
+    with _WORKER_LOCK:
         return [function(value) for value in values]

@@ -14,7 +14,10 @@ from lispac.io.files import require_file
 from lispac.io.value_conversion import failure_summary
 from lispac.messages import error
 
-ADDRESS = re.compile(r"((?P<protocol>tcp|tls)://)?(?P<host>\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}")
+ADDRESS_PATTERN = re.compile(
+    r"((?P<protocol>tcp|tls)://)?(?P<host>\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}"
+)
+"""Address of a scheduler: optional protocol, host and port."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +53,7 @@ class ClusterAccess:
         LispacError
             If the address is not valid, or means plain TCP to another computer without consent.
         """
-        found = ADDRESS.fullmatch(self.address)
+        found = ADDRESS_PATTERN.fullmatch(self.address)
         if found is None:
             raise LispacError(error("cluster.bad_address", address=self.address))
         here = is_this_computer(found["host"].strip("[]"))
@@ -63,7 +66,7 @@ class ClusterAccess:
     @property
     def is_open(self) -> bool:
         """True if others in the network could read or answer the communication."""
-        host = ADDRESS.fullmatch(self.url)
+        host = ADDRESS_PATTERN.fullmatch(self.url)
         assert host is not None
         return self.url.startswith("tcp://") and not is_this_computer(host["host"].strip("[]"))
 
@@ -105,7 +108,7 @@ class ClusterAccess:
 
 
 def is_this_computer(host: str) -> bool:
-    """True if a host is the loopback of this computer; names are not looked up."""
+    """True if a host is a loopback address or ``localhost``; other names are not resolved."""
     try:
         return ipaddress.ip_address(host).is_loopback
     except ValueError:

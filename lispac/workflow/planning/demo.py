@@ -12,7 +12,7 @@ from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.picking import pick_target
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.planning.simulate import (
-    RAW,
+    RAW_FOLDER,
     as_triple,
     create_simulated_project,
     replaced_survey,
@@ -27,7 +27,8 @@ LIDAR_SIGMA = 0.0019
 """LiDAR noise along the normals of the two boards, metres: root mean square over all their points
 in six lines, with 2.5 mm along the beam and 1.3 mm across it (0.005 deg at 15 m)."""
 
-MARKER = "demo"
+MARKER_FILE = "demo"
+"""Name of the file in the folder ``raw`` that marks a demo, which may be replaced."""
 
 
 def make_demo(
@@ -38,12 +39,12 @@ def make_demo(
 ) -> Project:
     """Simulate the built-in survey and write it as a new project with raw files but no targets.
 
-    An earlier demo in the folder is replaced, once the new survey is simulated.
+    An earlier demo in the folder is replaced when the new files are complete.
 
     Parameters
     ----------
     points_per_second : float
-        Pulse rate of the scanner; a lower rate makes a smaller survey of the same quay.
+        Pulse rate of the scanner; a lower rate gives fewer points of the same scene.
 
     Raises
     ------
@@ -51,28 +52,33 @@ def make_demo(
         If the folder contains anything other than a demo.
     """
     folder = Path(folder).absolute()
-    require_replaceable(folder, MARKER)
+    require_replaceable(folder, MARKER_FILE)
     survey = port_survey(
         points_per_second=points_per_second, progress=sub_progress(progress, 0.0, 0.7)
     )
     with replaced_survey(
-        folder, MARKER, "Built-in survey; each run of the demo replaces it.\n"
+        folder, MARKER_FILE, "Built-in survey; each run of the demo replaces it.\n"
     ) as new:
-        write_trajectory(survey, new / RAW)
-        write_lines(survey, new / RAW, progress=sub_progress(progress, 0.7, 1.0))
+        write_trajectory(survey, new / RAW_FOLDER)
+        write_lines(survey, new / RAW_FOLDER, progress=sub_progress(progress, 0.7, 1.0))
     latitude, longitude, height = survey.origin
     settings = Settings(
         lever_arm=as_triple(survey.lever_arm),
         origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),
         lidar_sigma=LIDAR_SIGMA,
-        pos_errors="correlated",  # as the errors put in are
+        pos_errors="correlated",  # like the simulated POS errors
     )
     names = [line.name for line in survey.lines]
     return create_simulated_project(folder, names, settings, np.degrees(survey.boresight))
 
 
 def demo_seeds() -> dict[str, tuple[Role, Triple]]:
-    """Seeds of the targets of the built-in survey: role and local position by name."""
+    """Seeds of the targets and validation planes of the built-in survey.
+
+    Returns
+    -------
+    dict of name to role and position (metres, local frame)
+    """
     from lispac.simulation.port_scene import TARGET_NAMES, VALIDATION_NAMES, port_scene
     from lispac.simulation.scene import Rectangle
 
@@ -91,13 +97,13 @@ def demo_seeds() -> dict[str, tuple[Role, Triple]]:
 
 
 def run_demo(folder: Path, *, progress: Progress = no_progress) -> tuple[Project, Survey]:
-    """Simulate, load, pick, estimate, validate and save the built-in survey."""
+    """Simulate and calibrate the built-in survey."""
     project = make_demo(folder, progress=sub_progress(progress, 0.0, 0.4))
     return calibrate_demo(project, progress=sub_progress(progress, 0.4, 1.0))
 
 
 def calibrate_demo(project: Project, *, progress: Progress = no_progress) -> tuple[Project, Survey]:
-    """Calibrate the built-in survey, from loading to saving."""
+    """Load the built-in survey, pick its targets, estimate, validate and save the project."""
     survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.35))
     seeds = demo_seeds()
     for k, (name, (role, seed)) in enumerate(seeds.items()):

@@ -1,7 +1,7 @@
 """Mapping of many simulations: in this process, in a pool of processes, or on a cluster.
 
-Searches and Monte Carlo simulations use only a mapper, so that the same code runs in all three ways
-with the same numbers: no computation depends on others in its process.
+Searches and Monte Carlo simulations use only a mapper, so that the same code runs in all three
+ways. The results are the same, because no computation depends on others in its process.
 """
 
 import os
@@ -17,7 +17,7 @@ from lispac.errors import LispacError
 from lispac.messages import error
 from lispac.workflow.planning.cluster_access import ClusterAccess
 
-MAX_CHUNK = 16
+MAX_CHUNK_SIZE = 16
 """Largest number of values that are sent to a process at once."""
 
 CHUNKS_PER_PROCESS = 8
@@ -50,7 +50,7 @@ def choose_mapper(
 
 
 @contextmanager
-def process_pool_mapper(workers: int, *, at_once: int = MAX_CHUNK) -> Iterator[Mapper]:
+def process_pool_mapper(workers: int, *, at_once: int = MAX_CHUNK_SIZE) -> Iterator[Mapper]:
     """Mapper over ``workers`` processes; one means this process.
 
     Waiting values are not computed after the context is left. Processes are spawned, not forked, on
@@ -87,4 +87,4 @@ def process_pool_mapper(workers: int, *, at_once: int = MAX_CHUNK) -> Iterator[M
 
 def chunk_size(values: int, workers: int) -> int:
     """Number of values that are sent to a process at once."""
-    return max(1, min(MAX_CHUNK, values // (CHUNKS_PER_PROCESS * max(workers, 1))))
+    return max(1, min(MAX_CHUNK_SIZE, values // (CHUNKS_PER_PROCESS * max(workers, 1))))

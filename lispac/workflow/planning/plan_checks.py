@@ -25,17 +25,18 @@ from lispac.messages import Message, as_message, error, warning
 from lispac.progress import Progress, no_progress
 from lispac.untrusted_values import as_csv_cell
 
-ONE_WAY = error("plan_survey.one_orientation")
+ONE_ORIENTATION_ERROR = error("plan_survey.one_orientation")
+"""Error that all targets of a plan have the same orientation."""
 
-NEAR_WALL = 3.0
-"""Metres: smallest distance at which a vessel can pass a wall safely."""
+MIN_WALL_DISTANCE = 3.0
+"""Smallest distance at which a vessel can pass a wall safely, metres."""
 
 
 def observability_messages(plan: Plan, *, progress: Progress = no_progress) -> tuple[Message, ...]:
     """Messages on the observability of the angles of a plan, as after an adjustment."""
     try:
         if have_targets_one_orientation(plan):
-            return (ONE_WAY,)
+            return (ONE_ORIENTATION_ERROR,)
         if not predict(plan).determined:
             return (UNDETERMINED_MESSAGE,)
         with single_blas_thread():
@@ -55,15 +56,15 @@ def simulate_surveys(
     mapper: Mapper = map,
     progress: Progress = no_progress,
 ) -> MonteCarloResult:
-    """Simulate and adjust many surveys of a plan that can be adjusted; as `run_monte_carlo`.
+    """Simulate and adjust many surveys of a plan; parameters as for `run_monte_carlo`.
 
     Raises
     ------
     RankDeficient
-        Also if all targets have the same orientation.
+        As `run_monte_carlo`, and if all targets have the same orientation.
     """
     if have_targets_one_orientation(plan):
-        raise RankDeficient(ONE_WAY)
+        raise RankDeficient(ONE_ORIENTATION_ERROR)
     return run_monte_carlo(
         plan, surveys, seed=seed, flatness_known=flatness_known, enough=enough, mapper=mapper,
         progress=progress,
@@ -87,7 +88,7 @@ def plan_warnings(titled: TitledPlan) -> tuple[Message, ...]:
     for k, off in enumerate(clearance_from_wall(plan, titled.wall), start=1):
         if off < 0:
             found.append(warning("plan.line_through_wall", line=k, distance=float(-off)))
-        elif off < NEAR_WALL:
+        elif off < MIN_WALL_DISTANCE:
             found.append(warning("plan.line_near_wall", line=k, distance=float(off)))
     for one, other in overlapping_targets(plan.targets):
         found.append(warning("plan.targets_overlap", first=one, second=other))
@@ -95,7 +96,7 @@ def plan_warnings(titled: TitledPlan) -> tuple[Message, ...]:
 
 
 def write_field_plan(path: Path, titled: TitledPlan) -> None:
-    """Write the page for the field as PDF."""
+    """Write the plan on one page as PDF, for use in the field."""
     from lispac.report.field_plan import field_plan_figure
 
     texts = tuple(map(message_text, plan_warnings(titled)))
@@ -107,7 +108,7 @@ def write_field_plan(path: Path, titled: TitledPlan) -> None:
 def write_design(
     folder: Path, title: str, site: Site, design: DesignResult, objective: PlanObjective
 ) -> None:
-    """Write the plan, its field plan and the front into a folder.
+    """Write the plan, its field plan and the Pareto front into a folder.
 
     Raises
     ------

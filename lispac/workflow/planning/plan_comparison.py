@@ -18,10 +18,10 @@ from lispac.workflow.project.survey import Survey
 
 Array = NDArray[np.float64]
 
-SAME_HEADING = 22.5
+MAX_HEADING_DIFFERENCE_DEG = 22.5
 """Largest difference of the heading of a line from that of the planned line, degrees."""
 
-OFF_METRES, OFF_SHARE = 2.0, 0.2
+MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE_SHARE = 2.0, 0.2
 """Largest difference from the planned distance of a line that is not reported, in metres and as a
 share of the distance."""
 
@@ -38,13 +38,13 @@ class PlanComparison:
     planned : ndarray of shape (3,), radians
         Predicted sigmas of the whole plan.
     sailed : ndarray of shape (3,), radians
-        Predicted sigmas of the lines as sailed.
+        Predicted sigmas of the lines as sailed, with the targets of the plan that were used.
     as_flat : ndarray of shape (3,), radians
-        The same with the targets as flat as the survey found them.
+        The same with the form error of the targets that the adjustment estimated.
     obtained : ndarray of shape (3,), radians
         Sigmas from the adjustment.
     flatness : tuple of float, metres
-        Flatness of the targets as planned and as found.
+        Form error of the targets as planned and as estimated.
     missing_targets : tuple of str
     missing_lines : tuple of Line
     off_plan : tuple of LazyText
@@ -162,7 +162,7 @@ def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> P
             )
             for k, line in sorted(sailed_as.items())
             if abs(line.distance - plan.lines[k].distance)
-            > max(OFF_METRES, OFF_SHARE * plan.lines[k].distance)
+            > max(MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE_SHARE * plan.lines[k].distance)
         ),
         tuple(costs),
     )
@@ -180,7 +180,7 @@ def _with_flatness(plan: Plan, flatness: float) -> Plan:
 
 
 def _sailed_lines(plan: Plan, project: Project, survey: Survey) -> dict[int, Line]:
-    """Planned lines that were sailed, by their number, each at its actual distance."""
+    """Planned lines that were sailed, by their index in the plan, each at its actual distance."""
     ranges = _median_ranges(project, survey)
     names = sorted({line for _, line in ranges})
     cost = np.full((len(plan.lines), len(names)), np.inf)
@@ -194,14 +194,14 @@ def _sailed_lines(plan: Plan, project: Project, survey: Survey) -> dict[int, Lin
                 for target in plan.targets
                 if (target.name, name) in ranges
             ]
-            if off <= SAME_HEADING and farther:
+            if off <= MAX_HEADING_DIFFERENCE_DEG and farther:
                 moved[k, j] = float(np.median(farther))
                 cost[k, j] = off + abs(moved[k, j])
     from scipy.optimize import linear_sum_assignment
 
     # An impossible pair costs more than all possible pairs together
-    never = 1.0 + 2.0 * np.where(np.isfinite(cost), cost, 0.0).sum()
-    rows, columns = linear_sum_assignment(np.where(np.isfinite(cost), cost, never))
+    impossible = 1.0 + 2.0 * np.where(np.isfinite(cost), cost, 0.0).sum()
+    rows, columns = linear_sum_assignment(np.where(np.isfinite(cost), cost, impossible))
     return {
         int(k): replace(plan.lines[k], distance=max(plan.lines[k].distance + moved[k, j], 0.1))
         for k, j in zip(rows, columns, strict=True)
@@ -227,7 +227,14 @@ def _extra_distance(plan: Plan, target: Board | Ball, course: Course, measured: 
 
 
 def _precision_cost_text(missing: LazyText, with_it: Plan, without: Array) -> LazyText:
-    """Text on the precision with the missing line or target."""
+    """Text on the precision if a missing line or target had been used.
+
+    Parameters
+    ----------
+    missing : text that names the line or target
+    with_it : plan with the line or target
+    without : sigmas without it, shape (3,), radians
+    """
     found = predict(with_it)
     if not np.isfinite(without).all():
         if not found.determined:

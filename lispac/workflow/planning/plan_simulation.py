@@ -19,17 +19,18 @@ from lispac.simulation.vessel_motion import SailedLine
 from lispac.untrusted_values import InvalidContentError, toml_values
 from lispac.workflow.planning.simulated_setup import SimulatedSetup, setup_file
 
-ORIGIN = (float(np.radians(46.8)), float(np.radians(-71.2)), 0.0)
+SITE_ORIGIN = (float(np.radians(46.8)), float(np.radians(-71.2)), 0.0)
 """Latitude, longitude (radians) and height (metres) of the site, because a plan has no position."""
 
-WHITE = 0.85
-MARGIN = 3.0
-"""Metres recorded before and after the straight part of a line."""
+WHITE_REFLECTANCE = 0.85
+"""Reflectance of white targets, no unit; a plan does not specify it."""
+LINE_MARGIN = 3.0
+"""Length recorded before and after the straight part of a line, metres."""
 
-WINDOW = (float(np.radians(-60.0)), float(np.radians(80.0)))
+ELEVATION_WINDOW = (float(np.radians(-60.0)), float(np.radians(80.0)))
 """Range of elevations recorded on the side of the site, radians; a plan does not specify it."""
 
-SHORTEST_TURN = 15.0
+MIN_TURN_TIME = 15.0
 """Smallest time from one line to the next, seconds."""
 
 
@@ -71,45 +72,51 @@ def simulation_of_plan(
     path = Path(path)
     titled = read_plan(path)
     plan, file = titled.plan, setup_file("vessel", vessel or "launch", None)
-    carried = read_vessel(file)
+    vessel_data = read_vessel(file)
     lever: Triple = tuple(float(v) for v in plan.system.mounting.lever_arm)  # type: ignore[assignment]
     rate = points_per_second or plan.system.scanner.pulses_per_second
-    scanner = replace(plan.system.scanner, pulses_per_second=rate, window=WINDOW)
+    scanner = replace(plan.system.scanner, pulses_per_second=rate, window=ELEVATION_WINDOW)
     setup = SurveySetup(
-        ORIGIN,
+        SITE_ORIGIN,
         Scene.of([_target_surface(target) for target in plan.targets]),
         tuple(target.name for target in plan.targets),
         (),
-        SailedTrajectory(_sailed_lines(plan, carried), 0.0),
+        SailedTrajectory(_sailed_lines(plan, vessel_data), 0.0),
         plan.system.pos,
         scanner,
-        replace(carried.errors, **(errors or {})).mounting(lever),
+        replace(vessel_data.errors, **(errors or {})).mounting(lever),
     )
-    titles = {"scene": titled.title, "vessel": carried.title, "scanner": "as planned"}
+    titles = {"scene": titled.title, "vessel": vessel_data.title, "scanner": "as planned"}
     return SimulatedSetup(setup, lever, titles, {"scene": path, "vessel": file, "scanner": path})
 
 
 def _target_surface(target: Board | Ball) -> Rectangle | Sphere:
     centre = np.array(target.centre)
     if isinstance(target, Ball):
-        return Sphere(target.name, centre, target.radius, WHITE)
+        return Sphere(target.name, centre, target.radius, WHITE_REFLECTANCE)
     return Rectangle(
-        target.name, centre, target.facing, target.across, target.width, target.height, WHITE
+        target.name,
+        centre,
+        target.facing,
+        target.across,
+        target.width,
+        target.height,
+        WHITE_REFLECTANCE,
     )
 
 
-def _sailed_lines(plan: Plan, carried: Vessel) -> tuple[SailedLine, ...]:
+def _sailed_lines(plan: Plan, vessel_data: Vessel) -> tuple[SailedLine, ...]:
     lines = []
     for line, course, (start, stop) in zip(
         plan.lines, plan.courses, plan.straight_extents, strict=True
     ):
-        before, after = MARGIN - start, MARGIN + stop
-        sailing = (before + after) / line.speed + 2 * carried.handling.ramp
+        before, after = LINE_MARGIN - start, LINE_MARGIN + stop
+        sailing = (before + after) / line.speed + 2 * vessel_data.handling.ramp
         handling = replace(
-            carried.handling,
+            vessel_data.handling,
             speed=line.speed,
             speed_abeam=line.speed,
-            transit=max(plan.interval - sailing, SHORTEST_TURN),
+            transit=max(plan.interval - sailing, MIN_TURN_TIME),
         )
         lines.append(
             SailedLine(course.heading, course.abeam, before, after, line.starboard, handling)

@@ -12,10 +12,10 @@ from typing import Any, Generic, TypeVar
 from lispac.errors import InputError, system_reason
 from lispac.installation_paths import resource_path, user_folder
 from lispac.io.config.sensor_file import (
-    Figures,
     PosAccuracy,
     PosSpecification,
     ScannerSpecification,
+    SensorSpecification,
     read_pos_specification,
     read_scanner_specification,
     write_specification,
@@ -23,8 +23,9 @@ from lispac.io.config.sensor_file import (
 from lispac.language import N_, gettext
 from lispac.messages import Message, as_message, error
 
-FROM_MEMORY = N_("{source} (not verified: check the data sheet)")
-SOURCES = (
+UNVERIFIED_SOURCE_TEXT = N_("{source} (not verified: check the data sheet)")
+"""Text of a source whose values were not compared with the data sheet."""
+SUPPLIED_SOURCES = (
     N_("Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (land, 60 s without GNSS, RTK before)"),
     N_(
         "Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (land, no outage); base station at 10 km"
@@ -61,18 +62,18 @@ SOURCES = (
     N_("Shahraji's thesis, section 1.2.2, table 1.2, after iXblue (2019); base station at 10 km"),
 )
 """Sources of the sensors supplied with the program, for translation."""
-LONGEST = 200
+MAX_TEXT_LENGTH = 200
 """Largest number of characters of a title or a source."""
 SIMULATED_SCANNERS = ("profiler",)
 """Scanners that exist in the simulator only."""
-LEAST_NOISE = 0.001
+MIN_LIDAR_NOISE = 0.001
 """Smallest LiDAR noise on each axis, metres; search distances are derived from it."""
 
-F = TypeVar("F", ScannerSpecification, PosSpecification)
+SpecificationT = TypeVar("SpecificationT", ScannerSpecification, PosSpecification)
 
 
 @dataclass(frozen=True)
-class Sensor(Generic[F]):
+class Sensor(Generic[SpecificationT]):
     """Sensor of the library.
 
     Attributes
@@ -82,13 +83,13 @@ class Sensor(Generic[F]):
     """
 
     name: str
-    figures: F
+    figures: SpecificationT
     is_user_defined: bool
 
 
 @dataclass(frozen=True)
 class SensorLibrary:
-    """All sensors by their titles, and errors in the files of the user."""
+    """All sensors in the order of their titles, and errors in the files of the user."""
 
     scanners: tuple[Sensor[ScannerSpecification], ...]
     pos: tuple[Sensor[PosSpecification], ...]
@@ -149,9 +150,9 @@ def read_library(folder: Path) -> SensorLibrary:
 
 
 def _read_sensors(
-    kind: str, folder: Path, supplied: Callable[[Path], F], read: Callable[[Path], F],
-    messages: list[Message],
-) -> tuple[Sensor[F], ...]:  # fmt: skip
+    kind: str, folder: Path, supplied: Callable[[Path], SpecificationT],
+    read: Callable[[Path], SpecificationT], messages: list[Message],
+) -> tuple[Sensor[SpecificationT], ...]:  # fmt: skip
     found = {
         path.stem: Sensor(path.stem, supplied(path), is_user_defined=False)
         for path in resource_path(kind).glob("*.toml")
@@ -165,17 +166,19 @@ def _read_sensors(
     return tuple(sorted(found.values(), key=lambda each: each.figures.title.casefold()))
 
 
-def _find_sensor(refusal: str, sensors: Iterable[Sensor[F]], name: str) -> Sensor[F]:
+def _find_sensor(
+    refusal: str, sensors: Iterable[Sensor[SpecificationT]], name: str
+) -> Sensor[SpecificationT]:
     known = {sensor.name: sensor for sensor in sensors}
     if name not in known:
         raise InputError(error(refusal, name=name, known=tuple(known)))
     return known[name]
 
 
-# -- the user's own ----------------------------------------------------------------------------
+# -- sensors of the user ------------------------------------------------------------------------
 
 
-def store_sensor(folder: Path, figures: Figures, name: str = "") -> str:
+def store_sensor(folder: Path, figures: SensorSpecification, name: str = "") -> str:
     """Write a sensor of the user into the library, and return its name.
 
     Parameters
@@ -194,7 +197,7 @@ def store_sensor(folder: Path, figures: Figures, name: str = "") -> str:
     return word
 
 
-def require_storable(folder: Path, figures: Figures, name: str = "") -> None:
+def require_storable(folder: Path, figures: SensorSpecification, name: str = "") -> None:
     """Refuse a specification that cannot be stored in the library.
 
     Raises
@@ -209,8 +212,8 @@ def require_storable(folder: Path, figures: Figures, name: str = "") -> None:
     if not all(each.source.strip() for each in sources):
         raise InputError(error("sensor.no_source"))
     for text in (figures.title, *(each.source for each in sources)):
-        if len(text) > LONGEST or not text.isprintable():
-            raise InputError(error("sensor.long_text", limit=LONGEST))
+        if len(text) > MAX_TEXT_LENGTH or not text.isprintable():
+            raise InputError(error("sensor.long_text", limit=MAX_TEXT_LENGTH))
     known = read_library(folder)
     same = known.scanners if isinstance(figures, ScannerSpecification) else known.pos
     if not name and _file_stem(figures.title) in {sensor.name for sensor in same}:
@@ -238,7 +241,7 @@ def remove_sensor(
         ) from failure
 
 
-def _sensor_path(folder: Path, figures: Figures, name: str) -> Path:
+def _sensor_path(folder: Path, figures: SensorSpecification, name: str) -> Path:
     kind = "scanners" if isinstance(figures, ScannerSpecification) else "pos"
     return folder / kind / f"{name}.toml"
 
@@ -247,13 +250,13 @@ def _file_stem(title: str) -> str:
     return re.sub(r"[\W_]+", "-", title.casefold()).strip("-")
 
 
-# -- what they are used for --------------------------------------------------------------------
+# -- settings from a sensor ---------------------------------------------------------------------
 
 
 def noise_settings(scanner: ScannerSpecification) -> dict[str, Any]:
-    """LiDAR noise along the beam and in beam direction, by the names of `Settings`."""
+    """LiDAR noise in range and in beam direction, by the names of `Settings`."""
     return {
-        "lidar_sigma": max(scanner.range_sigma, LEAST_NOISE),
+        "lidar_sigma": max(scanner.range_sigma, MIN_LIDAR_NOISE),
         "lidar_sigma_xyz": None,
         "lidar_beam_sigma": (scanner.range_sigma, scanner.angle_sigma_deg),
     }
@@ -268,6 +271,6 @@ def sigma_settings(state: PosAccuracy) -> dict[str, Any]:
 
 
 def source_text(figures: ScannerSpecification | PosAccuracy) -> str:
-    """Source of a specification, and whether it is verified."""
+    """Source of a specification in the present language, marked if it is not verified."""
     source = gettext(figures.source)
-    return gettext(FROM_MEMORY, source=source) if figures.unverified else source
+    return gettext(UNVERIFIED_SOURCE_TEXT, source=source) if figures.unverified else source

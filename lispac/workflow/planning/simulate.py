@@ -1,4 +1,4 @@
-"""Simulated surveys as projects: the files of a real survey, and the true values beside them."""
+"""Simulated surveys as projects: files as of a real survey, and files with the true values."""
 
 import json
 import re
@@ -14,7 +14,7 @@ import numpy as np
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import atomic_write, bad_name_error, remove_empty_folders, write_error
 from lispac.io.las.las_format import write_points
-from lispac.io.project.project_file import FILE_NAME, SIGHTINGS, remove_point_files
+from lispac.io.project.project_file import PROJECT_FILE_NAME, SIGHTINGS_FOLDER, remove_point_files
 from lispac.io.text.text_export import write_table
 from lispac.io.trajectory.sbet import write_sbet, write_smrmsg
 from lispac.language import gettext_lazy
@@ -25,21 +25,25 @@ from lispac.simulation.pos_error_models import CombinedModel
 from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.scene import Sphere
 from lispac.simulation.simulated_survey import SimulatedSurvey, simulate_survey
-from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES
 from lispac.survey.store.layout import require_no_link
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.untrusted_values import json_values
 from lispac.workflow.planning.simulated_setup import SimulatedSetup
 from lispac.workflow.project.projects import create_project
 
-RAW, TRUTH, MARKER = "raw", "truth", "simulated"
-TRUTHS = (f"{TRUTH}/truth.json", f"{TRUTH}/labels.npz")
-TRAJECTORY, ACCURACY = "trajectory.sbet", "smrmsg.out"
-TARGETS = "targets.csv"
+RAW_FOLDER, TRUTH_FOLDER, SIMULATION_MARKER_FILE = "raw", "truth", "simulated"
+"""Folders of the survey files and of the true values, and the file in the first of them that marks
+a simulation, which may be replaced."""
+TRUTH_FILES = (f"{TRUTH_FOLDER}/truth.json", f"{TRUTH_FOLDER}/labels.npz")
+"""Files with the true values: mounting and simulation, and the surface of each point."""
+TRAJECTORY_FILE, ACCURACY_FILE = "trajectory.sbet", "smrmsg.out"
+TARGET_LIST_FILE = "targets.csv"
 """List of coordinates that ``lispac pick --seeds`` reads."""
-BALLS = "balls.csv"
+SPHERE_LIST_FILE = "balls.csv"
 """List of coordinates of spheres, for ``--shape sphere``."""
-_UNFINISHED = re.compile(r"\.survey-\w{8}\.part")
+_UNFINISHED_FOLDER_PATTERN = re.compile(r"\.survey-\w{8}\.part")
+"""Name of the folder in which a survey is written before it replaces an earlier one."""
 
 
 def simulate(
@@ -69,7 +73,7 @@ def simulate(
         If a line has no points, or a file cannot be written.
     """
     folder = Path(folder).absolute()
-    require_replaceable(folder, MARKER)
+    require_replaceable(folder, SIMULATION_MARKER_FILE)
     settings = _surveyor_settings(simulation)
     settings.require_sound()
     survey = simulate_survey(
@@ -80,9 +84,11 @@ def simulate(
         if not len(line.time):
             raise InputError(error("simulate.line_without_points", line=line.name))
     mark = "Simulated survey; each simulation replaces it.\n"
-    with replaced_survey(folder, MARKER, mark, (*TRUTHS, TARGETS, BALLS)) as new:
-        write_lines(survey, new / RAW, progress=sub_progress(progress, 0.6, 0.95))
-        write_trajectory(survey, new / RAW)
+    with replaced_survey(
+        folder, SIMULATION_MARKER_FILE, mark, (*TRUTH_FILES, TARGET_LIST_FILE, SPHERE_LIST_FILE)
+    ) as new:
+        write_lines(survey, new / RAW_FOLDER, progress=sub_progress(progress, 0.6, 0.95))
+        write_trajectory(survey, new / RAW_FOLDER)
         _write_truth(survey, simulation, new, seed)
     project = create_simulated_project(
         folder, [line.name for line in survey.lines], settings, np.degrees(survey.boresight)
@@ -103,12 +109,12 @@ def create_simulated_project(
     truth_deg : ndarray of shape (3,)
         True boresight angles.
     """
-    raw = folder / RAW
+    raw = folder / RAW_FOLDER
     return create_project(
         folder,
-        trajectory=raw / TRAJECTORY,
+        trajectory=raw / TRAJECTORY_FILE,
         lines=[LineSource(name, raw / f"{name}.laz") for name in lines],
-        accuracy=raw / ACCURACY,
+        accuracy=raw / ACCURACY_FILE,
         settings=settings,
         truth_deg=as_triple(truth_deg),
     )
@@ -124,10 +130,10 @@ def require_replaceable(folder: Path, marker: str) -> None:
     if folder.exists() and not folder.is_dir():
         raise ProjectError(error("simulate.folder_is_file", folder=str(folder)))
     names = [path.name for path in folder.iterdir()] if folder.exists() else []
-    is_foreign = any(not _UNFINISHED.fullmatch(name) for name in names)
-    if is_foreign and not (folder / RAW / marker).is_file():
+    is_foreign = any(not _UNFINISHED_FOLDER_PATTERN.fullmatch(name) for name in names)
+    if is_foreign and not (folder / RAW_FOLDER / marker).is_file():
         raise ProjectError(error("simulate.folder_in_use", folder=str(folder)))
-    require_no_link(folder / RAW, folder / TRUTH, folder / SIGHTINGS)
+    require_no_link(folder / RAW_FOLDER, folder / TRUTH_FOLDER, folder / SIGHTINGS_FOLDER)
 
 
 @contextmanager
@@ -146,8 +152,8 @@ def replaced_survey(
     text : str
         Content of that file.
     parts : sequence of str
-        Files of the earlier survey, which are removed besides the project, the trajectory and
-        the lines; files of the user stay.
+        Files of the earlier survey to remove in addition to the project, the trajectory and the
+        lines; files of the user are kept.
 
     Raises
     ------
@@ -159,8 +165,12 @@ def replaced_survey(
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for path in folder.iterdir():
-            if _UNFINISHED.fullmatch(path.name) and path.is_dir() and not path.is_symlink():
-                shutil.rmtree(path, ignore_errors=True)  # left by a run that was killed
+            if (
+                _UNFINISHED_FOLDER_PATTERN.fullmatch(path.name)
+                and path.is_dir()
+                and not path.is_symlink()
+            ):
+                shutil.rmtree(path, ignore_errors=True)  # of an interrupted run
         new = Path(mkdtemp(prefix=".survey-", suffix=".part", dir=folder))
     except ValueError as failure:
         raise bad_name_error(folder) from failure
@@ -168,7 +178,7 @@ def replaced_survey(
         remove_empty_folders(made)
         raise write_error(folder, failure) from failure
     try:
-        with atomic_write(new / RAW / marker) as path:
+        with atomic_write(new / RAW_FOLDER / marker) as path:
             path.write_text(text, encoding="utf-8")
         yield new
         _remove_earlier(folder, parts)
@@ -185,22 +195,22 @@ def replaced_survey(
 
 def _remove_earlier(folder: Path, parts: Sequence[str]) -> None:
     """Remove the files that an earlier simulation wrote."""
-    raw = [f"{RAW}/{name}" for name in (TRAJECTORY, ACCURACY)]
+    raw = [f"{RAW_FOLDER}/{name}" for name in (TRAJECTORY_FILE, ACCURACY_FILE)]
     for path in (*_earlier_line_files(folder), *(folder / name for name in (*raw, *parts))):
         if path.is_file() or path.is_symlink():
             path.unlink()
-    (folder / FILE_NAME).unlink(missing_ok=True)
+    (folder / PROJECT_FILE_NAME).unlink(missing_ok=True)
     remove_point_files(folder)
 
 
 def _earlier_line_files(folder: Path) -> list[Path]:
     """Files in the folder ``raw`` that the project of an earlier simulation has as its lines."""
     try:
-        lines = json_values((folder / FILE_NAME).read_bytes())["lines"]
+        lines = json_values((folder / PROJECT_FILE_NAME).read_bytes())["lines"]
         names = [PurePosixPath(line["path"]) for line in lines]
     except (OSError, ValueError, KeyError, TypeError):
         return []
-    return [folder / name for name in names if name.parts == (RAW, name.name)]
+    return [folder / name for name in names if name.parts == (RAW_FOLDER, name.name)]
 
 
 def write_lines(
@@ -217,8 +227,8 @@ def write_lines(
 
 
 def write_trajectory(survey: SimulatedSurvey, raw: Path) -> tuple[Path, Path]:
-    """Write SBET and smrmsg, and give their paths."""
-    sbet, smrmsg = raw / TRAJECTORY, raw / ACCURACY
+    """Write SBET and smrmsg, and return their paths."""
+    sbet, smrmsg = raw / TRAJECTORY_FILE, raw / ACCURACY_FILE
     states = survey.trajectory
     attitude = np.stack([states.roll, states.pitch, states.heading], axis=1)
     write_sbet(
@@ -238,7 +248,7 @@ def write_trajectory(survey: SimulatedSurvey, raw: Path) -> tuple[Path, Path]:
 
 
 def as_triple(values: np.ndarray) -> Triple:
-    """Three plain numbers, of an array of values of shape (3,)."""
+    """Convert an array of shape (3,) to three floats."""
     first, second, third = (float(value) for value in values)
     return first, second, third
 
@@ -265,9 +275,9 @@ def _surveyor_settings(simulation: SimulatedSetup) -> Settings:
 def _write_truth(
     survey: SimulatedSurvey, simulation: SimulatedSetup, folder: Path, seed: int
 ) -> None:
-    """Write the true mounting, the label of every point, and the seeds."""
+    """Write the true mounting, the surface of every point, and the seeds of the targets."""
     latitude, longitude, height = survey.origin
-    values = dict(zip(CALIBRATION, survey.mounting.values, strict=True))
+    values = dict(zip(MOUNTING_VALUE_NAMES, survey.mounting.values, strict=True))
     truth = {
         "seed": seed,
         **{kind: {"title": title, "file": simulation.files[kind].name}
@@ -275,20 +285,20 @@ def _write_truth(
         "scanner_settings": asdict(simulation.setup.scanner),
         "origin_deg_m": [np.degrees(latitude), np.degrees(longitude), height],
         "mounting": {
-            "boresight_deg": [np.degrees(values[name]) for name in CALIBRATION[:3]],
-            "lever_arm_m": [values[name] for name in CALIBRATION[3:6]],
+            "boresight_deg": [np.degrees(values[name]) for name in MOUNTING_VALUE_NAMES[:3]],
+            "lever_arm_m": [values[name] for name in MOUNTING_VALUE_NAMES[3:6]],
             "range_offset_m": values["range_offset"],
             "scan_angle_offset_deg": np.degrees(values["scan_angle_offset"]),
             "latency_s": values["latency"],
         },
         "lever_arm_given_m": simulation.lever_arm,
     }  # fmt: skip
-    with atomic_write(folder / TRUTHS[0]) as path:
+    with atomic_write(folder / TRUTH_FILES[0]) as path:
         path.write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
-    with atomic_write(folder / TRUTHS[1]) as path:
+    with atomic_write(folder / TRUTH_FILES[1]) as path:
         labels = {line.name: line.label for line in survey.lines}
         np.savez_compressed(path, surfaces=np.array(survey.surface_names), **labels)  # type: ignore[arg-type]
-    for file, spheres in ((TARGETS, False), (BALLS, True)):
+    for file, spheres in ((TARGET_LIST_FILE, False), (SPHERE_LIST_FILE, True)):
         rows = [
             (name, *seed_local, role)
             for role, seeds in (("target", survey.targets), ("validation", survey.validation))

@@ -20,10 +20,11 @@ from lispac.simulation.motion_source import MotionSource, RecordedTrajectory, Sa
 from lispac.simulation.simulated_survey import SurveySetup
 from lispac.survey.trajectory import LocalTrajectory
 
-KINDS = ("scene", "vessel", "scanner")
-MAX_DISTANCE = 20_000.0
+PART_KINDS = ("scene", "vessel", "scanner")
+"""Kinds of files that a simulation is composed of."""
+MAX_ORIGIN_DISTANCE = 20_000.0
 """Largest distance of the origin of a scene from the trajectory, metres."""
-MAX_DURATION = 12 * 3600.0
+MAX_SURVEY_DURATION = 12 * 3600.0
 """Longest simulated survey, seconds; a longer one is an input error and would not fit in memory."""
 
 
@@ -87,35 +88,38 @@ def read_simulation(
         If a file is not valid or the parts do not fit.
     """
     files = {"scene": setup_file("scene", scene, None)}
-    described = read_scene(files["scene"])
-    beside = files["scene"].parent
-    files["vessel"] = setup_file("vessel", vessel or described.vessel, None if vessel else beside)
-    files["scanner"] = setup_file(
-        "scanner", scanner or described.scanner, None if scanner else beside
+    scene_data = read_scene(files["scene"])
+    scene_folder = files["scene"].parent
+    files["vessel"] = setup_file(
+        "vessel", vessel or scene_data.vessel, None if vessel else scene_folder
     )
-    carried = read_vessel(files["vessel"])
+    files["scanner"] = setup_file(
+        "scanner", scanner or scene_data.scanner, None if scanner else scene_folder
+    )
+    vessel_data = read_vessel(files["vessel"])
     scanner_title, instrument = read_scanner(files["scanner"])
-    rate = points_per_second or described.pulses_per_second
+    rate = points_per_second or scene_data.pulses_per_second
     if rate is not None:
         instrument = replace(instrument, pulses_per_second=rate)
-    origin, voyage = _origin_and_voyage(described, carried, trajectory, files["scene"])
+    origin, motion = _origin_and_motion(scene_data, vessel_data, trajectory, files["scene"])
     setup = SurveySetup(
-        origin, described.scene, described.targets, described.validation, voyage, carried.pos,
-        instrument, replace(carried.errors, **(errors or {})).mounting(carried.lever_arm),
+        origin, scene_data.scene, scene_data.targets, scene_data.validation, motion,
+        vessel_data.pos, instrument,
+        replace(vessel_data.errors, **(errors or {})).mounting(vessel_data.lever_arm),
     )  # fmt: skip
-    titles = {"scene": described.title, "vessel": carried.title, "scanner": scanner_title}
-    return SimulatedSetup(setup, carried.lever_arm, titles, files)
+    titles = {"scene": scene_data.title, "vessel": vessel_data.title, "scanner": scanner_title}
+    return SimulatedSetup(setup, vessel_data.lever_arm, titles, files)
 
 
-_UNKNOWN = {
+_NOT_FOUND_CODES = {
     "scene": "simulate.no_scene",
     "vessel": "simulate.no_vessel",
     "scanner": "simulate.no_scanner",
 }
-"""Code of the message that there is no file of a kind with a name."""
+"""Code of the error that no file of a kind has a given name."""
 
 
-def setup_file(kind: str, word: str, beside: Path | None) -> Path:
+def setup_file(kind: str, word: str, scene_folder: Path | None) -> Path:
     """File with a name or path; paths in a scene are relative to its folder.
 
     Raises
@@ -128,50 +132,50 @@ def setup_file(kind: str, word: str, beside: Path | None) -> Path:
         known = supplied_titles(kind)
         if word in known:
             return resource_path(f"{kind}s") / f"{word}.toml"
-        raise InputError(error(_UNKNOWN[kind], name=word, known=tuple(known)))
-    return path if beside is None else beside / path
+        raise InputError(error(_NOT_FOUND_CODES[kind], name=word, known=tuple(known)))
+    return path if scene_folder is None else scene_folder / path
 
 
-def _origin_and_voyage(
-    described: SceneFile, carried: Vessel, trajectory: Path | None, file: Path
+def _origin_and_motion(
+    scene_data: SceneFile, vessel_data: Vessel, trajectory: Path | None, file: Path
 ) -> tuple[tuple[float, float, float], MotionSource]:
-    recorded = trajectory or described.trajectory
+    recorded = trajectory or scene_data.trajectory
     if recorded is None:
-        if not described.lines:
+        if not scene_data.lines:
             raise InputError(error("simulate.no_trajectory", file=str(file)))
-        if described.origin is None:
+        if scene_data.origin is None:
             raise InputError(error("simulate.no_origin", file=str(file)))
-        lines = tuple(replace(each, handling=carried.handling) for each in described.lines)
+        lines = tuple(replace(each, handling=vessel_data.handling) for each in scene_data.lines)
         takes = sum(each.times[1] - each.times[0] for each in lines)
-        takes += len(lines) * carried.handling.transit + 2 * carried.handling.wait
-        if takes > MAX_DURATION:
+        takes += len(lines) * vessel_data.handling.transit + 2 * vessel_data.handling.wait
+        if takes > MAX_SURVEY_DURATION:
             raise InputError(
                 error(
                     "simulate.too_long",
                     file=str(file),
-                    vessel=carried.title,
+                    vessel=vessel_data.title,
                     duration=takes,
-                    limit=MAX_DURATION,
+                    limit=MAX_SURVEY_DURATION,
                 )
             )
-        return described.origin, SailedTrajectory(lines, carried.pos_height)
-    if not described.stretches:
+        return scene_data.origin, SailedTrajectory(lines, vessel_data.pos_height)
+    if not scene_data.stretches:
         raise InputError(
             error("simulate.lines_by_heading", file=str(file), trajectory=str(recorded))
         )
     states = read_sbet(recorded)
     mean = states.mean_frame()
-    origin = described.origin or (mean.latitude, mean.longitude, mean.height)
+    origin = scene_data.origin or (mean.latitude, mean.longitude, mean.height)
     frame = replace(mean, latitude=origin[0], longitude=origin[1], height=origin[2])
     local = LocalTrajectory.of(states, frame)
-    farthest = float(np.linalg.norm(local.position, axis=1).min())
-    if farthest > MAX_DISTANCE:
+    distance = float(np.linalg.norm(local.position, axis=1).min())
+    if distance > MAX_ORIGIN_DISTANCE:
         raise InputError(
             error(
                 "simulate.origin_too_far",
                 file=str(file),
-                distance=farthest,
+                distance=distance,
                 trajectory=str(recorded),
             )
         )
-    return origin, RecordedTrajectory(local, described.stretches)
+    return origin, RecordedTrajectory(local, scene_data.stretches)

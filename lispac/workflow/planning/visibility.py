@@ -11,7 +11,7 @@ from lispac.report.visibility_figures import CRITERIA, visibility_figure
 from lispac.report.visibility_tables import comparison_table, values_table
 from lispac.simulation.visibility_study import VisibilityStudy
 
-RESOLUTION = 200
+PNG_RESOLUTION_DPI = 200
 """Resolution of a PNG, dots per inch."""
 
 
@@ -27,8 +27,8 @@ def write_visibility(
 
     Parameters
     ----------
-    errors : of the site
-    formats : png, svg or pdf, of the figures
+    errors : names of the errors of the site
+    formats : file types of the figures: png, svg, pdf
 
     Returns
     -------
@@ -41,13 +41,13 @@ def write_visibility(
         If a file cannot be written.
     """
     tables = [("values", values_table(study, errors))]
-    if study.beams == "aimed":  # those of the thesis
+    if study.beams == "aimed":  # as in the thesis
         tables.append(("best", comparison_table(study, errors)))
     written = []
     for name, table in tables:
         path = folder / f"{study.site.name}-{name}.csv"
         with atomic_write(path) as part:
-            # A spreadsheet's line ends are those the writer put there.
+            # The table already contains the line ends that spreadsheets expect.
             part.write_text(csv_text(table), encoding="utf-8", newline="")
         written.append(path)
     drawn = [(error, criterion, form) for error in errors for criterion in CRITERIA
@@ -56,6 +56,8 @@ def write_visibility(
         progress(k / len(drawn), gettext_lazy("Drawing the figures"))
         name = f"{study.site.name}-{error.replace('_', '-')}-{criterion}.{form}"
         with atomic_write(folder / name) as part:
-            visibility_figure(study, error, criterion).savefig(part, format=form, dpi=RESOLUTION)
+            visibility_figure(study, error, criterion).savefig(
+                part, format=form, dpi=PNG_RESOLUTION_DPI
+            )
         written.append(folder / name)
     return written

@@ -10,10 +10,10 @@ from lispac.survey.trajectory import LocalTrajectory
 
 Array = NDArray[np.float64]
 
-MAX_DISTANCE = 5_000.0
+MAX_TARGET_DISTANCE = 5_000.0
 """Largest distance of a target from the trajectory, metres; beyond it a typing error is assumed."""
-MAX_STATES = 5_000
-"""States of the trajectory used for distances: about one a second for an hour."""
+MAX_TRAJECTORY_STATES = 5_000
+"""Approximate number of states of the trajectory that distances are computed from."""
 
 
 def axis_names(system: CoordinateSystem | None) -> tuple[str, str, str]:
@@ -51,7 +51,7 @@ def distances_from_trajectory(places: Array, trajectory: LocalTrajectory) -> Arr
     """Distances of places from the trajectory, shape (n,), metres."""
     from scipy.spatial import KDTree
 
-    step = max(1, len(trajectory.position) // MAX_STATES)
+    step = max(1, len(trajectory.position) // MAX_TRAJECTORY_STATES)
     distances = np.full(len(places), np.inf)
     inside = np.isfinite(places).all(axis=1)
     if inside.any():
@@ -66,19 +66,19 @@ def too_far_message(
 
     Parameters
     ----------
-    point : ndarray of shape (3,), local frame
-        A position returned by `to_local_frame`.
+    point : ndarray of shape (3,)
+        In ``system``; north, west, up in metres if that is None.
     name : str or Message
         Name of the target, file or row with the coordinates.
     """
     distance = float(
         distances_from_trajectory(to_local_frame(point, system, trajectory), trajectory)[0]
     )
-    if distance <= MAX_DISTANCE:
+    if distance <= MAX_TARGET_DISTANCE:
         return None
     values = " ".join(f"{value:g}" if abs(value) < 1e6 else f"{value:.1f}" for value in point)
     swapped = to_local_frame(point[[1, 0, 2]], system, trajectory)
-    is_swapped = float(distances_from_trajectory(swapped, trajectory)[0]) <= MAX_DISTANCE
+    is_swapped = float(distances_from_trajectory(swapped, trajectory)[0]) <= MAX_TARGET_DISTANCE
     outside = not np.isfinite(distance)
     if system is None:
         if is_swapped:
@@ -87,7 +87,9 @@ def too_far_message(
             return error("coordinates.outside_local", name=name, values=values)
         return error("coordinates.too_far_local", name=name, values=values, distance=distance)
     if is_swapped:
-        return error(SWAPPED[axis_names(system)[0]], name=name, values=values, system=system.name)
+        return error(
+            SWAPPED_AXES_CODES[axis_names(system)[0]], name=name, values=values, system=system.name
+        )
     if outside:
         return error("coordinates.outside_system", name=name, values=values, system=system.name)
     return error(
@@ -95,12 +97,12 @@ def too_far_message(
     )
 
 
-SWAPPED = {
+SWAPPED_AXES_CODES = {
     "longitude": "coordinates.swapped_geographic",
     "X": "coordinates.swapped_geocentric",
     "easting": "coordinates.swapped_projected",
 }
-"""Code of the message on exchanged coordinates, by the first of `axis_names`."""
+"""Code of the error on exchanged coordinates, by the name of the first coordinate."""
 
 
 def require_near_trajectory(
@@ -118,7 +120,7 @@ def require_near_trajectory(
     Raises
     ------
     InputError
-        If it is too far away.
+        If the point is too far from the trajectory.
     """
     if refusal := too_far_message(point, system, trajectory, name):
         raise InputError(refusal)

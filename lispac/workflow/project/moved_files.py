@@ -1,8 +1,9 @@
-"""Search for the files of a moved project beside it or in a folder given by the user.
+"""Search for the files of a moved project, near the project or in a folder given by the user.
 
 A project refers to its files by paths. If the project or the files are moved, the files are found
-by the ends of their paths, for example ``raw/line1.laz``. When the survey is read, the points of a
-line are checked to make sure that targets were picked in the same file.
+by the ends of their paths, for example ``raw/line1.laz``. In a folder given by the user, the other
+files are also found by their names in all subfolders, if a name occurs only once. When the survey
+is read, the points of a line are checked to make sure that targets were picked in the same file.
 """
 
 import os
@@ -17,10 +18,11 @@ from lispac.survey.line_source import printable
 from lispac.survey.store.layout import has_complete_import
 from lispac.workflow.importing.line_import import line_folder
 
-MAX_LISTED = 3
+MAX_LISTED_FILES = 3
 """Largest number of missing files named in a message."""
-MAX_SEARCHED = 20_000
-"""Largest number of files and folders searched; a search of a whole disk would take minutes."""
+MAX_SEARCHED_FILES = 20_000
+"""Number of files and folders after which a search by name ends; the search of a whole disk would
+take minutes."""
 
 
 def missing_files(project: Project) -> tuple[Path, ...]:
@@ -37,7 +39,7 @@ def missing_files(project: Project) -> tuple[Path, ...]:
 
 
 def with_files_in(project: Project, folder: Path) -> Project:
-    """Update the paths of missing files of a project that are in a folder or below it.
+    """Update the paths of missing files that are found in a folder, by path end or unique name.
 
     Raises
     ------
@@ -50,7 +52,7 @@ def with_files_in(project: Project, folder: Path) -> Project:
     rest = {path for path in missing if path not in found}
     found |= _find_by_name(rest, folder) if rest else {}
     if missing and not found:
-        is_short = len(missing) <= MAX_LISTED
+        is_short = len(missing) <= MAX_LISTED_FILES
         raise InputError(
             error(
                 "project_files.none_found" if is_short else "project_files.none_of_many_found",
@@ -61,7 +63,11 @@ def with_files_in(project: Project, folder: Path) -> Project:
 
 
 def with_files_beside(project: Project) -> tuple[Project, tuple[Message, ...]]:
-    """Update the paths of missing files found in or beside the project's folder; returns these."""
+    """Update the paths of missing files that are found near the project, with a note on each.
+
+    The files are searched for by the ends of their paths, in the project's folder and in the folder
+    that contains it.
+    """
     found: dict[Path, Path] = {}
     for path in missing_files(project):
         for place in (project.folder, project.folder.parent):
@@ -78,7 +84,10 @@ def file_moved_note(path: Path) -> Message:
 
 
 def with_files_of(project: Project, other: Project) -> Project:
-    """Replace the paths of missing files by those in another state of the project, by line."""
+    """Replace the paths of missing files by those in another state of the project.
+
+    Lines are matched by name.
+    """
     missing = missing_files(project)
     if not missing:
         return project
@@ -103,7 +112,7 @@ def require_files(project: Project) -> None:
         return
     if not others:
         raise InputError(error("project_files.one_missing", file=str(first)))
-    is_short = len(others) <= MAX_LISTED
+    is_short = len(others) <= MAX_LISTED_FILES
     raise InputError(
         error(
             "project_files.several_missing" if is_short else "project_files.many_missing",
@@ -113,11 +122,11 @@ def require_files(project: Project) -> None:
 
 
 def _file_names(paths: Sequence[Path]) -> list[str]:
-    return [path.name for path in paths[:MAX_LISTED]]
+    return [path.name for path in paths[:MAX_LISTED_FILES]]
 
 
 def _find_by_path_end(path: Path, folder: Path) -> Path | None:
-    """File in a folder whose path has the longest common end with the former path."""
+    """File in or below a folder whose path has the longest common end with the former path."""
     parts = PurePosixPath(path.as_posix()).parts
     for start in range(1, len(parts)):
         now = folder.joinpath(*parts[start:])
@@ -127,13 +136,16 @@ def _find_by_path_end(path: Path, folder: Path) -> Path | None:
 
 
 def _find_by_name(paths: set[Path], folder: Path) -> dict[Path, Path]:
-    """Files below a folder whose names occur only once there."""
+    """Files in or below a folder whose names occur only once there, by their former paths.
+
+    Only about the first `MAX_SEARCHED_FILES` files and folders are searched.
+    """
     seen, places = 0, {path.name: list[Path]() for path in paths}
     for place, folders, files in os.walk(folder):
         seen += len(folders) + len(files)
         for name in places.keys() & set(files):
             places[name].append(Path(place) / name)
-        if seen > MAX_SEARCHED:
+        if seen > MAX_SEARCHED_FILES:
             break
     return {path: places[path.name][0] for path in paths if len(places[path.name]) == 1}
 

@@ -7,27 +7,27 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
-from lispac.identity import BLANK, Identity
+from lispac.identity import EMPTY_IDENTITY, Identity
 from lispac.io.files import require_file
 from lispac.io.project.project_file import (
-    FILE_NAME,
+    PROJECT_FILE_NAME,
     UNSAVED_NAME,
     project_folder,
     read_project,
     read_unsaved,
     write_project,
 )
-from lispac.io.project.project_lock import FOREVER, project_lock
+from lispac.io.project.project_lock import NO_TIME_LIMIT, project_lock
 from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
-from lispac.survey.line_source import USUAL
-from lispac.workflow.importing.file_reading import usual_or_detected_reading
+from lispac.survey.line_source import DEFAULT_READING
+from lispac.workflow.importing.file_reading import default_or_detected_reading
 from lispac.workflow.importing.given_time_bases import (
     has_given_time_base,
     shift_lines_to_trajectory,
 )
-from lispac.workflow.importing.line_import import LINES, line_folder
+from lispac.workflow.importing.line_import import LINES_FOLDER, line_folder
 from lispac.workflow.importing.line_split import split_line
 from lispac.workflow.importing.time_rollovers import resolve_time_rollovers
 from lispac.workflow.project.moved_files import with_files_beside
@@ -42,9 +42,9 @@ def create_project(
     settings: Settings,
     accuracy: Path | None = None,
     truth_deg: Triple | None = None,
-    trajectory_reading: Reading = USUAL,
-    accuracy_reading: Reading = USUAL,
-    identity: Identity = BLANK,
+    trajectory_reading: Reading = DEFAULT_READING,
+    accuracy_reading: Reading = DEFAULT_READING,
+    identity: Identity = EMPTY_IDENTITY,
     messages: tuple[Message, ...] = (),
 ) -> Project:
     """Create a project folder that refers to the files of the survey.
@@ -54,7 +54,8 @@ def create_project(
     ProjectError
         If the folder already holds a project.
     InputError
-        If a file is missing or a setting makes no sense.
+        If a file is missing, there is no line, two lines have the same name, or a setting is not
+        valid.
     """
     folder = Path(folder).absolute()
     require_file(trajectory, "trajectory")
@@ -81,7 +82,7 @@ def create_project(
 
 
 def _require_new_folder(project: Project) -> None:
-    if (project.folder / FILE_NAME).exists():
+    if (project.folder / PROJECT_FILE_NAME).exists():
         raise ProjectError(error("project_folder.exists", folder=str(project.folder)))
     if not project.lines:
         raise InputError(error("project_line.none"))
@@ -103,9 +104,9 @@ def new_project(
     settings: Settings,
     accuracy: Path | None = None,
     truth_deg: Triple | None = None,
-    trajectory_reading: Reading = USUAL,
-    accuracy_reading: Reading = USUAL,
-    identity: Identity = BLANK,
+    trajectory_reading: Reading = DEFAULT_READING,
+    accuracy_reading: Reading = DEFAULT_READING,
+    identity: Identity = EMPTY_IDENTITY,
     resolved: bool = False,
     split_by: str = "",
     progress: Progress = no_progress,
@@ -129,7 +130,7 @@ def new_project(
     ProjectError
         If the folder contains a project already.
     InputError
-        As for `create_project` and `load_survey`; the folder is then removed.
+        As for `create_project` and `load_survey`; a folder created for the project is then removed.
     """
     settings.require_sound()
     draft = Project(Path(folder).absolute(), trajectory, tuple(lines), settings, accuracy)
@@ -164,7 +165,7 @@ def complete_readings(
     accuracy: Path | None,
     accuracy_reading: Reading,
 ) -> tuple[tuple[LineSource, ...], Reading, Reading, tuple[Message, ...]]:
-    """Complete the reading options of all files of a new project by detected ones.
+    """Complete the given reading options of all files of a new project with detected ones.
 
     Returns
     -------
@@ -177,11 +178,13 @@ def complete_readings(
         If a file cannot be read, or does not agree with the given options.
     """
     base_given = bool(dict(trajectory_reading.options).get("time"))
-    trajectory_reading, notes = usual_or_detected_reading(
+    trajectory_reading, notes = default_or_detected_reading(
         trajectory, "trajectory", trajectory_reading
     )
     if accuracy is not None:
-        accuracy_reading, extra = usual_or_detected_reading(accuracy, "accuracy", accuracy_reading)
+        accuracy_reading, extra = default_or_detected_reading(
+            accuracy, "accuracy", accuracy_reading
+        )
         notes += extra
     known, extra = _lines_with_readings(lines)
     notes += extra
@@ -195,17 +198,19 @@ def complete_readings(
 def with_lines_added(
     project: Project, lines: Sequence[LineSource], *, progress: Progress = no_progress
 ) -> tuple[Project, Survey]:
-    """Add lines to a project and read its survey; targets and results are kept.
+    """Add lines to a project and read its survey.
 
-    The reading options are completed as in `new_project`. The project on disk is not changed.
+    Targets and the result are kept; the results of alternative methods, which use all lines, are
+    cleared. The reading options are completed as in `new_project`. The project on disk is not
+    changed.
 
     Raises
     ------
     ProjectError
-        If a line is in the project already.
+        If the project already has a line with the same file and reading options.
     InputError
-        If a line has the name or the file of an existing line, or cannot be read; data imported
-        for it are then removed.
+        If a line has the name of another line, or cannot be read; data imported for it are then
+        removed.
     """
     for line in lines:
         for known in project.lines:
@@ -239,7 +244,9 @@ def _lines_with_readings(
     notes: tuple[Message, ...] = ()
     for line in lines:
         named = bool(line.columns)
-        reading, extra = usual_or_detected_reading(line.path, "points", line.reading, columns=named)
+        reading, extra = default_or_detected_reading(
+            line.path, "points", line.reading, columns=named
+        )
         known.append(replace(line, reading=reading))
         notes += extra
     counted, extra = resolve_time_rollovers(known)
@@ -248,13 +255,13 @@ def _lines_with_readings(
 
 @contextmanager
 def removed_on_failure(project: Project) -> Iterator[None]:
-    """Remove the imported lines of a new project if its creation fails.
+    """Remove the newly imported lines of a project if the ``with`` block fails.
 
     Files that were in the folder before are kept.
     """
     stores = [line_folder(project, line) for line in project.lines]
     new = [store for store in stores if not store.exists()]
-    made = [path for path in (project.folder / LINES, project.folder) if not path.exists()]
+    made = [path for path in (project.folder / LINES_FOLDER, project.folder) if not path.exists()]
     try:
         yield
     except BaseException:
@@ -269,7 +276,7 @@ def removed_on_failure(project: Project) -> Iterator[None]:
 def open_project(folder: Path) -> Project:
     """Open a project by its folder, its ``project.json`` or the file that opens it.
 
-    Missing files are searched for in the folder of the project and beside it.
+    Missing files are searched for in the folder of the project and in the one that contains it.
 
     Raises
     ------
@@ -300,7 +307,7 @@ def locked_project(
         If the folder cannot be written.
     """
     place = project_folder(folder)
-    with project_lock(place, wait=FOREVER, waiting=waiting):
+    with project_lock(place, wait=NO_TIME_LIMIT, waiting=waiting):
         yield open_project(place)
 
 
@@ -321,7 +328,8 @@ class UnsavedProject:
 
     Attributes
     ----------
-    kept, saved : seconds since 1970
+    kept, saved : float, seconds since 1970
+        Times at which the unsaved state and the project were written.
     """
 
     project: Project
@@ -341,12 +349,12 @@ def read_unsaved_project(folder: Path) -> UnsavedProject | None:
     if project is None:
         return None
     project, _ = with_files_beside(project)
-    kept, saved = (folder / name for name in (UNSAVED_NAME, FILE_NAME))
+    kept, saved = (folder / name for name in (UNSAVED_NAME, PROJECT_FILE_NAME))
     return UnsavedProject(project, kept.stat().st_mtime, saved.stat().st_mtime)
 
 
 def require_folder(project: Project) -> None:
-    """Refuse if the folder of an open project is no longer at its place.
+    """Refuse an open project whose folder no longer exists.
 
     Saving would create a new folder at the old place, without the lines and the trajectory.
 

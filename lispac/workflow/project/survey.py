@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.format_types import SAME_TIME_BASE, Kind
+from lispac.io.format_types import SAME_TIME_BASE_NOTE, Kind
 from lispac.io.formats import format_of, is_las
 from lispac.io.las.las_chunks import point_count
 from lispac.io.value_conversion import decode_value
@@ -25,7 +25,7 @@ from lispac.survey.line_audit import LineAudit
 from lispac.survey.line_source import printable
 from lispac.survey.point_screening import parse_largest_range
 from lispac.survey.store.layout import has_import
-from lispac.survey.store.stored_line import ROUNDING, StoredLine
+from lispac.survey.store.stored_line import MAX_ROUNDING_SHARE, StoredLine
 from lispac.survey.time_quality import accuracy_coverage_warning
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.survey.trajectory_sampling import interpolation_messages
@@ -33,7 +33,7 @@ from lispac.targets.rough_alignment import Alignment, align_lines
 from lispac.untrusted_values import InvalidContentError
 from lispac.warning_causes import Cause
 from lispac.workflow.importing.file_reading import (
-    USUAL,
+    DEFAULT_FORMATS,
     local_trajectory,
     read_accuracy,
 )
@@ -41,20 +41,21 @@ from lispac.workflow.importing.line_import import assumptions_of, import_line, l
 from lispac.workflow.importing.line_points import LineFindings, read_line
 from lispac.workflow.project.moved_files import require_files
 
-LARGEST_SIGMA_M, LARGEST_SIGMA_RAD = 1e4, np.pi
+MAX_PLAUSIBLE_SIGMA_M, MAX_PLAUSIBLE_SIGMA_RAD = 1e4, np.pi
 """Largest plausible standard deviations of a POS, metres and radians; exporters write larger values
 where there is no solution."""
-DATA = Cause.of_step("Data")
-LARGE_LINE = 4_000_000
+DATA_STEP = Cause.of_step("Data")
+"""Cause of messages about the data in general, which leads to their step in the window."""
+MAX_POINTS_IN_MEMORY = 4_000_000
 """Number of points above which a line is imported into the project's store. Smaller lines are read
 into memory when the project is opened, with 64 bytes per point."""
-RUNS, RUN = 64, 16
+SAMPLED_RUNS, POINTS_PER_RUN = 64, 16
 """Number of places of a line, and of consecutive points at each, whose times are compared with the
 states of the trajectory."""
-AUDIT_TIMES = 1001
+AUDIT_TIMES_PER_LINE = 1001
 """Number of times of a line at which the motion of the vessel is evaluated for the audit."""
-TEXT_POINT = 40
-"""Approximate bytes of a point in a file without a point count."""
+TEXT_BYTES_PER_POINT = 40
+"""Approximate number of bytes of a point in a file without a point count."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,7 +110,7 @@ class Survey:
 
     @cached_property
     def alignment(self) -> Alignment:
-        """Lines aligned for the search of targets; computed on first access, in some seconds."""
+        """Lines aligned for the search for targets; computed on first access (some seconds)."""
         return align_lines(self.clouds)
 
     def with_prior(self, mounting: Mounting) -> "Survey":
@@ -171,7 +172,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
             messages += (_not_checked_note(line.name),)
         else:
             audits[line.name] = found.audit
-            times = np.linspace(scan.first_time, scan.last_time, AUDIT_TIMES)
+            times = np.linspace(scan.first_time, scan.last_time, AUDIT_TIMES_PER_LINE)
             times = times[trajectory.covers(times)]
             messages += line_messages(line.name, found.audit, trajectory, times)
             messages += found.recovery
@@ -195,7 +196,7 @@ def _range_messages(line: LineSource, scan: Line) -> tuple[Message, ...]:
     if not isinstance(scan, StoredLine):
         return ()
     limit = parse_largest_range(dict(line.reading.options).get("max_range", ""))
-    if scan.reach <= limit * (1.0 + ROUNDING):
+    if scan.reach <= limit * (1.0 + MAX_ROUNDING_SHARE):
         return ()
     params: dict[str, Value] = {"line": line.name, "distance": scan.reach, "limit": limit}
     return (Message("audit.beyond_range", Level.WARNING, params, Cause.of_line(line.name)),)
@@ -206,21 +207,21 @@ def _not_checked_note(name: str) -> Message:
 
 
 def _file_messages(project: Project) -> tuple[Message, ...]:
-    """Messages of the readers about the files of a project, as far as the files are there."""
+    """Messages of the readers about the files of a project that can be examined."""
     files: list[tuple[Kind, Path, Reading, Cause]] = [
-        ("trajectory", project.trajectory, project.trajectory_reading, DATA)
+        ("trajectory", project.trajectory, project.trajectory_reading, DATA_STEP)
     ]
     if project.accuracy is not None:
-        files.append(("accuracy", project.accuracy, project.accuracy_reading, DATA))
+        files.append(("accuracy", project.accuracy, project.accuracy_reading, DATA_STEP))
     for line in project.lines:
         if not line.columns:
             files.append(("points", line.path, line.reading, Cause.of_line(line.name)))
     found: list[Message] = []
     for kind, path, reading, subject in files:
-        format = format_of(reading.format or USUAL[kind])
+        format = format_of(reading.format or DEFAULT_FORMATS[kind])
         try:
             messages = format.preview(path, dict(reading.options)).messages
-        except InputError:  # if it matters, the reader itself refuses the file
+        except InputError:  # the reader reports this error if the file is needed
             continue
         found += [replace(each, subject=each.subject or subject) for each in messages]
     return tuple(dict.fromkeys(found))
@@ -232,7 +233,7 @@ def _with_shift_notes(project: Project, assumed: tuple[Message, ...]) -> tuple[M
     if not shifted:
         return assumed
     kept = (
-        note("assumed.same_time_base_shifted") if each == SAME_TIME_BASE else each
+        note("assumed.same_time_base_shifted") if each == SAME_TIME_BASE_NOTE else each
         for each in assumed
     )
     shifts = (
@@ -259,24 +260,24 @@ def _trajectory_accuracy(
 
 
 def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[Message, ...]:
-    """Warnings about standard deviations that no POS has."""
+    """Warning about standard deviations that are not plausible for a POS, if there are any."""
     if project.accuracy is None:
         return ()
-    far = (accuracy.position > LARGEST_SIGMA_M).any(axis=1)
-    turned = (accuracy.attitude > LARGEST_SIGMA_RAD).any(axis=1)
+    far = (accuracy.position > MAX_PLAUSIBLE_SIGMA_M).any(axis=1)
+    turned = (accuracy.attitude > MAX_PLAUSIBLE_SIGMA_RAD).any(axis=1)
     count = int((far | turned).sum())
     if not count:
         return ()
     params: dict[str, Value] = {
         "file": project.accuracy.name, "count": count, "share": count / len(accuracy.time),
     }  # fmt: skip
-    return (Message("accuracy.too_large", Level.WARNING, params, DATA),)
+    return (Message("accuracy.too_large", Level.WARNING, params, DATA_STEP),)
 
 
 def _open_line(
     project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
 ) -> tuple[Line, Cloud, tuple[Message, ...], LineFindings | None]:
-    """Open a line from its store or file: placed line, notes on its reading, and audit.
+    """Open a line from its store or file; returns it, its cloud, notes on its reading, and audit.
 
     Raises
     ------
@@ -308,10 +309,10 @@ def _open_line(
 
 
 def _belongs_on_disk(project: Project, line: LineSource) -> bool:
-    """Whether a line is too large for memory, or imported already, so that a store holds it."""
+    """True if a line is imported already, or too large to be read into memory."""
     if has_import(line_folder(project, line)):
         return True
-    return line.path.is_file() and _estimate_point_count(line.path) > LARGE_LINE
+    return line.path.is_file() and _estimate_point_count(line.path) > MAX_POINTS_IN_MEMORY
 
 
 def _estimate_point_count(path: Path) -> int:
@@ -321,7 +322,7 @@ def _estimate_point_count(path: Path) -> int:
             return point_count(path)
         except InputError:
             return 0
-    return path.stat().st_size // TEXT_POINT
+    return path.stat().st_size // TEXT_BYTES_PER_POINT
 
 
 def _require_picked_points(project: Project, line: LineSource, scan: Line) -> None:
@@ -355,9 +356,9 @@ def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, 
 
 
 def _sample_times(scan: Line) -> NDArray[np.float64]:
-    """Times of points spread over a line, shape (n,), seconds; consecutive ones read at once."""
-    starts = np.linspace(0, max(0, len(scan) - RUN), RUNS).astype(np.int64)
-    numbers = np.unique(starts[:, None] + np.arange(min(RUN, len(scan))))
+    """Times of some runs of consecutive points spread over a line, shape (n,), seconds."""
+    starts = np.linspace(0, max(0, len(scan) - POINTS_PER_RUN), SAMPLED_RUNS).astype(np.int64)
+    numbers = np.unique(starts[:, None] + np.arange(min(POINTS_PER_RUN, len(scan))))
     return scan.take(numbers)[1]
 
 

@@ -9,10 +9,10 @@ from lispac.errors import LispacError
 from lispac.io.formats import format_of
 from lispac.io.points.line_times import read_line_times
 from lispac.project import LineSource, Project
-from lispac.survey.line_source import TIME_ROLLOVER
+from lispac.survey.line_source import TIME_ROLLOVER_OPTION
 from lispac.survey.time_base import GPS_EPOCH, TimeBase, leap_seconds_at_gps, to_gps
-from lispac.survey.time_rollover import NONE
-from lispac.workflow.importing.file_reading import USUAL, format_of_line
+from lispac.survey.time_rollover import NO_ROLLOVER
+from lispac.workflow.importing.file_reading import DEFAULT_FORMATS, format_of_line
 from lispac.workflow.importing.given_time_bases import known_time_base
 from lispac.workflow.project.survey import Survey
 
@@ -41,7 +41,7 @@ def _line_days(project: Project, line: LineSource, survey: Survey | None) -> set
     """First and last day of a line; empty if its time base is not known."""
     format, choice, _ = format_of_line(line)
     if survey is None:
-        rollover = {TIME_ROLLOVER: line.reading.time_rollover or NONE}
+        rollover = {TIME_ROLLOVER_OPTION: line.reading.time_rollover or NO_ROLLOVER}
         times = read_line_times(line.path, format, {**choice, **rollover}).sample
         moved = line.reading.to_trajectory_time(times)
     else:
@@ -51,8 +51,8 @@ def _line_days(project: Project, line: LineSource, survey: Survey | None) -> set
     own = known_time_base(format, line.path, choice, "time_base", given=False)
     # The trajectory's times may contain the date if those of the line do not.
     track = known_time_base(
-        format_of(project.trajectory_reading.format or USUAL["trajectory"]), project.trajectory,
-        dict(project.trajectory_reading.options), "time", given=False,
+        format_of(project.trajectory_reading.format or DEFAULT_FORMATS["trajectory"]),
+        project.trajectory, dict(project.trajectory_reading.options), "time", given=False,
     )  # fmt: skip
     for known, seconds in ((own, times), (track, moved)):
         if known.base is not None and known.base.period is None and known.fits(seconds):

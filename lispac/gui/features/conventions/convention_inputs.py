@@ -25,19 +25,19 @@ from lispac.survey.conventions.mounting_replacement import (
 from lispac.survey.conventions.systems import Convention
 from lispac.survey.georeferencing import Mounting
 
-USER_DEFINED = N_("User-defined values.")
-MEANINGS = (
+USER_DEFINED_TEXT = N_("User-defined values.")
+ANGLE_SIGN_TEXTS = (
     N_("Roll is positive with the port side up"),
     N_("Pitch is positive with the bow down"),
     N_("Yaw is positive clockwise seen from above"),
 )
 """Sign conventions of roll, pitch and yaw."""
-TRANSLATED_PROGRAMS = (
+TRANSLATED_PROGRAM_NAMES = (
     N_("This program (iXblue)"),
     N_("Phoenix SpatialExplorer 6 and later"),
     N_("Phoenix SpatialExplorer 1 to 5"),
 )
-"""Names of programs that are translated."""
+"""Names of programs that the catalogue translates; all others are the same in each language."""
 
 
 def program_name(convention: Convention) -> str:
@@ -54,7 +54,7 @@ class BoresightInputs(QWidget):
         Mounting to convert, with all digits if it is that of the project.
     covariance : ndarray of shape (3, 3), radians squared, or None
     sigma_warning : warning about the sigmas, in the user's language, or empty
-    has_lever_arm : whether the lever arm is that of a project, or user-defined
+    has_lever_arm : whether a project or the user has given the lever arm
     """
 
     changed = Signal()
@@ -71,12 +71,12 @@ class BoresightInputs(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(widgets.label(gettext("Boresight and lever arm in LISPAC"), "heading"))
         self.source = widgets.label(
-            gettext(USER_DEFINED), "muted", wrap=True, name="convention_source"
+            gettext(USER_DEFINED_TEXT), "muted", wrap=True, name="convention_source"
         )
         layout.addWidget(self.source)
         self.boresight = widgets.boresight_fields("convention_boresight")
         self.lever_arm = widgets.lever_arm_fields("convention_lever_arm")
-        for field, meaning in zip(self.boresight.fields, MEANINGS, strict=True):
+        for field, meaning in zip(self.boresight.fields, ANGLE_SIGN_TEXTS, strict=True):
             field.setToolTip(gettext(meaning))
         for field in (*self.boresight.fields, *self.lever_arm.fields):
             field.valueChanged.connect(self._on_typed)
@@ -121,12 +121,12 @@ class BoresightInputs(QWidget):
         )
         self.covariance, self.sigma_warning = None, ""
         self.has_lever_arm = bool(np.any(self.mounting.lever_arm))
-        self.source.setText(gettext(USER_DEFINED))
+        self.source.setText(gettext(USER_DEFINED_TEXT))
         self.changed.emit()
 
 
 class CurrentSettingsInputs(QWidget):
-    """Fields for the present settings of the other program, if they are to be corrected."""
+    """Fields for the current settings of the other program, if they are to be corrected."""
 
     changed = Signal()
 
@@ -150,7 +150,7 @@ class CurrentSettingsInputs(QWidget):
             for k in range(3)
         ]
         self.fields = widgets.TripleField(("", "", ""), fields)
-        self._words = [
+        self._angle_labels = [
             self.fields.layout().itemAtPosition(0, column).widget() for column in range(3)
         ]
         inner.addWidget(self.fields)
@@ -225,7 +225,7 @@ class CurrentSettingsInputs(QWidget):
             box.blockSignals(False)
         self._show_fields()
         for label, field, turn in zip(
-            self._words, self.fields.fields, convention.turns, strict=False
+            self._angle_labels, self.fields.fields, convention.turns, strict=False
         ):
             label.setText(capitalised(gettext(turn.name)))
             field.setToolTip(
@@ -242,7 +242,7 @@ class CurrentSettingsInputs(QWidget):
 
 
 class ImuAxes(QWidget):
-    """Fields for the directions of the axes of an IMU, if that is the body frame."""
+    """Fields for the directions of the IMU axes, for programs whose body axes are those axes."""
 
     changed = Signal()
 
@@ -300,8 +300,8 @@ def _project_boresight(project: Project) -> tuple[Mounting, np.ndarray | None, s
     )
 
 
-ROWS = 4
-TEXT_PIXELS = 11
+MATRIX_FIELD_ROWS = 4
+MATRIX_TEXT_PX = 11
 
 
 class MatrixField(QPlainTextEdit):
@@ -315,6 +315,6 @@ class MatrixField(QPlainTextEdit):
         self.setTabChangesFocus(True)
         self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
-        font.setPixelSize(TEXT_PIXELS)
+        font.setPixelSize(MATRIX_TEXT_PX)
         self.setFont(font)
-        self.setFixedHeight(ROWS * self.fontMetrics().lineSpacing() + 14)
+        self.setFixedHeight(MATRIX_FIELD_ROWS * self.fontMetrics().lineSpacing() + 14)

@@ -28,18 +28,18 @@ from lispac.gui.features.conventions.convention_inputs import (
     MatrixField,
     program_name,
 )
+from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
 from lispac.gui.widgets.scanner_axes_view import ScannerAxesView
 from lispac.language import N_, capitalised, gettext
 from lispac.message_texts import message_text
-from lispac.project import Project
 from lispac.survey.conventions.axes import Axes
 from lispac.survey.conventions.conversion import ConventionSetup, MountingInSystem
-from lispac.survey.conventions.correction import SUM_MATTERS
+from lispac.survey.conventions.correction import SUM_TOLERANCE_RAD
 from lispac.survey.conventions.mounting_replacement import MountingReplacement, replace_mounting
 from lispac.survey.conventions.mounting_texts import offsets_note
 from lispac.survey.conventions.systems import (
-    LISPAC,
+    LISPAC_CONVENTION,
     SCANNER_WORDS,
     SYSTEMS,
     Convention,
@@ -49,8 +49,8 @@ from lispac.survey.conventions.systems import (
 )
 from lispac.survey.georeferencing import Mounting
 
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_ROW_PX = 25
+_ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_ROW_HEIGHT_PX = 25
 Row = tuple[str, np.ndarray, str, bool]
 """Title in the user's language, angles in radians, format of the sign, whether bold."""
 
@@ -68,7 +68,7 @@ class ConventionAnglesTable(QTableWidget):
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         side = self.verticalHeader()
-        side.setDefaultSectionSize(_ROW_PX)
+        side.setDefaultSectionSize(_ROW_HEIGHT_PX)
         side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         side.setHighlightSections(False)
         head = self.horizontalHeader()
@@ -81,12 +81,12 @@ class ConventionAnglesTable(QTableWidget):
         self.setHorizontalHeaderLabels([capitalised(gettext(name)) for name in convention.names])
         self.setVerticalHeaderLabels([title for title, *_ in rows])
         for column, turn in enumerate(convention.turns):
-            self.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
+            self.horizontalHeaderItem(column).setTextAlignment(_ALIGN_RIGHT)
             self.horizontalHeaderItem(column).setToolTip(capitalised(gettext(turn.meaning)))
         for row, (_, values, sign, bold) in enumerate(rows):
             for column, value in enumerate(np.round(np.degrees(values), decimals)):
                 item = QTableWidgetItem(units.localised(f"{value + 0.0:{sign}.{decimals}f}"))
-                item.setTextAlignment(_RIGHT)
+                item.setTextAlignment(_ALIGN_RIGHT)
                 item.setFont(theme.tabular_font(self.font(), bold=bold))
                 self.setItem(row, column, item)
         self._set_column_widths()
@@ -107,26 +107,26 @@ class ConventionAnglesTable(QTableWidget):
         for column, width in enumerate(needed):
             self.setColumnWidth(column, width + spare + (column < rest))
         bar = self.horizontalScrollBar().sizeHint().height() if sum(needed) > inside else 0
-        self.setFixedHeight(head.sizeHint().height() + _ROW_PX * self.rowCount() + 3 + bar)
+        self.setFixedHeight(head.sizeHint().height() + _ROW_HEIGHT_PX * self.rowCount() + 3 + bar)
 
 
 TITLE = N_("Angles in another program")
-_COLOURS: dict[Status, str] = {
+_STATUS_COLOURS: dict[Status, str] = {
     "verified": "done",
     "partly": "warning",
     "unverified": "error",
 }
-_STATUSES: dict[Status, tuple[str, str]] = {
+_STATUS_TEXTS: dict[Status, tuple[str, str]] = {
     "verified": (N_("Convention verified"), N_("{program} (verified)")),
     "partly": (N_("Convention partly verified"), N_("{program} (partly verified)")),
     "unverified": (N_("Convention not verified"), N_("{program} (not verified)")),
 }
 """Title of each status, and name of a program with its status."""
-_FORMULAS: dict[Direction, str] = {
+_FORMULA_TEXTS: dict[Direction, str] = {
     "lidar_to_body": N_("Rotation from LiDAR to body: {formula}."),
     "body_to_lidar": N_("Rotation from body to LiDAR: {formula}."),
 }
-_SCANNER_AXES: dict[Scanner, tuple[str, str]] = {
+_SCANNER_AXES_TEXTS: dict[Scanner, tuple[str, str]] = {
     "turned": (N_("parallel to the body axes"), N_("parallel to the body axes (usual)")),
     "kept": (N_("as in the raw points"), N_("as in the raw points (usual)")),
     "mounted": (
@@ -155,9 +155,9 @@ class ConventionPanel(QWidget):
         """Convention of the chosen program."""
         return SYSTEMS[self.system.currentIndex()]
 
-    def show_project(self, project: Project | None) -> None:
-        """Take the boresight and lever arm of the project if they changed."""
-        self.inputs.show_project(project)
+    def show_state(self, state: ProjectState) -> None:
+        """Use the boresight and lever arm of the project if they have changed."""
+        self.inputs.show_project(state.project)
 
     # -- assembly ----------------------------------------------------------------------------
 
@@ -169,7 +169,7 @@ class ConventionPanel(QWidget):
         self.system.setObjectName("convention_system")
         self.system.setAccessibleName(gettext("Program for which the angles are computed"))
         for each in SYSTEMS:
-            self.system.addItem(gettext(_STATUSES[each.status][1], program=program_name(each)))
+            self.system.addItem(gettext(_STATUS_TEXTS[each.status][1], program=program_name(each)))
         self.system.setMinimumContentsLength(24)
         self.system.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -258,12 +258,12 @@ class ConventionPanel(QWidget):
         convention = self.convention
         self.scanner.blockSignals(True)
         self.scanner.clear()
-        for kind, (title, usual) in _SCANNER_AXES.items():
+        for kind, (title, usual) in _SCANNER_AXES_TEXTS.items():
             is_usual = kind == convention.scanner
             self.scanner.addItem(gettext(usual if is_usual else title), kind)
         self.scanner.setCurrentIndex(self.scanner.findData(convention.scanner))
         self.scanner.blockSignals(False)
-        self.scanner.setEnabled(convention.key != LISPAC.key)
+        self.scanner.setEnabled(convention.key != LISPAC_CONVENTION.key)
         self.imu.setVisible(convention.open_axes)
         self.current.show_convention(convention)
         self._refresh()
@@ -298,9 +298,9 @@ class ConventionPanel(QWidget):
 
     def _show_rules(self, setup: ConventionSetup, mounting: Mounting) -> None:
         convention = setup.convention
-        colour = theme.colour(_COLOURS[setup.status]).name()
+        colour = theme.colour(_STATUS_COLOURS[setup.status]).name()
         x, y, z = setup.axes
-        status = f'<b style="color:{colour}">{gettext(_STATUSES[setup.status][0])}</b>'
+        status = f'<b style="color:{colour}">{gettext(_STATUS_TEXTS[setup.status][0])}</b>'
         self.status.setText(
             gettext("{status}: {source}.", status=status, source=gettext(convention.source))
         )
@@ -314,8 +314,8 @@ class ConventionPanel(QWidget):
         ]
         if convention.has_angles:
             formula = str(convention.formula).replace("-", "−")
-            rules.insert(0, gettext(_FORMULAS[convention.direction], formula=formula))
-        if convention.key != LISPAC.key:
+            rules.insert(0, gettext(_FORMULA_TEXTS[convention.direction], formula=formula))
+        if convention.key != LISPAC_CONVENTION.key:
             rules.append(str(setup.scanner_axes(mounting.rotation_body_lidar)))
         self.rules.setText(" ".join(rules))
         self.imu.show_z(z)
@@ -385,7 +385,7 @@ class ConventionPanel(QWidget):
                 )
             )
             error = correction.sum_error
-            if error > SUM_MATTERS:
+            if error > SUM_TOLERANCE_RAD:
                 lines.append(_sum_error_text(error))
         if new.transform is not None:
             title = gettext("Correction of the 4x4 matrix:")
@@ -423,7 +423,7 @@ def _correction_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
 
 
 def _sum_error_text(error: float) -> str:
-    """Warning on the error of the sum of two mountings, given in radians."""
+    """Warning not to add correction and current angles; ``error`` of the sum in radians."""
     return gettext(
         "<b>Do not add the correction to the current angles.</b> The sum would be wrong by "
         "{angle}, which is {distance} at {range}.",

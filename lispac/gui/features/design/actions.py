@@ -1,4 +1,4 @@
-"""Actions of the survey design: that of the main window, and those of its own window."""
+"""Actions of the survey design, in the main window and in the design window."""
 
 from lispac.gui.app.actions import ActionRecord, Keys, Menu, by_name
 from lispac.language import N_

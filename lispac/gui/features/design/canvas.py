@@ -16,12 +16,12 @@ from lispac.language import LazyText
 Array = NDArray[np.float64]
 
 MARGIN_PX = 34.0
-"""Margin around the visible area, pixels."""
+"""Margin around the points of `DesignCanvas.bounds`, pixels."""
 GRAB_RADIUS_PX = 9.0
 """Largest distance of the mouse from an object at which it can be dragged, pixels."""
 GRID_STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
-"""Grid intervals in the unit shown; the smallest one of at least `MIN_GRID_PX` is used."""
-MIN_GRID_PX = 42.0
+"""Grid intervals in the unit shown; the smallest one of at least `MIN_GRID_INTERVAL_PX` is used."""
+MIN_GRID_INTERVAL_PX = 42.0
 
 
 class DesignCanvas(QWidget):
@@ -43,8 +43,8 @@ class DesignCanvas(QWidget):
         self.setMouseTracking(True)
         self.setMinimumSize(240, 180)
         self.workspace, self._axes = workspace, axes
-        self._frozen: tuple[float, Array] | None = None
-        self._known: tuple[tuple[TitledPlan, int, int], tuple[float, Array]] | None = None
+        self._drag_view: tuple[float, Array] | None = None
+        self._cached_view: tuple[tuple[TitledPlan, int, int], tuple[float, Array]] | None = None
         workspace.changed.connect(self._on_plan_changed)
         workspace.selected.connect(self.update)
 
@@ -54,18 +54,18 @@ class DesignCanvas(QWidget):
 
     def _on_plan_changed(self) -> None:
         """Redraw the plan; a drag ends if the plan was replaced."""
-        if self._frozen is not None and not self.workspace.is_dragging:
+        if self._drag_view is not None and not self.workspace.is_dragging:
             self._end_drag()
         self.update()
 
     def _end_drag(self) -> LazyText:
         """End the drag and return the name of the undo step."""
-        self._frozen = None
+        self._drag_view = None
         return self.end_edit()
 
     def hideEvent(self, event) -> None:
         """Cancel the drag."""
-        if self._frozen is not None:
+        if self._drag_view is not None:
             self._end_drag()
             self.workspace.cancel_drag()
         super().hideEvent(event)
@@ -74,17 +74,17 @@ class DesignCanvas(QWidget):
 
     @abstractmethod
     def bounds(self) -> Array:
-        """Corners of the visible area, shape (n, 2), metres."""
+        """Points that must be visible, shape (n, 2), metres."""
 
     @property
     def _view(self) -> tuple[float, Array]:
-        """Pixels per metre and the place at the centre; both are fixed during a drag."""
-        if self._frozen is not None:
-            return self._frozen
-        of = (self.workspace.titled, self.width(), self.height())
-        if self._known is None or self._known[0] != of:
-            self._known = of, self._fitted_view()
-        return self._known[1]
+        """Pixels per metre and position of the centre, metres; both are fixed during a drag."""
+        if self._drag_view is not None:
+            return self._drag_view
+        key = (self.workspace.titled, self.width(), self.height())
+        if self._cached_view is None or self._cached_view[0] != key:
+            self._cached_view = key, self._fitted_view()
+        return self._cached_view[1]
 
     def _fitted_view(self) -> tuple[float, Array]:
         places = self.bounds()
@@ -94,13 +94,13 @@ class DesignCanvas(QWidget):
         return scale, (low + high) / 2
 
     def pixel(self, place: Array) -> QPointF:
-        """Pixel of a place, shape (2,), metres."""
+        """Pixel of a position, shape (2,), metres."""
         scale, middle = self._view
         x, y = scale * (np.asarray(place) - middle)
         return QPointF(self.width() / 2 + float(x), self.height() / 2 - float(y))
 
     def place(self, pixel: QPointF) -> Array:
-        """Place, shape (2,), metres, of a pixel; inverse of `pixel`."""
+        """Position, shape (2,), metres, of a pixel; inverse of `pixel`."""
         scale, middle = self._view
         offset = np.array([pixel.x() - self.width() / 2, self.height() / 2 - pixel.y()])
         return np.asarray(middle + offset / scale)
@@ -126,7 +126,7 @@ class DesignCanvas(QWidget):
     def _draw_grid(self, painter: QPainter) -> None:
         factor = units.shown_unit("m").factor
         scale = self._view[0] / factor
-        shown = next((s for s in GRID_STEPS if s * scale >= MIN_GRID_PX), GRID_STEPS[-1])
+        shown = next((s for s in GRID_STEPS if s * scale >= MIN_GRID_INTERVAL_PX), GRID_STEPS[-1])
         step = shown / factor
         low = self.place(QPointF(0, self.height()))
         high = self.place(QPointF(self.width(), 0))
@@ -190,28 +190,28 @@ class DesignCanvas(QWidget):
         """Shape of the mouse cursor at a pixel."""
 
     def mousePressEvent(self, event) -> None:
-        """Take the object under the mouse and fix the scale."""
+        """Start to drag the object under the mouse, and fix the scale."""
         if event.button() == Qt.MouseButton.LeftButton and self.start_drag(event.position()):
-            self._frozen = self._view
+            self._drag_view = self._view
 
     def mouseMoveEvent(self, event) -> None:
-        """Drag the object, or set the cursor for what is under the mouse."""
-        if self._frozen is not None and event.buttons() & Qt.MouseButton.LeftButton:
+        """Drag the object, or set the cursor for the object under the mouse."""
+        if self._drag_view is not None and event.buttons() & Qt.MouseButton.LeftButton:
             free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
             self.drag_to(event.position(), free)
         else:
             self.setCursor(self.cursor_shape_at(event.position()))
 
     def mouseReleaseEvent(self, event) -> None:
-        """Release the object as one undo step."""
-        if event.button() == Qt.MouseButton.LeftButton and self._frozen is not None:
+        """End the drag as one undo step."""
+        if event.button() == Qt.MouseButton.LeftButton and self._drag_view is not None:
             self.workspace.end_drag(self._end_drag())
             self.update()
 
     def keyPressEvent(self, event) -> None:
         """Cancel a drag with Escape; pass other keys to `handle_key`, with Shift as ``free``."""
         free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-        if event.key() == Qt.Key.Key_Escape and self._frozen is not None:
+        if event.key() == Qt.Key.Key_Escape and self._drag_view is not None:
             self._end_drag()
             self.workspace.cancel_drag()
         elif event.modifiers() & ~(

@@ -43,7 +43,7 @@ from lispac.workflow.planning.plan_comparison import PlanComparison, compare_wit
 from lispac.workflow.project.survey import load_survey
 
 MAX_SERIAL_PLANS = 600
-"""Largest number of plans evaluated in one process, which is then faster than starting others."""
+"""Number of evaluations up to which one process is faster than several, which start slowly."""
 
 
 class CountingMapper:
@@ -112,7 +112,7 @@ class SiteDesign(QObject):
     ----------
     window : DesignWindow or None
         None until it is first opened.
-    paper : TaskRunner
+    field_plan_runner : TaskRunner
         Writes field plans, also while a search runs.
     """
 
@@ -131,7 +131,7 @@ class SiteDesign(QObject):
         self._dialogs, self._settings, self._show_keys = dialogs, settings, show_keys
         self.window: DesignWindow | None = None
         self.workspace = Workspace(self)
-        self.runner, self.paper = TaskRunner(self), TaskRunner(self)
+        self.runner, self.field_plan_runner = TaskRunner(self), TaskRunner(self)
         self._path: Path | None = None
         actions.connect_slots({"design": self.open})
 
@@ -179,7 +179,7 @@ class SiteDesign(QObject):
         self.runner.changed.connect(lambda: window.show_busy(self.runner.busy))
         self.runner.progress_changed.connect(lambda: window.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self._dialogs.show_error)
-        self.paper.failed.connect(self._dialogs.show_error)
+        self.field_plan_runner.failed.connect(self._dialogs.show_error)
         window.results.predictor.failed.connect(self._dialogs.show_error)
         self.runner.stopped.connect(
             lambda title: window.note(gettext("{task}: cancelled", task=title))
@@ -243,7 +243,7 @@ class SiteDesign(QObject):
             self._dialogs.show_error(error)
             return
         titled = self.workspace.titled
-        self.paper.run(
+        self.field_plan_runner.run(
             gettext("Writing the field plan"),
             lambda _progress: write_field_plan(path, titled),
             lambda _nothing: self._note(gettext("Saved {file}", file=str(path))), persistent=True,
@@ -371,12 +371,12 @@ class SiteDesign(QObject):
             lambda found: window.show_comparison(found, project.name, titled),
         )  # fmt: skip
 
-    # -- the end -----------------------------------------------------------------------------
+    # -- closing -----------------------------------------------------------------------------
 
     @property
     def runners(self) -> tuple[TaskRunner, TaskRunner]:
         """Task runners of this window."""
-        return self.runner, self.paper
+        return self.runner, self.field_plan_runner
 
     def _may_discard_plan(self) -> bool:
         """Whether the plan may be discarded; asks to save unsaved changes."""
@@ -386,7 +386,7 @@ class SiteDesign(QObject):
         return self.save() if choice == "save" else choice == "discard"
 
     def leave(self) -> bool:
-        """End the design with the program; return whether the user agrees."""
+        """End the design before the program ends; return False if the user cancels."""
         if not self._may_discard_plan():
             return False
         self.end()
@@ -397,6 +397,6 @@ class SiteDesign(QObject):
         if self.window is not None:
             self.window.hide()
         self.runner.close()
-        self.paper.close()
+        self.field_plan_runner.close()
         if self.window is not None:
             self.window.release()

@@ -11,7 +11,7 @@ from lispac.gui.features.design.system import PlanSensorsDialog, Sensors
 from lispac.language import N_, gettext
 
 DesignFile = Literal["open", "save", "page", "site"]
-DESIGN_FILES: dict[DesignFile, tuple[str, str, bool]] = {
+DESIGN_FILE_DIALOGS: dict[DesignFile, tuple[str, str, bool]] = {
     "open": (N_("Open survey plan"), N_("Survey plan (*.toml)"), False),
     "save": (N_("Save survey plan"), N_("Survey plan (*.toml)"), True),
     "page": (N_("Save field plan"), "PDF (*.pdf)", True),
@@ -25,7 +25,7 @@ class DesignDialogs(Questions):
 
     def design_file(self, what: DesignFile, start: Path) -> Path | None:
         """A file of a plan, a site or a field plan, to read or to write."""
-        title, filter_, writes = DESIGN_FILES[what]
+        title, filter_, writes = DESIGN_FILE_DIALOGS[what]
         get_file_name = QFileDialog.getSaveFileName if writes else QFileDialog.getOpenFileName
         name, _ = get_file_name(self.parent, gettext(title), str(start), gettext(filter_))
         if not name:

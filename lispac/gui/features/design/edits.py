@@ -14,13 +14,13 @@ from lispac.io.config.plan_file import TitledPlan
 from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.simulation.closed_form_survey import Ball, Board
 
-NEAR_M, FAR_M = 1.0, 200.0
+MIN_LINE_DISTANCE_M, MAX_LINE_DISTANCE_M = 1.0, 200.0
 """Smallest and largest distance to which a line can be dragged, metres."""
-SNAP_DEG = 5.0
+HEADING_SNAP_DEG = 5.0
 """Step of a heading while a line is turned with the mouse, degrees."""
 MAX_LINES, MAX_TARGETS = 24, 12
-"""Limits of a plan, more than is practicable; each line and target slows down a drag."""
-DEFAULT_TITLE = "Site"
+"""Largest numbers of lines and targets in a plan; each of them slows down a drag."""
+DEFAULT_PLAN_TITLE = "Site"
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class PlacedTarget:
 def default_plan(facing_deg: float = 270.0) -> TitledPlan:
     """Initial plan, with the boards and lines that the thesis recommends."""
     site = Site((0.0, 0.0, 0.0), facing_deg)
-    return TitledPlan(DEFAULT_TITLE, thesis_plan(site), site.wall)
+    return TitledPlan(DEFAULT_PLAN_TITLE, thesis_plan(site), site.wall)
 
 
 def thesis_plan_at_wall(titled: TitledPlan) -> Plan:
@@ -110,15 +110,18 @@ def without_line(titled: TitledPlan, k: int) -> TitledPlan:
     return with_lines(titled, (*lines[:k], *lines[k + 1 :]))
 
 
-def with_line_moved(titled: TitledPlan, k: int, turn: int) -> TitledPlan:
+def with_line_moved(titled: TitledPlan, k: int, position: int) -> TitledPlan:
     """Plan with the k-th line moved to another position in the order."""
     lines = list(titled.plan.lines)
-    lines.insert(turn, lines.pop(k))
+    lines.insert(position, lines.pop(k))
     return with_lines(titled, lines)
 
 
 def is_site_to_starboard(wall: Wall, heading_deg: float, otherwise: bool) -> bool:
-    """Whether the site is to starboard of a vessel that stays on the water side of the wall."""
+    """Whether the site is to starboard of a vessel on the water side of the wall.
+
+    The result is ``otherwise`` if the heading is perpendicular to the wall.
+    """
     across = float(np.sin(np.radians(heading_deg - wall.facing_deg)))
     return otherwise if abs(across) < 0.01 else across > 0
 
@@ -132,8 +135,8 @@ def with_heading(line: Line, wall: Wall, heading_deg: float) -> Line:
 
 
 def snap_heading(heading_deg: float) -> float:
-    """Heading rounded to a multiple of `SNAP_DEG`."""
-    return float(SNAP_DEG * round(heading_deg / SNAP_DEG) % 360)
+    """Heading rounded to a multiple of `HEADING_SNAP_DEG`."""
+    return float(HEADING_SNAP_DEG * round(heading_deg / HEADING_SNAP_DEG) % 360)
 
 
 def round_to_step(metres: float, step: float) -> float:
@@ -143,8 +146,13 @@ def round_to_step(metres: float, step: float) -> float:
 
 
 def with_distance(line: Line, distance: float) -> Line:
-    """Line at another distance from the wall, rounded to about a decimetre."""
-    return replace(line, distance=float(np.clip(round_to_step(distance, 0.1), NEAR_M, FAR_M)))
+    """Line at another distance from the wall, within the limits, rounded to about a decimetre."""
+    return replace(
+        line,
+        distance=float(
+            np.clip(round_to_step(distance, 0.1), MIN_LINE_DISTANCE_M, MAX_LINE_DISTANCE_M)
+        ),
+    )
 
 
 def placed_targets(titled: TitledPlan) -> list[PlacedTarget]:
@@ -177,21 +185,21 @@ def with_system(titled: TitledPlan, system: System) -> TitledPlan:
 
 
 def with_sensors(
-    titled: TitledPlan, figures: ScannerSpecification | None, state: PosAccuracy | None
+    titled: TitledPlan, specification: ScannerSpecification | None, accuracy: PosAccuracy | None
 ) -> TitledPlan:
-    """Plan with the standard deviations of sensors of the library; None keeps the present ones."""
+    """Plan with the standard deviations of sensors of the library; None keeps the current ones."""
     system = titled.plan.system
-    if figures is not None:
+    if specification is not None:
         scanner = replace(
             system.scanner,
-            range_sigma=figures.range_sigma,
-            angle_sigma=radians(figures.angle_sigma_deg),
-            divergence=figures.divergence_mrad / 1000.0,
+            range_sigma=specification.range_sigma,
+            angle_sigma=radians(specification.angle_sigma_deg),
+            divergence=specification.divergence_mrad / 1000.0,
         )
         system = replace(system, scanner=scanner)
-    if state is not None:
-        north, east, up = state.position_sigma
-        roll, pitch, heading = map(radians, state.attitude_sigma_deg)
+    if accuracy is not None:
+        north, east, up = accuracy.position_sigma
+        roll, pitch, heading = map(radians, accuracy.attitude_sigma_deg)
         pos = replace(
             system.pos, sigma_position=(north, east, up), sigma_attitude=(roll, pitch, heading)
         )
@@ -201,9 +209,15 @@ def with_sensors(
 
 def with_wall_facing(titled: TitledPlan, facing_deg: float) -> TitledPlan:
     """Plan with the whole site (wall, targets, lines) turned so that the wall faces an azimuth."""
-    by = facing_deg - titled.wall.facing_deg
+    rotation_deg = facing_deg - titled.wall.facing_deg
     wall = replace(titled.wall, facing_deg=facing_deg % 360)
-    targets = [replace(t, facing=(t.facing + by) % 360).on(wall) for t in placed_targets(titled)]
-    lines = [replace(each, heading_deg=(each.heading_deg + by) % 360) for each in titled.plan.lines]
+    targets = [
+        replace(target, facing=(target.facing + rotation_deg) % 360).on(wall)
+        for target in placed_targets(titled)
+    ]
+    lines = [
+        replace(line, heading_deg=(line.heading_deg + rotation_deg) % 360)
+        for line in titled.plan.lines
+    ]
     plan = titled.plan.with_targets(targets).with_lines(lines)
     return replace(titled, plan=plan, wall=wall)

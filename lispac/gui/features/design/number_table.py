@@ -56,7 +56,7 @@ class TableColumn:
 
     @property
     def base(self) -> Base | None:
-        """Unit of lengths and speeds that the settings convert; None for angles."""
+        """Base unit of lengths and speeds, which the settings convert; None for other values."""
         return BASE_OF_SUFFIX.get(" " + self.unit.removesuffix("/s"))
 
     @property
@@ -76,7 +76,7 @@ class TableColumn:
         Raises
         ------
         InputError
-            If it is not a number, or out of range.
+            If it is not a number or out of range, or if a name is empty or too long.
         """
         text = text.strip()
         if self.is_text:

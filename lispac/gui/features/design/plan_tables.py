@@ -39,8 +39,8 @@ LINE_FIELDS = (
         N_("Distance"),
         N_("Perpendicular distance between the line and the centre of the site"),
         "m",
-        edits.NEAR_M,
-        edits.FAR_M,
+        edits.MIN_LINE_DISTANCE_M,
+        edits.MAX_LINE_DISTANCE_M,
         1,
     ),
     TableColumn(
@@ -111,7 +111,8 @@ TARGET_FIELDS = (
     ),
 )
 EDIT_NAMES = N_("Line {line:n}: {field}"), N_("{target}: {field}")
-MIN_BALL_SIZE = 0.04
+"""Names of the edits of a line and of a target."""
+MIN_BALL_DIAMETER_M = 0.04
 """Smallest diameter of a ball, metres."""
 
 
@@ -168,10 +169,10 @@ class LinesList(QWidget):
         self._work.select(line=row)
         self._work.change_line(
             LazyText(EDIT_NAMES[0], {"field": _field_title(LINE_FIELDS, name), "line": row + 1}),
-            lambda line: self._changed_line(line, name, value),
+            lambda line: self._line_with_value(line, name, value),
         )
 
-    def _changed_line(self, line: Line, name: str, value) -> Line:
+    def _line_with_value(self, line: Line, name: str, value) -> Line:
         if name == "heading":
             return edits.with_heading(line, self._work.titled.wall, value)
         if name == "side":
@@ -228,7 +229,7 @@ class TargetsList(QWidget):
 
         def change(each: PlacedTarget) -> PlacedTarget:
             if each.ball and name == "width":
-                wide = max(value, MIN_BALL_SIZE)
+                wide = max(value, MIN_BALL_DIAMETER_M)
                 return replace(each, width=wide, height=wide)
             return replace(each, **{name: value})
 

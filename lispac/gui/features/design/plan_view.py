@@ -17,7 +17,7 @@ LINE_OFFSET_PX = 6.0
 BADGE_RADIUS_PX = 9.0
 """Radius of the disc with the number of a line, pixels."""
 
-SNAP_STEP = 0.5
+LINE_SNAP_STEP_M = 0.5
 """Approximate step of a dragged line, metres; a round length in the unit shown."""
 
 Key = Qt.Key
@@ -39,9 +39,9 @@ class PlanView(DesignCanvas):
                 "Up/Down moves it, Insert adds a line, Delete removes it."
             )
         )
-        self._line: Line | None = None
-        self._turns = False
-        self._from = np.zeros(2)
+        self._dragged_line: Line | None = None
+        self._is_turning = False
+        self._grab_position = np.zeros(2)
 
     # -- places ------------------------------------------------------------------------------
 
@@ -161,36 +161,43 @@ class PlanView(DesignCanvas):
         found = self._line_at(at)
         if found is None:
             return False
-        k, self._turns = found
+        k, self._is_turning = found
         self.workspace.select(line=k)
-        self._line = self.workspace.titled.plan.lines[k]
-        self._from = self.place(at) - self._middle
+        self._dragged_line = self.workspace.titled.plan.lines[k]
+        self._grab_position = self.place(at) - self._middle
         return True
 
     def drag_to(self, at: QPointF, free: bool) -> None:
         """Move or turn the line."""
-        if self._line is None:
+        if self._dragged_line is None:
             return
-        line, now = self._line, self.place(at) - self._middle
-        if self._turns:
-            by = np.degrees(np.arctan2(now[0], now[1]) - np.arctan2(self._from[0], self._from[1]))
-            heading = (line.heading_deg + float(by)) % 360
+        line, position = self._dragged_line, self.place(at) - self._middle
+        if self._is_turning:
+            rotation_deg = np.degrees(
+                np.arctan2(position[0], position[1])
+                - np.arctan2(self._grab_position[0], self._grab_position[1])
+            )
+            heading = (line.heading_deg + float(rotation_deg)) % 360
             heading = round(heading, 1) if free else edits.snap_heading(heading)
             line = edits.with_heading(line, self.workspace.titled.wall, heading)
         else:
             along = _line_direction(line)
             away = np.array([-along[1], along[0]]) * (1 if line.starboard else -1)
-            line = edits.with_distance(line, line.distance + float((now - self._from) @ away))
+            line = edits.with_distance(
+                line, line.distance + float((position - self._grab_position) @ away)
+            )
             if not free:
-                line = edits.with_distance(line, edits.round_to_step(line.distance, SNAP_STEP))
+                line = edits.with_distance(
+                    line, edits.round_to_step(line.distance, LINE_SNAP_STEP_M)
+                )
         self.workspace.drag(edits.with_line(self.workspace.titled, self.workspace.line, line))
 
     def end_edit(self) -> LazyText:
         """Release the line and return the name of the undo step."""
-        self._line = None
+        self._dragged_line = None
         return (
             _turn_edit_name(self.workspace.line)
-            if self._turns
+            if self._is_turning
             else _move_edit_name(self.workspace.line)
         )
 
@@ -203,10 +210,12 @@ class PlanView(DesignCanvas):
         if key in (Key.Key_PageUp, Key.Key_PageDown) and count:
             work.select(line=(work.line + (1 if key == Key.Key_PageDown else -1)) % count)
         elif key in (Key.Key_Left, Key.Key_Right):
-            by = (1.0 if free else edits.SNAP_DEG) * (1 if key == Key.Key_Right else -1)
+            rotation_deg = (1.0 if free else edits.HEADING_SNAP_DEG) * (
+                1 if key == Key.Key_Right else -1
+            )
             work.change_line(
                 _turn_edit_name(work.line),
-                lambda line: edits.with_heading(line, wall, line.heading_deg + by),
+                lambda line: edits.with_heading(line, wall, line.heading_deg + rotation_deg),
                 f"turn {work.line}",
             )
         elif key in (Key.Key_Up, Key.Key_Down):

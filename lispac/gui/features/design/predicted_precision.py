@@ -98,7 +98,7 @@ def time_on_site_text(titled: TitledPlan) -> str:
 def plan_information_gains(
     plan: Plan, progress: Progress = no_progress
 ) -> tuple[InformationGain, ...]:
-    """Information gain of each target and line; empty if there is only one."""
+    """Information gain of each target and line; empty if the plan lacks targets or lines."""
     return (
         information_gains(plan, PlanObjective(), progress=progress)
         if plan.targets and plan.lines

@@ -61,7 +61,7 @@ class BackgroundPrediction(QObject):
     gains_ready = Signal(object)
     """Information gain of each target and line; the last result to be computed."""
     out_of_date = Signal()
-    """The prediction shown is that of an earlier plan."""
+    """Some of the values shown are still those of an earlier plan."""
     failed = Signal(object)
 
     def __init__(self, workspace: Workspace, parent: QObject) -> None:
@@ -165,9 +165,9 @@ class BackgroundPrediction(QObject):
 
 
 PLAN_KEYS = ("plan", "thesis")
-TITLES = N_("this plan"), N_("Shahraji's plan")
+PLAN_TITLES = N_("this plan"), N_("Shahraji's plan")
 ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
-PAIRS = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
+ANGLE_PAIR_NAMES = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
 
 
 class PredictionPanel(QScrollArea):
@@ -191,7 +191,7 @@ class PredictionPanel(QScrollArea):
         grid = QGridLayout()
         grid.setHorizontalSpacing(14)
         grid.setVerticalSpacing(4)
-        for column, title in enumerate(map(gettext, TITLES), start=1):
+        for column, title in enumerate(map(gettext, PLAN_TITLES), start=1):
             grid.addWidget(widgets.label(title, "muted"), 0, column, Qt.AlignmentFlag.AlignRight)
         self.sigma: dict[str, QLabel] = {}
         self.thesis: dict[str, QLabel] = {}
@@ -209,7 +209,7 @@ class PredictionPanel(QScrollArea):
                 shown.setAccessibleName(
                     gettext(
                         "Standard deviation of {angle} ({plan}), in {unit}",
-                        angle=named, plan=gettext(TITLES[column - 1]), unit=unit,
+                        angle=named, plan=gettext(PLAN_TITLES[column - 1]), unit=unit,
                     )
                 )  # fmt: skip
                 grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
@@ -280,7 +280,7 @@ class PredictionPanel(QScrollArea):
         for angle, sigma in zip(ANGLES, self._last.sigmas, strict=True):
             self.sigma[angle].setText(sigma)
             self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._last.refused else "")
-        pairs = zip(map(gettext, PAIRS), self._last.correlations, strict=True)
+        pairs = zip(map(gettext, ANGLE_PAIR_NAMES), self._last.correlations, strict=True)
         separator = ", " if current_language() == "en" else " ; "
         self.correlation.setText(
             gettext("Correlations: {pairs}", pairs=separator.join(f"{p} {c}" for p, c in pairs))

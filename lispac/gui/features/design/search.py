@@ -20,7 +20,7 @@ from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, LazyText, gettext
 from lispac.messages import error
 
-# name of the site's field: (label, unit, low, high, tip)
+# name of the attribute of `Site`: (label, unit, smallest value, largest value, tip)
 LIST_FIELDS = {
     "along": (N_("Board positions"), "m", -500.0, 500.0,
               N_("Board positions along the wall to be tried in the search, positive to the "
@@ -36,7 +36,7 @@ LIST_FIELDS = {
                   N_("Distances of the lines from the centre of the site to be tried in the "
                      "search")),
 }  # fmt: skip
-INCLINATIONS_DEG = (90.0, 60.0, 45.0, 120.0, 135.0)
+DEFAULT_INCLINATIONS_DEG = (90.0, 60.0, 45.0, 120.0, 135.0)
 """Default inclinations from the horizontal, degrees, as in the supplied site files."""
 
 
@@ -45,7 +45,7 @@ def parse_numbers(
 ) -> tuple[float, ...]:
     """Parse a typed list of numbers, separated by semicolons, blanks or commas.
 
-    A comma is the decimal sign if it is so in the user's language.
+    A comma is the decimal sign if ``decimal`` is a comma.
 
     Raises
     ------
@@ -137,7 +137,7 @@ class LimitsForm(QWidget):
             field.textChanged.connect(self._check_lists)
             self.lists[name] = field
             form.addRow(f"{gettext(label)} ({shown})", field)
-        self._fill_fields(Site((0.0, 0.0, 0.0), 270.0, inclinations_deg=INCLINATIONS_DEG))
+        self._fill_fields(Site((0.0, 0.0, 0.0), 270.0, inclinations_deg=DEFAULT_INCLINATIONS_DEG))
 
     def use_file(self, title: str, site: Site) -> None:
         """Use the limits of a site file."""
@@ -266,10 +266,11 @@ def _integer_field(name: str, low: int, high: int, value: int, tip: str):
     return made
 
 
-FACTORS = {
+POS_ERROR_FACTORS = {
     N_("POS errors as specified"): (1.0,),
     N_("0.5, 1 and 2 times the specified POS errors"): (0.5, 1.0, 2.0),
 }
+"""Factors of the POS errors in a search, by the title of the choice."""
 
 
 class SearchPanel(QScrollArea):
@@ -293,7 +294,7 @@ class SearchPanel(QScrollArea):
         )
         self.factors = widgets.ChoiceBox(
             "search_factors",
-            list(map(gettext, FACTORS)),
+            list(map(gettext, POS_ERROR_FACTORS)),
             gettext(
                 "POS errors assumed in the search. If there are several levels, the mean "
                 "result is minimised."
@@ -384,7 +385,7 @@ class SearchPanel(QScrollArea):
     @property
     def objective(self) -> PlanObjective:
         """Objective of the search."""
-        factors = list(FACTORS.values())[self.factors.currentIndex()]
+        factors = list(POS_ERROR_FACTORS.values())[self.factors.currentIndex()]
         return PlanObjective(list(CRITERION_TEXTS)[self.criterion.currentIndex()], factors)
 
     def show_found(self, result_text: LazyText | None) -> None:

@@ -22,7 +22,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.language import N_, LazyText, gettext
 
-OUT_OF_DATE = N_(
+OUT_OF_DATE_TEXT = N_(
     "This result is out of date because the survey plan was changed. Run the computation again."
 )
 
@@ -63,7 +63,7 @@ class AnglesTable(QWidget):
         layout.addWidget(self.messages)
         layout.addStretch(1)
         self.outdated = widgets.label(
-            gettext(OUT_OF_DATE), "warning", wrap=True, name=f"{name}_out_of_date"
+            gettext(OUT_OF_DATE_TEXT), "warning", wrap=True, name=f"{name}_out_of_date"
         )
         layout.insertWidget(1, self.outdated)
         for each in (self.head, self.outdated, self.messages):
@@ -116,7 +116,7 @@ class AnglesTable(QWidget):
 
 
 MAX_SURVEYS = 5000
-HINT = N_(
+SIMULATION_HINT = N_(
     "Each survey is simulated with form errors of the targets, LiDAR noise, correlated POS errors "
     "and vessel roll, and then adjusted like a real survey. The scatter of the estimated angles "
     "about the true angles is compared with the predicted standard deviations."
@@ -177,7 +177,7 @@ class SurveysPanel(QScrollArea):
                         "are finished.",
                         count=MIN_SURVEYS),
         )  # fmt: skip
-        self.result_table = AnglesTable("surveys_result", gettext(HINT))
+        self.result_table = AnglesTable("surveys_result", gettext(SIMULATION_HINT))
         body = QWidget()
         both, left = QHBoxLayout(body), QVBoxLayout()
         form = QFormLayout()

@@ -18,12 +18,12 @@ from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
 from lispac.gui.widgets.sensor_choice import SensorChoice
 from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.language import N_, LazyText, gettext, gettext_lazy
-from lispac.report.stochastic_model_names import NAMES
+from lispac.report.stochastic_model_names import POS_ERROR_MODEL_NAMES
 from lispac.workflow.planning.sensors import read_library
 
-USER_DEFINED = N_("user-defined")
-AXES = {"north": N_("north"), "east": N_("east"), "up": N_("up")}
-ANGLES = {"roll": N_("roll"), "pitch": N_("pitch"), "heading": N_("heading")}
+USER_DEFINED_TEXT = N_("user-defined")
+AXIS_NAMES = {"north": N_("north"), "east": N_("east"), "up": N_("up")}
+ATTITUDE_ANGLE_NAMES = {"roll": N_("roll"), "pitch": N_("pitch"), "heading": N_("heading")}
 
 
 def _number_field(name, unit, decimals, low, high, step, tip):
@@ -50,11 +50,11 @@ class SystemPanel(QScrollArea):
         self.title.setToolTip(gettext("Title of the survey plan, printed on the field plan"))
         self.title.setMaxLength(80)
         self.grade = widgets.ChoiceBox(
-            "design_grade", [*map(gettext, POS_CLASSES), gettext(USER_DEFINED)],
+            "design_grade", [*map(gettext, POS_CLASSES), gettext(USER_DEFINED_TEXT)],
             gettext("Class of the POS, with typical standard deviations from data sheets"),
         )  # fmt: skip
         self.model = widgets.ChoiceBox(
-            "design_pos_errors", list(map(gettext, NAMES.values())),
+            "design_pos_errors", list(map(gettext, POS_ERROR_MODEL_NAMES.values())),
             gettext("Stochastic model of the POS errors: correlated or uncorrelated in time"),
         )  # fmt: skip
         for choice in (self.grade, self.model):
@@ -63,13 +63,13 @@ class SystemPanel(QScrollArea):
         self.position = [
             _number_field(f"design_sigma_{axis}", "mm", 1, 0.1, 10_000.0, 1.0,
                     gettext("Standard deviation of the POS position, {axis}", axis=gettext(title)))
-            for axis, title in AXES.items()
+            for axis, title in AXIS_NAMES.items()
         ]  # fmt: skip
         self.attitude = [
             _number_field(f"design_sigma_{axis}", "°", 4, 0.0001, 10.0, 0.001,
                     gettext("Standard deviation of the POS attitude, {angle}",
                             angle=gettext(title)))
-            for axis, title in ANGLES.items()
+            for axis, title in ATTITUDE_ANGLE_NAMES.items()
         ]  # fmt: skip
         self.times = [
             _number_field("design_time_position", "s", 0, 1.0, 100_000.0, 10.0,
@@ -156,7 +156,7 @@ class SystemPanel(QScrollArea):
                 field.setValue(float(value))
         grades = [each == pos for each in POS_CLASSES.values()]
         self.grade.setCurrentIndex(grades.index(True) if any(grades) else len(grades))
-        self.model.setCurrentIndex(list(NAMES).index(system.pos_errors))
+        self.model.setCurrentIndex(list(POS_ERROR_MODEL_NAMES).index(system.pos_errors))
         if self.title.text().strip() != titled.title:
             self.title.setText(titled.title)
         self._showing = False
@@ -197,7 +197,7 @@ class SystemPanel(QScrollArea):
             scanner = replace(scanner, range_sigma=self.range_sigma.value() / 1000)
         elif name == "design_max_range":
             scanner = replace(scanner, max_range=self.max_range.value())
-        errors = list(NAMES)[self.model.currentIndex()]
+        errors = list(POS_ERROR_MODEL_NAMES)[self.model.currentIndex()]
         plan = replace(plan, system=replace(system, scanner=scanner, pos=pos, pos_errors=errors))
         if name == "design_flatness":
             plan = replace(plan, flatness=self.flatness.value() / 1000)

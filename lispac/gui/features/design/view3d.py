@@ -9,7 +9,7 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.design import edits
 from lispac.gui.features.design.canvas import Array
 from lispac.gui.features.design.edits import PlacedTarget
-from lispac.gui.features.design.wall_view import FINE_STEP, SNAP_STEP, moved_target
+from lispac.gui.features.design.wall_view import FINE_STEP_M, SNAP_STEP_M, moved_target
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.viewport.base import DragHandle, PickedPoint, Sketch, Viewport
 from lispac.io.config.plan_file import TitledPlan
@@ -17,11 +17,11 @@ from lispac.language import gettext_lazy
 from lispac.simulation.closed_form_survey import Ball, Board
 
 SQUARE_EDGES = ((0, 1), (1, 2), (2, 3), (3, 0))
-RING = 16
+RING_CORNERS = 16
 """Number of corners of the circles that represent a ball."""
-WALL_STEP, TARGET_STEP = 0.15, 0.03
-"""Spacing of the points that represent a surface, metres."""
-ARROW_LENGTH = 1.5
+WALL_SPACING_M, TARGET_SPACING_M = 0.15, 0.03
+"""Spacing of the points that represent the wall or a target, metres."""
+ARROW_LENGTH_M = 1.5
 """Length of an arrow, metres."""
 
 
@@ -33,7 +33,7 @@ class View3D(QObject):
         self._work, self.viewport = workspace, viewport
         self._names: set[str] = set()
         self._dragged: PlacedTarget | None = None
-        self._lost = False  # the dragged object belonged to a replaced plan
+        self._plan_was_replaced = False  # the dragged object belonged to a replaced plan
         self._shift = np.zeros(3)
         self._clouds: dict[str, Array] = {}
         viewport.signals.seed_clicked.connect(self._place_target)
@@ -45,7 +45,7 @@ class View3D(QObject):
     def _on_plan_changed(self) -> None:
         """Redraw the plan; a drag ends if the plan was replaced."""
         if self._dragged is not None and not self._work.is_dragging:
-            self._dragged, self._lost = None, True
+            self._dragged, self._plan_was_replaced = None, True
         self.show()
 
     def show(self) -> None:
@@ -78,21 +78,21 @@ class View3D(QObject):
         self.viewport.view_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
 
     def _place_target(self, at: PickedPoint) -> None:
-        """Select the clicked target, or move the selected one to the clicked place.
+        """Select the clicked target, or move the selected one to the clicked point of the wall.
 
         If no target is selected, a new target is added there.
         """
         titled = self._work.titled
         if at.line == "targets":
-            away = [
+            relative_distances = [
                 float(np.linalg.norm(np.array(target.centre) - at.position))
                 / (target.radius if isinstance(target, Ball) else max(target.width, target.height))
                 for target in titled.plan.targets
             ]
-            self._work.select(target=int(np.argmin(away)))
+            self._work.select(target=int(np.argmin(relative_distances)))
             return
         along, _, up = (
-            edits.round_to_step(metres, SNAP_STEP)
+            edits.round_to_step(metres, SNAP_STEP_M)
             for metres in titled.wall.wall_coordinates(at.position)
         )
         if self._work.target < 0:
@@ -103,7 +103,7 @@ class View3D(QObject):
             )
 
     def _drag_target(self, name: str, handle: int, metres: float) -> None:
-        if self._lost or name != f"target {self._work.target}":
+        if self._plan_was_replaced or name != f"target {self._work.target}":
             return
         if self._dragged is None:
             self._dragged, self._shift = (
@@ -112,12 +112,12 @@ class View3D(QObject):
             )
         self._shift[handle] += metres
         along, up, off = self._shift
-        to = moved_target(self._dragged, float(along), float(up), FINE_STEP)
-        to = replace(to, off=edits.round_to_step(self._dragged.off + float(off), FINE_STEP))
-        self._work.drag(edits.with_target(self._work.titled, self._work.target, to))
+        moved = moved_target(self._dragged, float(along), float(up), FINE_STEP_M)
+        moved = replace(moved, off=edits.round_to_step(self._dragged.off + float(off), FINE_STEP_M))
+        self._work.drag(edits.with_target(self._work.titled, self._work.target, moved))
 
     def _on_handle_released(self, _name: str) -> None:
-        self._lost = False
+        self._plan_was_replaced = False
         if self._dragged is not None:
             name, self._dragged = self._dragged.name, None
             self._work.end_drag(gettext_lazy("Move {target}", target=name))
@@ -130,7 +130,9 @@ def plan_sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketc
     for k, (first, last) in enumerate(_line_ends(titled)):
         along = (last - first) / max(float(np.linalg.norm(last - first)), 1e-9)
         lateral = np.array([-along[1], along[0], 0.0])
-        barbs = [last - ARROW_LENGTH * along + 0.5 * s * ARROW_LENGTH * lateral for s in (1, -1)]
+        barbs = [
+            last - ARROW_LENGTH_M * along + 0.5 * s * ARROW_LENGTH_M * lateral for s in (1, -1)
+        ]
         drawn[f"line {k}"] = Sketch(
             tuple(map(_as_tuple, (first, last, *barbs))), ((0, 1), (1, 2), (1, 3)),
             theme.rgb("moved" if k == line else "before"), label=f"{k + 1}",
@@ -157,14 +159,16 @@ def plan_sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketc
 def plan_surfaces(titled: TitledPlan) -> dict[str, Array]:
     """Points (n, 3), metres, of the wall and of the targets, which are drawn and can be clicked."""
     wide, high = _wall_extent(titled)
-    along, up = np.meshgrid(np.arange(-wide, wide, WALL_STEP), np.arange(-1.0, high, WALL_STEP))
+    along, up = np.meshgrid(
+        np.arange(-wide, wide, WALL_SPACING_M), np.arange(-1.0, high, WALL_SPACING_M)
+    )
     wall = titled.wall
     right, out = np.array([*wall.rightward, 0.0]), np.array([*wall.outward, 0.0])
     face = np.array(wall.middle) - 0.05 * out + along.reshape(-1, 1) * right
     face[:, 2] += up.ravel()
     generator = np.random.default_rng(1)
     scanner = np.array(wall.middle) + 15.0 * out
-    targets = [t.points(TARGET_STEP, generator, scanner) for t in titled.plan.targets]
+    targets = [t.points(TARGET_SPACING_M, generator, scanner) for t in titled.plan.targets]
     return {"wall": face, "targets": np.concatenate([np.empty((0, 3)), *targets])}
 
 
@@ -192,10 +196,14 @@ def _target_outline(target: Board | Ball) -> tuple[Array, tuple[tuple[int, int],
         middle = grid.mean(axis=0)
         corners = middle + (grid - middle) * (0.5 / np.sqrt(1 / 12))
         return corners[[0, 1, 3, 2]], SQUARE_EDGES
-    turn = np.linspace(0, 2 * np.pi, RING, endpoint=False)
+    turn = np.linspace(0, 2 * np.pi, RING_CORNERS, endpoint=False)
     level = np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=1)
     circles = np.concatenate([level, level[:, [0, 2, 1]], level[:, [2, 0, 1]]])
-    edges = tuple((RING * c + k, RING * c + (k + 1) % RING) for c in range(3) for k in range(RING))
+    edges = tuple(
+        (RING_CORNERS * c + k, RING_CORNERS * c + (k + 1) % RING_CORNERS)
+        for c in range(3)
+        for k in range(RING_CORNERS)
+    )
     return np.array(target.centre) + target.radius * circles, edges
 
 

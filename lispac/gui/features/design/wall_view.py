@@ -15,10 +15,10 @@ from lispac.language import LazyText, current_language, gettext, gettext_lazy
 
 MIN_BOARD_PX = 8.0
 """Smallest drawn size of a board, pixels."""
-SNAP_STEP, FINE_STEP = 0.1, 0.01
+SNAP_STEP_M, FINE_STEP_M = 0.1, 0.01
 """Approximate steps of a moved target, metres; round lengths in the unit shown."""
-VIEW_MARGIN = 2.0
-"""Metres of wall and water that are visible beyond the targets."""
+VIEW_MARGIN_M = 2.0
+"""Height above and below the centre of each target that is visible, metres."""
 
 Key = Qt.Key
 
@@ -37,7 +37,7 @@ class WallView(DesignCanvas):
         )  # fmt: skip
         wide, fine = (
             f"{units.localised(units.limit_text(units.shown_step(step, 'm'), 'm'))} {unit}"
-            for step in (SNAP_STEP, FINE_STEP)
+            for step in (SNAP_STEP_M, FINE_STEP_M)
         )
         self.setToolTip(
             gettext(
@@ -49,14 +49,14 @@ class WallView(DesignCanvas):
             )
         )
         self._dragged: PlacedTarget | None = None
-        self._from = np.zeros(2)
+        self._grab_position = np.zeros(2)
 
     def bounds(self) -> Array:
-        """Corners of the targets with a margin: shape (n, 2), metres, along the wall and up."""
+        """Points around the targets, shape (n, 2), metres, along the wall and up."""
         places = [(0.0, 0.0), (-4.0, 0.0), (4.0, 4.0)]
         for each in edits.placed_targets(self.workspace.titled):
-            places += [(each.along - each.width, each.up - VIEW_MARGIN)]
-            places += [(each.along + each.width, each.up + VIEW_MARGIN)]
+            places += [(each.along - each.width, each.up - VIEW_MARGIN_M)]
+            places += [(each.along + each.width, each.up + VIEW_MARGIN_M)]
         return np.array(places)
 
     def _target_rect(self, each: PlacedTarget) -> QRectF:
@@ -110,16 +110,17 @@ class WallView(DesignCanvas):
             return False
         self.workspace.select(target=k)
         self._dragged = edits.placed_targets(self.workspace.titled)[k]
-        self._from = self.place(at)
+        self._grab_position = self.place(at)
         return True
 
     def drag_to(self, at: QPointF, free: bool) -> None:
         """Move the target along the wall and up."""
         if self._dragged is None:
             return
-        along, up = self.place(at) - self._from
-        to = moved_target(self._dragged, float(along), float(up), FINE_STEP if free else SNAP_STEP)
-        self.workspace.drag(edits.with_target(self.workspace.titled, self.workspace.target, to))
+        along, up = self.place(at) - self._grab_position
+        step = FINE_STEP_M if free else SNAP_STEP_M
+        moved = moved_target(self._dragged, float(along), float(up), step)
+        self.workspace.drag(edits.with_target(self.workspace.titled, self.workspace.target, moved))
 
     def end_edit(self) -> LazyText:
         """Release the target and return the name of the undo step."""
@@ -131,7 +132,7 @@ class WallView(DesignCanvas):
 
     def handle_key(self, key: Qt.Key, free: bool) -> bool:
         """Select, move, add or remove a target with a key."""
-        work, step = self.workspace, units.shown_step(FINE_STEP if free else SNAP_STEP, "m")
+        work, step = self.workspace, units.shown_step(FINE_STEP_M if free else SNAP_STEP_M, "m")
         count = len(work.titled.plan.targets)
         arrows = {
             Key.Key_Left: (-step, 0.0), Key.Key_Right: (step, 0.0),
@@ -142,7 +143,7 @@ class WallView(DesignCanvas):
         elif key in arrows:
             work.change_target(
                 gettext_lazy("Move target"),
-                lambda each: moved_target(each, *arrows[key], FINE_STEP),
+                lambda each: moved_target(each, *arrows[key], FINE_STEP_M),
                 f"hang {work.target}",
             )
         elif key == Key.Key_Insert:

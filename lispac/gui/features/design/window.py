@@ -39,13 +39,13 @@ from lispac.workflow.planning.plan_comparison import PlanComparison
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-NO_FIGURES = N_(
+NO_FIGURES_TEXT = N_(
     "There are no figures yet. Press F9 to predict the precision while one quantity varies, or "
     "F10 to check the prediction with simulated surveys."
 )
-TRADE_OFF = N_("precision and time on site")
-SIMULATED_ERRORS = N_("errors of simulated surveys")
-THESIS_SCENARIO = N_("{scenario} (for the wall and boards of Shahraji's thesis)")
+TRADE_OFF_TITLE = N_("precision and time on site")
+SIMULATED_ERRORS_TITLE = N_("errors of simulated surveys")
+THESIS_SCENARIO_TITLE = N_("{scenario} (for the wall and boards of Shahraji's thesis)")
 
 
 class FiguresPanel(QWidget):
@@ -56,9 +56,9 @@ class FiguresPanel(QWidget):
         self.setObjectName("design_pictures")
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 8, 8, 8)
-        self.empty = widgets.label(gettext(NO_FIGURES), "muted", wrap=True)
+        self.empty = widgets.label(gettext(NO_FIGURES_TEXT), "muted", wrap=True)
         self.which = widgets.ChoiceBox(
-            "design_picture", [gettext(TRADE_OFF)], gettext("Figure to show")
+            "design_picture", [gettext(TRADE_OFF_TITLE)], gettext("Figure to show")
         )
         self.which.setAccessibleName(gettext("Figure to show"))
         self.which.clear()
@@ -81,7 +81,7 @@ class FiguresPanel(QWidget):
         names = list(dict.fromkeys(each.scenario for each in outcomes))
         for name in names:
             own = [each for each in outcomes if each.scenario == name]
-            title = LazyText(THESIS_SCENARIO, {"scenario": LazyText(name, {})})
+            title = LazyText(THESIS_SCENARIO_TITLE, {"scenario": LazyText(name, {})})
             title = title if name in THESIS_SCENARIOS else LazyText(name, {})
             self._add_figure(name, title, lambda figure, own=own: scenario_figure(own, figure))
         self.which.setCurrentIndex(0)
@@ -91,22 +91,22 @@ class FiguresPanel(QWidget):
         from lispac.report.design_figures import pareto_front_figure
 
         self._add_figure(
-            TRADE_OFF,
-            LazyText(TRADE_OFF, {}),
+            TRADE_OFF_TITLE,
+            LazyText(TRADE_OFF_TITLE, {}),
             lambda figure: pareto_front_figure(front, label, figure),
         )
-        self.which.setCurrentIndex(self.which.findData(TRADE_OFF))
+        self.which.setCurrentIndex(self.which.findData(TRADE_OFF_TITLE))
 
     def show_errors(self, result: MonteCarloResult) -> None:
         """Show the errors of simulated surveys."""
         from lispac.report.design_figures import simulated_errors_figure
 
         self._add_figure(
-            SIMULATED_ERRORS,
-            LazyText(SIMULATED_ERRORS, {}),
+            SIMULATED_ERRORS_TITLE,
+            LazyText(SIMULATED_ERRORS_TITLE, {}),
             lambda figure: simulated_errors_figure(result, figure),
         )
-        self.which.setCurrentIndex(self.which.findData(SIMULATED_ERRORS))
+        self.which.setCurrentIndex(self.which.findData(SIMULATED_ERRORS_TITLE))
 
     def copy_state_from(self, former: "FiguresPanel") -> None:
         """Copy the figures of another panel, redrawn in the language and theme in use."""
@@ -144,11 +144,11 @@ class FiguresPanel(QWidget):
             canvas.draw_idle()
 
 
-COMPARE = N_(
+COMPARISON_HINT = N_(
     "After the survey, open the project in the main window and the survey plan in this window, "
     "then press F11 to compare them. Targets are matched by name, lines by heading."
 )
-NOTE_MS = 6000
+NOTE_DURATION_MS = 6000
 
 
 class DesignWindow(QMainWindow):
@@ -200,10 +200,10 @@ class DesignWindow(QMainWindow):
         self.views = _tab_widget("design_views")
         above.addWidget(self.views)
         above.setSizes([500, 500])
-        self._stage, self.pictures = QWidget(), FiguresPanel()
-        QVBoxLayout(self._stage).setContentsMargins(0, 0, 0, 0)
+        self._view3d_page, self.pictures = QWidget(), FiguresPanel()
+        QVBoxLayout(self._view3d_page).setContentsMargins(0, 0, 0, 0)
         _add_tabs(self.views, (
-            (N_("Wall, seen from the water"), self.wall_view), (N_("3D"), self._stage),
+            (N_("Wall, seen from the water"), self.wall_view), (N_("3D"), self._view3d_page),
             (N_("Figures"), self.pictures),
         ))  # fmt: skip
         self.views.currentChanged.connect(self._on_view_changed)
@@ -215,7 +215,7 @@ class DesignWindow(QMainWindow):
         self.lines, self.targets = LinesList(work), TargetsList(work)
         self.system, self.search = SystemPanel(work), SearchPanel(work)
         self.surveys = SurveysPanel()
-        self.compared = AnglesTable("design_compared", gettext(COMPARE))
+        self.compared = AnglesTable("design_compared", gettext(COMPARISON_HINT))
         _add_tabs(self.tabs, (
             (N_("Lines"), self.lines), (N_("Targets"), self.targets),
             (N_("POS and scanner"), self.system), (N_("Find the best plan"), self.search),
@@ -267,7 +267,7 @@ class DesignWindow(QMainWindow):
 
     def note(self, text: str) -> None:
         """Show a text in the status bar for some seconds."""
-        self.task_bar.showMessage(text, NOTE_MS)
+        self.task_bar.showMessage(text, NOTE_DURATION_MS)
 
     def show_figures(self) -> None:
         """Bring the tab of the figures to the front, unless something is being dragged."""
@@ -295,18 +295,18 @@ class DesignWindow(QMainWindow):
 
     def fit(self) -> None:
         """Bring the 3D view to the front and the whole site into view."""
-        if self.views.currentWidget() is self._stage and self.view3d is not None:
+        if self.views.currentWidget() is self._view3d_page and self.view3d is not None:
             self.view3d.fit()
         else:
-            self.views.setCurrentWidget(self._stage)
+            self.views.setCurrentWidget(self._view3d_page)
 
     def _on_view_changed(self, index: int) -> None:
-        if self.views.widget(index) is not self._stage:
+        if self.views.widget(index) is not self._view3d_page:
             return
         if self.view3d is None:
             viewport = self._make_viewport()
             viewport.widget.setMinimumSize(200, 160)
-            self._stage.layout().addWidget(viewport.widget)
+            self._view3d_page.layout().addWidget(viewport.widget)
             self.view3d = View3D(self.workspace, viewport)
             viewport.widget.setToolTip(
                 gettext(
@@ -320,7 +320,7 @@ class DesignWindow(QMainWindow):
     # -- replacement -------------------------------------------------------------------------
 
     def copy_state_from(self, former: "DesignWindow") -> None:
-        """Copy results, size and splitters of another window of the same plan."""
+        """Copy results, size, splitters and selected tabs of another window of the same plan."""
         self.search.copy_state_from(former.search)
         self.surveys.copy_state_from(former.surveys)
         self.compared.copy_state_from(former.compared)
@@ -328,14 +328,14 @@ class DesignWindow(QMainWindow):
         self._show()
         self.restoreGeometry(former.saveGeometry())
         # Both windows have the same splitters in the same order
-        for kind, take in (
+        for kind, copy_state in (
             (QSplitter, lambda own, other: own.restoreState(other.saveState())),
             (QTabWidget, lambda own, other: own.setCurrentIndex(other.currentIndex())),
         ):
             for own, other in zip(self.findChildren(kind), former.findChildren(kind), strict=True):
-                take(own, other)
+                copy_state(own, other)
 
-    # -- the end -----------------------------------------------------------------------------
+    # -- closing -----------------------------------------------------------------------------
 
     def release(self) -> None:
         """Stop timers and release the graphics before the program ends."""

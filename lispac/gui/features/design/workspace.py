@@ -89,7 +89,7 @@ class Workspace(QObject):
     """
 
     changed = Signal()
-    """The plan was changed, or shown with another step of a drag."""
+    """The plan was changed, also by a drag that has not ended."""
     selected = Signal()
     refused = Signal(str)
     """The reason why an edit was refused."""
@@ -187,10 +187,10 @@ class Workspace(QObject):
             target = change(edits.placed_targets(self.titled)[self.target])
             self.edit(name, edits.with_target(self.titled, self.target, target), key)
 
-    # -- lines and targets--------------------------------------------------------------------
+    # -- lines and targets -------------------------------------------------------------------
 
     def add_line(self, *, duplicate: bool = False) -> None:
-        """Add a line after the selected one: the same, or in the opposite direction."""
+        """Add a line after the selected one: a copy of it, or in the opposite direction."""
         lines, wall = self.titled.plan.lines, self.titled.wall
         if len(lines) >= edits.MAX_LINES:
             self.refused.emit(
@@ -217,10 +217,10 @@ class Workspace(QObject):
 
     def move_line_in_order(self, earlier: bool) -> None:
         """Move the selected line one place in the order."""
-        turn = self.line + (-1 if earlier else 1)
-        if self.line >= 0 and 0 <= turn < len(self.titled.plan.lines):
-            titled = edits.with_line_moved(self.titled, self.line, turn)
-            self.line = turn
+        position = self.line + (-1 if earlier else 1)
+        if self.line >= 0 and 0 <= position < len(self.titled.plan.lines):
+            titled = edits.with_line_moved(self.titled, self.line, position)
+            self.line = position
             self.edit(gettext_lazy("Order of lines"), titled)
 
     def add_target(self, *, ball: bool = False, place: tuple[float, float] | None = None) -> None:

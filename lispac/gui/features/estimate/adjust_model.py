@@ -1,8 +1,7 @@
-"""Seldom-used settings of the adjustment: times, surfaces, outliers, LiDAR noise."""
+"""Advanced settings: correlation times, surface roughness, outliers, LiDAR noise."""
 
 from dataclasses import replace
 
-import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QLabel, QWidget
@@ -17,7 +16,7 @@ from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.project import Settings
 
-TIMES = N_(
+CORRELATION_TIMES_HINT = N_(
     "Time over which the POS error stays correlated: minutes for the position, longer for the "
     "attitude. Take it from the processing report of the trajectory. If in doubt, a shorter "
     "time is safer."
@@ -42,13 +41,13 @@ LOSS_SUMMARIES: dict[LossName, str] = {
     "huber": N_("Huber"),
     "tukey": N_("Tukey"),
 }
-NOISES = (N_("One value for all axes"), N_("One value per axis"), N_("Range and angle noise"))
+NOISE_TITLES = (N_("One value for all axes"), N_("One value per axis"), N_("Range and angle noise"))
 NOISE_SUMMARIES = ("", N_("LiDAR noise along X, Y, Z"), N_("LiDAR range and angle noise"))
-_MM, _DEG = 1e3, float(np.degrees(1.0))
+_MM_PER_M = 1e3
 
 
 class _WrappedText(QLabel):
-    """Wrapped text with a fixed minimum height, since a form with hidden rows would squeeze it."""
+    """Wrapped text that keeps its whole height, which a form with hidden rows would reduce."""
 
     def __init__(self, text: str, name: str) -> None:
         super().__init__(text)
@@ -84,10 +83,10 @@ class ModelSettings(QWidget):
         )
         form.addRow(gettext("Correlation time, position"), self.position_time)
         form.addRow(gettext("Correlation time, attitude"), self.attitude_time)
-        self.times = _WrappedText(gettext(TIMES), "times_sentence")
+        self.times = _WrappedText(gettext(CORRELATION_TIMES_HINT), "times_sentence")
         form.addRow(self.times)
         self.surface = self._optional_field(
-            "surface", gettext("Surface roughness"), "mm", _MM, gettext("estimated"),
+            "surface", gettext("Surface roughness"), "mm", _MM_PER_M, gettext("estimated"),
             gettext(
                 "Standard deviation of the surface of a target in one line from its common "
                 "surface in all lines"
@@ -103,25 +102,25 @@ class ModelSettings(QWidget):
         self.loss.currentIndexChanged.connect(self.changed)
         form.addRow(gettext("Outliers"), self.loss)
         self.noise = widgets.ChoiceBox(
-            "lidar_noise", [gettext(noise) for noise in NOISES],
+            "lidar_noise", [gettext(noise) for noise in NOISE_TITLES],
             gettext("Model of the LiDAR noise: one value, one value per axis, or range and "
                     "angle"),
         )  # fmt: skip
         self.noise.currentIndexChanged.connect(self._show_noise)
         form.addRow(gettext("LiDAR noise"), self.noise)
-        self._same = widgets.label("", "muted", wrap=True, name="lidar_same")
+        self._single_sigma_row = widgets.label("", "muted", wrap=True, name="lidar_same")
         self.axes = []
         millimetres, degrees = units.shown_unit("mm").sign, units.shown_unit("°").sign
         for axis in "XYZ":
             self.axes.append(
                 self._optional_field(
                     f"lidar_{axis.lower()}", gettext("LiDAR noise along {axis}", axis=axis), "mm",
-                    _MM, f"{axis}, {millimetres}",
+                    _MM_PER_M, f"{axis}, {millimetres}",
                     gettext("Standard deviation of a LiDAR point along {axis}", axis=axis), True,
                 )
             )  # fmt: skip
         self.range = self._optional_field(
-            "lidar_range", gettext("LiDAR range noise"), "mm", _MM,
+            "lidar_range", gettext("LiDAR range noise"), "mm", _MM_PER_M,
             gettext("range, {unit}", unit=millimetres),
             gettext("Standard deviation of the range"), True,
         )  # fmt: skip
@@ -130,8 +129,11 @@ class ModelSettings(QWidget):
             gettext("angle, {unit}", unit=degrees),
             gettext("Standard deviation of the beam direction"), True,
         )  # fmt: skip
-        self._three, self._two = _field_row(*self.axes), _field_row(self.range, self.angle)
-        for each in (self._same, self._three, self._two):
+        self._axis_sigmas_row, self._beam_sigmas_row = (
+            _field_row(*self.axes),
+            _field_row(self.range, self.angle),
+        )
+        for each in (self._single_sigma_row, self._axis_sigmas_row, self._beam_sigmas_row):
             form.addRow("", each)
         self.components = QCheckBox(gettext("Estimate variance components"))
         self.components.setObjectName("variance_components")
@@ -197,8 +199,8 @@ class ModelSettings(QWidget):
         self.attitude_time.setValue(settings.attitude_time)
         self.surface.show_value(settings.surface)
         self.loss.setCurrentIndex([loss for loss, _, _ in LOSSES].index(settings.loss))
-        sigma = units.local_amount(settings.lidar_sigma * _MM, "mm", ".1f")
-        self._same.setText(gettext("{sigma}, as given in step 1", sigma=sigma))
+        sigma = units.local_amount(settings.lidar_sigma * _MM_PER_M, "mm", ".1f")
+        self._single_sigma_row.setText(gettext("{sigma}, as given in step 1", sigma=sigma))
         for field, value in zip(
             self.axes, settings.lidar_sigma_xyz or (settings.lidar_sigma,) * 3, strict=True
         ):
@@ -251,7 +253,9 @@ class ModelSettings(QWidget):
 
     def _show_noise(self) -> None:
         kind = self.noise.currentIndex()
-        for k, each in enumerate((self._same, self._three, self._two)):
+        for k, each in enumerate(
+            (self._single_sigma_row, self._axis_sigmas_row, self._beam_sigmas_row)
+        ):
             self._form.setRowVisible(each, k == kind)
         self.changed.emit()
 
@@ -267,5 +271,5 @@ def _field_row(*fields: QWidget) -> QWidget:
 
 
 def _unrounded_value(displayed: float, before: float, step: float) -> float:
-    """Value with all its digits, if the field that shows it rounded was not changed."""
+    """Value with all its digits if the field, which shows it rounded, was not changed."""
     return before if abs(displayed - before) < step else displayed

@@ -21,14 +21,15 @@ from lispac.gui import widgets
 from lispac.gui.app.tasks import Task
 from lispac.gui.features.estimate.adjust_model import ModelSettings
 from lispac.gui.features.estimate.adjust_parameters import ParameterSwitches
-from lispac.gui.project.status import StepStatus
+from lispac.gui.project.status import ADJUST, ProjectState
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.language import N_, Plural, gettext
 from lispac.project import Project, Settings
 
 DEBOUNCE_MS = 250
-UNITS = (("cm", 100.0), ("m", 1.0))
-MODELS: tuple[tuple[PosErrors, str, str], ...] = (
+SPACING_UNITS = (("cm", 100.0), ("m", 1.0))
+"""Units of the point spacing, with the number of units in a metre."""
+POS_ERROR_MODELS: tuple[tuple[PosErrors, str, str], ...] = (
     (
         "correlated",
         N_("POS errors correlated in time"),
@@ -46,22 +47,22 @@ MODELS: tuple[tuple[PosErrors, str, str], ...] = (
         ),
     ),
 )
-POINTS = Plural("{count:n} point", "{count:n} points")
-SIGHTINGS = Plural("{count:n} sighting", "{count:n} sightings")
+POINT_COUNT_TEXT = Plural("{count:n} point", "{count:n} points")
+SIGHTING_COUNT_TEXT = Plural("{count:n} sighting", "{count:n} sightings")
 
 
 class AdjustPanel(QWidget):
     """Settings of the adjustment and the button that starts it."""
 
     estimate_requested = Signal(object, bool)
-    """Settings of the adjustment, and whether to cross-check."""
+    """Settings of the adjustment, and whether to cross-check the result."""
     subsample_changed = Signal(float)
-    """The point spacing was changed, so the points it keeps are to be counted."""
+    """New point spacing, metres; the points that it keeps are then counted."""
     cancel_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
-        self._metres = 0.10
+        self._spacing = 0.10
         self._settings: Settings | None = None
         self._ready = False
         self._project: Project | None = None
@@ -73,7 +74,7 @@ class AdjustPanel(QWidget):
         layout.addWidget(self.count)
         layout.addWidget(widgets.label(gettext("POS errors"), "heading"))
         self._models = QButtonGroup(self)
-        for k, (model, title, description) in enumerate(MODELS):
+        for k, (model, title, description) in enumerate(POS_ERROR_MODELS):
             choice = QRadioButton(gettext(title))
             choice.setObjectName(f"model_{model}")
             choice.setAccessibleDescription(gettext(description))
@@ -117,7 +118,7 @@ class AdjustPanel(QWidget):
         self._debounce = QTimer(self)
         self._debounce.setSingleShot(True)
         self._debounce.setInterval(DEBOUNCE_MS)
-        self._debounce.timeout.connect(lambda: self.subsample_changed.emit(self._metres))
+        self._debounce.timeout.connect(lambda: self.subsample_changed.emit(self._spacing))
         self._models.idToggled.connect(lambda _id, on: self._check_input() if on else None)
         self.parameters.changed.connect(self._check_input)
         self.model.changed.connect(self._check_input)
@@ -126,12 +127,12 @@ class AdjustPanel(QWidget):
     @property
     def subsample(self) -> float:
         """Point spacing, metres."""
-        return self._metres
+        return self._spacing
 
     @property
     def pos_errors(self) -> PosErrors:
         """Chosen model of the POS errors."""
-        return MODELS[self._models.checkedId()][0]
+        return POS_ERROR_MODELS[self._models.checkedId()][0]
 
     @property
     def chosen_model(self) -> QAbstractButton:
@@ -148,7 +149,7 @@ class AdjustPanel(QWidget):
         """
         if self._settings is None:
             return None
-        chosen = replace(self._settings, subsample=self._metres, pos_errors=self.pos_errors)
+        chosen = replace(self._settings, subsample=self._spacing, pos_errors=self.pos_errors)
         chosen = self.model.with_chosen_values(self.parameters.with_chosen_values(chosen))
         chosen.require_sound()
         return chosen
@@ -159,16 +160,17 @@ class AdjustPanel(QWidget):
             self._debounce.stop()
             self.estimate_requested.emit(self.settings(), self.cross_check.isChecked())
 
-    def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
+    def show_state(self, state: ProjectState) -> None:
         """Fill in the settings of the project if they have changed."""
-        self._ready, self._project = status.ready and not busy, project
+        project, status = state.project, state.steps[ADJUST]
+        self._ready, self._project = status.ready and not state.is_busy, project
         self.advice.setText(status.advice)
         settings = None if project is None else project.settings
         if settings is not None and settings != self._settings:
             self._settings = settings
-            self._metres = settings.subsample
+            self._spacing = settings.subsample
             self._show_distance()
-            for k, (model, _title, _sentence) in enumerate(MODELS):
+            for k, (model, _title, _sentence) in enumerate(POS_ERROR_MODELS):
                 self._models.button(k).setChecked(model == settings.pos_errors)
             self.parameters.show_settings(settings)
             self.model.show_settings(settings)
@@ -181,7 +183,7 @@ class AdjustPanel(QWidget):
 
     def _check_input(self) -> None:
         """Show errors of the typed values, and the summaries of the folded groups."""
-        self.model_sentence.setText(gettext(MODELS[self._models.checkedId()][2]))
+        self.model_sentence.setText(gettext(POS_ERROR_MODELS[self._models.checkedId()][2]))
         self.model.show_model(self.pos_errors)
         self.also.set_summary(self.parameters.summary)
         self.advanced.set_summary(self.model.summary)
@@ -219,7 +221,10 @@ class AdjustPanel(QWidget):
         kept, total, count, reason = self._counted
         if not count:
             return gettext("No targets yet: there are no points to adjust.")
-        points, sightings = gettext(POINTS, count=total), gettext(SIGHTINGS, count=count)
+        points, sightings = (
+            gettext(POINT_COUNT_TEXT, count=total),
+            gettext(SIGHTING_COUNT_TEXT, count=count),
+        )
         if reason:  # also shown below the button
             return gettext(
                 "{points} in {sightings} are not enough for an adjustment.",
@@ -232,7 +237,7 @@ class AdjustPanel(QWidget):
         if (used := self._used_points()) is not None:
             return gettext(
                 "Used in the adjustment: <b>{points}</b> in {sightings}.",
-                points=gettext(POINTS, count=used), sightings=sightings,
+                points=gettext(POINT_COUNT_TEXT, count=used), sightings=sightings,
             )  # fmt: skip
         if kept == total:
             return gettext(
@@ -294,10 +299,12 @@ class AdjustPanel(QWidget):
         self.distance.setSpecialValueText(gettext("all points"))
         self.distance.setMinimumWidth(84)
         self.unit = widgets.ChoiceBox(
-            "subsample_unit", [unit for unit, _ in UNITS], gettext("Unit of the point spacing")
+            "subsample_unit",
+            [unit for unit, _ in SPACING_UNITS],
+            gettext("Unit of the point spacing"),
         )
         self._show_distance()
-        self.distance.valueChanged.connect(self._distance_changed)
+        self.distance.valueChanged.connect(self._on_distance_changed)
         self.unit.currentIndexChanged.connect(lambda: self._show_distance())
         row = QHBoxLayout()
         row.addWidget(widgets.label(gettext("Point spacing"), "heading"))
@@ -307,14 +314,14 @@ class AdjustPanel(QWidget):
         return row
 
     def _show_distance(self) -> None:
-        _, per_metre = UNITS[self.unit.currentIndex()]
+        _, per_metre = SPACING_UNITS[self.unit.currentIndex()]
         self.distance.blockSignals(True)
         self.distance.setDecimals(1 if per_metre > 1 else 3)
         self.distance.setRange(0, 10 * per_metre)
         self.distance.setSingleStep(0.01 * per_metre)
-        self.distance.setValue(self._metres * per_metre)
+        self.distance.setValue(self._spacing * per_metre)
         self.distance.blockSignals(False)
 
-    def _distance_changed(self, value: float) -> None:
-        self._metres = value / UNITS[self.unit.currentIndex()][1]
+    def _on_distance_changed(self, value: float) -> None:
+        self._spacing = value / SPACING_UNITS[self.unit.currentIndex()][1]
         self._debounce.start()

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QGridLayout, QLabel, QWidget
 
-from lispac.adjustment.model.parameters import QUANTITIES, Parameter
+from lispac.adjustment.model.parameters import PARAMETER_DISPLAYS, Parameter
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.appearance.units import Base
@@ -44,13 +44,13 @@ class MountingParameter:
     def amount(self, value: float, *, signed: bool = True) -> str:
         """Text of a value with the unit shown, in the user's language."""
         form = f"{'+' if signed else ''}.{self.decimals}f"
-        if self.unit in BASES:
-            return units.local_amount(value * self.scale, BASES[self.unit], form)
+        if self.unit in BASE_UNITS:
+            return units.local_amount(value * self.scale, BASE_UNITS[self.unit], form)
         written = number(value * self.scale, self.decimals, sign=signed).replace("-", "−")
         return f"{written}\N{NO-BREAK SPACE}{self.unit}"
 
 
-BASES: dict[str, Base] = {"m": "m", "°": "°"}
+BASE_UNITS: dict[str, Base] = {"m": "m", "°": "°"}
 _LIMITS_AND_TEXTS = {
     "lever_x": (
         100.0, N_("Lever arm X"), N_("lever arm X"), N_("Prior σ of the lever arm X"),
@@ -84,7 +84,7 @@ PRIOR_TIPS = {
     "scan_angle_offset": N_("Prior scan-angle offset. It is also applied if it is not estimated."),
     "latency": N_("Prior latency. It is also applied if it is not estimated."),
 }
-TITLES = {
+PARAMETER_TITLES = {
     "lever_x": N_("Lever arm X"),
     "lever_y": N_("Lever arm Y"),
     "lever_z": N_("Lever arm Z"),
@@ -92,15 +92,15 @@ TITLES = {
     "scan_angle_offset": N_("Scan-angle offset"),
     "latency": N_("Latency"),
 }
-KINDS: dict[str, MountingParameter] = {
+MOUNTING_PARAMETERS: dict[str, MountingParameter] = {
     name: MountingParameter(
-        name, TITLES[name], each.unit.replace("deg", "°"), each.factor, each.decimals,
+        name, PARAMETER_TITLES[name], each.unit.replace("deg", "°"), each.factor, each.decimals,
         *_LIMITS_AND_TEXTS[name],
     )
-    for name, each in QUANTITIES.items()
+    for name, each in PARAMETER_DISPLAYS.items()
 }  # fmt: skip
-LEVER = ("lever_x", "lever_y", "lever_z")
-SCANNER = ("range_offset", "scan_angle_offset", "latency")
+LEVER_ARM_NAMES = ("lever_x", "lever_y", "lever_z")
+SCANNER_PARAMETER_NAMES = ("range_offset", "scan_angle_offset", "latency")
 
 
 class ParameterSwitches(QWidget):
@@ -129,7 +129,7 @@ class ParameterSwitches(QWidget):
             head.setToolTip(tip)
             head.setAlignment(Qt.AlignmentFlag.AlignRight)
             grid.addWidget(head, 0, 1 + column)
-        for row, kind in enumerate(KINDS.values(), start=1):
+        for row, kind in enumerate(MOUNTING_PARAMETERS.values(), start=1):
             switch = QCheckBox(gettext(kind.short_title))
             switch.setObjectName(f"estimate_{kind.name}")
             switch.setToolTip(gettext(kind.tip))
@@ -161,7 +161,7 @@ class ParameterSwitches(QWidget):
             for name, switch in self.switches.items()
             if switch.isChecked()
         )
-        value = {name: self._value(name) for name in SCANNER}
+        value = {name: self._value(name) for name in SCANNER_PARAMETER_NAMES}
         return replace(
             settings,
             parameters=chosen,
@@ -178,16 +178,16 @@ class ParameterSwitches(QWidget):
             switch.setChecked(name in sigma)
             switch.blockSignals(False)
             self.sigmas[name].show_value(sigma.get(name))
-        for name, metres in zip(LEVER, settings.lever_arm, strict=True):
-            self._lever[name].setText(KINDS[name].amount(metres))
+        for name, metres in zip(LEVER_ARM_NAMES, settings.lever_arm, strict=True):
+            self._lever[name].setText(MOUNTING_PARAMETERS[name].amount(metres))
         self._shown = dict(
             zip(
-                SCANNER,
+                SCANNER_PARAMETER_NAMES,
                 (settings.range_offset, settings.scan_angle_offset_deg, settings.latency),
                 strict=True,
             )
         )
-        for name in SCANNER:
+        for name in SCANNER_PARAMETER_NAMES:
             field = self.priors[name]
             field.blockSignals(True)
             field.setValue(self._shown[name] * _unit_scale(name))
@@ -197,13 +197,17 @@ class ParameterSwitches(QWidget):
     @property
     def summary(self) -> str:
         """Text with the chosen parameters, or with their number."""
-        chosen = [KINDS[name] for name, switch in self.switches.items() if switch.isChecked()]
+        chosen = [
+            MOUNTING_PARAMETERS[name]
+            for name, switch in self.switches.items()
+            if switch.isChecked()
+        ]
         if len(chosen) > 2:
             return gettext(Plural("{count:n} parameter", "{count:n} parameters"), count=len(chosen))
         return ", ".join(gettext(kind.summary) for kind in chosen) if chosen else gettext("none")
 
     def _prior_field(self, kind: MountingParameter) -> QWidget:
-        if kind.name in LEVER:
+        if kind.name in LEVER_ARM_NAMES:
             shown = widgets.label("")
             shown.setFont(theme.tabular_font(shown.font()))
             shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -237,5 +241,5 @@ class ParameterSwitches(QWidget):
 
 
 def _unit_scale(name: str) -> float:
-    """Factor from the unit shown to that of `Settings`."""
-    return 1.0 if name == "scan_angle_offset" else KINDS[name].scale
+    """Factor from the unit of `Settings` to the unit shown."""
+    return 1.0 if name == "scan_angle_offset" else MOUNTING_PARAMETERS[name].scale

@@ -8,32 +8,32 @@ from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.gui.appearance import theme, units
-from lispac.gui.features.estimate.adjust_parameters import KINDS
+from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS
 from lispac.language import N_, gettext
 from lispac.present.angles import ANGLE_TITLES
 
-MARKERS = ("o", "s", "^")
+ANGLE_MARKERS = ("o", "s", "^")
 """Markers of the angles, which can be distinguished without colours."""
 FONT_SIZE, SMALL_SIZE = 9, 8
-DIRECTIONS = (N_("weakest direction"), N_("middle direction"), N_("strongest direction"))
-MIN_SIGMA_DEG = 1e-12
-"""Smallest difference that is drawn on the logarithmic axis; smaller ones are rounding errors."""
+DIRECTION_TITLES = (N_("weakest direction"), N_("middle direction"), N_("strongest direction"))
+MIN_DRAWN_DIFFERENCE = 1e-12
+"""Smallest difference drawn, in the angle unit shown; smaller ones are rounding errors."""
 
 
 def draw_convergence(result: AdjustmentResult, figure: Figure) -> None:
     """Draw the difference of each angle from its final value by iteration; 0 is the prior."""
     axes = _new_axes(figure)
     path = np.degrees(np.vstack([result.prior_boresight, result.path]))
-    away = np.abs(path - path[-1]) * units.shown_unit("°").factor
+    differences = np.abs(path - path[-1]) * units.shown_unit("°").factor
     count, last = np.arange(len(path)), np.degrees(result.angles)
     for k, title in enumerate(ANGLE_TITLES):
         value = units.local_amount(float(last[k]), "°", "+.4f")
-        shown = np.where(away[:-1, k] > MIN_SIGMA_DEG, away[:-1, k], np.nan)
+        shown = np.where(differences[:-1, k] > MIN_DRAWN_DIFFERENCE, differences[:-1, k], np.nan)
         axes.plot(
             count[:-1],
             shown,
             color=theme.current_scheme().series[k],
-            marker=MARKERS[k],
+            marker=ANGLE_MARKERS[k],
             markersize=4,
             linewidth=1.3,
             label=f"{gettext(title)}  {value}",
@@ -92,7 +92,7 @@ def draw_pos_errors(result: AdjustmentResult, figure: Figure) -> None:
     )  # fmt: skip
     items = result.reliability
     names = [f"{item.sighting.target} {item.sighting.line}" for item in items]
-    place = np.arange(len(items))
+    positions = np.arange(len(items))
     for subplot, (title, base, scale, which, components) in enumerate(parts, start=1):
         axes = figure.add_subplot(1, 2, subplot)
         _style_axes(axes)
@@ -100,7 +100,7 @@ def draw_pos_errors(result: AdjustmentResult, figure: Figure) -> None:
         error = np.array([item.pos_error[which] for item in items]) * scale
         prior = np.array([item.pos_sigma[which] for item in items]) * scale
         for k, component in enumerate(components):
-            offset = place + 0.24 * (k - 1)
+            offset = positions + 0.24 * (k - 1)
             # One collection, since a patch for each bar would double the drawing time
             left, right, up = offset - 0.1, offset + 0.1, 2 * prior[:, k]
             corners = ((left, -up), (left, up), (right, up), (right, -up))
@@ -111,11 +111,11 @@ def draw_pos_errors(result: AdjustmentResult, figure: Figure) -> None:
             )  # fmt: skip
             axes.add_collection(bars)
             axes.plot(
-                offset, error[:, k], linestyle="none", marker=MARKERS[k], markersize=4,
+                offset, error[:, k], linestyle="none", marker=ANGLE_MARKERS[k], markersize=4,
                 color=theme.current_scheme().series[k], label=gettext(component),
             )  # fmt: skip
         axes.axhline(0, color=theme.MUTED, linewidth=0.8)
-        axes.set_xticks(place, names, rotation=60, ha="right", rotation_mode="anchor")
+        axes.set_xticks(positions, names, rotation=60, ha="right", rotation_mode="anchor")
         for text in axes.get_xticklabels():
             text.set_parse_math(False)
             text.set_fontsize(SMALL_SIZE if len(items) < 20 else SMALL_SIZE - 2)
@@ -142,7 +142,7 @@ def draw_directions(result: AdjustmentResult, figure: Figure) -> None:
         left = left + share[k]
     names = [
         f"{gettext(name)}\nσ {units.local_amount(value, '°', '.4f')}"
-        for name, value in zip(DIRECTIONS, sigma, strict=True)
+        for name, value in zip(DIRECTION_TITLES, sigma, strict=True)
     ]
     axes.set_yticks(range(3), names)
     axes.invert_yaxis()
@@ -152,8 +152,8 @@ def draw_directions(result: AdjustmentResult, figure: Figure) -> None:
 
 def short_title(name: str) -> str:
     """Short title of an estimated value for an axis, in the user's language."""
-    if name in KINDS:
-        return gettext(KINDS[name].short_title)
+    if name in MOUNTING_PARAMETERS:
+        return gettext(MOUNTING_PARAMETERS[name].short_title)
     return gettext(ANGLE_TITLES[ANGLES.index(name)])
 
 

@@ -21,16 +21,16 @@ from lispac.gui.widgets.diagnostics_table import DiagnosticsTable, Row
 from lispac.gui.widgets.result_tables import spread_text, window_columns, window_rows
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.present.cross_checks import WINDOW_SUBSETS, cross_check_values, subset_rows
-from lispac.present.parameters import WINDOW_PARAMETERS, angle_parameters, parameter_values
-from lispac.present.sightings import SIGHTINGS, sighting_values
+from lispac.present.cross_checks import WINDOW_SUBSETS_TABLE, cross_check_values, subset_rows
+from lispac.present.parameters import WINDOW_PARAMETERS_TABLE, angle_parameters, parameter_values
+from lispac.present.sightings import SIGHTINGS_TABLE, sighting_values
 from lispac.present.tables import Table
-from lispac.present.targets import TARGETS, target_values
+from lispac.present.targets import TARGETS_TABLE, target_values
 from lispac.project import Project
 
 ROW_HINT = N_("Double-click or press Enter to show the points of this row in the view")
-NOT_COMPUTED = N_("Not computed. Press Estimate to compute it.")
-NOT_WITH_CLASSICAL = N_(
+NOT_COMPUTED_ADVICE = N_("Not computed. Press Estimate to compute it.")
+UNCORRELATED_ERRORS_ADVICE = N_(
     "Not available with uncorrelated POS errors. Choose “POS errors correlated in time” in "
     "step 3 and press Estimate."
 )
@@ -65,9 +65,9 @@ class DiagnosticsPage(QWidget):
         if project is None or result is None:
             self._show_advice(gettext(self.empty_text))
             return
-        lacking = self.empty_page_advice(project, result)
-        if lacking:
-            self._show_advice(gettext(lacking))
+        advice = self.empty_page_advice(project, result)
+        if advice:
+            self._show_advice(gettext(advice))
             return
         self.fill(project, result)
         self._stack.setCurrentIndex(1)
@@ -154,7 +154,7 @@ class PosErrorsPage(FigurePage):
     )
 
     def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
-        """Advice if the model or the result has no tests of sightings."""
+        """Advice if no POS error of a sighting was estimated."""
         return _reliability_advice(result)
 
 
@@ -177,7 +177,7 @@ class ObservabilityPage(FigurePage):
 
     def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
         """Advice if the observability was not computed."""
-        return "" if result.observability else NOT_COMPUTED
+        return "" if result.observability else NOT_COMPUTED_ADVICE
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
         """Describe the directions, and draw them."""
@@ -228,7 +228,7 @@ class SightingsPage(TablePage):
     """Page with residuals and tests of every sighting."""
 
     title, name = N_("Sightings"), "diagnostics_sightings_table"
-    results = SIGHTINGS
+    results = SIGHTINGS_TABLE
     empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the residuals and tests of each "
         "sighting."
@@ -246,7 +246,7 @@ class TargetsPage(TablePage):
     """Page with residuals of every target."""
 
     title, name = N_("Targets"), "diagnostics_targets_table"
-    results = TARGETS
+    results = TARGETS_TABLE
     empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the residuals of each target."
     )
@@ -267,7 +267,7 @@ class ParametersPage(TablePage):
     """Page with every estimated value, its prior and its significance."""
 
     title, name = N_("Parameters"), "diagnostics_parameters_table"
-    results = WINDOW_PARAMETERS
+    results = WINDOW_PARAMETERS_TABLE
     empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see each estimated value with its "
         "prior and its significance."
@@ -294,7 +294,7 @@ class CrossChecksPage(DiagnosticsPage):
     def __init__(self) -> None:
         super().__init__()
         self.table = DiagnosticsTable(
-            "diagnostics_checks_table", gettext(self.title), window_columns(WINDOW_SUBSETS)
+            "diagnostics_checks_table", gettext(self.title), window_columns(WINDOW_SUBSETS_TABLE)
         )
         self.spread = widgets.label("", name="cross_check_spread", rich=True)
         self.spread.setToolTip(
@@ -328,14 +328,14 @@ class CrossChecksPage(DiagnosticsPage):
         checks = cross_check_values(project.cross_checks)
         self.table.show_rows(
             window_rows(
-                WINDOW_SUBSETS, subset_rows(checks), marked=lambda row: row.subset.disagrees,
+                WINDOW_SUBSETS_TABLE, subset_rows(checks), marked=lambda row: row.subset.disagrees,
                 tip=lambda row: message_text(row.subset.reason) if row.subset.reason else "",
             )
         )  # fmt: skip
         self.spread.setText(spread_text(checks))
 
 
-PAGES: tuple[type[DiagnosticsPage], ...] = (
+PAGE_CLASSES: tuple[type[DiagnosticsPage], ...] = (
     SightingsPage,
     TargetsPage,
     ConvergencePage,
@@ -349,8 +349,8 @@ PAGES: tuple[type[DiagnosticsPage], ...] = (
 
 def _reliability_advice(result: AdjustmentResult) -> str:
     if not result.model.correlated:
-        return NOT_WITH_CLASSICAL
-    return "" if result.reliability else NOT_COMPUTED
+        return UNCORRELATED_ERRORS_ADVICE
+    return "" if result.reliability else NOT_COMPUTED_ADVICE
 
 
 def _scroll_area(widget: QWidget) -> QScrollArea:

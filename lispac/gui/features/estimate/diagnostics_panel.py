@@ -12,11 +12,12 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.features.estimate.diagnostics_pages import (
-    PAGES,
+    PAGE_CLASSES,
     DiagnosticsPage,
     SightingsPage,
     TargetsPage,
 )
+from lispac.gui.project.status import ProjectState
 from lispac.language import N_, gettext
 from lispac.project import Project
 
@@ -40,7 +41,7 @@ class DiagnosticsPanel(QWidget):
         self.list.setStyleSheet("QListWidget { border: none; } QListWidget::item { padding: 3px; }")
         self._stack = QStackedWidget()
         self.pages: dict[str, DiagnosticsPage] = {}
-        for kind in PAGES:
+        for kind in PAGE_CLASSES:
             page = kind()
             self.pages[page.title] = page
             self.list.addItem(gettext(page.title))
@@ -76,10 +77,11 @@ class DiagnosticsPanel(QWidget):
         assert isinstance(page, DiagnosticsPage)
         return page
 
-    def show_project(self, project: Project | None, *, waiting: bool = False) -> None:
-        """Show a result; while a new one is awaited (``waiting``), disable the previous one."""
+    def show_state(self, state: ProjectState) -> None:
+        """Show the result of the project; while a new one is computed, disable the last one."""
+        project = state.project
         had_result = self._project is not None and self._project.result is not None
-        greyed = waiting and had_result
+        greyed = state.is_waiting and had_result
         self._waiting.setVisible(greyed)
         self._stack.setEnabled(not greyed)
         if greyed or not self._has_new_result(project):
@@ -89,7 +91,7 @@ class DiagnosticsPanel(QWidget):
         self._fill()
 
     def select(self, target: str, line: str) -> None:
-        """Select the rows of a sighting."""
+        """Select the rows of a sighting and of its target."""
         for page in (SightingsPage, TargetsPage):
             self.pages[page.title].select(target, line)
 

@@ -24,15 +24,15 @@ from lispac.workflow.project.survey import Survey
 DEBOUNCE_MS = 250
 """Delay of an automatic adjustment, so that several clicks in a row cause only one."""
 
-ESTIMATED = Plural(
+ESTIMATED_TEXT = Plural(
     "Boresight estimated from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
     "Boresight estimated from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
 )
-ESTIMATED_AGAIN = Plural(
+ESTIMATED_AGAIN_TEXT = Plural(
     "Boresight estimated again from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
     "Boresight estimated again from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
 )
-ESTIMATED_SAME_POINTS = Plural(
+SAME_POINTS_TEXT = Plural(
     "Boresight estimated again from the same {count:n} point in {elapsed:s.2} s; RMS {before} "
     "→ {after}",
     "Boresight estimated again from the same {count:n} points in {elapsed:s.2} s; RMS {before} "
@@ -41,20 +41,26 @@ ESTIMATED_SAME_POINTS = Plural(
 
 
 @dataclass(frozen=True, eq=False)
-class _Selection:
-    """Points selected with the estimated boresight, and the project they belong to."""
+class _PointSelection:
+    """Points of the targets, selected again with an estimated boresight.
 
-    selected_with: Project
+    Attributes
+    ----------
+    source : project whose picked points were selected
+    selected : the same project with the selected points
+    """
+
+    source: Project
     survey: Survey
     selected: Project
 
     def covers_sightings(self, project: Project, survey: Survey) -> bool:
         """Whether all sightings used in ``project`` are among the selected ones."""
-        if survey is not self.survey or project.settings != self.selected_with.settings:
+        if survey is not self.survey or project.settings != self.source.settings:
             return False
         known = {
             (target.name, sighting.line): sighting.indices
-            for target in self.selected_with.targets_of_role("target")
+            for target in self.source.targets_of_role("target")
             for sighting in target.used_sightings
         }
         return all(
@@ -66,8 +72,10 @@ class _Selection:
 
 @dataclass(frozen=True, eq=False)
 class _EstimationResult:
+    """Result of an adjustment in the worker."""
+
     estimated: Project
-    selection: _Selection
+    selection: _PointSelection
     clouds: Mapping[str, Cloud]
     replaced: Survey | None
     """Survey with points moved by another prior mounting; None if they did not move."""
@@ -90,7 +98,7 @@ class Estimation(QObject):
         super().__init__(controller)
         self._document, self._runner, self._questions = document, runner, questions
         self._scene, self._controller = scene, controller
-        self._selection: _Selection | None = None
+        self._selection: _PointSelection | None = None
         self._automatic: tuple[Task, Project] | None = None
         self._cross_check = False
         self._unchecked: Project | None = None
@@ -119,17 +127,17 @@ class Estimation(QObject):
         self.estimate(settings, cross_check)
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
-        """Adjust the boresight with these settings and show the lines placed with it."""
+        """Adjust the boresight with these settings and show the lines after the adjustment."""
         project, survey = self._document.current_data
         if project is None or survey is None:
             return
-        selected_with = project if settings == project.settings else project.with_settings(settings)
-        data_changed = data_key(selected_with) != data_key(project)
+        source = project if settings == project.settings else project.with_settings(settings)
+        data_changed = data_key(source) != data_key(project)
 
         def work(progress: Progress) -> _EstimationResult:
             settings.require_sound()
-            placed = survey.with_prior(selected_with.mounting("prior")) if data_changed else survey
-            found = _adjust(selected_with, placed, None, cross_check, progress)
+            placed = survey.with_prior(source.mounting("prior")) if data_changed else survey
+            found = _adjust(source, placed, None, cross_check, progress)
             return replace(found, replaced=placed) if data_changed else found
 
         def done(found: _EstimationResult) -> None:
@@ -141,7 +149,7 @@ class Estimation(QObject):
             # Stored again, since the scene releases its data when the survey is replaced.
             self._scene.keep_estimated(found.estimated.result, found.clouds)
             self._scene.show("estimated")
-            self._note(found.estimated, ESTIMATED)
+            self._note(found.estimated, ESTIMATED_TEXT)
             self.estimated.emit()
 
         task = self._runner.run(gettext("Estimating the boresight"), work, done, key="estimate")
@@ -159,12 +167,8 @@ class Estimation(QObject):
 
     def _record_refusal(self, error: BaseException) -> None:
         """Record that an estimate was refused while an older result is kept."""
-        selected_with = self._last_task
-        if (
-            selected_with is not None
-            and selected_with.error is error
-            and isinstance(error, LispacError)
-        ):
+        task = self._last_task
+        if task is not None and task.error is error and isinstance(error, LispacError):
             self._document.set_refused_since(error.reason)
 
     # -- automatic adjustments ---------------------------------------------------------------
@@ -215,9 +219,9 @@ class Estimation(QObject):
             self._scene.keep_estimated(found.estimated.result, found.clouds)
             self._unchecked = found.estimated
             self._document.complete_last_edit(found.estimated)
-            self._note(found.estimated, ESTIMATED_SAME_POINTS if selection else ESTIMATED_AGAIN)
+            self._note(found.estimated, SAME_POINTS_TEXT if selection else ESTIMATED_AGAIN_TEXT)
 
-        # A fast adjustment yields to requests of the user; a slow one can be cancelled.
+        # A request of the user cancels a fast adjustment; a slow one is shown and can be cancelled.
         task = self._runner.run(
             gettext("Estimating the boresight again"),
             work,
@@ -284,20 +288,20 @@ class Estimation(QObject):
 def _adjust(
     project: Project,
     survey: Survey,
-    selection: _Selection | None,
+    selection: _PointSelection | None,
     cross_check: bool,
     progress: Progress,
     *,
     advise: bool = True,
 ) -> _EstimationResult:
-    """Select points if necessary, adjust, and place the lines; runs in the worker."""
+    """Select points if necessary, adjust, and georeference the lines; runs in the worker."""
     from lispac.workflow.calibration.estimation import adjust_selected, reselect_points
 
     preload_matplotlib()
     started = perf_counter()
     if selection is None:
         selected = reselect_points(project, survey, progress=sub_progress(progress, 0.0, 0.7))
-        selection = _Selection(project, survey, selected)
+        selection = _PointSelection(project, survey, selected)
     solved = adjust_selected(
         project, selection.selected, survey,
         cross_check=cross_check, advise=advise, progress=sub_progress(progress, 0.7, 0.95),

@@ -3,24 +3,24 @@
 from collections.abc import Sequence
 from html import escape
 
-from lispac.adjustment.diagnostics.warnings import MAX_FLAT_SIGMA, result_warnings
+from lispac.adjustment.diagnostics.warnings import MAX_FLAT_FORM_SIGMA, result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.gui.appearance import quantities, theme, units
-from lispac.gui.features.estimate.adjust_parameters import KINDS, MountingParameter
+from lispac.gui.features.estimate.adjust_parameters import MOUNTING_PARAMETERS, MountingParameter
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.present.parameters import (
-    COMPONENTS,
+    COMPONENT_TITLES,
     component_values,
     interval_text,
     parameter_values,
     significance_text,
 )
 
-MIN_ROUGHNESS = 5e-5
+MIN_SHOWN_ROUGHNESS_M = 5e-5
 """Smallest surface sigma, metres, that is not shown as 0.0 mm."""
-_TENTH_MM = 1e-4
+_TENTH_MM_IN_M = 1e-4
 
 
 def observation_counts(result: AdjustmentResult) -> str:
@@ -44,7 +44,7 @@ def roughness_text(result: AdjustmentResult) -> str:
         return "–"
     if result.model.surface == 0:
         return gettext("fixed at 0")
-    if result.surfaces.max() < MIN_ROUGHNESS:
+    if result.surfaces.max() < MIN_SHOWN_ROUGHNESS_M:
         return gettext("not detected")
     if result.offset is None:
         return _roughness_value_text(result.surface)
@@ -55,17 +55,17 @@ def roughness_text(result: AdjustmentResult) -> str:
 
 
 def _roughness_value_text(metres: float) -> str:
-    if metres < MIN_ROUGHNESS:
-        return gettext("below {limit}", limit=quantities.amount(1000 * _TENTH_MM, "mm", 1))
+    if metres < MIN_SHOWN_ROUGHNESS_M:
+        return gettext("below {limit}", limit=quantities.amount(1000 * _TENTH_MM_IN_M, "mm", 1))
     return quantities.amount(1000 * metres, "mm", 1)
 
 
-FIT = (
+GOOD_FIT_TEXTS = (
     N_("The residuals agree with the given standard deviations. The uncertainties are realistic."),
     N_("The residuals agree with the given standard deviations."),
 )
-"""Texts for a result without and with warnings, as in the following constants."""
-FIT_WITH_SURFACES = (
+"""Text for a result without warnings, and text for one with warnings; likewise below."""
+GOOD_FIT_WITH_ROUGHNESS_TEXTS = (
     N_(
         "The residuals agree with the given standard deviations if the target surfaces vary by "
         "{most:mm.1} mm from line to line. The uncertainties are realistic."
@@ -75,7 +75,7 @@ FIT_WITH_SURFACES = (
         "{most:mm.1} mm from line to line."
     ),
 )
-SMALL_RESIDUALS = (
+SMALL_RESIDUALS_TEXTS = (
     N_(
         "The residuals are smaller than expected: the given standard deviations of LiDAR or POS "
         "are too large, and the uncertainties are conservative."
@@ -88,22 +88,25 @@ SMALL_RESIDUALS = (
 
 
 def fit_verdict(
-    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
+    result: AdjustmentResult, checks: CrossChecks | None, further: Sequence[Message] = ()
 ) -> str:
     """Text on the chi-square test and, without warnings, on the validity of the uncertainties."""
-    is_sure = not result_warnings(result, checks, also)
+    is_sure = not result_warnings(result, checks, further)
     if result.chi_square.passed:
-        if result.model.surface is None and (most := float(result.surfaces.max())) > MAX_FLAT_SIGMA:
-            sure, unsure = FIT_WITH_SURFACES
+        if (
+            result.model.surface is None
+            and (most := float(result.surfaces.max())) > MAX_FLAT_FORM_SIGMA
+        ):
+            sure, unsure = GOOD_FIT_WITH_ROUGHNESS_TEXTS
             return gettext(sure if is_sure else unsure, most=most)
-        return gettext(FIT[0] if is_sure else FIT[1])
+        return gettext(GOOD_FIT_TEXTS[0] if is_sure else GOOD_FIT_TEXTS[1])
     if result.variance_factor > 1:
         return gettext(
             "The residuals are larger than expected from the given standard deviations. Check "
             "for a target that is not flat or a sighting with points of another object, or "
             "enter larger standard deviations."
         )
-    return gettext(SMALL_RESIDUALS[0] if is_sure else SMALL_RESIDUALS[1])
+    return gettext(SMALL_RESIDUALS_TEXTS[0] if is_sure else SMALL_RESIDUALS_TEXTS[1])
 
 
 def chi_square_text(result: AdjustmentResult) -> str:
@@ -126,7 +129,7 @@ def parameters_html(result: AdjustmentResult) -> str:
     """Parameters estimated besides the boresight, as rich text; empty if there are none."""
     rows = []
     for estimate, values in zip(result.parameters, parameter_values(result), strict=True):
-        kind = KINDS[estimate.name]
+        kind = MOUNTING_PARAMETERS[estimate.name]
         title = escape(gettext(kind.title))
         if estimate.value is None or estimate.sigma is None:
             reason = "" if estimate.reason is None else escape(message_text(estimate.reason))
@@ -154,7 +157,7 @@ def variance_component_texts(result: AdjustmentResult) -> tuple[str, ...]:
     return tuple(
         gettext(
             "{errors}: factor {factor:x.2} (95 %: {interval}), {finding}",
-            errors=gettext(COMPONENTS[each.name]), factor=each.factor,
+            errors=gettext(COMPONENT_TITLES[each.name]), factor=each.factor,
             interval=interval_text(each), finding=message_text(each.text),
         )
         for each in component_values(result)

@@ -28,6 +28,7 @@ from lispac.duplicate_targets import project_warnings
 from lispac.gui import widgets
 from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.features.estimate import result_texts
+from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_texts import boresight_sentence, convention_html
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
@@ -35,14 +36,15 @@ from lispac.messages import Message
 from lispac.project import Project, Triple
 
 ANGLE_NAMES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
-EMPTY = N_(
+EMPTY_TEXT = N_(
     "No result yet. Pick at least two targets with different orientations, then press Estimate in "
     "step 3."
 )
-WAITING = N_("Estimating …")
-_TWO_SIDED_95 = 1.96
-_ROW_PX = 25
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+WAITING_TEXT = N_("Estimating …")
+_SIGMA_FACTOR_95 = 1.96
+"""Half width of the 95 % interval of a normal distribution, in standard deviations."""
+_ROW_HEIGHT_PX = 25
+_ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class ResultsPanel(QWidget):
@@ -61,25 +63,9 @@ class ResultsPanel(QWidget):
         self._stack.addWidget(empty)
         self._stack.addWidget(self._create_body())
 
-    def show_project(
-        self,
-        project: Project | None,
-        *,
-        waiting: bool = False,
-        refusal: str = "",
-        refused_since: Message | str = "",
-    ) -> None:
-        """Show the result of a project.
-
-        Parameters
-        ----------
-        waiting : bool
-            Whether a new result is being computed; the last one is then disabled.
-        refusal : str
-            Reason why there is no result.
-        refused_since : Message or str
-            Reason why an estimate after this result failed.
-        """
+    def show_state(self, state: ProjectState) -> None:
+        """Show the result of the project; while a new one is computed, disable the last one."""
+        project, waiting, refusal = state.project, state.is_waiting, state.refusal
         result = None if project is None else project.result
         greyed = waiting and self._stack.currentIndex() == 1
         self._waiting.setVisible(greyed)
@@ -90,14 +76,14 @@ class ResultsPanel(QWidget):
         self.refusal.setVisible(bool(refusal))
         self.refusal.setText(refusal)
         if waiting:
-            self._empty.setText(gettext(WAITING))
+            self._empty.setText(gettext(WAITING_TEXT))
         else:
-            self._empty.setText("" if refusal else gettext(EMPTY))
+            self._empty.setText("" if refusal else gettext(EMPTY_TEXT))
         if project is not None and result is not None:
             _fill_angles(self.angles, result, project.truth_deg)
             self._truth_note.setVisible(project.truth_deg is not None)
             self._fill_rotation(result)
-            self._fill_texts(project, result, refused_since)
+            self._fill_texts(project, result, state.refused_since)
             _fill_correlation(self.correlation, result)
             self._fill_fit(project, result)
 
@@ -152,7 +138,7 @@ class ResultsPanel(QWidget):
         return widgets.VerticalScrollArea(outer, 380)
 
     def _fill_rotation(self, result: AdjustmentResult) -> None:
-        """Show the rotation matrix if the pitch is too steep for the three angles."""
+        """Show the rotation matrix if a steep pitch makes roll and yaw inseparable."""
         is_shown = result.mounting.axes is not None
         self.rotation.setVisible(is_shown)
         if is_shown:
@@ -167,10 +153,10 @@ class ResultsPanel(QWidget):
     def _fill_texts(
         self, project: Project, result: AdjustmentResult, refused_since: Message | str
     ) -> None:
-        also = list(project_warnings(project))
+        further = list(project_warnings(project))
         if refused_since:
-            also.insert(0, outdated_result_warning(refused_since))
-        warnings = result_warnings(result, project.cross_checks, also)
+            further.insert(0, outdated_result_warning(refused_since))
+        warnings = result_warnings(result, project.cross_checks, further)
         self.warnings.setText("<br><br>".join(escape(message_text(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_texts.parameters_html(result)
@@ -253,9 +239,9 @@ def _create_table(name: str, title: str, rows: int) -> QTableWidget:
     table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     table.setHorizontalHeaderLabels([gettext(name) for name in ANGLE_NAMES])
     for column in range(len(ANGLES)):
-        table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
+        table.horizontalHeaderItem(column).setTextAlignment(_ALIGN_RIGHT)
     side = table.verticalHeader()
-    side.setDefaultSectionSize(_ROW_PX)
+    side.setDefaultSectionSize(_ROW_HEIGHT_PX)
     side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
     side.setMinimumWidth(96)
     side.setHighlightSections(False)
@@ -268,13 +254,15 @@ def _create_table(name: str, title: str, rows: int) -> QTableWidget:
 def _set_row_titles(table: QTableWidget, titles: Sequence[str]) -> None:
     table.setRowCount(len(titles))
     table.setVerticalHeaderLabels(list(titles))
-    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW_PX * len(titles) + 3)
+    table.setFixedHeight(
+        table.horizontalHeader().sizeHint().height() + _ROW_HEIGHT_PX * len(titles) + 3
+    )
 
 
 def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | None) -> None:
     prior, value = np.degrees(result.prior_angles), np.degrees(result.angles)
     sigma = np.degrees(result.sigma)
-    interval = _TWO_SIDED_95 * sigma
+    interval = _SIGMA_FACTOR_95 * sigma
     rows = [
         (gettext("Prior"), gettext("Angle before the adjustment"), prior, True),
         (gettext("Estimated"), gettext("Angle after the adjustment"), value, True),
@@ -326,13 +314,13 @@ def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
 def _write_row(table: QTableWidget, row: int, texts: Sequence[str], *, bold: bool = False) -> None:
     for column, text in enumerate(texts):
         item = QTableWidgetItem(text)
-        item.setTextAlignment(_RIGHT)
+        item.setTextAlignment(_ALIGN_RIGHT)
         item.setFont(theme.tabular_font(table.font(), bold=bold))
         table.setItem(row, column, item)
 
 
 def _correlation_colour(value: float) -> QColor:
-    """Background colour of a correlation: paper at 0, blue to +1, orange to -1."""
+    """Background colour of a correlation: paper colour at 0, full colour of its sign at ±1."""
     full = QColor(theme.POSITIVE if value >= 0 else theme.NEGATIVE)
     share = min(abs(value), 1.0)
     ends = zip(QColor(theme.PAPER).getRgb()[:3], full.getRgb()[:3], strict=True)

@@ -15,7 +15,7 @@ from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.progress import Progress
-from lispac.workflow.output.export_request import ExportRequest, What
+from lispac.workflow.output.export_request import ExportContent, ExportRequest
 
 EXPORT_TITLES = {
     "lines": N_("Writing the lines"),
@@ -24,8 +24,8 @@ EXPORT_TITLES = {
     "trajectory": N_("Writing the trajectory"),
 }
 """Title of the task that exports each kind of data."""
-DATA: tuple[What, ...] = ("lines", "targets", "trajectory")
-"""Kinds of exported data, which are also the names of the actions."""
+DATA_KINDS: tuple[ExportContent, ...] = ("lines", "targets", "trajectory")
+"""Kinds of data with their own export action, which has the same name."""
 
 
 class DataExport(QObject):
@@ -43,12 +43,12 @@ class DataExport(QObject):
         super().__init__(actions)
         self._document, self._runner, self._scene = document, runner, scene
         self._controller, self._dialogs, self._actions = controller, dialogs, actions
-        actions.connect_slots({what: partial(self.export, what) for what in DATA})
+        actions.connect_slots({what: partial(self.export, what) for what in DATA_KINDS})
         for changed in (document.changed, document.survey_changed, runner.changed):
             changed.connect(self._enable_controls)
         self._enable_controls()
 
-    def export(self, what: What = "lines") -> None:
+    def export(self, what: ExportContent = "lines") -> None:
         """Show the export dialogue and export lines, targets or the trajectory."""
         project, survey = self._document.project, self._document.survey
         if project is not None and survey is not None:
@@ -78,5 +78,5 @@ class DataExport(QObject):
 
     def _enable_controls(self) -> None:
         ready = self._document.survey_is_current and not self._runner.busy
-        for what in DATA:
+        for what in DATA_KINDS:
             self._actions[what].setEnabled(ready)

@@ -17,13 +17,13 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.output.export_request import ExportRequest, What
-from lispac.workflow.output.georeferencing import Which
+from lispac.workflow.output.export_request import ExportContent, ExportRequest
+from lispac.workflow.output.georeferencing import BoresightChoice
 
 if TYPE_CHECKING:
     from lispac.workflow.output.script import Script
 
-INTRODUCTION = N_(
+SCRIPT_INTRODUCTION = N_(
     "This Python script recomputes the project from its raw files and gives the same results. You "
     "can edit it and run it without this window."
 )
@@ -45,7 +45,7 @@ class ScriptDialog(QDialog):
         self.setWindowTitle(dialog_title(ACTIONS["script"]))
         self._save = save
         layout = widgets.vertical_layout(self, 16)
-        layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))
+        layout.addWidget(widgets.label(gettext(SCRIPT_INTRODUCTION), wrap=True))
         if script.messages:
             messages = widgets.label(wrap=True, name="script_messages")
             messages.setText("\n".join(map(message_text, script.messages)))
@@ -88,7 +88,11 @@ class ExportDialogs(Questions):
     """Dialogues about exported data and the script."""
 
     def export(
-        self, what: What, which: Which, project: Project, trajectory: LocalTrajectory
+        self,
+        what: ExportContent,
+        which: BoresightChoice,
+        project: Project,
+        trajectory: LocalTrajectory,
     ) -> ExportRequest | None:
         """Ask for the options of an export; None if cancelled."""
         dialog = ExportDialog(what, which, project, trajectory, self.parent)

@@ -38,25 +38,25 @@ from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.output.data_export import trajectory_datum_note
 from lispac.workflow.output.export_request import (
-    ENDINGS,
+    FILE_TYPES,
+    ExportContent,
     ExportRequest,
-    What,
     output_system_of,
 )
-from lispac.workflow.output.georeferencing import Which
-from lispac.workflow.output.output_crs import LOCAL, trajectory_datum_of
+from lispac.workflow.output.georeferencing import BoresightChoice
+from lispac.workflow.output.output_crs import LOCAL_FRAME, trajectory_datum_of
 
-CONTENTS: dict[What, str] = {
+CONTENT_TITLES: dict[ExportContent, str] = {
     "lines": N_("Georeferenced lines with all attributes"),
     "targets": N_("Points of targets and validation planes"),
     "planes": N_("Points of the target planes (text, 25 columns)"),
     "trajectory": N_("Trajectory"),
 }
-FORMATS = {
+FORMAT_TITLES = {
     "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text (.txt)"),
     "sbet": "SBET (.out)", "text": N_("Text (.txt)"),
 }  # fmt: skip
-BORESIGHTS: dict[Which, str] = {
+BORESIGHT_TITLES: dict[BoresightChoice, str] = {
     "estimated": N_("Estimated boresight"),
     "prior": N_("Prior boresight"),
 }
@@ -67,8 +67,8 @@ class ExportDialog(QDialog):
 
     def __init__(
         self,
-        what: What,
-        which: Which,
+        what: ExportContent,
+        which: BoresightChoice,
         project: Project,
         trajectory: LocalTrajectory,
         parent: QWidget | None = None,
@@ -78,10 +78,12 @@ class ExportDialog(QDialog):
         self.setWindowTitle(dialog_title(ACTIONS["targets" if what == "planes" else what]))
         self._project, self._trajectory = project, trajectory
         self.what = widgets.ChoiceBox(
-            "export_what", [gettext(each) for each in CONTENTS.values()], gettext("Data to export")
+            "export_what",
+            [gettext(each) for each in CONTENT_TITLES.values()],
+            gettext("Data to export"),
         )
         self.boresight = widgets.ChoiceBox(
-            "export_boresight", [gettext(each) for each in BORESIGHTS.values()],
+            "export_boresight", [gettext(each) for each in BORESIGHT_TITLES.values()],
             gettext("Boresight angles used to georeference the points"),
         )  # fmt: skip
         self.system = system_box("export_system", project, trajectory)
@@ -151,7 +153,7 @@ class ExportDialog(QDialog):
             field.textChanged.connect(self._on_typed)
         self.folder.textChanged.connect(self._check_input)
         if project.result is None:
-            self.boresight.setCurrentIndex(list(BORESIGHTS).index("prior"))
+            self.boresight.setCurrentIndex(list(BORESIGHT_TITLES).index("prior"))
             self.boresight.setEnabled(False)
             self.boresight.setToolTip(
                 gettext(
@@ -160,8 +162,8 @@ class ExportDialog(QDialog):
                 )
             )
         else:
-            self.boresight.setCurrentIndex(list(BORESIGHTS).index(which))
-        self.what.setCurrentIndex(list(CONTENTS).index(what))
+            self.boresight.setCurrentIndex(list(BORESIGHT_TITLES).index(which))
+        self.what.setCurrentIndex(list(CONTENT_TITLES).index(what))
         self._show_fields()
 
     def request(self) -> ExportRequest:
@@ -172,7 +174,7 @@ class ExportDialog(QDialog):
         if what == "trajectory":
             ending = ".out" if form == "sbet" else ".txt"
             output = output / f"{self._project.trajectory.stem}_export{ending}"
-        which = list(BORESIGHTS)[self.boresight.currentIndex()]
+        which = list(BORESIGHT_TITLES)[self.boresight.currentIndex()]
         try:
             datum, epoch = self._datum_and_epoch()
         except InputError:  # shown by the dialogue, which cannot be accepted
@@ -183,11 +185,11 @@ class ExportDialog(QDialog):
 
     def _preset_datum(self) -> None:
         """Fill in datum and epoch of the lines; leave them empty if the lines differ."""
-        self._differ = False
+        self._datums_differ = False
         try:
             datum, epoch = trajectory_datum_of(self._project.lines)
         except LispacError:
-            self._differ = True
+            self._datums_differ = True
             return
         self.datum.setText(datum)
         self.epoch.setText("" if epoch is None else repr(epoch))
@@ -202,19 +204,19 @@ class ExportDialog(QDialog):
         except ValueError:
             raise InputError(error("window.not_a_decimal_year", text=text)) from None
         datum = self.datum.text().strip()
-        return (None if self._differ and not datum else datum), epoch
+        return (None if self._datums_differ and not datum else datum), epoch
 
     @property
     def _height(self) -> str:
         return self.height.text().strip() if self.height.isEnabled() else ""
 
     @property
-    def _content(self) -> What:
-        return list(CONTENTS)[self.what.currentIndex()]
+    def _content(self) -> ExportContent:
+        return list(CONTENT_TITLES)[self.what.currentIndex()]
 
     @property
     def _file_format(self) -> str:
-        return ENDINGS[self._content][self.form.currentIndex()]
+        return FILE_TYPES[self._content][self.form.currentIndex()]
 
     @property
     def _system_text(self) -> str:
@@ -227,8 +229,8 @@ class ExportDialog(QDialog):
             self._rows.setRowVisible(field, on_map)
         self._rows.setRowVisible(self.boresight, what != "trajectory")
         self.form.clear()
-        self.form.addItems([gettext(FORMATS[ending]) for ending in ENDINGS[what]])
-        self.form.setEnabled(len(ENDINGS[what]) > 1)
+        self.form.addItems([gettext(FORMAT_TITLES[ending]) for ending in FILE_TYPES[what]])
+        self.form.setEnabled(len(FILE_TYPES[what]) > 1)
         self._check_input()
         self.adjustSize()
 
@@ -242,7 +244,7 @@ class ExportDialog(QDialog):
     def _check_input(self) -> None:
         """Show the meaning of the coordinate settings, or the error in them."""
         self._debounce.stop()
-        local = self._system_text == LOCAL
+        local = self._system_text == LOCAL_FRAME
         self.height.setEnabled(not local)
         for field in (self.datum, self.epoch):  # the lines already have this system
             field.setEnabled(not local and bool(self._system_text))

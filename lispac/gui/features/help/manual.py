@@ -12,8 +12,8 @@ from lispac.gui.project.controller import Controller
 from lispac.language import current_language, gettext
 from lispac.progress import Progress
 
-PANELS = "panels"
-"""Page with a section for each step, with anchors ``step-1`` to ``step-5``."""
+STEPS_PAGE = "panels"
+"""Page of the manual with a section for each step; its anchors are ``step-1`` to ``step-5``."""
 
 
 class Manual(QObject):
@@ -36,12 +36,12 @@ class Manual(QObject):
         actions.connect_slots(
             {
                 "manual": self.open,
-                "manual_step": lambda: self.open(PANELS, f"step-{opened_step() + 1}"),
+                "manual_step": lambda: self.open(STEPS_PAGE, f"step-{opened_step() + 1}"),
             }
         )
 
     def open(self, page: str = "index", place: str = "") -> None:
-        """Show a page of the manual, or a place on it, in the language of the window."""
+        """Show a page of the manual, at the anchor ``place``, in the language of the window."""
         code = current_language()
 
         def work(progress: Progress) -> Path:

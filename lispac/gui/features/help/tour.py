@@ -1,7 +1,8 @@
 """The three-minute tour: a guided calibration of the demo survey.
 
 The user does each step with the ordinary functions of the window. The tour shows the instruction,
-brings the place into view, and continues when the state of the project shows that the step is done.
+moves the view to the target, and continues when the state of the project shows that the step is
+done.
 """
 
 from collections.abc import Callable
@@ -22,13 +23,13 @@ from lispac.project import Project
 from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
 from lispac.workflow.planning.demo import demo_seeds
 
-VIEW_RADIUS = 2.5
-"""Radius around a board that is brought into view with it, metres."""
+VIEW_RADIUS_M = 2.5
+"""Half width and half height of the area around a board that is brought into view, metres."""
 
 
 @dataclass(frozen=True)
 class TourStep:
-    """One step of the tour: instruction, place and the test for its end.
+    """One step of the tour: its instruction, its target and the test whether it is done.
 
     Attributes
     ----------
@@ -47,32 +48,32 @@ def _target_count(project: Project, role: str) -> int:
     return len(project.targets_of_role(role))
 
 
-STEPS = (
+TOUR_STEPS = (
     TourStep(N_("The vessel has passed this quay six times; each line has its own colour. The "
             "prior boresight is wrong, so the same wall appears in six places. Hold Ctrl and "
             "click the board in the middle of the view."), "T1",
-         lambda project, waits: waits or _target_count(project, "target") >= 1),
+         lambda project, candidate_waits: candidate_waits or _target_count(project, "target") >= 1),
     TourStep(N_("The plane of the board was found in every line. Press Enter to accept it."), "T1",
-         lambda project, _waits: _target_count(project, "target") >= 1),
+         lambda project, _candidate_waits: _target_count(project, "target") >= 1),
     TourStep(N_("One board does not determine all three angles. Ctrl+click this second board, "
             "which leans back, and press Enter."), "T2",
-         lambda project, _waits: _target_count(project, "target") >= 2),
+         lambda project, _candidate_waits: _target_count(project, "target") >= 2),
     TourStep(N_("Press F9 to estimate the boresight. Roll, pitch and yaw appear on the right, with "
             "standard deviations that include the errors of the trajectory."), "",
-         lambda project, _waits: project.result is not None),
+         lambda project, _candidate_waits: project.result is not None),
     TourStep(N_("Now check that the lines agree on a validation plane, which is not used in the "
             "adjustment. Press F7, Ctrl+click the plane in the middle and press Enter."), "V1",
-         lambda project, _waits: _target_count(project, "validation") >= 1),
+         lambda project, _candidate_waits: _target_count(project, "validation") >= 1),
     TourStep(N_("Press F10: the histograms below show the distances between the lines before and "
             "after the calibration. Press B to switch the view between before and after."), "",
-         lambda project, _waits: bool(project.validation)),
+         lambda project, _candidate_waits: bool(project.validation)),
     TourStep(N_("The calibration is complete. Press Ctrl+E to write the report. Each step on the "
             "left shows its state and the next action."), "",
-         lambda _project, _waits: False),
+         lambda _project, _candidate_waits: False),
 )  # fmt: skip
 
 
-SAME_ORIENTATION = N_(
+SAME_ORIENTATION_TEXT = N_(
     "This target has the same orientation as the other, so the angles are not determined. Undo "
     "with Ctrl+Z, then Ctrl+click the board that leans back and press Enter."
 )
@@ -103,10 +104,10 @@ class TourCard(QFrame):
 
     def show_step(self, number: int, text: str) -> None:
         """Show an instruction, marked with `N_`; ``number`` counts from 0."""
-        head = gettext("Tour, step {step:n} of {count:n}", step=number + 1, count=len(STEPS))
+        head = gettext("Tour, step {step:n} of {count:n}", step=number + 1, count=len(TOUR_STEPS))
         self.head.setText(head)
         self.text.setText(gettext(text))
-        last = number == len(STEPS) - 1
+        last = number == len(TOUR_STEPS) - 1
         self.end.setText(gettext("Close") if last else gettext("End the tour"))
         self.show()
 
@@ -128,11 +129,11 @@ class Tour(QObject):
         self._document, self._scene, self._viewport = document, scene, viewport
         self._controller, self._card = controller, card
         self._may_leave, self._open_step = may_leave, open_step
-        self._at: int | None = None
+        self._step_index: int | None = None
         self._text = ""
         self._starting = False
         self._place: str | None = None
-        """Place that is brought into view when the lines are drawn; None if there is none."""
+        """`TourStep.place` to bring into view when the lines are drawn; None if there is none."""
         card.ended.connect(self.end)
         document.opened.connect(self._on_project_opened)
         document.changed.connect(self._show_current_step)
@@ -142,7 +143,7 @@ class Tour(QObject):
     @property
     def is_running(self) -> bool:
         """Whether the tour is running."""
-        return self._at is not None
+        return self._step_index is not None
 
     def start(self) -> None:
         """Open the demo without its targets and start the tour."""
@@ -154,13 +155,13 @@ class Tour(QObject):
         self._starting = True
 
     def resume(self) -> None:
-        """Continue the tour with the project as it is, in a new window."""
-        self._at = -1
+        """Show the first step that is not done, at the start and in a rebuilt window."""
+        self._step_index = -1
         self._show_current_step()
 
     def end(self) -> None:
         """End the tour."""
-        self._at = self._place = None
+        self._step_index = self._place = None
         self._card.hide()
 
     def _on_project_opened(self) -> None:
@@ -179,18 +180,20 @@ class Tour(QObject):
 
     def _show_current_step(self) -> None:
         project = self._document.project
-        if self._at is None or project is None:
+        if self._step_index is None or project is None:
             return
-        waits = self._controller.candidate is not None
-        at = next(k for k, step in enumerate(STEPS) if not step.done(project, waits))
-        document, text = self._document, STEPS[at].text
+        candidate_waits = self._controller.candidate is not None
+        at = next(k for k, step in enumerate(TOUR_STEPS) if not step.done(project, candidate_waits))
+        document, text = self._document, TOUR_STEPS[at].text
         if project.result is None and document.survey_is_current:
             assert document.survey is not None
-            text = SAME_ORIENTATION if do_targets_face_one_way(project, document.survey) else text
-        if (at, text) != (self._at, self._text):
-            self._at, self._text = at, text
+            text = (
+                SAME_ORIENTATION_TEXT if do_targets_face_one_way(project, document.survey) else text
+            )
+        if (at, text) != (self._step_index, self._text):
+            self._step_index, self._text = at, text
             self._card.show_step(at, text)
-            self._place = STEPS[at].place
+            self._place = TOUR_STEPS[at].place
             if not self._scene.awaits_lines:
                 self._view_place()
 
@@ -200,7 +203,7 @@ class Tour(QObject):
             return
         if place:
             centre = np.array(demo_seeds()[place][1])
-            corners = centre + VIEW_RADIUS * np.array([[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]])
+            corners = centre + VIEW_RADIUS_M * np.array([[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]])
             self._viewport.view_along(np.array([0.0, 1.0, 0.0]), corners)
         else:
             self._viewport.fit()

@@ -1,4 +1,4 @@
-"""Comparison of before and after in one picture, divided by a line that the mouse moves."""
+"""Split view of the lines before and after, with a divider that follows the mouse."""
 
 from collections.abc import Callable
 
@@ -14,7 +14,7 @@ from lispac.language import gettext
 
 
 class BeforeAfterWipe(QObject):
-    """Wipe between before and after, which ends when it is switched off or the prior is shown."""
+    """Split view, which ends when it is switched off or only the lines before are shown."""
 
     def __init__(
         self,

@@ -16,7 +16,7 @@ from lispac.targets.cross_section import common_normal
 
 SKETCH_COLOUR: Colour = (255, 170, 0)
 SKETCH_NAME = "clip"
-BOX_MARGIN = 0.5
+BOX_MARGIN_M = 0.5
 """Margin of the box around a target, metres."""
 
 
@@ -50,7 +50,7 @@ class ClipBoxController(QObject):
         """Place the box around the selected target, or around everything."""
         groups = list(self._scene.selected_points.values())
         if groups:
-            box = Box.around(np.concatenate(groups), common_normal(groups), BOX_MARGIN)
+            box = Box.around(np.concatenate(groups), common_normal(groups), BOX_MARGIN_M)
         else:
             samples = [cloud.sample[::50] for cloud in self._scene.clouds.values()]
             if not samples:
@@ -65,7 +65,7 @@ class ClipBoxController(QObject):
         """Move the box to the given points (n, 3) if it hides most of them."""
         if self.box is None or 2 * len(self.box.inside(points)) >= len(points):
             return
-        self._set_box(Box.around(points, common_normal([points]), BOX_MARGIN))
+        self._set_box(Box.around(points, common_normal([points]), BOX_MARGIN_M))
         self._note(
             gettext("{name} was outside the clip box. The clip box was moved around it.", name=name)
         )

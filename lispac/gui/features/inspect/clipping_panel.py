@@ -13,9 +13,9 @@ HINT = N_(
     "Only points inside the box are drawn, picked and measured. Drag the handles on its sides, or "
     "enter its lengths."
 )
-NO_BOX = "–"
-"""Text shown instead of the lengths without a box."""
-LENGTHS = (
+NO_BOX_TEXT = "–"
+"""Text shown instead of the lengths while there is no box."""
+LENGTH_FIELDS = (
     ("depth", N_("Depth"), N_("Length of the box perpendicular to the target")),
     ("width", N_("Width"), N_("Length of the box along the target")),
     ("height", N_("Height"), N_("Height of the box")),
@@ -37,7 +37,7 @@ class ClippingPanel(QWidget):
         column.addWidget(widgets.label(gettext(HINT), "muted", wrap=True))
         form = QFormLayout()
         self.fields = []
-        for key, title, tip in LENGTHS:
+        for key, title, tip in LENGTH_FIELDS:
             field = widgets.number(
                 f"clip_{key}", suffix=" m", decimals=2, low=MIN_SIDE_M, high=10_000,
                 step=0.1, tip=gettext(tip),
@@ -74,7 +74,7 @@ class ClippingPanel(QWidget):
         """Show the lengths of the box without emitting a signal."""
         for k, field in enumerate(self.fields):
             field.setEnabled(box is not None)
-            field.setSpecialValueText("" if box is not None else NO_BOX)
+            field.setSpecialValueText("" if box is not None else NO_BOX_TEXT)
             field.blockSignals(True)
             field.setValue(MIN_SIDE_M if box is None else 2.0 * float(box.half[k]))
             field.blockSignals(False)

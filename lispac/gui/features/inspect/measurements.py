@@ -23,6 +23,7 @@ HINTS = {
         N_("Click a point on the second side of the angle"),
     ),
 }
+"""Hint for each click, by the name of the tool."""
 REPEAT_HINT = N_("Click to measure again")
 
 

@@ -21,7 +21,7 @@ from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.progress import Progress
 
-NO_SECTION = N_("No section is shown. Select a target and press S.")
+NO_SECTION_TEXT = N_("No section is shown. Select a target and press S.")
 
 
 class PictureExport(QObject):
@@ -67,7 +67,7 @@ class PictureExport(QObject):
 
     def _save_section(self) -> None:
         if not self._section.has_section:
-            self._note(gettext(NO_SECTION))
+            self._note(gettext(NO_SECTION_TEXT))
             return
         start = self._proposed_file(f"section-{self._section.through.text()}")
         path = self._dialogs.picture_file(start, ("PNG", "SVG", "PDF"))
@@ -79,7 +79,7 @@ class PictureExport(QObject):
 
     def _copy_section(self) -> None:
         if not self._section.has_section:
-            self._note(gettext(NO_SECTION))
+            self._note(gettext(NO_SECTION_TEXT))
             return
         printed = self._section.figure_for_print()
 

@@ -1,4 +1,4 @@
-"""Figure of a section: all lines at true scale, before and after side by side."""
+"""Figure of a section: all lines at true scale, before and after the adjustment."""
 
 from collections.abc import Mapping, Sequence
 
@@ -17,8 +17,8 @@ from lispac.workflow.checking.survey_sections import SectionPoints
 MAX_POINTS = 60_000
 """Largest number of points drawn; larger sets are thinned evenly over all lines."""
 FONT_SIZE, SMALL_SIZE = 9, 8
-TITLES = {"prior": N_("Before"), "estimated": N_("After")}
-TITLES_WITH_DISTANCE = {
+CUT_TITLES = {"prior": N_("Before"), "estimated": N_("After")}
+CUT_TITLES_WITH_DISTANCE = {
     "prior": N_("Before: largest distance between lines {distance}"),
     "estimated": N_("After: largest distance between lines {distance}"),
 }
@@ -67,9 +67,9 @@ def draw_section(
 def cut_title(cut: SectionPoints) -> str:
     """Title of a cut: before or after, with the largest distance between two lines."""
     if cut.separation is None:
-        return gettext(TITLES[cut.which])
+        return gettext(CUT_TITLES[cut.which])
     distance = quantities.amount(1000 * cut.separation, "mm", 0)
-    return gettext(TITLES_WITH_DISTANCE[cut.which], distance=distance)
+    return gettext(CUT_TITLES_WITH_DISTANCE[cut.which], distance=distance)
 
 
 def _draw_cut(axes: Axes, cut: SectionPoints, colours: Mapping[str, Colour]) -> None:

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 TITLE = N_("Section")
-ORIENTATIONS = (N_("Vertical"), N_("Horizontal"))
-"""Orientations of the strip."""
-EMPTY = N_(
+ORIENTATION_TITLES = (N_("Vertical"), N_("Horizontal"))
+"""Titles of the orientations of a section."""
+EMPTY_TEXT = N_(
     "Select a target to show a section of all lines across it, or cut a section between two "
     "points. Lines that are shifted or tilted against each other indicate a wrong boresight."
 )
@@ -43,7 +43,7 @@ class SectionPanel(QWidget):
         self.setMinimumHeight(216)
         self.through = widgets.label("", "heading", name="section_through")
         self.orientation = widgets.ChoiceBox(
-            "section_laid", [gettext(title) for title in ORIENTATIONS],
+            "section_laid", [gettext(title) for title in ORIENTATION_TITLES],
             gettext(
                 "A vertical section shows height against distance and reveals errors of roll "
                 "and pitch. A horizontal section shows the lines from above and reveals errors "
@@ -75,7 +75,9 @@ class SectionPanel(QWidget):
         pictures = QHBoxLayout()
         pictures.addWidget(self.save_picture, 1)
         pictures.addWidget(self.copy_picture, 1)
-        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_text")
+        self.text_label = widgets.label(
+            gettext(EMPTY_TEXT), "muted", wrap=True, name="section_text"
+        )
         form = QFormLayout()
         form.addRow(self.through)
         form.addRow(gettext("Orientation"), self.orientation)
@@ -108,7 +110,7 @@ class SectionPanel(QWidget):
 
     @property
     def is_horizontal(self) -> bool:
-        """Whether the strip is horizontal."""
+        """Whether the section is horizontal."""
         return self.orientation.currentIndex() == 1
 
     @property
@@ -124,8 +126,8 @@ class SectionPanel(QWidget):
         printed = Figure(figsize=shown.get_size_inches(), dpi=PRINT_DPI, layout="constrained")
         with theme.paper_colours():
             self._draw(printed)
-        for axes, like in zip(printed.axes, shown.axes, strict=True):
-            axes.set(xlim=like.get_xlim(), ylim=like.get_ylim())
+        for axes, shown_axes in zip(printed.axes, shown.axes, strict=True):
+            axes.set(xlim=shown_axes.get_xlim(), ylim=shown_axes.get_ylim())
         printed.suptitle(self.through.text(), fontsize=11, parse_math=False)
         return printed
 
@@ -150,7 +152,7 @@ class SectionPanel(QWidget):
         *,
         target: bool,
     ) -> None:
-        """Show a section before and after.
+        """Show a section before and after the adjustment.
 
         Parameters
         ----------

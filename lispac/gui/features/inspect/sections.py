@@ -10,7 +10,7 @@ from lispac.gui.app.actions import Actions
 from lispac.gui.app.mouse_tool import MouseTool
 from lispac.gui.app.tasks import TaskRunner, preload_matplotlib
 from lispac.gui.appearance import theme
-from lispac.gui.features.inspect.section_panel import EMPTY, SectionPanel
+from lispac.gui.features.inspect.section_panel import EMPTY_TEXT, SectionPanel
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
@@ -114,12 +114,12 @@ class SectionTool(QObject):
         name = selected[0] if selected is not None and known and selected[0] in known else None
         ready = survey is not None and self._document.survey_is_current
         if project is None or survey is None or not ready or not (ends or name):
-            self._show_nothing(gettext(EMPTY))
+            self._show_nothing(gettext(EMPTY_TEXT))
             return
         level, size, thickness = panel.is_horizontal, panel.size.value(), panel.thickness.value()
         target = project.target(name) if name else None
-        rests_on = (project.result, target, survey, *(ends or ()))
-        requested = (level, size, thickness, *map(id, rests_on))
+        inputs = (project.result, target, survey, *(ends or ()))
+        requested = (level, size, thickness, *map(id, inputs))
         if not self._outdated and self._shown is not None and requested == self._shown[0]:
             self._draw_frame()
             return
@@ -142,7 +142,7 @@ class SectionTool(QObject):
 
         def done(cuts: Sequence[SectionPoints] | str) -> None:
             self._outdated = False
-            self._shown = requested, rests_on  # references prevent the reuse of their ids
+            self._shown = requested, inputs  # references prevent the reuse of their ids
             if isinstance(cuts, str):
                 self._show_nothing(cuts)
                 return

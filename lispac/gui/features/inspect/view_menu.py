@@ -14,7 +14,7 @@ from lispac.gui.viewport.base import Array, Viewport
 from lispac.language import N_, gettext
 from lispac.targets.cross_section import common_normal
 
-NOTHING_SELECTED = N_("Select a target first, in the list of targets or in the table.")
+NOTHING_SELECTED_TEXT = N_("Select a target first, in the list of targets or in the table.")
 
 
 class ViewMenu(QObject):
@@ -53,23 +53,23 @@ class ViewMenu(QObject):
             slots[COLOUR_ACTIONS[name]] = lambda name=name: self._colour_by(name)
         actions.connect_slots(slots)
 
-    def _resize_points(self, by: int) -> None:
-        pixels = min(max(self._settings.point_size + by, POINT_SIZES_PX[0]), POINT_SIZES_PX[-1])
+    def _resize_points(self, change: int) -> None:
+        pixels = min(max(self._settings.point_size + change, POINT_SIZES_PX[0]), POINT_SIZES_PX[-1])
         self._settings.point_size = pixels
         self._viewport.set_point_size(pixels)
 
     def _fit_selection(self) -> None:
-        if groups := self._selected():
+        if groups := self._selected_points():
             self._viewport.fit(np.concatenate(groups))
 
     def _view_along_normal(self) -> None:
-        if groups := self._selected():
+        if groups := self._selected_points():
             self._viewport.view_along(common_normal(groups), np.concatenate(groups))
 
-    def _selected(self) -> list[Array]:
+    def _selected_points(self) -> list[Array]:
         groups = list(self._scene.selected_points.values())
         if not groups:
-            self._controller.logged.emit(gettext(NOTHING_SELECTED))
+            self._controller.logged.emit(gettext(NOTHING_SELECTED_TEXT))
         return groups
 
     def _colour_by(self, colouring: Colouring) -> bool:
@@ -81,7 +81,7 @@ class ViewMenu(QObject):
         return self._scene.colouring == colouring
 
     def _colour_by_next(self) -> None:
-        at = COLOURINGS.index(self._scene.colouring)
+        current = COLOURINGS.index(self._scene.colouring)
         for k in range(1, len(COLOURINGS)):
-            if self._colour_by(COLOURINGS[(at + k) % len(COLOURINGS)]):
+            if self._colour_by(COLOURINGS[(current + k) % len(COLOURINGS)]):
                 return

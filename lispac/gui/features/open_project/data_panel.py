@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
+from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.mounting_sketch import MountingView
 from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
 from lispac.language import gettext, number
@@ -58,7 +59,7 @@ class DataPanel(QWidget):
         filled.addLayout(files)
 
         self.lines = _lines_table()
-        self.lines.itemChanged.connect(self._line_toggled)
+        self.lines.itemChanged.connect(self._on_line_toggled)
         filled.addWidget(self.lines)
 
         self.lever_arm = widgets.lever_arm_fields("lever_arm")
@@ -108,22 +109,28 @@ class DataPanel(QWidget):
             field.valueChanged.connect(self._show_changes)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
             field.valueChanged.connect(lambda _value, field=field: self._ensure_visible(field))
-        self.show_project(None, None)
+        self._show_empty()
 
-    def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Show a project; ``survey`` is None while the data are being read."""
-        self._empty.setVisible(project is None)
-        self._filled.setVisible(project is not None)
+    def show_state(self, state: ProjectState) -> None:
+        """Show the files, the lines and the settings of the project."""
+        project = state.project
         if project is None:
-            self._settings = None
+            self._show_empty()
             return
+        self._empty.hide()
+        self._filled.show()
         _show_file_name(self._trajectory, project.trajectory, "")
         _show_file_name(
             self._accuracy, project.accuracy, gettext("given standard deviations, constant in time")
         )
-        self._list_lines(project, survey)
+        self._list_lines(project, state.survey)
         if project.settings != self._settings:
             self._fill(project.settings)
+
+    def _show_empty(self) -> None:
+        self._empty.show()
+        self._filled.hide()
+        self._settings = None
 
     def select_line(self, name: str) -> bool:
         """Select a line in the list; return whether it is in the list."""
@@ -153,20 +160,20 @@ class DataPanel(QWidget):
             use = gettext("Tick to show the line in the view")
             item.setToolTip(widgets.plain_tip(f"{line.path}\n{use}"))
             table.setItem(row, 0, item)
-            here = survey is not None and line.name in survey.scans
-            heading = f"{_heading_degrees(survey.heading[line.name])}°" if here else "–"
-            points = number(len(survey.scans[line.name]), 0) if here else "–"
-            for place, text in ((1, heading), (2, points)):
+            is_loaded = survey is not None and line.name in survey.scans
+            heading = f"{_heading_degrees(survey.heading[line.name])}°" if is_loaded else "–"
+            points = number(len(survey.scans[line.name]), 0) if is_loaded else "–"
+            for column, text in ((1, heading), (2, points)):
                 cell = QTableWidgetItem(text)
                 cell.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
                 cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 cell.setFont(theme.tabular_font(table.font()))
-                table.setItem(row, place, cell)
+                table.setItem(row, column, cell)
         table.blockSignals(False)
         height = table.horizontalHeader().sizeHint().height() + 26 * min(len(names), 8) + 4
         table.setFixedHeight(height)
 
-    def _line_toggled(self, item: QTableWidgetItem) -> None:
+    def _on_line_toggled(self, item: QTableWidgetItem) -> None:
         if item.column() == 0:
             self.line_shown.emit(item.text(), item.checkState() == Qt.CheckState.Checked)
 
@@ -184,14 +191,14 @@ class DataPanel(QWidget):
         """Settings with the changed fields; None if no field was changed."""
         if self._settings is None:
             return None
-        fresh = self._settings
-        if _is_changed(self.lever_arm.value(), fresh.lever_arm):
-            fresh = replace(fresh, lever_arm=self.lever_arm.value())
-        if _is_changed(self.boresight.value(), fresh.boresight_deg):
-            fresh = replace(fresh, boresight_deg=self.boresight.value())
-        if _is_changed((self.lidar_sigma.value() / 1000,), (fresh.lidar_sigma,)):
-            fresh = replace(fresh, lidar_sigma=self.lidar_sigma.value() / 1000)
-        return None if fresh is self._settings else fresh
+        edited = self._settings
+        if _is_changed(self.lever_arm.value(), edited.lever_arm):
+            edited = replace(edited, lever_arm=self.lever_arm.value())
+        if _is_changed(self.boresight.value(), edited.boresight_deg):
+            edited = replace(edited, boresight_deg=self.boresight.value())
+        if _is_changed((self.lidar_sigma.value() / 1000,), (edited.lidar_sigma,)):
+            edited = replace(edited, lidar_sigma=self.lidar_sigma.value() / 1000)
+        return None if edited is self._settings else edited
 
     def _show_changes(self) -> None:
         self.mounting.show_mounting(self.lever_arm.value(), self.boresight.value())

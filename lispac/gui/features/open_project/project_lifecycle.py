@@ -65,7 +65,7 @@ class ProjectLifecycle(QObject):
         return choice == "discard"
 
     def open_project(self, path: Path) -> None:
-        """Open a project, after asking about changes to the present one."""
+        """Open a project, after asking about unsaved changes to the current one."""
         if self.may_leave():
             self._controller.open(path)
 

@@ -19,7 +19,7 @@ from lispac.gui import widgets
 from lispac.gui.app.language import local_datetime
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.tab_order import set_tab_order
-from lispac.io.project.project_file import FILE_NAME, UNSAVED_NAME
+from lispac.io.project.project_file import PROJECT_FILE_NAME, UNSAVED_NAME
 from lispac.language import N_, gettext
 
 LINKS = (
@@ -33,9 +33,10 @@ LINKS = (
      N_("Plan boards and lines before the survey")),
 )  # fmt: skip
 """Name of the action, icon, title and description of each link."""
-LOW_LINK_HEIGHT = 36
+SHORT_LINK_HEIGHT_PX = 36
 """Height of a link without its description, pixels."""
 QWIDGETSIZE_MAX = (1 << 24) - 1
+"""Largest height of a widget, pixels: a macro of Qt that PySide6 lacks."""
 
 
 class StartPage(QScrollArea):
@@ -108,7 +109,7 @@ class StartPage(QScrollArea):
             link, text = self.links[name], gettext(description)
             link.setDescription(text if whole else "")
             link.setToolTip("" if whole else text)
-            link.setMaximumHeight(QWIDGETSIZE_MAX if whole else LOW_LINK_HEIGHT)
+            link.setMaximumHeight(QWIDGETSIZE_MAX if whole else SHORT_LINK_HEIGHT_PX)
             link.updateGeometry()
         self._begin.setSpacing(4 if whole else 2)
         self._outer.activate()
@@ -130,7 +131,7 @@ class StartPage(QScrollArea):
         made = _link_button("folder-outline", folder.name, _project_state_text(folder))
         made.setObjectName("start_recent")
         made.setToolTip(widgets.plain_tip(str(folder)))
-        made.setEnabled((folder / FILE_NAME).is_file())
+        made.setEnabled((folder / PROJECT_FILE_NAME).is_file())
         made.clicked.connect(lambda: self.project_chosen.emit(folder))
         return made
 
@@ -144,9 +145,9 @@ def _link_button(icon: str, title: str, description: str) -> QCommandLinkButton:
 
 
 def _project_state_text(folder: Path) -> str:
-    """Text with the date of the last save of a project, and its folder."""
+    """Text with the time of the last save of a project, and its folder."""
     try:
-        saved = local_datetime((folder / FILE_NAME).stat().st_mtime)
+        saved = local_datetime((folder / PROJECT_FILE_NAME).stat().st_mtime)
     except OSError:
         return gettext("Not found: {folder}", folder=folder)
     if (folder / UNSAVED_NAME).is_file():

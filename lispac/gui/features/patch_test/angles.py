@@ -13,20 +13,20 @@ from lispac.patchtest.mismatch_minimisation import ANGLE_NAMES
 
 Array = NDArray[np.float64]
 
-STEP_DEG = 0.001
+SLIDER_STEP_DEG = 0.001
 """Step of a slider, degrees."""
-RANGE_DEG = 3.0
+SLIDER_RANGE_DEG = 3.0
 """Range of a slider to either side of its start, degrees; a field accepts any angle."""
 RESULT_RANGE_DEG = 0.3
 """Range of a slider after a search, degrees; a pixel is then a few thousandths of a degree."""
 ANGLE_TITLES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
-_SLIDERS = (N_("Change the roll"), N_("Change the pitch"), N_("Change the yaw"))
-_FIELDS = (
+_SLIDER_NAMES = (N_("Change the roll"), N_("Change the pitch"), N_("Change the yaw"))
+_FIELD_TIPS = (
     N_("Boresight roll that is applied to the lines in the pictures"),
     N_("Boresight pitch that is applied to the lines in the pictures"),
     N_("Boresight yaw that is applied to the lines in the pictures"),
 )
-_SEARCHES = (
+_SEARCH_TIPS = (
     N_("Find the roll at which the mismatch of the ticked objects is smallest"),
     N_("Find the pitch at which the mismatch of the ticked objects is smallest"),
     N_("Find the yaw at which the mismatch of the ticked objects is smallest"),
@@ -34,7 +34,7 @@ _SEARCHES = (
 
 
 class PatchAngles(QWidget):
-    """Sliders and fields of three angles; `angle_changed` is emitted on each change."""
+    """Sliders and fields of three angles; emits `angle_changed` when the user changes one."""
 
     angle_changed = Signal(int)
     """An angle was changed: 0 roll, 1 pitch, 2 yaw."""
@@ -57,20 +57,23 @@ class PatchAngles(QWidget):
         for k, angle in enumerate(ANGLE_NAMES):
             slider = QSlider(Qt.Orientation.Horizontal)
             slider.setObjectName(f"patch_{angle}_slider")
-            slider.setAccessibleName(gettext(_SLIDERS[k]))
+            slider.setAccessibleName(gettext(_SLIDER_NAMES[k]))
             slider.setToolTip(
                 gettext("Drag, or use the arrow keys (0.001°) or Page Up and Page Down (0.01°)")
             )
-            slider.setRange(-round(RANGE_DEG / STEP_DEG), round(RANGE_DEG / STEP_DEG))
+            slider.setRange(
+                -round(SLIDER_RANGE_DEG / SLIDER_STEP_DEG),
+                round(SLIDER_RANGE_DEG / SLIDER_STEP_DEG),
+            )
             slider.setSingleStep(1)
             slider.setPageStep(10)
             slider.setMinimumWidth(70)
             field = widgets.number(
-                f"patch_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=STEP_DEG,
-                tip=gettext(_FIELDS[k]),
+                f"patch_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=SLIDER_STEP_DEG,
+                tip=gettext(_FIELD_TIPS[k]),
             )  # fmt: skip
             find = widgets.button(
-                gettext("Find this angle"), f"patch_find_{angle}", tip=gettext(_SEARCHES[k])
+                gettext("Find this angle"), f"patch_find_{angle}", tip=gettext(_SEARCH_TIPS[k])
             )  # fmt: skip
             title = widgets.label(gettext(ANGLE_TITLES[k]))
             title.setBuddy(field)
@@ -92,7 +95,7 @@ class PatchAngles(QWidget):
         """Roll, pitch and yaw as set, shape (3,), radians."""
         return self._boresight.copy()
 
-    def set_start(self, boresight: Array, reach: float = RANGE_DEG) -> None:
+    def set_start(self, boresight: Array, reach: float = SLIDER_RANGE_DEG) -> None:
         """Set all angles and centre the sliders on them, without emitting a signal.
 
         Parameters
@@ -103,7 +106,7 @@ class PatchAngles(QWidget):
         self._start = np.array(boresight, dtype=float)
         for slider in self.sliders:
             slider.blockSignals(True)
-            slider.setRange(-round(reach / STEP_DEG), round(reach / STEP_DEG))
+            slider.setRange(-round(reach / SLIDER_STEP_DEG), round(reach / SLIDER_STEP_DEG))
             slider.blockSignals(False)
         self.set_angles(boresight)
 
@@ -151,7 +154,7 @@ class PatchAngles(QWidget):
             find.update_enabled(allowed)
 
     def _on_slider_moved(self, angle: int, steps: int) -> None:
-        self._set_angle(angle, float(self._start[angle] + np.radians(steps * STEP_DEG)))
+        self._set_angle(angle, float(self._start[angle] + np.radians(steps * SLIDER_STEP_DEG)))
 
     def _on_typed(self, angle: int, degrees: float) -> None:
         self._set_angle(angle, float(np.radians(degrees)))
@@ -163,7 +166,7 @@ class PatchAngles(QWidget):
 
     def _show_angle(self, angle: int) -> None:
         degrees = float(np.degrees(self._boresight[angle]))
-        steps = round((degrees - float(np.degrees(self._start[angle]))) / STEP_DEG)
+        steps = round((degrees - float(np.degrees(self._start[angle]))) / SLIDER_STEP_DEG)
         for shown, value in ((self.fields[angle], degrees), (self.sliders[angle], steps)):
             if shown.hasFocus() and shown is self.fields[angle] and shown.value() == value:
                 continue  # the user is typing in it

@@ -12,7 +12,7 @@ from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.patch_test.angles import RESULT_RANGE_DEG
 from lispac.gui.features.patch_test.objects import PatchObjects
-from lispac.gui.features.patch_test.panel import EMPTY, NO_DATA, PatchTestPanel
+from lispac.gui.features.patch_test.panel import EMPTY_TEXT, NO_DATA_TEXT, PatchTestPanel
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
@@ -41,13 +41,13 @@ SKETCH_NAME = "patch"
 ANGLE_NAMES = (N_("roll"), N_("pitch"), N_("yaw"))
 SKETCH_COLOUR: Colour = (0, 150, 90)
 MAX_POINTS = 3_000
-"""Largest number of points of a line in the picture."""
-HALF_WIDTH, INNER_SHARE = np.radians(0.25), 0.8
+"""Approximate largest number of points of an object drawn in the picture, for each line."""
+CURVE_HALF_WIDTH, CURVE_INNER_SHARE = np.radians(0.25), 0.8
 """Half width of the curve, radians, and the share of it beyond which a new curve is computed."""
 CURVE_STEPS = {"one": 41, "all": 17}
 """Number of values of a curve, for one object and for all objects."""
-WIDER = 12
-"""Factor by which the curve is widened if it has no minimum within its width."""
+WIDENING_FACTOR = 12
+"""Factor by which the curve is widened if it has no clear minimum within its width."""
 DEBOUNCE_MS = 200
 """Pause after the last move of a slider before a curve is computed."""
 
@@ -72,14 +72,14 @@ class PatchTestController(QObject):
         self._viewport, self._controller = viewport, controller
         self._actions, self._bring = actions, bring
         self.panel = PatchTestPanel()
-        self._laid: PlacedObjects | None = None
+        self._placed_objects: PlacedObjects | None = None
         self._result: PatchTestResult | None = None
         self._survey: Survey | None = None
-        self._dense: ObjectSample | None = None
+        self._dense_sample: ObjectSample | None = None
         self._extraction: Task | None = None
         self._mismatch: Mismatch | None = None
         self._angle = 0
-        self._curve_at: Array | None = None
+        self._curve_boresight: Array | None = None
         self._drawn = self._outdated = False
         self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
         self._debounce.timeout.connect(self._compute_curve)
@@ -92,15 +92,15 @@ class PatchTestController(QObject):
         panel.find_all_requested.connect(self.find_all)
         panel.save_requested.connect(self.save_result)
         panel.prior_requested.connect(self._reset_to_prior)
-        panel.angles.angle_changed.connect(self._on_angle_turned)
+        panel.angles.angle_changed.connect(self._on_angle_changed)
         panel.angles.find_requested.connect(self.find_angle)
         panel.curve.value_clicked.connect(self._set_angle)
         self._document.survey_changed.connect(self._reset)
         self._runner.changed.connect(self._enable_controls)
-        self._runner.idle.connect(self._when_idle)
+        self._runner.idle.connect(self._on_runner_idle)
         adding = PatchObjects(
             document, runner, scene, controller, actions, mouse_tool, clip_box, self.panel,
-            lambda: self._laid,
+            lambda: self._placed_objects,
         )  # fmt: skip
         adding.objects_placed.connect(self._set_objects)
         self._reset()
@@ -112,21 +112,25 @@ class PatchTestController(QObject):
     # -- objects -----------------------------------------------------------------------------
 
     def _remove(self, name: str) -> None:
-        if self._laid is not None and name:
-            left = [each.name for each in self._laid.objects if each.name != name]
-            self._set_objects(self._laid.select_objects(left) if left else None)
+        if self._placed_objects is not None and name:
+            left = [each.name for each in self._placed_objects.objects if each.name != name]
+            self._set_objects(self._placed_objects.select_objects(left) if left else None)
 
-    def _set_objects(self, laid: PlacedObjects | None, shown: str = "") -> None:
+    def _set_objects(self, placed_objects: PlacedObjects | None, shown: str = "") -> None:
         panel = self.panel
         unticked = {n for n in self._object_names() if n not in panel.ticked_entries}
-        self._laid = laid
+        self._placed_objects = placed_objects
         panel.show_objects(self._object_names(), unticked, shown or panel.shown)
         self._discard_result()
         self._show_object()
         self._enable_controls()
 
     def _object_names(self) -> list[str]:
-        return [] if self._laid is None else [each.name for each in self._laid.objects]
+        return (
+            []
+            if self._placed_objects is None
+            else [each.name for each in self._placed_objects.objects]
+        )
 
     def _zoom_to_object(self, name: str) -> None:
         each = self._find_object(name)
@@ -134,7 +138,7 @@ class PatchTestController(QObject):
             self._viewport.fit(_clip_box(each.box).corners)
 
     def _find_object(self, name: str) -> PatchObject | None:
-        objects = () if self._laid is None else self._laid.objects
+        objects = () if self._placed_objects is None else self._placed_objects.objects
         return next((each for each in objects if each.name == name), None)
 
     # -- display -----------------------------------------------------------------------------
@@ -142,8 +146,8 @@ class PatchTestController(QObject):
     def _show_object(self) -> None:
         """Show the selected object, or update it."""
         each, survey = self._find_object(self.panel.shown), self._survey
-        if each is None or survey is None or self._laid is None:
-            self._dense = self._mismatch = None
+        if each is None or survey is None or self._placed_objects is None:
+            self._dense_sample = self._mismatch = None
             self.panel.picture.show_points({}, {}, np.ones(2))
             self._draw_sketch(None)
             return
@@ -157,39 +161,45 @@ class PatchTestController(QObject):
                 label_point=tuple(each.box.centre.tolist()),
             )
         )
-        one = self._laid.sample.of_objects([each.name])
-        self._mismatch = Mismatch(one, PlacedObjects((each,), (self._laid.boresight,), one).blocks(
-            [each.name], self._ticked_line_pairs()))  # fmt: skip
-        self._curve_at = None
+        sample = self._placed_objects.sample.of_objects([each.name])
+        shown = PlacedObjects((each,), (self._placed_objects.boresight,), sample)
+        self._mismatch = Mismatch(sample, shown.blocks([each.name], self._ticked_line_pairs()))
+        self._curve_boresight = None
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))
-        if self._dense is None or self._dense.observed[0].object is not each:
-            self._dense = None
-            self._extract_dense_points(each, self._laid, survey)
+        if self._dense_sample is None or self._dense_sample.observed[0].object is not each:
+            self._dense_sample = None
+            self._extract_dense_points(each, self._placed_objects, survey)
         self._draw_lines()
 
-    def _extract_dense_points(self, each: PatchObject, laid: PlacedObjects, survey: Survey) -> None:
+    def _extract_dense_points(
+        self, each: PatchObject, placed_objects: PlacedObjects, survey: Survey
+    ) -> None:
         """Extract the points to draw in the worker; the picture is kept until they are ready."""
 
         def work(_progress: Progress) -> ObjectSample:
             return ObjectSample.of(
-                [each], placed_lines(laid, survey), survey.scans, limit=MAX_POINTS
+                [each], placed_lines(placed_objects, survey), survey.scans, limit=MAX_POINTS
             )
 
-        def done(dense: ObjectSample) -> None:
+        def done(dense_sample: ObjectSample) -> None:
             if self._find_object(self.panel.shown) is each:
-                self._dense = dense
+                self._dense_sample = dense_sample
                 self._draw_lines()
 
         title = gettext("Extracting the points of {name}", name=each.name)
         self._extraction = self._runner.run(title, work, done, quiet=True, key="patching")
 
-    def _when_idle(self) -> None:
-        if self._dense is None and self._extraction is not None and self._extraction.superseded:
+    def _on_runner_idle(self) -> None:
+        if (
+            self._dense_sample is None
+            and self._extraction is not None
+            and self._extraction.superseded
+        ):
             self._show_object()
         if self._outdated:
             self._debounce.start()
 
-    def _on_angle_turned(self, angle: int) -> None:
+    def _on_angle_changed(self, angle: int) -> None:
         self._angle = angle
         self._draw_lines()
 
@@ -202,14 +212,19 @@ class PatchTestController(QObject):
     def _draw_lines(self) -> None:
         """Draw the lines with the current angles; the curve follows after a pause."""
         each = self._find_object(self.panel.shown)
-        if each is None or self._dense is None or self._survey is None or self._mismatch is None:
+        if (
+            each is None
+            or self._dense_sample is None
+            or self._survey is None
+            or self._mismatch is None
+        ):
             return
         boresight = self.panel.angles.boresight
         across, up, size = _view_axes(each.box, self.panel.view.currentIndex())
-        placed = self._dense.placed_points(boresight) - each.box.centre
+        placed = self._dense_sample.placed_points(boresight) - each.box.centre
         points = {
             part.line: placed[part.points] @ np.column_stack([across, up])
-            for part in self._dense.observed
+            for part in self._dense_sample.observed
         }
         colours = theme.line_colours(self._survey.lines)
         self.panel.picture.show_points(points, colours, size)
@@ -223,32 +238,39 @@ class PatchTestController(QObject):
             self._debounce.start()
 
     def _is_curve_current(self, boresight: Array) -> bool:
-        at = self._curve_at
+        at = self._curve_boresight
         if at is None:
             return False
         others = [k for k in range(3) if k != self._angle]
         moved = abs(boresight[self._angle] - at[self._angle])
         return bool(self._curve_angle == self._angle and (boresight[others] == at[others]).all()
-                    and moved <= INNER_SHARE * HALF_WIDTH)  # fmt: skip
+                    and moved <= CURVE_INNER_SHARE * CURVE_HALF_WIDTH)  # fmt: skip
 
     def _compute_curve(self) -> None:
-        laid, angle, each = self._laid, self._angle, self._find_object(self.panel.shown)
-        if laid is None or each is None or self._runner.busy:
+        placed_objects, angle, each = (
+            self._placed_objects,
+            self._angle,
+            self._find_object(self.panel.shown),
+        )
+        if placed_objects is None or each is None or self._runner.busy:
             return
-        whole = self.panel.of.currentIndex() == 1
-        names = self.panel.ticked_entries if whole else (each.name,)
+        for_all = self.panel.of.currentIndex() == 1
+        names = self.panel.ticked_entries if for_all else (each.name,)
         boresight, pairs = self.panel.angles.boresight, self._ticked_line_pairs()
-        steps = CURVE_STEPS["all" if whole else "one"]
+        steps = CURVE_STEPS["all" if for_all else "one"]
 
         def work(progress: Progress) -> tuple[Array, Array]:
-            mismatch = Mismatch(laid.sample, laid.blocks(names, pairs))
-            for reach, many in ((HALF_WIDTH, steps), (WIDER * HALF_WIDTH, 3 * steps)):
-                values = boresight[angle] + np.linspace(-reach, reach, many)
+            mismatch = Mismatch(placed_objects.sample, placed_objects.blocks(names, pairs))
+            for half_width, count in (
+                (CURVE_HALF_WIDTH, steps),
+                (WIDENING_FACTOR * CURVE_HALF_WIDTH, 3 * steps),
+            ):
+                values = boresight[angle] + np.linspace(-half_width, half_width, count)
                 if not mismatch.blocks:
-                    return values, np.full(many, np.nan)
-                found = np.empty(many)
+                    return values, np.full(count, np.nan)
+                found = np.empty(count)
                 for k, value in enumerate(values):
-                    progress(k / many)
+                    progress(k / count)
                     found[k] = mismatch.mismatch_curve(boresight, angle, np.array([value]))[0]
                 if curve_minimum(values, found) is not None:
                     break
@@ -256,9 +278,9 @@ class PatchTestController(QObject):
 
         def done(curve: tuple[Array, Array]) -> None:
             self._outdated = False
-            self._curve_at, self._curve_angle = boresight, angle
+            self._curve_boresight, self._curve_angle = boresight, angle
             name = gettext(ANGLE_NAMES[angle])
-            if whole:
+            if for_all:
                 title = gettext("Mismatch as a function of {angle}: ticked objects", angle=name)
             else:
                 title = gettext(
@@ -274,8 +296,8 @@ class PatchTestController(QObject):
 
     def find_angle(self, angle: int) -> None:
         """Minimise the mismatch over one angle."""
-        laid = self._laid
-        if laid is None:
+        placed_objects = self._placed_objects
+        if placed_objects is None:
             return
         names, pairs, start = (
             self.panel.ticked_entries,
@@ -299,7 +321,7 @@ class PatchTestController(QObject):
         self._runner.run(
             gettext("Optimising {angle}", angle=gettext(ANGLE_NAMES[angle])),
             lambda progress: find_angle(
-                laid, laid.blocks(names, pairs), start, angle, progress=progress
+                placed_objects, placed_objects.blocks(names, pairs), start, angle, progress=progress
             ),
             done,
         )
@@ -307,17 +329,17 @@ class PatchTestController(QObject):
     def find_all(self) -> None:
         """Estimate all three angles with their standard deviations."""
         project, survey = self._document.current_data
-        if project is None or survey is None or self._laid is None:
+        if project is None or survey is None or self._placed_objects is None:
             return
-        laid, pairs = (
-            self._laid.select_objects(self.panel.ticked_entries),
+        placed_objects, pairs = (
+            self._placed_objects.select_objects(self.panel.ticked_entries),
             self._ticked_line_pairs(),
         )
 
         def work(progress: Progress) -> PatchTestResult:
             start = survey.alignment.mounting.boresight
             return find_boresight(
-                project, survey, laid, pairs=pairs, start=start, progress=progress
+                project, survey, placed_objects, pairs=pairs, start=start, progress=progress
             )
 
         def done(result: PatchTestResult) -> None:
@@ -363,7 +385,7 @@ class PatchTestController(QObject):
 
     @property
     def last_result(self) -> PatchTestResult | None:
-        """Last result."""
+        """Result of the last search for all angles; None if there is none."""
         return self._result
 
     @property
@@ -394,11 +416,11 @@ class PatchTestController(QObject):
         _, survey = self._document.current_data
         if survey is not None and survey is self._survey:
             return
-        self._survey, self._laid, self._result = survey, None, None
-        self._dense = self._mismatch = self._curve_at = None
+        self._survey, self._placed_objects, self._result = survey, None, None
+        self._dense_sample = self._mismatch = self._curve_boresight = None
         self._outdated = False
-        many = survey is not None and len(survey.clouds) > 1
-        self.panel.show_empty(EMPTY if many else NO_DATA)
+        has_lines = survey is not None and len(survey.clouds) > 1
+        self.panel.show_empty(EMPTY_TEXT if has_lines else NO_DATA_TEXT)
         self.panel.show_pairs(line_pairs(survey) if survey is not None else ())
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))
         self._discard_result()
@@ -420,14 +442,14 @@ class PatchTestController(QObject):
             self._viewport.show_sketch(SKETCH_NAME, sketch)
 
 
-def placed_lines(laid: PlacedObjects, survey: Survey):
-    """Lines placed with the boresight of the objects, or with the prior if it is unknown."""
+def placed_lines(placed_objects: PlacedObjects, survey: Survey):
+    """Lines georeferenced with the boresight of the objects, or the prior if it is unknown."""
     from lispac.survey.cloud import place_clouds
 
-    if not np.isfinite(laid.boresight).all():
+    if not np.isfinite(placed_objects.boresight).all():
         return survey.clouds
     mounting = next(iter(survey.clouds.values())).place.mounting
-    return place_clouds(survey.clouds, mounting.with_boresight(laid.boresight))
+    return place_clouds(survey.clouds, mounting.with_boresight(placed_objects.boresight))
 
 
 def _clip_box(box: ObjectBox) -> ClipBox:
@@ -435,7 +457,7 @@ def _clip_box(box: ObjectBox) -> ClipBox:
 
 
 def _view_axes(box: ObjectBox, view: int) -> tuple[Array, Array, Array]:
-    """Directions to the right and up of a picture, and its size with a margin, metres."""
+    """Directions to the right and upwards in a picture, and its size with a margin, metres."""
     ahead, left, up = box.axes
     margin = 0.3
     if view == 0:

@@ -21,13 +21,13 @@ from lispac.patchtest.object_boxes import MIN_SIDE, ObjectBox, object_of_box
 from lispac.progress import Progress
 from lispac.workflow.calibration.patch_test import PlacedObjects, place_objects, propose_objects
 
-HINT = N_("Click an object that is visible in two lines, to place a box around it")
-POINT_BOX_SIZE = (2.0, 2.0, 3.0)
+CLICK_HINT = N_("Click an object that is visible in two lines, to place a box around it")
+POINT_BOX_SIZE_M = (2.0, 2.0, 3.0)
 """Sides of the box about a clicked point, metres."""
-TARGET_BOX_MARGIN = 0.5
+TARGET_BOX_MARGIN_M = 0.5
 """Margin of the box around a target on every side, metres."""
-HAND_PREFIX = "H"
-"""First letter of the names of boxes placed by the user; detected objects have another."""
+USER_BOX_PREFIX = "H"
+"""First letter of the names of objects added by the user; those detected have another letter."""
 
 
 class PatchObjects(QObject):
@@ -36,7 +36,7 @@ class PatchObjects(QObject):
     Parameters
     ----------
     clip_box : function that returns the clip box, or None if there is none
-    present : function that returns the present objects, or None
+    present : function that returns the current objects, or None if there are none
     """
 
     objects_placed = Signal(object, str)
@@ -76,25 +76,29 @@ class PatchObjects(QObject):
         )
         self._controller.cancel_on_edit(task)
 
-    def _replace_detected(self, laid: PlacedObjects) -> None:
+    def _replace_detected(self, placed_objects: PlacedObjects) -> None:
         """Replace the objects detected earlier; boxes placed by the user are kept."""
         before = self._present()
-        own = [] if before is None else [o.name for o in before.objects if o.name[0] == HAND_PREFIX]
+        own = (
+            []
+            if before is None
+            else [o.name for o in before.objects if o.name[0] == USER_BOX_PREFIX]
+        )
         if before is not None and own:
-            laid = before.select_objects(own).joined_with(laid)
-        self.objects_placed.emit(laid, "")
+            placed_objects = before.select_objects(own).joined_with(placed_objects)
+        self.objects_placed.emit(placed_objects, "")
 
     def _toggle_tool(self, on: bool) -> None:
         if not on:
             self._mouse_tool.end()
             return
         self._mouse_tool.begin(
-            "patch_point", gettext(HINT), pointed=self._add_point, ended=lambda: None
+            "patch_point", gettext(CLICK_HINT), pointed=self._add_point, ended=lambda: None
         )
 
     def _add_point(self, point: PickedPoint) -> None:
         self._mouse_tool.end()
-        self._add_box(ObjectBox(np.array(point.position), np.array(POINT_BOX_SIZE)))
+        self._add_box(ObjectBox(np.array(point.position), np.array(POINT_BOX_SIZE_M)))
 
     def _add_target(self) -> None:
         groups = self._scene.selected_points
@@ -103,7 +107,7 @@ class PatchObjects(QObject):
             return
         points = np.concatenate(list(groups.values()))
         ahead = points.mean(axis=0) - self._vessel_position()
-        self._add_box(_patch_box(ClipBox.around(points, ahead, TARGET_BOX_MARGIN)))
+        self._add_box(_patch_box(ClipBox.around(points, ahead, TARGET_BOX_MARGIN_M)))
 
     def _add_clip_box(self) -> None:
         box = self._clip_box()
@@ -127,7 +131,7 @@ class PatchObjects(QObject):
             return
         before = self._present()
         taken = set() if before is None else {each.name for each in before.objects}
-        name = next(n for k in count(1) if (n := f"{HAND_PREFIX}{k}") not in taken)
+        name = next(n for k in count(1) if (n := f"{USER_BOX_PREFIX}{k}") not in taken)
         shown = next(iter(self._scene.clouds.values())).place.mounting.boresight
 
         def work(progress: Progress) -> PlacedObjects | str:

@@ -26,27 +26,27 @@ from lispac.messages import Message
 from lispac.patchtest.line_pairs import Kind, LinePair
 
 TITLE = N_("Patch test")
-EMPTY = N_(
+EMPTY_TEXT = N_(
     "The patch test compares the lines at objects visible in several lines: edges, pillars, "
     "poles. Find objects, or click one in the view. Then change roll, pitch and yaw until the "
     "colours coincide: the correct boresight has the smallest mismatch. Distant objects high "
     "above the vessel are best; positions under bridges may be wrong."
 )
-NO_DATA = N_("Open a project with at least two lines to compare them.")
-VIEWS = (N_("From above"), N_("From the front of the box"), N_("From the left of the box"))
+NO_DATA_TEXT = N_("Open a project with at least two lines to compare them.")
+VIEW_TITLES = (N_("From above"), N_("From the front of the box"), N_("From the left of the box"))
 """Directions in which an object is shown."""
-CURVES = (N_("Displayed object"), N_("All ticked objects"))
-SIGNS: dict[Kind, str] = {
+CURVE_TITLES = (N_("Displayed object"), N_("All ticked objects"))
+PAIR_SYMBOLS: dict[Kind, str] = {
     "reciprocal": "⇄", "crossing": "✕", "oblique": "∠", "same direction": "⇉",
 }  # fmt: skip
-KINDS: dict[Kind, str] = {
+PAIR_KIND_NAMES: dict[Kind, str] = {
     "reciprocal": N_("reciprocal lines"),
     "crossing": N_("crossing lines"),
     "oblique": N_("oblique lines"),
     "same direction": N_("lines in the same direction"),
 }
-"""Names of the kinds of pairs; `SIGNS` are their symbols."""
-SIDE_WIDTH, LIST_WIDTH, SPACING = 316, 100, 6
+"""Names of the kinds of pairs; `PAIR_SYMBOLS` are their symbols."""
+SIDE_WIDTH_PX, LIST_WIDTH_PX, PICTURE_SPACING_PX = 316, 100, 6
 """Width of both lists, width of the list of objects, and space between the pictures, pixels."""
 
 
@@ -60,7 +60,7 @@ class PatchTestPanel(QWidget):
     remove_requested = Signal(str)
     zoom_requested = Signal(str)
     shown_changed = Signal()
-    """The user has chosen another object, side or curve to be shown."""
+    """The user has chosen another object, viewing direction or curve."""
     ticked_changed = Signal()
     """The user has changed which objects or pairs are compared."""
     find_all_requested = Signal()
@@ -78,14 +78,14 @@ class PatchTestPanel(QWidget):
         )
         self.picture, self.curve, self.angles = LinesPicture(), CurvePicture(), PatchAngles()
         self.view = widgets.ChoiceBox(
-            "patch_view", [gettext(each) for each in VIEWS],
+            "patch_view", [gettext(each) for each in VIEW_TITLES],
             gettext("Direction from which the object is viewed"),
         )  # fmt: skip
         self.of = widgets.ChoiceBox(
-            "patch_curve_of", [gettext(each) for each in CURVES],
+            "patch_curve_of", [gettext(each) for each in CURVE_TITLES],
             gettext("Plot the mismatch of the displayed object or of all ticked objects"),
         )  # fmt: skip
-        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_text")
+        self.text_label = widgets.label(gettext(EMPTY_TEXT), "muted", wrap=True, name="patch_text")
         self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.text_label.setContentsMargins(24, 0, 24, 0)
         self.message_label = widgets.label("", wrap=True, name="patch_message")
@@ -96,7 +96,7 @@ class PatchTestPanel(QWidget):
         row.setContentsMargins(8, 4, 8, 4)
         left = QWidget()
         left.setLayout(self._create_left_column())
-        left.setFixedWidth(SIDE_WIDTH)
+        left.setFixedWidth(SIDE_WIDTH_PX)
         row.addWidget(left)
         self._middle = QStackedLayout()
         self._middle.addWidget(self.text_label)
@@ -124,7 +124,9 @@ class PatchTestPanel(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place the pictures side by side, or one below the other in a narrow panel."""
         super().resizeEvent(event)
-        curve_width = max(self.of.minimumSizeHint().width(), self.curve.minimumWidth()) + SPACING
+        curve_width = (
+            max(self.of.minimumSizeHint().width(), self.curve.minimumWidth()) + PICTURE_SPACING_PX
+        )
         wide = self._inside.minimumSizeHint().width() + (0 if self._beside else curve_width)
         width = event.size().width() - self._area.verticalScrollBar().sizeHint().width()
         self._place_curve(beside=wide <= width)
@@ -188,7 +190,7 @@ class PatchTestPanel(QWidget):
             by_hand.addWidget(button)
         grid.addLayout(by_hand, 1, 0, 1, 3)
         lists = QHBoxLayout()
-        self.objects.setFixedWidth(LIST_WIDTH)
+        self.objects.setFixedWidth(LIST_WIDTH_PX)
         lists.addWidget(self.objects)
         lists.addWidget(self.pairs, 1)
         grid.addLayout(lists, 2, 0, 1, 3)
@@ -202,7 +204,7 @@ class PatchTestPanel(QWidget):
         container = QWidget()
         self._grid = grid = QGridLayout(container)
         grid.setContentsMargins(0, 0, 0, 0)
-        grid.setSpacing(SPACING)
+        grid.setSpacing(PICTURE_SPACING_PX)
         grid.addWidget(self.view, 0, 0)
         grid.addWidget(self.picture, 1, 0)
         grid.setRowStretch(1, 1)
@@ -264,9 +266,11 @@ class PatchTestPanel(QWidget):
     def show_pairs(self, pairs: Sequence[LinePair]) -> None:
         """Show the list of pairs with all pairs ticked."""
         with QSignalBlocker(self.pairs):
-            _fill_list(self.pairs, [(p.name, f"{SIGNS[p.kind]} {p.name}") for p in pairs], ())
+            _fill_list(
+                self.pairs, [(p.name, f"{PAIR_SYMBOLS[p.kind]} {p.name}") for p in pairs], ()
+            )
             for row, pair in enumerate(pairs):
-                kind = gettext(KINDS[pair.kind])
+                kind = gettext(PAIR_KIND_NAMES[pair.kind])
                 self.pairs.item(row).setToolTip(kind)
                 self.pairs.item(row).setData(
                     Qt.ItemDataRole.AccessibleTextRole, f"{pair.name}, {kind}"
@@ -283,22 +287,22 @@ class PatchTestPanel(QWidget):
                 item.setToolTip(widgets.plain_tip(tip))
 
     def show_empty(self, reason: str) -> None:
-        """Show the reason why there are no objects: `EMPTY` or `NO_DATA`."""
+        """Show the reason why there are no objects: `EMPTY_TEXT` or `NO_DATA_TEXT`."""
         self.text_label.setText(gettext(reason))
         self.show_objects((), (), "")
 
     def update_enabled(self, *, ready: bool, busy: bool, has_result: bool) -> None:
         """Enable the buttons that can be used now."""
-        some, free = bool(self.objects.count()), ready and not busy
+        has_objects, free = bool(self.objects.count()), ready and not busy
         for button in (self.propose, self.point, self.target, self.box):
             button.update_enabled(free)
         for button in (self.remove, self.go):
-            button.update_enabled(some and ready)
-        self.all.update_enabled(some and free)
+            button.update_enabled(has_objects and ready)
+        self.all.update_enabled(has_objects and free)
         self.save_button.update_enabled(has_result and free)
-        self.prior.update_enabled(some and ready)
-        self.angles.setEnabled(some and ready)
-        self.angles.update_enabled(some and free)
+        self.prior.update_enabled(has_objects and ready)
+        self.angles.setEnabled(has_objects and ready)
+        self.angles.update_enabled(has_objects and free)
 
     def _emit_shown_changed(self) -> None:
         self.shown_changed.emit()

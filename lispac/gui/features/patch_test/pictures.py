@@ -19,14 +19,14 @@ from lispac.patchtest.line_mismatch import curve_minimum
 
 Array = NDArray[np.float64]
 
-MARGIN, LEFT_PX, BOTTOM_PX = 10, 62, 36
+MARGIN_PX, LEFT_PX, BOTTOM_PX = 10, 62, 36
 """Margins in pixels: of a picture, and to the left of and below the curve."""
-POINT_SIZE = 2.0
+POINT_SIZE_PX = 2.0
 """Size of a point in pixels."""
 
 
 class PaperPicture(QWidget):
-    """Widget for a drawing on paper, with a name for screen readers."""
+    """Base class of the pictures: background, border and name for screen readers."""
 
     def __init__(self, name: str, accessible_name: str) -> None:
         super().__init__()
@@ -40,7 +40,7 @@ class PaperPicture(QWidget):
         return QSize(360, 260)
 
     def painter(self) -> QPainter:
-        """Painter on an empty picture."""
+        """Create a painter and draw the background and the border."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), theme.colour("paper"))
         painter.setPen(theme.colour("border"))
@@ -79,11 +79,11 @@ class LinesPicture(PaperPicture):
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the points and a scale bar."""
         painter = self.painter()
-        wide, high = self.width() - 2 * MARGIN, self.height() - 2 * MARGIN
+        wide, high = self.width() - 2 * MARGIN_PX, self.height() - 2 * MARGIN_PX
         scale = min(wide / (2 * self._half[0]), high / (2 * self._half[1]))
         middle = np.array([0.5 * self.width(), 0.5 * self.height()])
         for line, points in self._points.items():
-            pen = QPen(QColor(*self._colours[line]), POINT_SIZE)
+            pen = QPen(QColor(*self._colours[line]), POINT_SIZE_PX)
             pen.setCapStyle(Qt.PenCapStyle.SquareCap)
             painter.setPen(pen)
             places = middle + scale * points * [1.0, -1.0]
@@ -94,10 +94,10 @@ class LinesPicture(PaperPicture):
 
     def _draw_scale_bar(self, painter: QPainter, scale: float) -> None:
         metres = scale_bar_length(1.0 / scale, 0.3 * self.width())
-        low = self.height() - MARGIN - 4
+        low = self.height() - MARGIN_PX - 4
         painter.setPen(QPen(theme.colour("text"), 2.5))
-        painter.drawLine(QPointF(MARGIN, low), QPointF(MARGIN + metres * scale, low))
-        painter.drawText(QPointF(MARGIN, low - 6), length_text(metres))
+        painter.drawLine(QPointF(MARGIN_PX, low), QPointF(MARGIN_PX + metres * scale, low))
+        painter.drawText(QPointF(MARGIN_PX, low - 6), length_text(metres))
 
 
 class CurvePicture(PaperPicture):
@@ -112,7 +112,7 @@ class CurvePicture(PaperPicture):
         self.setCursor(Qt.CursorShape.CrossCursor)
         self._title = ""
         self._values, self._mismatch = np.empty(0), np.empty(0)
-        self._present: tuple[float, float] | None = None
+        self._current: tuple[float, float] | None = None
 
     def show_curve(self, title: str, values: Array, mismatch: Array) -> None:
         """Show a curve, or an empty curve while it is being computed.
@@ -128,12 +128,12 @@ class CurvePicture(PaperPicture):
 
     def mark_current(self, value: float, mismatch: float) -> None:
         """Mark the current value, radians, and its mismatch, metres; NaN if it is unknown."""
-        self._present = value, mismatch
+        self._current = value, mismatch
         self.update()
 
     @property
     def minimum(self) -> float | None:
-        """Angle of the smallest mismatch, radians; None if it is at an end of the curve."""
+        """Angle of the smallest mismatch, radians; None if the curve has no clear minimum."""
         return curve_minimum(self._values, self._mismatch)
 
     def place(self, value: float, mismatch: float) -> QPointF:
@@ -168,9 +168,9 @@ class CurvePicture(PaperPicture):
         painter = self.painter()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(theme.colour("text"))
-        width = self.width() - 2 * MARGIN
+        width = self.width() - 2 * MARGIN_PX
         title = painter.fontMetrics().elidedText(self._title, Qt.TextElideMode.ElideRight, width)
-        painter.drawText(QPointF(MARGIN, 17), title)
+        painter.drawText(QPointF(MARGIN_PX, 17), title)
         if len(self._values) > 1:
             self._draw_axes(painter)
             line = QPolygonF(
@@ -215,9 +215,9 @@ class CurvePicture(PaperPicture):
             side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
             painter.setPen(theme.colour("done"))
             painter.drawText(box, side, text)
-        if self._present is None:
+        if self._current is None:
             return
-        angle, mismatch = self._present
+        angle, mismatch = self._current
         if not self._values[0] <= angle <= self._values[-1]:
             return
         painter.setPen(QPen(theme.colour("text"), 1))

@@ -17,10 +17,12 @@ from lispac.project import PickedSighting, Project, Role, Shape, Target
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow.project.survey import Survey
 
-ICON_SIZE, ICON_GAP = 16, 14
+ICON_SIZE_PX, ICON_GAP_PX = 16, 14
 """Size of a quality icon, and gap between two columns of lines, pixels."""
 PENDING_ICON = "circle-outline"
-POINTS = Plural("{line}: {count:n} point, {rms} RMS", "{line}: {count:n} points, {rms} RMS")
+LINE_POINTS_TEXT = Plural(
+    "{line}: {count:n} point, {rms} RMS", "{line}: {count:n} points, {rms} RMS"
+)
 
 
 class LineQualityIndicators(QWidget):
@@ -47,7 +49,7 @@ class LineQualityIndicators(QWidget):
             light, name = QLabel(self), QLabel(sighting.line, self)
             name.setTextFormat(Qt.TextFormat.PlainText)
             light.setObjectName(f"light_{sighting.line}")
-            light.setFixedSize(ICON_SIZE, ICON_SIZE)
+            light.setFixedSize(ICON_SIZE_PX, ICON_SIZE_PX)
             name.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
             self._cells[sighting.line] = sighting, light, name
         self.show_qualities({})
@@ -63,13 +65,13 @@ class LineQualityIndicators(QWidget):
                 if quality is None
                 else theme.quality_icon(quality.rating)
             )
-            light.setPixmap(icon.pixmap(ICON_SIZE, ICON_SIZE))
+            light.setPixmap(icon.pixmap(ICON_SIZE_PX, ICON_SIZE_PX))
             if quality is None:
                 judgement = gettext("The quality is being computed")
             else:
                 judgement = quality_text(quality)
             rms = units.local_amount(1000 * sighting.rms, "mm", ".1f")
-            points = gettext(POINTS, line=line, count=len(sighting.indices), rms=rms)
+            points = gettext(LINE_POINTS_TEXT, line=line, count=len(sighting.indices), rms=rms)
             for each in (light, name):
                 each.setToolTip(widgets.plain_tip(f"{points}\n{judgement}"))
                 each.setAccessibleName(f"{line}. {judgement}")
@@ -84,7 +86,7 @@ class LineQualityIndicators(QWidget):
         if not self._cells:
             return
         widest = max(name.sizeHint().width() for _, _, name in self._cells.values())
-        columns = max(1, (self.width() + ICON_GAP) // (ICON_SIZE + 4 + widest + ICON_GAP))
+        columns = max(1, (self.width() + ICON_GAP_PX) // (ICON_SIZE_PX + 4 + widest + ICON_GAP_PX))
         columns = min(columns, len(self._cells))
         if columns == self._columns:
             return
@@ -97,11 +99,11 @@ class LineQualityIndicators(QWidget):
             row, column = divmod(k, columns)
             self._grid.addWidget(light, row, 2 * column, left)
             self._grid.addWidget(name, row, 2 * column + 1, left)
-            self._grid.setColumnMinimumWidth(2 * column + 1, widest + ICON_GAP - 8)
+            self._grid.setColumnMinimumWidth(2 * column + 1, widest + ICON_GAP_PX - 8)
         self._grid.setColumnStretch(2 * columns, 1)
 
 
-TITLES: dict[Role, tuple[str, str]] = {
+TARGET_TITLES: dict[Role, tuple[str, str]] = {
     "target": (N_("Target {name}"), N_("Target {name} (replaces the existing target)")),
     "validation": (
         N_("Validation plane {name}"),
@@ -158,9 +160,9 @@ class DetectedTargetPanel(QFrame):
         return super().eventFilter(watched, event)
 
     def fill(self, candidate: Target, project: Project, survey: Survey | None) -> None:
-        """Show the lines with and without the target, and a target that shares its points."""
+        """Show the lines with and without the target, and a warning if it overlaps another one."""
         known = any(target.name == candidate.name for target in project.targets)
-        self.title.setText(gettext(TITLES[candidate.role][known], name=candidate.name))
+        self.title.setText(gettext(TARGET_TITLES[candidate.role][known], name=candidate.name))
         found = candidate.sightings
         worst = max((sighting.rms for sighting in found), default=0.0)
         sentences = [
@@ -193,7 +195,7 @@ class DetectedTargetPanel(QFrame):
 
 
 def _comparison_text(target: Target, survey: Survey) -> str:
-    """Text on the difference from the expected target, on the first line with a difference."""
+    """Text on differences from the expected size and inclination, in full for the first line."""
     from lispac.workflow.calibration.sighting_assessment import unexpected_deviations
 
     differences = unexpected_deviations(target, survey)

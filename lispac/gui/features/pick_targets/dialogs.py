@@ -111,10 +111,10 @@ class TargetDialogs(Questions):
         return Path(name) if name else None
 
     def seed_list(
-        self, path: Path, project: Project, trajectory: LocalTrajectory, how: str
+        self, path: Path, project: Project, trajectory: LocalTrajectory, search_text: str
     ) -> tuple[ListedSeed, ...]:
-        """Ask which seeds of a list are used; ``how`` describes the search."""
-        dialog = SeedListDialog(path, project, trajectory, how, self.parent)
+        """Ask which seeds of a list are used; ``search_text`` describes the search."""
+        dialog = SeedListDialog(path, project, trajectory, search_text, self.parent)
         return dialog.ticked_entries if run_dialog(dialog) else ()
 
     def seeds_found(self, outcomes: Sequence[SeedOutcome], lines: int) -> None:

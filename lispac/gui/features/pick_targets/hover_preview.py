@@ -1,4 +1,4 @@
-"""Preview of the plane that a click would select, found in the points on the screen."""
+"""Preview of the plane that a click would pick, fitted to the points drawn in the view."""
 
 import time
 from collections.abc import Callable
@@ -35,7 +35,7 @@ class HoverPreviewSettings:
     threshold : float or None, metres
         Largest distance of a point from the plane; None for the default.
     radius : float or None, metres
-        Largest distance of a point from the mouse; None for the default.
+        Largest distance of a point from the point under the mouse; None for the default.
     is_plane : bool
         Whether planes are picked; spheres have no preview.
     """
@@ -66,7 +66,7 @@ class HoverPreview(QObject):
         self._document, self._runner, self._settings = document, runner, settings
         self._viewport, self._action = viewport, actions["hover"]
         self._controller = controller
-        self._warm = self._on = False
+        self._is_prepared = self._is_on = False
         self.seconds = 0.0
         viewport.signals.hovered.connect(self._show_preview)
         self._action.triggered.connect(lambda _on: self._toggle_tool())
@@ -75,7 +75,7 @@ class HoverPreview(QObject):
 
     def _toggle_tool(self) -> None:
         on = self._action.isChecked()
-        if on and not self._warm:
+        if on and not self._is_prepared:
             self._runner.run(
                 gettext("Preparing the preview"),
                 _prepare_finder,
@@ -83,14 +83,14 @@ class HoverPreview(QObject):
                 quiet=True,
                 key="hover",
             )
-        elif on != self._on:
-            self._on = on
+        elif on != self._is_on:
+            self._is_on = on
             self._viewport.set_hovering(on)
             if not on:
                 self._viewport.show_sketch(SKETCH_NAME, None)
 
     def _on_prepared(self, _nothing: object) -> None:
-        self._warm = True
+        self._is_prepared = True
         self._toggle_tool()
 
     def _show_preview(self, point: PickedPoint | None) -> None:

@@ -17,8 +17,8 @@ from lispac.language import N_, Plural, gettext
 from lispac.workflow.calibration.point_edits import with_points, without_points
 
 TOOLS = ("lasso_add", "lasso_remove")
-NOTHING_SELECTED = N_("Select a target first, then draw around its points.")
-NAMES = {
+NOTHING_SELECTED_TEXT = N_("Select a target first, then draw around its points.")
+EDIT_NAMES = {
     "lasso_add": Plural(
         "addition of {count:n} point to {sighting}", "addition of {count:n} points to {sighting}"
     ),
@@ -65,7 +65,7 @@ class Lasso(QObject):
             self._mouse_tool.end()
         elif not self._scene.selected_points:
             self._actions[tool].setChecked(False)
-            self._note(gettext(NOTHING_SELECTED))
+            self._note(gettext(NOTHING_SELECTED_TEXT))
         else:
             self._mouse_tool.begin(tool, "", outlined=self._edit_points, ended=lambda: None)
             self._show_hint()
@@ -83,7 +83,7 @@ class Lasso(QObject):
     def _edit_points(self, corners: Array) -> None:
         project, selected = self._document.project, self._scene.selected
         if project is None or selected is None or not self._scene.selected_points:
-            self._note(gettext(NOTHING_SELECTED))
+            self._note(gettext(NOTHING_SELECTED_TEXT))
             return
         name, line = selected
         tool = self._mouse_tool.tool
@@ -109,7 +109,7 @@ class Lasso(QObject):
             self._note(gettext(template, sighting=sighting))
             return
         self._document.edit(
-            NAMES[tool],
+            EDIT_NAMES[tool],
             project.with_target(target),
             recompute=True,
             count=changed,

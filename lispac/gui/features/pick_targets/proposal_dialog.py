@@ -22,8 +22,8 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.workflow.calibration.proposals import Proposal
 
-ROLES = {"target": N_("Target"), "validation": N_("Validation plane")}
-HEADS = (N_("Name"), N_("Role"), N_("Lines"), N_("Reason"))
+ROLE_NAMES = {"target": N_("Target"), "validation": N_("Validation plane")}
+COLUMN_TITLES = (N_("Name"), N_("Role"), N_("Lines"), N_("Reason"))
 
 
 class ProposedTargetsDialog(QDialog):
@@ -45,7 +45,7 @@ class ProposedTargetsDialog(QDialog):
         self.table.setTabKeyNavigation(False)
         self.table.setObjectName("proposal_table")
         self.table.setAccessibleName(gettext("Proposed targets and validation planes"))
-        self.table.setHorizontalHeaderLabels([gettext(head) for head in HEADS])
+        self.table.setHorizontalHeaderLabels([gettext(head) for head in COLUMN_TITLES])
         self.table.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignLeft)
         self.table.verticalHeader().hide()
         self.table.setShowGrid(False)
@@ -98,7 +98,7 @@ class ProposedTargetsDialog(QDialog):
             name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             name.setCheckState(Qt.CheckState.Checked)
             name.setToolTip(gettext("Untick to exclude this target or plane"))
-            role = QTableWidgetItem(gettext(ROLES[target.role]))
+            role = QTableWidgetItem(gettext(ROLE_NAMES[target.role]))
             lines = [sighting.line for sighting in target.sightings]
             count_item = QTableWidgetItem(str(len(lines)))
             count_item.setToolTip(

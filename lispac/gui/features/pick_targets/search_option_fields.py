@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFormLayout, QVBoxLayout, QWidget
 from lispac.gui import widgets
 from lispac.gui.widgets.foldable_group import FoldableGroup
 from lispac.language import gettext
-from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 
 
 class SearchOptionFields(QWidget):
@@ -16,14 +16,14 @@ class SearchOptionFields(QWidget):
 
     def __init__(self, prefix: str) -> None:
         super().__init__()
-        self._options = USUAL
+        self._options = DEFAULT_CHOICES
         self.points = widgets.number(
             f"{prefix}_min_points", suffix="", decimals=0, low=3, high=1_000_000, step=10,
             tip=gettext(
                 "Minimum number of points of the target in a line (default {count:n}). A "
                 "smaller number finds small or distant targets; a larger number excludes "
                 "fragments.",
-                count=USUAL.min_points,
+                count=DEFAULT_CHOICES.min_points,
             ),
         )  # fmt: skip
         self.tilt = widgets.number(
@@ -32,7 +32,7 @@ class SearchOptionFields(QWidget):
                 "Largest angle between the normals of the target in two lines (default "
                 "{angle:deg.0}°). Increase it for an inaccurate prior boresight; reduce it "
                 "near surfaces with other slopes.",
-                angle=USUAL.max_tilt,
+                angle=DEFAULT_CHOICES.max_tilt,
             ),
         )  # fmt: skip
         body = QWidget()
@@ -47,7 +47,7 @@ class SearchOptionFields(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.fold)
-        self.show_value(USUAL)
+        self.show_value(DEFAULT_CHOICES)
         for field in (self.points, self.tilt):
             field.valueChanged.connect(self._summarise)
 
@@ -69,18 +69,18 @@ class SearchOptionFields(QWidget):
         self.points.setValue(choices.min_points)
         self.tilt.setValue(round(degrees(choices.max_tilt), 1))
         self._summarise()
-        self.fold.open(choices != USUAL)
+        self.fold.open(choices != DEFAULT_CHOICES)
 
     def _summarise(self) -> None:
         value, parts = self.value, []
-        if value.min_points != USUAL.min_points:
+        if value.min_points != DEFAULT_CHOICES.min_points:
             parts.append(gettext("at least {count:n} points", count=value.min_points))
-        if value.max_tilt != USUAL.max_tilt:
+        if value.max_tilt != DEFAULT_CHOICES.max_tilt:
             parts.append(
                 gettext("angle between normals at most {angle:deg.1}°", angle=value.max_tilt)
             )
-        if value.stop != USUAL.stop:
+        if value.stop != DEFAULT_CHOICES.stop:
             parts.append(gettext("RANSAC confidence {value:x}", value=value.stop))
-        if value.seed != USUAL.seed:
+        if value.seed != DEFAULT_CHOICES.seed:
             parts.append(gettext("random-number seed {number}", number=value.seed))
         self.fold.set_summary(", ".join(parts))

@@ -24,13 +24,13 @@ from lispac.workflow.project.coordinates import (
     require_near_trajectory,
 )
 
-AXES = {
+AXIS_LABELS = {
     "north": N_("North"), "west": N_("West"), "up": N_("Up"),
     "longitude": N_("Longitude"), "latitude": N_("Latitude"), "height": N_("Height"),
     "easting": N_("Easting"), "northing": N_("Northing"), "X": "X", "Y": "Y", "Z": "Z",
 }  # fmt: skip
 """Labels of the coordinates, by their names in `axis_names`."""
-ON_ALL_LINES = {
+ALL_LINES_INTRODUCTIONS = {
     "plane": N_("The program searches all lines for a plane target near these coordinates."),
     "sphere": N_("The program searches all lines for a sphere target near these coordinates."),
     "validation": N_(
@@ -38,7 +38,7 @@ ON_ALL_LINES = {
     ),
 }
 """Introduction of the dialogue, by shape of the target or by role."""
-ON_ONE_LINE = {
+ONE_LINE_INTRODUCTIONS = {
     "plane": N_("The program searches only line {line} for a plane target near these coordinates."),
     "sphere": N_(
         "The program searches only line {line} for a sphere target near these coordinates."
@@ -66,15 +66,15 @@ class SeedCoordinatesDialog(QDialog):
         self.setWindowTitle(dialog_title(ACTIONS["seed_coordinates"]))
         self.setMinimumWidth(530)
         self._project, self._trajectory, self._seed_options = project, trajectory, seed_options
-        self._place: Triple | None = None
+        self._position: Triple | None = None
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(_introduction(seed_options), wrap=True))
         self.name = QLineEdit(name)
         self.name.setObjectName("seed_name")
         self.name.setToolTip(gettext("Name of the new target"))
         # The sighting is added to the selected target, which keeps its name.
-        self._added = seed_options.line is not None and name == seed_options.selected
-        self.name.setEnabled(not self._added)
+        self._adds_sighting = seed_options.line is not None and name == seed_options.selected
+        self.name.setEnabled(not self._adds_sighting)
         self.choice = CoordinateSystemFields(project, trajectory, "seed", self)
         self.fields = tuple(_field(f"seed_coordinate_{k}") for k in range(3))
         self._form = QFormLayout()
@@ -111,8 +111,8 @@ class SeedCoordinatesDialog(QDialog):
 
     @property
     def seed(self) -> tuple[str, Triple] | None:
-        """Name and place in the local frame, metres; None if the input is invalid."""
-        return None if self._place is None else (self.name.text().strip(), self._place)
+        """Name, and position in the local frame in metres; None if the input is invalid."""
+        return None if self._position is None else (self.name.text().strip(), self._position)
 
     def _on_typed(self, text: str) -> None:
         """Split three pasted numbers over the three fields."""
@@ -130,7 +130,7 @@ class SeedCoordinatesDialog(QDialog):
             name = f"{_axis_label(axis)} ({unit})"
             self._form.labelForField(field).setText(name)
             field.setAccessibleName(name)
-        self._place = None
+        self._position = None
         role, text = "muted", ""
         if not self.choice.waiting:
             try:
@@ -141,22 +141,22 @@ class SeedCoordinatesDialog(QDialog):
         self.message_label.setProperty("role", role)
         self.message_label.style().unpolish(self.message_label)
         self.message_label.style().polish(self.message_label)
-        self.find_button.setEnabled(self._place is not None)
+        self.find_button.setEnabled(self._position is not None)
 
     def _describe_coordinates(self) -> str:
-        """Describe the typed coordinates, and set the place if they are complete.
+        """Describe the typed coordinates, and set the position if they are complete.
 
         Raises
         ------
         InputError
-            If a coordinate is not a number, the system is unknown or the place is too far away.
+            If a coordinate is not a number, the system is unknown or the position too far away.
         ProjectError
             If the name cannot be used.
         """
         if self.choice.problem is not None:
             raise InputError(self.choice.problem.reason)
         name = self.name.text().strip()
-        if not self._added:
+        if not self._adds_sighting:
             require_target_name(name)
             if any(target.name == name for target in self._project.targets):
                 raise ProjectError(error("window.name_taken", name=name))
@@ -181,11 +181,11 @@ class SeedCoordinatesDialog(QDialog):
             missing = [_axis_label(axis) for axis, value in pairs if value is None]
             return gettext("Enter {coordinates:names}.", coordinates=missing)
         place = require_near_trajectory(point, system, self._trajectory, name)
-        self._place = (float(place[0]), float(place[1]), float(place[2]))
+        self._position = (float(place[0]), float(place[1]), float(place[2]))
         distance = float(distances_from_trajectory(place[None], self._trajectory)[0])
         if system is None:
             return gettext("Distance from the trajectory: {distance:m.1} m.", distance=distance)
-        north, west, up = self._place
+        north, west, up = self._position
         text = gettext(
             "Local frame: north {north:m.3} m, west {west:m.3} m, up {up:m.3} m. Distance from "
             "the trajectory: {distance:m.1} m.",
@@ -198,9 +198,9 @@ def _introduction(seed_options: SeedOptions) -> str:
     """Text on how the seed is used."""
     kind = seed_options.shape if seed_options.role == "target" else "validation"
     if seed_options.line is None:
-        first = gettext(ON_ALL_LINES[kind])
+        first = gettext(ALL_LINES_INTRODUCTIONS[kind])
     else:
-        first = gettext(ON_ONE_LINE[kind], line=seed_options.line)
+        first = gettext(ONE_LINE_INTRODUCTIONS[kind], line=seed_options.line)
     second = gettext(
         "The search uses the settings of step 2, such as search radius and threshold. The result "
         "is shown before it is added."
@@ -209,7 +209,7 @@ def _introduction(seed_options: SeedOptions) -> str:
 
 
 def _axis_label(axis: str) -> str:
-    return gettext(AXES[axis])
+    return gettext(AXIS_LABELS[axis])
 
 
 def _field(name: str) -> QLineEdit:

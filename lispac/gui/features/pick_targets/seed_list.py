@@ -31,13 +31,13 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.calibration.seed_lists import ListedSeed, SeedList, SeedOutcome, read_seeds
 from lispac.workflow.project.coordinates import distances_from_trajectory
 
-ROLES: dict[Role, str] = {"target": N_("Target"), "validation": N_("Validation plane")}
-READ_HEADS = (
+ROLE_NAMES: dict[Role, str] = {"target": N_("Target"), "validation": N_("Validation plane")}
+SEED_COLUMN_TITLES = (
     N_("Name"), N_("Role"), N_("North (m)"), N_("West (m)"), N_("Up (m)"),
     N_("Distance from trajectory (m)"), N_("Note"),
 )  # fmt: skip
-FOUND_HEADS = (N_("Name"), N_("Role"), N_("Lines"), N_("Points"), N_("Note"))
-Right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+RESULT_COLUMN_TITLES = (N_("Name"), N_("Role"), N_("Lines"), N_("Points"), N_("Note"))
+ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class SeedListDialog(QDialog):
@@ -48,7 +48,7 @@ class SeedListDialog(QDialog):
         path: Path,
         project: Project,
         trajectory: LocalTrajectory,
-        how: str,
+        search_text: str,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -63,7 +63,7 @@ class SeedListDialog(QDialog):
             "If the list gives no role, a name that begins with V means a validation plane and "
             "any other name means a target."
         )
-        introduction.setText(f"{how}\n{roles}")
+        introduction.setText(f"{search_text}\n{roles}")
         layout.addWidget(introduction)
         self.columns = QLineEdit()
         self.columns.setObjectName("list_columns")
@@ -83,7 +83,9 @@ class SeedListDialog(QDialog):
         form.addRow(gettext("Columns"), self.columns)
         self.choice.add_to(form)
         layout.addLayout(form)
-        self.table = _create_table("seed_list_table", gettext("Seeds of the list"), READ_HEADS)
+        self.table = _create_table(
+            "seed_list_table", gettext("Seeds of the list"), SEED_COLUMN_TITLES
+        )
         self.table.itemChanged.connect(lambda _item: self._show_count())
         layout.addWidget(self.table, 1)
         self.message_label = widgets.label("", "muted", wrap=True, name="list_message")
@@ -179,7 +181,9 @@ class SeedsFoundDialog(QDialog):
         self.resize(860, 520)
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(_summary(outcomes), wrap=True, name="seeds_found"))
-        self.table = _create_table("seeds_found_table", gettext("Targets found"), FOUND_HEADS)
+        self.table = _create_table(
+            "seeds_found_table", gettext("Targets found"), RESULT_COLUMN_TITLES
+        )
         self.table.setRowCount(len(outcomes))
         for row, outcome in enumerate(outcomes):
             seed, target = outcome.seed, outcome.target
@@ -245,7 +249,7 @@ def _create_table(name: str, title: str, heads: Sequence[str]) -> QTableWidget:
     header = table.horizontalHeader()
     header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     for column in range(2, len(heads) - 1):
-        table.horizontalHeaderItem(column).setTextAlignment(Right)
+        table.horizontalHeaderItem(column).setTextAlignment(ALIGN_RIGHT)
     table.verticalHeader().hide()
     table.setShowGrid(False)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -269,9 +273,11 @@ def _set_row(
 ) -> None:  # fmt: skip
     items = [QTableWidgetItem(text) for text in numbers]
     for item in items:
-        item.setTextAlignment(Right)
+        item.setTextAlignment(ALIGN_RIGHT)
         item.setFont(theme.tabular_font(table.font()))
     last = QTableWidgetItem(comment)
     last.setToolTip(widgets.plain_tip(comment))
-    for column, item in enumerate((name, QTableWidgetItem(gettext(ROLES[role])), *items, last)):
+    for column, item in enumerate(
+        (name, QTableWidgetItem(gettext(ROLE_NAMES[role])), *items, last)
+    ):
         table.setItem(row, column, item)

@@ -14,7 +14,7 @@ from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow.calibration.sighting_assessment import AssessedQuality, assess_sightings
 from lispac.workflow.project.survey import Survey
 
-Key = tuple[str, str]
+SightingKey = tuple[str, str]
 
 
 class QualityComputation(QObject):
@@ -28,7 +28,7 @@ class QualityComputation(QObject):
     def __init__(self, document: Document, runner: TaskRunner, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._runner = document, runner
-        self._known: Mapping[Key, AssessedQuality] = {}
+        self._known: Mapping[SightingKey, AssessedQuality] = {}
         self._request: tuple[Task, Project] | None = None
         self._candidate: Target | None = None
         self._candidate_request: tuple[Task, Target] | None = None
@@ -46,14 +46,14 @@ class QualityComputation(QObject):
         if not self._runner.active:
             self._rate_sightings()
 
-    def _current_qualities(self) -> dict[Key, SightingQuality]:
+    def _current_qualities(self) -> dict[SightingKey, SightingQuality]:
         """Known qualities that are valid for the current sightings.
 
         While a new result is being computed, the qualities for the last result are kept, since a
         new result changes them little.
         """
         project, waits = self._document.project, self._document.awaits_result
-        current: dict[Key, SightingQuality] = {}
+        current: dict[SightingKey, SightingQuality] = {}
         for target in () if project is None else project.targets:
             for sighting in target.sightings:
                 each = self._known.get((target.name, sighting.line))
@@ -85,10 +85,10 @@ class QualityComputation(QObject):
         ):
             return
 
-        def work(progress: Progress) -> dict[Key, AssessedQuality]:
+        def work(progress: Progress) -> dict[SightingKey, AssessedQuality]:
             return assess_sightings(project, survey, known=known, progress=progress)
 
-        def done(rated: dict[Key, AssessedQuality]) -> None:
+        def done(rated: dict[SightingKey, AssessedQuality]) -> None:
             self._known = rated
             self._emit_qualities()
 
@@ -97,16 +97,16 @@ class QualityComputation(QObject):
         self._request = (task, project)
 
     def _start_candidate_rating(self, candidate: Target, project: Project, survey: Survey) -> bool:
-        """Rate the candidate in the worker unless done or failed; return whether it was started."""
+        """Start to rate the candidate, unless done or failed; return whether it was started."""
         task, requested = self._candidate_request or (None, None)
         if task is not None and requested is candidate and not task.superseded:
             return False
 
-        def work(progress: Progress) -> dict[Key, AssessedQuality]:
+        def work(progress: Progress) -> dict[SightingKey, AssessedQuality]:
             alone = replace(project, targets=(candidate,))
             return assess_sightings(alone, survey, progress=progress)
 
-        def done(rated: dict[Key, AssessedQuality]) -> None:
+        def done(rated: dict[SightingKey, AssessedQuality]) -> None:
             if self._candidate is not candidate:
                 return
             self._known = {**rated, **self._known}  # remains valid after acceptance

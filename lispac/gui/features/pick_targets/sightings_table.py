@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import widgets
 from lispac.gui.appearance import quantities, theme, units
+from lispac.gui.project.status import ProjectState
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Target
@@ -24,11 +25,11 @@ from lispac.workflow.project.survey import Survey
 
 Role = Qt.ItemDataRole
 Index = QModelIndex | QPersistentModelIndex
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-EDITED = "\N{LOWER RIGHT PENCIL}"
-_EMPTY = N_("No targets yet. Hold Ctrl and click a target in the view.")
-_LIGHTS: dict[Rating, str] = {
+_ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_ALIGN_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+EDITED_SYMBOL = "\N{LOWER RIGHT PENCIL}"
+_EMPTY_TEXT = N_("No targets yet. Hold Ctrl and click a target in the view.")
+_RATING_TEXTS: dict[Rating, str] = {
     "good": N_("Quality: good"),
     "doubtful": N_("Quality: doubtful"),
     "poor": N_("Quality: poor"),
@@ -99,7 +100,7 @@ class SightingsModel(QAbstractTableModel):
         if orientation == Qt.Orientation.Vertical:
             return None
         if role == Role.TextAlignmentRole:
-            return _LEFT if section == 0 else _RIGHT
+            return _ALIGN_LEFT if section == 0 else _ALIGN_RIGHT
         if section == 0:
             return gettext("Target") if role == Role.DisplayRole else None
         line = self._lines[section - 1]
@@ -142,7 +143,7 @@ class SightingsModel(QAbstractTableModel):
         line = self._lines[index.column() - 1]
         sighting = target.sighting(line)
         if role == Role.TextAlignmentRole:
-            return _RIGHT if sighting is not None else Qt.AlignmentFlag.AlignCenter
+            return _ALIGN_RIGHT if sighting is not None else Qt.AlignmentFlag.AlignCenter
         if sighting is None:
             return _missing_cell_value(target, line, role)
         return self._sighting_cell_value(target, sighting, role)
@@ -189,7 +190,7 @@ class SightingsModel(QAbstractTableModel):
         sightings = self._sightings_on_line(line)
         used = sum(sighting.used for sighting in sightings)
         if role == Role.TextAlignmentRole:
-            return _RIGHT if sightings else Qt.AlignmentFlag.AlignCenter
+            return _ALIGN_RIGHT if sightings else Qt.AlignmentFlag.AlignCenter
         if role == Role.DisplayRole:
             if not sightings:
                 return "–"
@@ -215,7 +216,7 @@ class SightingsModel(QAbstractTableModel):
         if role == Role.DisplayRole:
             is_poor = quality is not None and quality.rating == "poor"
             light = "   " + gettext("poor") if is_poor else ""
-            edited = f" {EDITED}" if sighting.by_hand else ""
+            edited = f" {EDITED_SYMBOL}" if sighting.by_hand else ""
             return (
                 f"{number(len(sighting.indices), 0)}   {_millimetres(sighting.rms)}{light}{edited}"
             )
@@ -253,7 +254,7 @@ class SightingsModel(QAbstractTableModel):
             lines.append(quality_text(quality))
         if sighting.by_hand:
             edited = gettext("Points edited with the lasso")
-            lines.append(f"{EDITED} {edited}")
+            lines.append(f"{EDITED_SYMBOL} {edited}")
         if sighting.one_in > 1:
             lines.append(
                 gettext("Subsampled: one of every {count:n} points near the seed is used",
@@ -295,12 +296,12 @@ class SightingsTable(QTableView):
         self.horizontalHeader().setMinimumSectionSize(110)
         self.selectionModel().currentChanged.connect(self._emit_selected)
 
-    def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Show a project; the selected cell remains selected if it still exists."""
+    def show_state(self, state: ProjectState) -> None:
+        """Show the project; a cell remains selected if its target is still in the same row."""
         key = self.sightings.key(self.currentIndex())
         place = self.currentIndex()
         row, column = place.row(), place.column()
-        self.sightings.show_project(project, survey)
+        self.sightings.show_project(state.project, state.survey)
         if key is not None and self.sightings.row_of(key[0]) == row:
             self._set_current(row, column)
 
@@ -327,7 +328,7 @@ class SightingsTable(QTableView):
             painter.setPen(QColor(theme.MUTED))
             area = self.viewport().rect().adjusted(16, 8, -16, -8)
             painter.drawText(
-                area, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, gettext(_EMPTY)
+                area, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, gettext(_EMPTY_TEXT)
             )
             painter.end()
 
@@ -352,7 +353,7 @@ def _millimetres(metres: float) -> str:
 def quality_text(quality: SightingQuality) -> str:
     """Text of the quality, its reasons and the values behind them, one on each line."""
     lines = [
-        gettext(_LIGHTS[quality.rating]),
+        gettext(_RATING_TEXTS[quality.rating]),
         *map(message_text, quality.reasons),
         gettext("Range: {range}", range=quantities.amount(quality.range, "m", 1)),
     ]

@@ -1,4 +1,4 @@
-"""Actions on targets besides picking: rate, find again, propose, change the role."""
+"""Actions on targets besides picking: rate, search again, propose, change the role."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -83,10 +83,12 @@ class TargetActions(QObject):
             return
 
         def work(progress: Progress) -> "Proposal":
-            from lispac.workflow.calibration.proposal_acceptance import without_picked
+            from lispac.workflow.calibration.proposal_acceptance import without_picked_surfaces
             from lispac.workflow.calibration.proposals import propose_targets
 
-            return without_picked(project, propose_targets(project, survey, progress=progress))
+            return without_picked_surfaces(
+                project, propose_targets(project, survey, progress=progress)
+            )
 
         task = self._runner.run(
             gettext("Searching for targets to propose"),
@@ -116,14 +118,14 @@ class TargetActions(QObject):
                 shape=target.shape, sphere_radius=target.sphere_radius, threshold=threshold,
                 radius=radius, expected=target.expected, choices=choices, progress=progress,
             )  # fmt: skip
-            return _used_as_before(found, target)
+            return _with_exclusions_of(found, target)
 
         title = gettext("Searching for {target} again", target=name)
         task = self._runner.run(title, work, self._controller.set_candidate)
         self._controller.cancel_on_edit(task)
 
     def _add_proposed_targets(self, project: Project, proposal: "Proposal") -> None:
-        from lispac.workflow.calibration.proposal_acceptance import with_accepted
+        from lispac.workflow.calibration.proposal_acceptance import with_accepted_targets
 
         if self._document.project is not project:
             return
@@ -134,7 +136,7 @@ class TargetActions(QObject):
         if not names:
             self._controller.logged.emit(gettext("The proposed targets were rejected."))
             return
-        edited, accepted = with_accepted(project, proposal, names)
+        edited, accepted = with_accepted_targets(project, proposal, names)
         self._document.edit(N_("addition of proposed targets"), edited)
         self._controller.logged.emit(gettext("Accepted {targets:names}", targets=accepted))
 
@@ -149,14 +151,14 @@ class TargetActions(QObject):
         self._actions["find_again"].setEnabled(ready and self._targets.current is not None)
 
 
-def _used_as_before(target: Target, before: Target) -> Target:
-    """Exclude the sightings that were excluded before."""
+def _with_exclusions_of(target: Target, before: Target) -> Target:
+    """``target`` with the use of ``before``, and with its sightings excluded on the same lines."""
     excluded = {sighting.line for sighting in before.sightings if not sighting.used}
     sightings = tuple(replace(s, used=s.line not in excluded) for s in target.sightings)
     return replace(target, used=before.used, sightings=sightings)
 
 
-NOTHING_SELECTED = N_("Select a target or validation plane first, then change its role.")
+NOTHING_SELECTED_TEXT = N_("Select a target or validation plane first, then change its role.")
 
 
 class TargetRoles(QObject):
@@ -178,7 +180,7 @@ class TargetRoles(QObject):
     def _change_role(self) -> None:
         project, selected = self._document.project, self._scene.selected
         if project is None or selected is None or not self._scene.selected_points:
-            self._note(gettext(NOTHING_SELECTED))
+            self._note(gettext(NOTHING_SELECTED_TEXT))
             return
         name = selected[0]
         try:

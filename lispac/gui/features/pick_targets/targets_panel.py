@@ -1,4 +1,4 @@
-"""Step 2: options of the next seed, the candidate just found, and the list of targets."""
+"""Step 2: options of the next seed, the detected target, and the list of targets."""
 
 from html import escape
 from math import radians
@@ -24,12 +24,13 @@ from lispac.gui.appearance.units import Base
 from lispac.gui.features.pick_targets.detected_target_panel import DetectedTargetPanel
 from lispac.gui.features.pick_targets.search_option_fields import SearchOptionFields
 from lispac.gui.project.seed_options import SeedOptions
+from lispac.gui.project.status import ProjectState
 from lispac.language import N_, gettext
 from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected_target import ExpectedTarget
 from lispac.workflow.project.survey import Survey
 
-DEFAULT_SIZE = (1.23, 1.22)
+DEFAULT_BOARD_SIZE_M = (1.23, 1.22)
 """Default width and height of a board, metres."""
 
 
@@ -38,7 +39,7 @@ class ExpectedFields(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        width, height = (units.local_amount(side, "m", ".2f") for side in DEFAULT_SIZE)
+        width, height = (units.local_amount(side, "m", ".2f") for side in DEFAULT_BOARD_SIZE_M)
         self._width = widgets.number(
             "expected_width", suffix=" m", decimals=2, low=0, high=100, step=0.1,
             tip=gettext(
@@ -77,7 +78,7 @@ class ExpectedFields(QWidget):
         return ExpectedTarget(width, height, radians(self._tilt.value()))
 
 
-ALL_LINES = N_("All lines")
+ALL_LINES_TEXT = N_("All lines")
 
 
 class TargetsPanel(QWidget):
@@ -91,7 +92,7 @@ class TargetsPanel(QWidget):
     used_changed = Signal(str, bool)
     selected = Signal(str)
     current_changed = Signal()
-    """The selection of the row was changed, by the user or by the program."""
+    """Another row was selected, by the user or by the program."""
     propose_requested = Signal()
 
     def __init__(self) -> None:
@@ -111,13 +112,13 @@ class TargetsPanel(QWidget):
         self.candidate.hide()
         layout.addWidget(self.candidate)
         self.table = _targets_table()
-        self.table.itemChanged.connect(self._item_changed)
-        self.table.itemSelectionChanged.connect(self._selection_changed)
+        self.table.itemChanged.connect(self._on_item_changed)
+        self.table.itemSelectionChanged.connect(self._on_selection_changed)
         layout.addWidget(self.table)
         layout.addLayout(self._buttons())
         self._names: list[str] = []
-        self._shape_changed()
-        self._selection_changed()
+        self._on_shape_changed()
+        self._on_selection_changed()
 
     @property
     def role(self) -> Role:
@@ -126,7 +127,7 @@ class TargetsPanel(QWidget):
 
     @property
     def shape(self) -> Shape:
-        """Shape of the next target; a validation target is always a plane."""
+        """Shape of the next target; always a plane for the role of validation plane."""
         is_sphere = self.shape_choice.currentIndex() == 1 and self.role == "target"
         return "sphere" if is_sphere else "plane"
 
@@ -147,7 +148,7 @@ class TargetsPanel(QWidget):
 
     @property
     def threshold(self) -> float | None:
-        """RANSAC threshold in metres; None for that of the project."""
+        """RANSAC threshold in metres; None for the default."""
         return self._threshold.value() / 1000 or None
 
     @property
@@ -173,14 +174,15 @@ class TargetsPanel(QWidget):
         """Choose whether the next seed is for a target or a validation plane."""
         (self._validation if role == "validation" else self._target).setChecked(True)
 
-    def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Show the targets and the lines of a project."""
-        self._project, self._survey = project, survey
+    def show_state(self, state: ProjectState) -> None:
+        """Show the targets and the lines of the project."""
+        project = state.project
+        self._project, self._survey = project, state.survey
         lines = [] if project is None else [line.name for line in project.lines]
         known = [self.line_choice.itemText(k) for k in range(1, self.line_choice.count())]
         if known != lines:
             self.line_choice.clear()
-            self.line_choice.addItem(gettext(ALL_LINES))
+            self.line_choice.addItem(gettext(ALL_LINES_TEXT))
             for line, colour in theme.line_colours(lines).items():
                 self.line_choice.addItem(theme.swatch(colour), line)
         self._show_default_threshold()
@@ -203,7 +205,7 @@ class TargetsPanel(QWidget):
             self.table.blockSignals(True)
             self.table.selectRow(self._names.index(name))
             self.table.blockSignals(False)
-            self._selection_changed(emit=False)
+            self._on_selection_changed(emit=False)
 
     def _fill_table(self, project: Project | None) -> None:
         targets = () if project is None else project.targets
@@ -220,16 +222,16 @@ class TargetsPanel(QWidget):
         self.table.blockSignals(False)
         rows = 26 * min(max(len(targets), 3), 8)
         self.table.setFixedHeight(self.table.horizontalHeader().sizeHint().height() + rows + 4)
-        self._selection_changed(emit=False)
+        self._on_selection_changed(emit=False)
 
-    def _item_changed(self, item: QTableWidgetItem) -> None:
+    def _on_item_changed(self, item: QTableWidgetItem) -> None:
         name = self._names[item.row()]
         if item.column() == 0 and item.text() != name:
             self.renamed.emit(name, item.text())
         elif item.column() == 0:
             self.used_changed.emit(name, item.checkState() == Qt.CheckState.Checked)
 
-    def _selection_changed(self, emit: bool = True) -> None:
+    def _on_selection_changed(self, emit: bool = True) -> None:
         name = self.current
         self.rename.setEnabled(name is not None)
         self.remove.setEnabled(name is not None)
@@ -265,8 +267,8 @@ class TargetsPanel(QWidget):
                 )
         self.hint.setText(gettext(text, line=line, target=target))
 
-    def _shape_changed(self) -> None:
-        """Enable the fields of the shape: validation targets are planes, spheres have a radius."""
+    def _on_shape_changed(self) -> None:
+        """Enable the fields that apply to the role and the shape."""
         self.shape_choice.setEnabled(self.role == "target")
         self._sphere_radius.setEnabled(self.shape == "sphere")
         self._expected.setEnabled(self.shape == "plane")
@@ -309,7 +311,7 @@ class TargetsPanel(QWidget):
             group.addButton(each)
             row.addWidget(each)
         self._target.setChecked(True)
-        self._validation.toggled.connect(self._shape_changed)
+        self._validation.toggled.connect(self._on_shape_changed)
         self._validation.toggled.connect(lambda: self.role_changed.emit(self.role))
         return row
 
@@ -320,7 +322,7 @@ class TargetsPanel(QWidget):
         self.shape_choice.setToolTip(
             gettext("Shape of the target. Lines are compared on planes only.")
         )
-        self.shape_choice.currentIndexChanged.connect(self._shape_changed)
+        self.shape_choice.currentIndexChanged.connect(self._on_shape_changed)
         self._sphere_radius = widgets.number(
             "sphere_radius", suffix=" m", decimals=4, low=0, high=10, step=0.01,
             tip=gettext(
@@ -330,13 +332,13 @@ class TargetsPanel(QWidget):
             ),
         )  # fmt: skip
         self._sphere_radius.setSpecialValueText(gettext("unknown"))
-        self._sphere_radius.valueChanged.connect(self._shape_changed)
+        self._sphere_radius.valueChanged.connect(self._on_shape_changed)
 
     def _seed_form(self) -> QFormLayout:
         self._shape_fields()
         self.line_choice = QComboBox()
         self.line_choice.setObjectName("line_choice")
-        self.line_choice.addItem(gettext(ALL_LINES))
+        self.line_choice.addItem(gettext(ALL_LINES_TEXT))
         self.line_choice.setToolTip(
             gettext("Lines to search. Choose a single line if the search in all lines failed.")
         )

@@ -11,18 +11,19 @@ from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.error_box import exception_text
 from lispac.io.config.sensor_file import (
-    STATES,
-    Figures,
+    GNSS_SOLUTIONS,
     PosAccuracy,
     PosSpecification,
     ScannerSpecification,
+    SensorSpecification,
 )
 from lispac.language import N_, gettext
 from lispac.workflow.planning.sensors import require_storable, store_sensor
 
 NEW_SCANNER = ScannerSpecification("", 0.005, 0.01, 0.5, "")
 NEW_POS = PosSpecification("", (PosAccuracy("ppk", (0.02, 0.02, 0.03), (0.01, 0.01, 0.015), ""),))
-WITH_SOLUTION = {
+"""Initial values of a new scanner and of a new INS/GNSS."""
+SOLUTION_LABELS = {
     "rtk": N_("Specifications with RTK"),
     "ppk": N_("Specifications with PPK"),
     "degraded": N_("Specifications with degraded GNSS"),
@@ -61,11 +62,11 @@ class SensorEditor(QDialog):
     """
 
     def __init__(
-        self, folder: Path, figures: Figures, name: str, parent: QWidget | None = None
+        self, folder: Path, figures: SensorSpecification, name: str, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._folder, self.name = folder, name
-        self._left: set[_TextField] = set()
+        self._visited_fields: set[_TextField] = set()
         """Fields that have had the focus."""
         self.setObjectName("sensor_editor")
         scanner = isinstance(figures, ScannerSpecification)
@@ -82,7 +83,7 @@ class SensorEditor(QDialog):
             self.parts = [_ScannerFields(figures, form)]
         else:
             states = {state.name: state for state in figures.states}
-            self.parts = [_PosStateFields(each, states.get(each), form) for each in STATES]
+            self.parts = [_PosStateFields(each, states.get(each), form) for each in GNSS_SOLUTIONS]
         layout.addLayout(form)
         self.message_label = widgets.label("", "error", wrap=True, name="sensor_editor_message")
         layout.addWidget(self.message_label)
@@ -105,7 +106,7 @@ class SensorEditor(QDialog):
         self._check_input()
 
     @property
-    def figures(self) -> Figures:
+    def figures(self) -> SensorSpecification:
         """Specifications from the fields."""
         title = self.title.text().strip()
         if isinstance(self.parts[0], _ScannerFields):
@@ -124,7 +125,7 @@ class SensorEditor(QDialog):
         return next((line for line in lines if not line.text().strip()), None)
 
     def _on_field_left(self, line: _TextField) -> None:
-        self._left.add(line)
+        self._visited_fields.add(line)
         self._check_input()
 
     def _check_input(self, *_: object) -> None:
@@ -133,7 +134,10 @@ class SensorEditor(QDialog):
             problem = ""
         except InputError as error:
             problem = exception_text(error)
-        if self._first_empty_field is not None and self._first_empty_field not in self._left:
+        if (
+            self._first_empty_field is not None
+            and self._first_empty_field not in self._visited_fields
+        ):
             problem = ""  # the user has not yet reached this field
         self.message_label.setText(problem)
         self.keep.setEnabled(not problem)
@@ -141,7 +145,7 @@ class SensorEditor(QDialog):
     def _save_sensor(self) -> None:
         if self._first_empty_field is not None:
             self._first_empty_field.setFocus()
-            self._left.update(self._lines)
+            self._visited_fields.update(self._lines)
             self._check_input()
             return
         try:
@@ -172,6 +176,8 @@ class _SourceFields(QWidget):
 
 
 class _ScannerFields:
+    """Fields for the specifications of a scanner."""
+
     def __init__(self, specification: ScannerSpecification, form: QFormLayout) -> None:
         self.range = widgets.number(
             "sensor_range", suffix=" mm", decimals=2, low=0.01, high=10_000, step=0.5,
@@ -204,10 +210,12 @@ class _ScannerFields:
 
 
 class _PosStateFields:
+    """Fields for the specifications of an INS/GNSS with one kind of GNSS solution."""
+
     def __init__(self, name: str, specification: PosAccuracy | None, form: QFormLayout) -> None:
         self._name = name
         usual = specification or NEW_POS.states[0]
-        self.is_specified = QCheckBox(gettext(WITH_SOLUTION[name]))
+        self.is_specified = QCheckBox(gettext(SOLUTION_LABELS[name]))
         self.is_specified.setObjectName(f"sensor_{name}")
         self.position = widgets.TripleField(
             (gettext("North"), gettext("East"), gettext("Down")),

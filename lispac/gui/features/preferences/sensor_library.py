@@ -24,22 +24,22 @@ from lispac.gui.features.preferences.sensor_editor import NEW_POS, NEW_SCANNER, 
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.sensor_choice import SOLUTION_NAMES
 from lispac.io.config.sensor_file import (
-    Figures,
     PosAccuracy,
     PosSpecification,
     ScannerSpecification,
+    SensorSpecification,
 )
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.workflow.planning.sensors import (
-    LONGEST,
+    MAX_TEXT_LENGTH,
     Sensor,
     read_library,
     remove_sensor,
     source_text,
 )
 
-HEADS = (N_("Sensor"), N_("Standard deviations (1 σ)"), N_("Source"))
+COLUMN_TITLES = (N_("Sensor"), N_("Standard deviations (1 σ)"), N_("Source"))
 AnySensor = Sensor[ScannerSpecification] | Sensor[PosSpecification]
 
 
@@ -70,11 +70,11 @@ class SensorLibraryPage(QWidget):
                 wrap=True,
             )
         )
-        self.table = QTableWidget(0, len(HEADS))
+        self.table = QTableWidget(0, len(COLUMN_TITLES))
         self.table.setTabKeyNavigation(False)
         self.table.setObjectName("sensor_table")
         self.table.setAccessibleName(gettext("Sensors"))
-        self.table.setHorizontalHeaderLabels([gettext(head) for head in HEADS])
+        self.table.setHorizontalHeaderLabels([gettext(head) for head in COLUMN_TITLES])
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -92,7 +92,9 @@ class SensorLibraryPage(QWidget):
         layout.addWidget(self.message_label)
         layout.addLayout(self._buttons())
         self.table.itemSelectionChanged.connect(self._enable_controls)
-        self.table.itemDoubleClicked.connect(lambda _item: self._edit() if self._is_own else None)
+        self.table.itemDoubleClicked.connect(
+            lambda _item: self._edit() if self._is_user_defined else None
+        )
         self._fill()
 
     @property
@@ -108,7 +110,7 @@ class SensorLibraryPage(QWidget):
             self.table.setCurrentCell(names.index(name), 0)
 
     @property
-    def _is_own(self) -> bool:
+    def _is_user_defined(self) -> bool:
         return self.current is not None and self.current.is_user_defined
 
     def _buttons(self) -> QHBoxLayout:
@@ -160,13 +162,15 @@ class SensorLibraryPage(QWidget):
 
     def _enable_controls(self) -> None:
         self.copy.setEnabled(self.current is not None)
-        self.edit.setEnabled(self._is_own)
-        self.remove.setEnabled(self._is_own)
+        self.edit.setEnabled(self._is_user_defined)
+        self.remove.setEnabled(self._is_user_defined)
 
     def _copy(self) -> None:
         if self.current is not None:
             figures = self.current.figures
-            excess = max(len(gettext("{sensor} (user-defined)", sensor=figures.title)) - LONGEST, 0)
+            excess = max(
+                len(gettext("{sensor} (user-defined)", sensor=figures.title)) - MAX_TEXT_LENGTH, 0
+            )
             title = figures.title[: len(figures.title) - excess]
             self._open_editor(
                 replace(figures, title=gettext("{sensor} (user-defined)", sensor=title))
@@ -204,14 +208,14 @@ class SensorLibraryPage(QWidget):
                 "that use the sensor keep its specifications."
             )
         )
-        sure = box.addButton(gettext("Remove"), QMessageBox.ButtonRole.DestructiveRole)
+        remove = box.addButton(gettext("Remove"), QMessageBox.ButtonRole.DestructiveRole)
         box.setDefaultButton(QMessageBox.StandardButton.Cancel)
         box.exec()
         chosen = box.clickedButton()
         box.deleteLater()
-        return chosen is sure
+        return chosen is remove
 
-    def _open_editor(self, figures: Figures, name: str = "") -> None:
+    def _open_editor(self, figures: SensorSpecification, name: str = "") -> None:
         editor = SensorEditor(self._folder, figures, name, self)
         if editor.exec() == QDialog.DialogCode.Accepted:
             self._fill(editor.name)
@@ -219,7 +223,7 @@ class SensorLibraryPage(QWidget):
         editor.deleteLater()
 
 
-def sensor_texts(figures: Figures) -> tuple[str, str]:
+def sensor_texts(figures: SensorSpecification) -> tuple[str, str]:
     """Texts of the standard deviations and of their sources, a line for each solution."""
     if isinstance(figures, ScannerSpecification):
         text = gettext(

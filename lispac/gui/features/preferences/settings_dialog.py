@@ -25,14 +25,14 @@ from lispac.gui.appearance.units import ANGLE_UNITS, LENGTH_UNITS
 from lispac.gui.features.preferences.actions import ACTIONS
 from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.sensor_library import SensorLibraryPage
-from lispac.gui.project.recovery_copies import LOCK_NAME
+from lispac.gui.project.recovery_copies import LOCK_FILE_NAME
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.sensor_choice import SensorChoice
 from lispac.language import LANGUAGES, N_, gettext
 from lispac.survey.conventions.systems import OTHER_SYSTEMS
 from lispac.workflow.planning.sensors import read_library
 
-DEMO_OPEN = N_("The demo survey is open. Close it, then empty the cache.")
+DEMO_IS_OPEN_TEXT = N_("The demo survey is open. Close it, then empty the cache.")
 
 
 class CacheBox(QWidget):
@@ -106,10 +106,10 @@ class CacheBox(QWidget):
 
     def _empty_cache(self) -> None:
         place = caches.cache_folder_in(self._folder)
-        lock = QLockFile(str(place / caches.DEMO / LOCK_NAME))
+        lock = QLockFile(str(place / caches.DEMO_FOLDER / LOCK_FILE_NAME))
         lock.setStaleLockTime(0)
         if not lock.tryLock(0) and lock.error() == QLockFile.LockError.LockFailedError:
-            self._show_problem(gettext(DEMO_OPEN))
+            self._show_problem(gettext(DEMO_IS_OPEN_TEXT))
             return
         lock.unlock()
         if not self._confirm_deletion(place):
@@ -153,7 +153,7 @@ class CacheBox(QWidget):
 
 
 MILLION = 1_000_000
-UNITS = {
+UNIT_NAMES = {
     "degrees": N_("Degrees"),
     "milliradians": N_("Milliradians"),
     "minutes": N_("Arc minutes and seconds"),
@@ -163,9 +163,9 @@ UNITS = {
 }
 """Names of the units by their keys."""
 SYSTEM_DEFAULT = N_("System default")
-THEMES = {"system": SYSTEM_DEFAULT, "light": N_("Light"), "dark": N_("Dark")}
+THEME_NAMES = {"system": SYSTEM_DEFAULT, "light": N_("Light"), "dark": N_("Dark")}
 """Names of the themes by their keys."""
-SCALES: dict[Scale, str] = {
+SCALE_NAMES: dict[Scale, str] = {
     "viridis": N_("Viridis: uniform, suitable for colour-blind users"),
     "cividis": N_("Cividis: blue to yellow, suitable for colour-blind users"),
     "gray": N_("Greys"),
@@ -221,8 +221,8 @@ class SettingsDialog(QDialog):
             list(ANGLE_UNITS)[self.angles.currentIndex()],
             list(LENGTH_UNITS)[self.lengths.currentIndex()],
             self.cache.folder,
-            list(THEMES)[self.theme_box.currentIndex()],
-            list(SCALES)[self.scale.currentIndex()],
+            list(THEME_NAMES)[self.theme_box.currentIndex()],
+            list(SCALE_NAMES)[self.scale.currentIndex()],
         )
 
     def show_preferences(self, preferences: Preferences) -> None:
@@ -238,8 +238,8 @@ class SettingsDialog(QDialog):
         self.angles.setCurrentIndex(list(ANGLE_UNITS).index(preferences.angles))
         self.lengths.setCurrentIndex(list(LENGTH_UNITS).index(preferences.lengths))
         self.cache.show_folder(preferences.cache)
-        self.theme_box.setCurrentIndex(list(THEMES).index(preferences.theme))
-        self.scale.setCurrentIndex(list(SCALES).index(preferences.scale))
+        self.theme_box.setCurrentIndex(list(THEME_NAMES).index(preferences.theme))
+        self.scale.setCurrentIndex(list(SCALE_NAMES).index(preferences.scale))
 
     def _build(self) -> None:
         self.language = widgets.ChoiceBox(
@@ -260,7 +260,7 @@ class SettingsDialog(QDialog):
             ),
         )  # fmt: skip
         self.angles = widgets.ChoiceBox(
-            "settings_angles", [gettext(UNITS[key]) for key in ANGLE_UNITS],
+            "settings_angles", [gettext(UNIT_NAMES[key]) for key in ANGLE_UNITS],
             gettext(
                 "Unit of the boresight angles, attitudes and their standard deviations in the "
                 "window. Headings and inclinations stay in degrees. Files, reports and scripts "
@@ -268,18 +268,18 @@ class SettingsDialog(QDialog):
             ),
         )  # fmt: skip
         self.lengths = widgets.ChoiceBox(
-            "settings_lengths", [gettext(UNITS[key]) for key in LENGTH_UNITS],
+            "settings_lengths", [gettext(UNIT_NAMES[key]) for key in LENGTH_UNITS],
             gettext("Unit of lengths in the window. Files, reports and scripts remain metric."),
         )  # fmt: skip
         self.theme_box = widgets.ChoiceBox(
-            "settings_theme", [gettext(each) for each in THEMES.values()],
+            "settings_theme", [gettext(each) for each in THEME_NAMES.values()],
             gettext(
                 "Light or dark colours of the window. The line colours of all themes suit "
                 "colour-blind users."
             ),
         )  # fmt: skip
         self.scale = widgets.ChoiceBox(
-            "settings_scale", [gettext(each) for each in SCALES.values()],
+            "settings_scale", [gettext(each) for each in SCALE_NAMES.values()],
             gettext(
                 "Colour scale of points coloured by height, intensity, range or time. Residuals "
                 "have their own scale."

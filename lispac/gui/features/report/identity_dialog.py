@@ -8,10 +8,10 @@ from lispac.errors import InputError
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.gui.widgets.error_box import exception_text
-from lispac.identity import BLANK, LABELS, NAMES, Identity
+from lispac.identity import EMPTY_IDENTITY, FIELD_LABELS, FIELD_NAMES, Identity
 from lispac.language import N_, gettext
 
-TIPS = {
+FIELD_TIPS = {
     "surveyor": N_("Surveyor responsible for the calibration"),
     "company": N_("Company of the surveyor"),
     "vessel": N_("Name of the vessel"),
@@ -55,10 +55,11 @@ class IdentityDialog(QDialog):
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACING)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self.fields = {name: _field(name, getattr(identity, name)) for name in NAMES}
+        self.fields = {name: _field(name, getattr(identity, name)) for name in FIELD_NAMES}
         for name, field in self.fields.items():
             form.addRow(
-                gettext(LABELS[name]), self._row_with_button(field) if name == "dates" else field
+                gettext(FIELD_LABELS[name]),
+                self._row_with_button(field) if name == "dates" else field,
             )
         layout.addLayout(form)
         self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
@@ -76,7 +77,7 @@ class IdentityDialog(QDialog):
         layout.addLayout(row)
         for field in self.fields.values():
             field.textChanged.connect(self._check_input)
-        self.fields[NAMES[0]].setFocus()
+        self.fields[FIELD_NAMES[0]].setFocus()
 
     def _row_with_button(self, field: QWidget) -> QHBoxLayout:
         take = widgets.button(
@@ -107,7 +108,7 @@ class IdentityDialog(QDialog):
         """Accept the typed texts, or show the error in them."""
         texts = {name: _field_text(field) for name, field in self.fields.items()}
         try:
-            self.identity = BLANK.changed(**texts)
+            self.identity = EMPTY_IDENTITY.changed(**texts)
             problem = ""
         except InputError as error:
             problem = exception_text(error)
@@ -124,8 +125,8 @@ def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:
     else:
         field = QLineEdit(text)
     field.setObjectName(f"identity_{name}")
-    field.setAccessibleName(gettext(LABELS[name]))
-    field.setToolTip(gettext(TIPS[name]))
+    field.setAccessibleName(gettext(FIELD_LABELS[name]))
+    field.setToolTip(gettext(FIELD_TIPS[name]))
     return field
 
 

@@ -1,4 +1,4 @@
-"""The report from the window: identity of the project, preview and export."""
+"""The report: details for its first page, preview and export."""
 
 import tempfile
 from collections.abc import Iterator, Mapping
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from lispac.report.pdf import Preview
 
 PIXELS_PER_INCH = 96.0
-"""Resolution of a page on a screen without scaling, pixels per inch."""
+"""Resolution of the previewed pages on a screen without scaling."""
 
 
 class ReportExport(QObject):
@@ -57,7 +57,7 @@ class ReportExport(QObject):
         super().__init__(actions)
         self._document, self._dialogs = document, dialogs
         self._runner, self._controller = runner, controller
-        self._photographer = ReportPictures(document, runner, controller, scene, viewport, self)
+        self._pictures = ReportPictures(document, runner, controller, scene, viewport, self)
         self._computations = computations
         self._panel, self._settings = panel, settings
         self.show_choice()
@@ -103,7 +103,7 @@ class ReportExport(QObject):
         if path is not None:
             write = partial(self._write, project, survey, options, path)
             self._computations.run_with_placed_lines(
-                project, survey, lambda: self._photographer.capture(project, write)
+                project, survey, lambda: self._pictures.capture(project, write)
             )
 
     def _write(
@@ -136,7 +136,7 @@ class ReportExport(QObject):
             return
         set_pages = partial(self._lay_out_pages, project, survey, options)
         self._computations.run_with_placed_lines(
-            project, survey, lambda: self._photographer.capture(project, set_pages)
+            project, survey, lambda: self._pictures.capture(project, set_pages)
         )
 
     def _lay_out_pages(

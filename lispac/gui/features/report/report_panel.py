@@ -8,24 +8,27 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
 
 from lispac.errors import InputError
 from lispac.gui import widgets
-from lispac.gui.project.status import StepStatus
+from lispac.gui.project.status import REPORT, ProjectState
 from lispac.language import LANGUAGES, N_, current_language, gettext
-from lispac.report.options import PAGES, USUAL, ReportOptions
+from lispac.report.options import DEFAULT_OPTIONS, PAGE_SIZES, ReportOptions
 from lispac.survey.conventions.systems import OTHER_SYSTEMS, Status
 from lispac.workflow.output.report_options import report_options
 
-STATUS: dict[Status, str] = {
+PROGRAM_STATUS_TEXTS: dict[Status, str] = {
     "verified": N_("{program} (verified)"),
     "partly": N_("{program} (partly verified)"),
     "unverified": N_("{program} (NOT VERIFIED)"),
 }
 """Text with the name of a program, by the status of its convention."""
-_NAMES = (N_("Phoenix SpatialExplorer 6 and later"), N_("Phoenix SpatialExplorer 1 to 5"))
-"""Names of programs that have a translation."""
-NO_TEMPLATE = N_("None")
-AS_WINDOW = "window"
+_TRANSLATED_PROGRAM_NAMES = (
+    N_("Phoenix SpatialExplorer 6 and later"),
+    N_("Phoenix SpatialExplorer 1 to 5"),
+)
+"""Names of programs that the catalogue translates; all others are the same in each language."""
+NO_TEMPLATE_TEXT = N_("None")
+WINDOW_LANGUAGE_KEY = "window"
 """Value for a report in the language of the window."""
-LANGUAGE_KEYS = (AS_WINDOW, *LANGUAGES)
+LANGUAGE_KEYS = (WINDOW_LANGUAGE_KEY, *LANGUAGES)
 
 
 class ReportPanel(QWidget):
@@ -87,7 +90,7 @@ class ReportPanel(QWidget):
     def choice(self) -> tuple[str, str, str, str]:
         """Template, page, convention and language, to be stored in the settings."""
         template = "" if self._template is None else str(self._template)
-        options = self._with_choices(USUAL)
+        options = self._with_choices(DEFAULT_OPTIONS)
         return template, options.page, options.convention, self._language_key
 
     def options(self) -> ReportOptions:
@@ -104,8 +107,8 @@ class ReportPanel(QWidget):
         """Show the last choice; entries that no longer exist are ignored."""
         template, page, convention, language_key = choice
         self.show_template(Path(template) if template else None)
-        if page in PAGES:
-            self.page.setCurrentIndex(list(PAGES).index(page))
+        if page in PAGE_SIZES:
+            self.page.setCurrentIndex(list(PAGE_SIZES).index(page))
         if language_key in LANGUAGE_KEYS:
             self.language.setCurrentIndex(LANGUAGE_KEYS.index(language_key))
         keys = ["", *(each.key for each in OTHER_SYSTEMS)]
@@ -114,7 +117,7 @@ class ReportPanel(QWidget):
     def show_template(self, path: Path | None) -> None:
         """Use page, convention and language of a template, or show the error in it."""
         self._template = path
-        self.template.setText(gettext(NO_TEMPLATE) if path is None else path.name)
+        self.template.setText(gettext(NO_TEMPLATE_TEXT) if path is None else path.name)
         self.template.setToolTip(widgets.plain_tip("" if path is None else str(path)))
         self.no_template.setVisible(path is not None)
         self.template_error.setText("")
@@ -124,15 +127,16 @@ class ReportPanel(QWidget):
             except InputError as error:
                 self.template_error.setText(str(error))
             else:
-                self.page.setCurrentIndex(list(PAGES).index(options.page))
+                self.page.setCurrentIndex(list(PAGE_SIZES).index(options.page))
                 self.language.setCurrentIndex(LANGUAGE_KEYS.index(options.language))
                 keys = ["", *(each.key for each in OTHER_SYSTEMS)]
                 if options.convention in keys:
                     self.convention.setCurrentIndex(keys.index(options.convention))
         self.template_error.setVisible(bool(self.template_error.text()))
 
-    def show_status(self, status: StepStatus, data_ready: bool, busy: bool) -> None:
-        """Enable what can be exported now."""
+    def show_state(self, state: ProjectState) -> None:
+        """Show the next action, and enable the exports that are possible now."""
+        status, data_ready, busy = state.steps[REPORT], state.survey is not None, state.is_busy
         self.advice.setText(status.advice)
         self.details.setEnabled(data_ready)
         self.preview.update_enabled(status.ready and not busy)
@@ -141,13 +145,16 @@ class ReportPanel(QWidget):
 
     def _create_choice_form(self) -> QFormLayout:
         self.page = widgets.ChoiceBox(
-            "report_page", list(map(gettext, PAGES.values())), gettext("Paper size")
+            "report_page", list(map(gettext, PAGE_SIZES.values())), gettext("Paper size")
         )
         self.language = widgets.ChoiceBox(
             "report_language", [gettext("Same as window"), *LANGUAGES.values()],
             gettext("Language of the report. JSON is always in English."),
         )  # fmt: skip
-        names = [gettext(STATUS[each.status], program=gettext(each.name)) for each in OTHER_SYSTEMS]
+        names = [
+            gettext(PROGRAM_STATUS_TEXTS[each.status], program=gettext(each.name))
+            for each in OTHER_SYSTEMS
+        ]
         self.convention = widgets.ChoiceBox(
             "report_convention", [gettext("(none)"), *names],
             gettext("Give the boresight also in the convention of another program"),
@@ -188,9 +195,11 @@ class ReportPanel(QWidget):
         keys = ["", *(each.key for each in OTHER_SYSTEMS)]
         return replace(
             options,
-            page=list(PAGES)[self.page.currentIndex()],
+            page=list(PAGE_SIZES)[self.page.currentIndex()],
             convention=keys[self.convention.currentIndex()],
-            language=current_language() if self._language_key == AS_WINDOW else self._language_key,
+            language=current_language()
+            if self._language_key == WINDOW_LANGUAGE_KEY
+            else self._language_key,
         )
 
     @property

@@ -10,12 +10,12 @@ from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.appearance import units
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
-from lispac.gui.project.scene import Scene, Which
+from lispac.gui.project.scene import PriorOrEstimated, Scene
 from lispac.gui.viewport.base import Viewport
 from lispac.language import N_, gettext
 from lispac.project import Project
 
-CAPTIONS: dict[Which, str] = {
+CAPTIONS: dict[PriorOrEstimated, str] = {
     "prior": N_("Lines georeferenced with the prior boresight"),
     "estimated": N_("Lines georeferenced with the estimated boresight"),
 }
@@ -37,30 +37,30 @@ class ReportPictures(QObject):
         super().__init__(parent)
         self._document, self._runner, self._controller = document, runner, controller
         self._scene, self._viewport = scene, viewport
-        self._as_it_was = ExitStack()
+        self._restoration = ExitStack()
         for ended in (runner.stopped, runner.idle):
             ended.connect(self._restore_view)
 
     def capture(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
         """Take both pictures and call ``then`` with them, by caption.
 
-        The lines must be placed in both states. Showing the lines, loading the detail and taking
-        the picture are separate steps of the event loop, so that the window stays responsive. An
-        edit of the project or a cancellation ends the process.
+        The lines must already be georeferenced with both boresights. Showing the lines, loading the
+        detail and taking the picture are separate steps of the event loop, so that the window stays
+        responsive. An edit of the project or a cancellation ends the process.
         """
         pictures: dict[str, QImage] = {}
 
-        def prepare(which: Which) -> None:
+        def prepare(which: PriorOrEstimated) -> None:
             self._show_lines(which)  # the user may have switched
             self._scene.draw_due()
             self._viewport.prepare()
 
-        def capture(which: Which) -> None:
+        def capture(which: PriorOrEstimated) -> None:
             prepare(which)  # no effect if nothing has changed
             with units.standard_units():
                 pictures[CAPTIONS[which]] = self._viewport.picture()
 
-        steps: list[tuple[Callable[[Which], None], Which]] = [
+        steps: list[tuple[Callable[[PriorOrEstimated], None], PriorOrEstimated]] = [
             (act, which) for which in CAPTIONS for act in (self._show_lines, prepare, capture)
         ]
 
@@ -75,7 +75,7 @@ class ReportPictures(QObject):
                 self._restore_view()
                 then(pictures)
 
-        self._as_it_was.enter_context(self._scene.common_residual_scale())
+        self._restoration.enter_context(self._scene.common_residual_scale())
         self._run_step(step)
 
     def _run_step(self, step: Callable[[None], None]) -> None:
@@ -84,10 +84,10 @@ class ReportPictures(QObject):
         )
         self._controller.cancel_on_edit(task)
 
-    def _show_lines(self, which: Which) -> None:
+    def _show_lines(self, which: PriorOrEstimated) -> None:
         with units.standard_units():
             self._scene.show(which)
 
     def _restore_view(self) -> None:
         """Restore the view as it was before."""
-        self._as_it_was.close()
+        self._restoration.close()

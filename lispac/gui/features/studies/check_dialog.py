@@ -29,9 +29,9 @@ from lispac.present.absolute import (
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
-from lispac.workflow.output.output_crs import LOCAL
+from lispac.workflow.output.output_crs import LOCAL_FRAME
 
-AS_IN_FILE = N_("System of the file, or local frame if it has none")
+SYSTEM_OF_FILE_TEXT = N_("System of the file, or local frame if it has none")
 DISTANCE_COLUMNS = (
     (
         N_("Mean before calibration (mm)"),
@@ -130,7 +130,7 @@ class CheckDialog(QDialog):
         known = self.system.findData("")
         if known >= 0:  # the reference may have another system than the lines
             self.system.removeItem(known)
-        self.system.insertItem(0, gettext(AS_IN_FILE), "")
+        self.system.insertItem(0, gettext(SYSTEM_OF_FILE_TEXT), "")
         self.system.setCurrentIndex(0)
         self.height = QLineEdit()
         self.height.setObjectName("check_height")
@@ -181,7 +181,7 @@ class CheckDialog(QDialog):
     def request(self) -> CheckRequest:
         """The check as filled in."""
         code = system_text(self.system)
-        height = self.height.text().strip() if code != LOCAL else ""
+        height = self.height.text().strip() if code != LOCAL_FRAME else ""
         return CheckRequest(
             Path(self.file.text().strip()), code, height, self.sigma.value() / 1000,
             self.reach.value(),
@@ -189,7 +189,7 @@ class CheckDialog(QDialog):
 
     def _show(self) -> None:
         self.check.setEnabled(bool(self.file.text().strip()))
-        self._form.setRowVisible(self.height, system_text(self.system) not in ("", LOCAL))
+        self._form.setRowVisible(self.height, system_text(self.system) not in ("", LOCAL_FRAME))
 
     def _browse(self) -> None:
         name, _ = QFileDialog.getOpenFileName(

@@ -20,7 +20,7 @@ from lispac.workflow.checking.calibration_history import (
     change_message,
 )
 
-EFFECT_DISTANCE = 50.0
+EFFECT_DISTANCE_M = 50.0
 """Distance from the scanner of the point whose displacement is in the table, metres."""
 
 DIFFERENCE_COLUMNS = (
@@ -110,7 +110,7 @@ def _columns() -> list[Column]:
         *angle_columns(),
         *(Column(gettext(title), gettext(tip)) for title, tip in DIFFERENCE_COLUMNS),
         Column(
-            gettext("Displacement at {distance:m.0} m (cm)", distance=EFFECT_DISTANCE),
+            gettext("Displacement at {distance:m.0} m (cm)", distance=EFFECT_DISTANCE_M),
             gettext(
                 "Largest displacement of a point at this distance from the scanner, caused by "
                 "the change of the boresight since the earlier calibrations"
@@ -141,7 +141,7 @@ def _row(entry: HistoryEntry) -> Row:
         cells += [number_cell(None, "")] * 4
     else:
         cells += [number_cell(value, "+.1f") for value in change.significance]
-        cells.append(number_cell(change.largest_displacement(EFFECT_DISTANCE), ".1f", 100.0))
+        cells.append(number_cell(change.largest_displacement(EFFECT_DISTANCE_M), ".1f", 100.0))
     if change is None:
         result = gettext("first calibration")
     else:

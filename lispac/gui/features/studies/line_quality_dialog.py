@@ -10,7 +10,7 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.validation.line_differences import Facing
 from lispac.workflow.checking.line_quality import DifferenceStatistics, LineQuality
-from lispac.workflow.output.georeferencing import Which
+from lispac.workflow.output.georeferencing import BoresightChoice
 
 STATISTIC_COLUMNS = (
     (
@@ -35,7 +35,7 @@ FACING_TEXTS: dict[Facing, str] = {
     "upright": N_("vertical surfaces"),
     "sloped": N_("inclined surfaces"),
 }
-INTRODUCTIONS: dict[Which, str] = {
+INTRODUCTIONS: dict[BoresightChoice, str] = {
     "prior": N_(
         "The table shows the differences between each pair of lines on flat surfaces, along the "
         "surface normal and with the prior boresight. The project is not changed."

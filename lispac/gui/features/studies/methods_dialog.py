@@ -15,11 +15,11 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.method_comparison import MethodResult, comparison_messages
-from lispac.present.methods import METHODS, WINDOW_METHODS, MethodValues
+from lispac.present.methods import METHOD_TITLES, WINDOW_METHODS_TABLE, MethodValues
 from lispac.present.tables import title_text
-from lispac.present.text_format import UNKNOWN
+from lispac.present.text_format import UNKNOWN_TEXT
 
-NOT_RUN: dict[Method, str] = {
+NOT_RUN_TIPS: dict[Method, str] = {
     "natural planes": N_(
         "This method has not been run yet. It estimates the boresight from the validation planes "
         "instead of the targets."
@@ -52,7 +52,9 @@ class MethodsDialog(StudyDialog):
         parent: QWidget | None = None,
     ) -> None:
         table = DiagnosticsTable(
-            "methods_table", title_text(WINDOW_METHODS.title), window_columns(WINDOW_METHODS)
+            "methods_table",
+            title_text(WINDOW_METHODS_TABLE.title),
+            window_columns(WINDOW_METHODS_TABLE),
         )
         super().__init__(
             "methods", dialog_title(ACTIONS["methods"]),
@@ -67,7 +69,7 @@ class MethodsDialog(StudyDialog):
         self.show_rows(
             [
                 *window_rows(
-                    WINDOW_METHODS,
+                    WINDOW_METHODS_TABLE,
                     map(MethodValues.of, results),
                     marked=lambda row: bool(row.differ),
                     tip=lambda row: "\n".join(map(message_text, row.messages)),
@@ -103,7 +105,7 @@ class MethodsDialog(StudyDialog):
 
 
 def _method_name(method: str) -> str:
-    return gettext(METHODS[method])
+    return gettext(METHOD_TITLES[method])
 
 
 def _with_method_name(method: str, message: Message) -> str:
@@ -112,5 +114,8 @@ def _with_method_name(method: str, message: Message) -> str:
 
 
 def _row_not_run(method: Method) -> Row:
-    cells = [Cell(_method_name(method)), *[Cell(UNKNOWN)] * (len(WINDOW_METHODS.columns) - 1)]
-    return Row(cells, tip=gettext(NOT_RUN[method]))
+    cells = [
+        Cell(_method_name(method)),
+        *[Cell(UNKNOWN_TEXT)] * (len(WINDOW_METHODS_TABLE.columns) - 1),
+    ]
+    return Row(cells, tip=gettext(NOT_RUN_TIPS[method]))

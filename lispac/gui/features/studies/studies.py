@@ -1,7 +1,7 @@
 """Actions that compute and show a study.
 
 Studies: comparison with a reference, history of calibrations, point spacings, error budget,
-differences between lines, and visibility of errors.
+differences between lines, visibility of errors, and alternative methods.
 """
 
 from collections.abc import Mapping
@@ -30,7 +30,11 @@ from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.checking.calibration_history import CalibrationHistory, read_histories
 from lispac.workflow.checking.line_quality import LineQuality, line_quality
-from lispac.workflow.checking.subsampling import DISTANCES, SubsamplingResult, subsampling_study
+from lispac.workflow.checking.subsampling import (
+    DEFAULT_DISTANCES,
+    SubsamplingResult,
+    subsampling_study,
+)
 from lispac.workflow.project.survey import Survey
 
 
@@ -127,7 +131,7 @@ class Studies(QObject):
         self._controller.cancel_on_edit(task)
 
     def line_quality(self) -> None:
-        """Show the differences between the lines as displayed, before or after."""
+        """Show the differences between the lines with the boresight used in the view."""
         project, survey = self._document.current_data
         if project is None or survey is None:
             return
@@ -150,7 +154,9 @@ class Studies(QObject):
         used = project.settings.subsample
 
         def work(progress: Progress) -> tuple[SubsamplingResult, ...]:
-            return subsampling_study(project, survey, sorted({*DISTANCES, used}), progress=progress)
+            return subsampling_study(
+                project, survey, sorted({*DEFAULT_DISTANCES, used}), progress=progress
+            )
 
         task = self._runner.run(
             gettext("Point spacing study"), work,
@@ -186,7 +192,8 @@ class Studies(QObject):
             self._actions[name].setEnabled(estimated and ready)
 
 
-MissingResults = tuple[Project, Mapping[str, Message]]
+MethodRuns = tuple[Project, Mapping[str, Message]]
+"""Project with the new results, and the reason why a method has no result, by method."""
 
 
 class AlternativeMethods(QObject):
@@ -226,10 +233,10 @@ class AlternativeMethods(QObject):
             self._run_missing(project, survey)
 
     def _run_missing(self, project: Project, survey: Survey) -> None:
-        def work(progress: Progress) -> MissingResults:
+        def work(progress: Progress) -> MethodRuns:
             return run_missing_methods(project, survey, progress=progress)
 
-        def done(results: MissingResults) -> None:
+        def done(results: MethodRuns) -> None:
             found, refused = results
             if found is not project:
                 self._document.edit(N_("results of alternative methods"), found)

@@ -10,11 +10,11 @@ from lispac.gui import widgets
 from lispac.gui.widgets.diagnostics_table import Column, DiagnosticsTable, Row
 from lispac.language import N_, gettext
 
-HEADER_HEIGHT, ROW_HEIGHT, MAX_ROWS = 64, 24, 10
+HEADER_HEIGHT_PX, ROW_HEIGHT_PX, MAX_ROWS = 64, 24, 10
 """Height of the table header and of a row, pixels, and limit of rows for the table height."""
-SCREEN_MARGIN = 40
-"""Margin between the dialogue and the edge of the screen, pixels."""
-MIN_TABLE_HEIGHT, MIN_PLOT_HEIGHT = HEADER_HEIGHT + 3 * ROW_HEIGHT, 180
+SCREEN_MARGIN_PX = 40
+"""Part of the width and of the height of the screen that a dialogue does not use, pixels."""
+MIN_TABLE_HEIGHT_PX, MIN_PLOT_HEIGHT_PX = HEADER_HEIGHT_PX + 3 * ROW_HEIGHT_PX, 180
 """Smallest heights of table and plot on a small screen, pixels."""
 ANGLE_COLUMNS = (
     (N_("Roll (deg)"), N_("Estimated roll angle of the boresight, in degrees")),
@@ -88,12 +88,12 @@ class StudyDialog(QDialog):
     @property
     def available_size(self) -> QSize:
         """Size of the screen without its margin, pixels."""
-        return self.screen().availableGeometry().size() - QSize(SCREEN_MARGIN, SCREEN_MARGIN)
+        return self.screen().availableGeometry().size() - QSize(SCREEN_MARGIN_PX, SCREEN_MARGIN_PX)
 
     def show_rows(self, rows: Sequence[Row]) -> None:
         """Show rows in the table, whose height grows with their number up to a limit."""
         self.table.show_rows(rows)
-        self.table.setMinimumHeight(HEADER_HEIGHT + ROW_HEIGHT * min(len(rows), MAX_ROWS))
+        self.table.setMinimumHeight(HEADER_HEIGHT_PX + ROW_HEIGHT_PX * min(len(rows), MAX_ROWS))
         if self.isVisible():
             self._fit_width()
 
@@ -122,13 +122,13 @@ class StudyDialog(QDialog):
     def _fit_height(self) -> None:
         """Lower the dialogue to the height of the screen, so that its buttons are visible."""
         available = self.available_size.height()
-        parts = [(self.table, MIN_TABLE_HEIGHT)]
+        parts = [(self.table, MIN_TABLE_HEIGHT_PX)]
         if self.canvas is not None:
-            parts.insert(0, (self.canvas, MIN_PLOT_HEIGHT))
-        for part, least in parts:
+            parts.insert(0, (self.canvas, MIN_PLOT_HEIGHT_PX))
+        for part, min_height in parts:
             excess = self.body.minimumHeightForWidth(self.width()) - available
             if excess > 0:
-                part.setMinimumHeight(max(least, part.minimumHeight() - excess))
+                part.setMinimumHeight(max(min_height, part.minimumHeight() - excess))
                 self.body.invalidate()
         # The minimum of Qt assumes that texts are wrapped at the smallest width
         self.setMinimumHeight(min(self.body.minimumHeightForWidth(self.width()), available))

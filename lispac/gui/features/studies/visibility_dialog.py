@@ -57,8 +57,8 @@ COLUMNS = (
     ),
 )
 """Titles and tips of the columns."""
-READ_HINT = N_("Move the mouse over the chart to read values")
-SITES = {"terrestrial": N_("Terrestrial site"), "marine": N_("Marine site")}
+READING_HINT = N_("Move the mouse over the chart to read values")
+SITE_NAMES = {"terrestrial": N_("Terrestrial site"), "marine": N_("Marine site")}
 
 
 class VisibilityDialog(StudyDialog):
@@ -86,12 +86,12 @@ class VisibilityDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self._found = tuple(studies)
+        self._studies = tuple(studies)
         self._criteria = tuple(CRITERIA)
         self._reasons: list[str] = []
         self._summary = ""
         self.site = widgets.ChoiceBox(
-            "visibility_site", [gettext(SITES[each.site.name]) for each in studies],
+            "visibility_site", [gettext(SITE_NAMES[each.site.name]) for each in studies],
             gettext(
                 "Terrestrial site: scanner 2.5 m above a board on the ground. Marine site: vessel "
                 "15 m from a quay 5 m high."
@@ -111,7 +111,7 @@ class VisibilityDialog(StudyDialog):
             choices.addWidget(choice)
         choices.addStretch(1)
         self.body.insertLayout(1, choices)
-        self.reading = widgets.label(gettext(READ_HINT), "muted", name="visibility_reading")
+        self.reading = widgets.label(gettext(READING_HINT), "muted", name="visibility_reading")
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.body.insertWidget(self.body.indexOf(self._buttons), self.reading)
         self.copy_numbers.setToolTip(
@@ -119,7 +119,7 @@ class VisibilityDialog(StudyDialog):
         )
         self.site.currentIndexChanged.connect(self._on_site_changed)
         self.error.currentIndexChanged.connect(lambda _index: self._draw())
-        table.itemSelectionChanged.connect(self._row_selected)
+        table.itemSelectionChanged.connect(self._on_row_selected)
         self.criterion.currentIndexChanged.connect(lambda _index: self._draw())
         canvas = self.figure().canvas
         connections = (
@@ -134,15 +134,16 @@ class VisibilityDialog(StudyDialog):
         self._on_site_changed()
 
     @property
-    def _shown(self) -> "VisibilityStudy":
-        return self._found[self.site.currentIndex()]
+    def _study(self) -> "VisibilityStudy":
+        return self._studies[self.site.currentIndex()]
 
     @property
-    def _drawn(self) -> "tuple[VisibilityStudy, str, str]":
-        found = self._shown
+    def _chart_selection(self) -> "tuple[VisibilityStudy, str, str]":
+        """Study, error and criterion that the chart shows."""
+        study = self._study
         return (
-            found,
-            found.site.errors[self.error.currentIndex()],
+            study,
+            study.site.errors[self.error.currentIndex()],
             self._criteria[self.criterion.currentIndex()],
         )
 
@@ -150,7 +151,7 @@ class VisibilityDialog(StudyDialog):
         from lispac.report.visibility_figures import systematic_error_label
         from lispac.report.visibility_tables import all_errors_text, comparison_table
 
-        found = self._shown
+        found = self._study
         self.error.blockSignals(True)
         chosen = self.error.currentIndex()
         self.error.clear()
@@ -170,15 +171,15 @@ class VisibilityDialog(StudyDialog):
         )
         self._draw()
 
-    def _row_selected(self) -> None:
+    def _on_row_selected(self) -> None:
         key = self.table.key(self.table.currentRow())
         if key is not None:
-            self.error.setCurrentIndex(self._shown.site.errors.index(key[0]))
+            self.error.setCurrentIndex(self._study.site.errors.index(key[0]))
 
     def _draw(self) -> None:
         from lispac.report.visibility_figures import systematic_error_label, visibility_figure
 
-        found, error, criterion = self._drawn
+        found, error, criterion = self._chart_selection
         visibility_figure(found, error, criterion, self.figure())
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(f"{self.criterion.currentText()}, {self.error.currentText()}")
@@ -197,19 +198,19 @@ class VisibilityDialog(StudyDialog):
         self.message_label.setText("\n".join(texts))
 
     def _clear_reading(self) -> None:
-        self.reading.setText(gettext(READ_HINT))
+        self.reading.setText(gettext(READING_HINT))
 
     def _show_values_at(self, event) -> None:
         """Show the values of the lines under the mouse."""
         from lispac.report.visibility_tables import values_at_inclination
 
         if event.inaxes is not None:
-            self.reading.setText(values_at_inclination(*self._drawn, event.xdata))
+            self.reading.setText(values_at_inclination(*self._chart_selection, event.xdata))
 
     def numbers(self) -> str:
         """Values of the chart as text, tabs between the columns."""
         from lispac.report.visibility_tables import plot_table
 
-        table = plot_table(*self._drawn)
+        table = plot_table(*self._chart_selection)
         lines = [[column.title for column in table.columns], *table.rows]
         return "\n".join("\t".join(line) for line in lines) + "\n"

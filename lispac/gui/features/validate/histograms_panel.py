@@ -1,4 +1,4 @@
-"""Distances between the lines on each validation plane, before and after."""
+"""Distances between the lines on each validation plane, before and after the adjustment."""
 
 import csv
 from io import StringIO
@@ -24,19 +24,19 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.validate import pairs_table
+from lispac.gui.project.status import ProjectState
 from lispac.gui.widgets.idle_tasks import IdleTask
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
-from lispac.project import Project
 from lispac.untrusted_values import as_csv_cell
 from lispac.validation.comparison_results import DistanceStatistics, PlaneComparison
-from lispac.validation.distance_bins import BEYOND, merge_bins
+from lispac.validation.distance_bins import LAST_BIN_END, merge_bins
 from lispac.validation.distance_profile import DistanceProfile
 
 TAB = "\t"
 """Separator of columns that spreadsheets recognise."""
 
-Against = Literal["height", "range"]
+ProfileAxis = Literal["height", "range"]
 """Horizontal axis of a distance profile."""
 
 
@@ -62,12 +62,12 @@ def histogram_bar_text(comparison: PlaneComparison, low: float, high: float) -> 
     )  # fmt: skip
 
 
-def profile_bin_text(profile: DistanceProfile, against: Against, place: float) -> str:
-    """Text on the distances at a height or range, metres."""
+def profile_bin_text(profile: DistanceProfile, axis: ProfileAxis, place: float) -> str:
+    """Text on the distances at a height or range ``place``, metres."""
     k = int(np.clip(np.searchsorted(profile.edges, place) - 1, 0, len(profile.n) - 1))
     low, high = profile.edges[k : k + 2]
     start, end = units.local_figure(low, "m", ".1f"), units.local_amount(high, "m", ".1f")
-    if against == "height":
+    if axis == "height":
         reach = gettext("Height {start}–{end}", start=start, end=end)
     else:
         reach = gettext("Range {start}–{end}", start=start, end=end)
@@ -104,7 +104,7 @@ def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
     """
     edges, before = merge_bins(comparison.bin_edges, comparison.counts_before, shown, bars)
     _, after = merge_bins(comparison.bin_edges, comparison.counts_after, shown, bars)
-    ends = [*(f"{1000 * edge:.6g}" for edge in edges[1:-1]), BEYOND]
+    ends = [*(f"{1000 * edge:.6g}" for edge in edges[1:-1]), LAST_BIN_END]
     rows = zip(1000 * edges[:-1], ends, before, after, strict=True)
     return _tabbed_text(
         ("From (mm)", "To (mm)", "Points before calibration", "Points after calibration"),
@@ -113,7 +113,7 @@ def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
 
 
 def profiles_text(comparison: PlaneComparison) -> str:
-    """Distances against height and range as a tab-separated table."""
+    """Distances as a function of height and range, as a tab-separated table."""
     rows = []
     for title, profile in (("Height", comparison.by_height), ("Range", comparison.by_range)):
         if profile is None:
@@ -148,23 +148,23 @@ _COLUMNS = (
     (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
 )
 """Heading and tooltip of each column."""
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_PART_STRETCH = (3, 4)
+_ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_WIDTH_SHARES = (3, 4)
 """Initial shares of the width for tables and plot."""
-PLOTS = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
+PLOT_TITLES = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
 PERCENT_PLOT, PROFILE_PLOT = 1, 2
-"""Indices of two of the plots in `PLOTS`."""
+"""Indices of two of the plots in `PLOT_TITLES`."""
 ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
-POOLED_TIPS = {
+POOLED_PLANE_TIPS = {
     "reciprocal pairs": N_("{plane}: distances between reciprocal lines, {model}"),
     "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
 }
 """Tips of a plane, by the pairs of lines whose distances are pooled."""
-STATISTICS = (
+LEGEND_TEMPLATES = (
     N_("before: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
     N_("after: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
 )
-"""Legend of the histogram, as in the report."""
+"""Entries of the legend of the histogram before and after, as in the report."""
 
 
 class HistogramsPanel(QWidget):
@@ -209,7 +209,7 @@ class HistogramsPanel(QWidget):
         self._plots.addLayout(self._create_tool_row())
         self._plots.addWidget(self.reading)
         filled.addWidget(plots)
-        for part, share in enumerate(_PART_STRETCH):
+        for part, share in enumerate(_WIDTH_SHARES):
             filled.setStretchFactor(part, share)
         self._parts = filled
         self._stack.addWidget(filled)
@@ -217,14 +217,14 @@ class HistogramsPanel(QWidget):
 
     def _create_tool_row(self) -> QHBoxLayout:
         self.plot = widgets.ChoiceBox(
-            "comparison_plot", [gettext(plot) for plot in PLOTS],
+            "comparison_plot", [gettext(plot) for plot in PLOT_TITLES],
             gettext(
                 "Number of points by distance, share of the points by distance, or distance "
                 "against height and range. After a calibration the distances should not grow with "
                 "height or range."
             ),
         )  # fmt: skip
-        self.plot.setMinimumContentsLength(len(PLOTS[PROFILE_PLOT]))
+        self.plot.setMinimumContentsLength(len(PLOT_TITLES[PROFILE_PLOT]))
         self.plot.currentIndexChanged.connect(self._redraw_selected)
         self.reading = widgets.label(gettext(ZOOM_HINT), "muted", name="comparison_reading")
         # A long text is cut off, so that it does not widen the plot.
@@ -257,26 +257,26 @@ class HistogramsPanel(QWidget):
         rows = self.table.selectionModel().selectedRows()
         return self._comparisons[rows[0].row()] if rows else None
 
-    def show_project(self, project: Project | None) -> None:
-        """Show the comparisons of a project."""
-        comparisons = () if project is None else project.validation
+    def show_state(self, state: ProjectState) -> None:
+        """Show the comparisons of the project."""
+        comparisons = () if state.project is None else state.project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
         if comparisons is self._comparisons:
             return
         if self.canvas is None:
-            self._parts.setSizes([share * self.width() for share in _PART_STRETCH])
+            self._parts.setSizes([share * self.width() for share in _WIDTH_SHARES])
         self._comparisons = comparisons
         self.table.blockSignals(True)
         self.table.setRowCount(len(comparisons))
         font = theme.tabular_font(self.table.font())
         for row, each in enumerate(comparisons):
             model = message_text(each.model.name)
-            tip = gettext(POOLED_TIPS[each.pooled_from], plane=each.name, model=model)
+            tip = gettext(POOLED_PLANE_TIPS[each.pooled_from], plane=each.name, model=model)
             for column, text in enumerate(_comparison_texts(each)):
                 item = QTableWidgetItem(text)
                 item.setFont(font)
                 if column:
-                    item.setTextAlignment(_RIGHT)
+                    item.setTextAlignment(_ALIGN_RIGHT)
                 item.setToolTip(widgets.plain_tip(tip))
                 self.table.setItem(row, column, item)
         self.table.clearSelection()
@@ -325,7 +325,7 @@ class HistogramsPanel(QWidget):
         canvas.setAccessibleName(
             gettext(
                 "{plot}: distances on {plane}, before in blue and after in brown",
-                plot=gettext(PLOTS[self.plot.currentIndex()]),
+                plot=gettext(PLOT_TITLES[self.plot.currentIndex()]),
                 plane=comparison.name,
             )
         )
@@ -338,7 +338,7 @@ class HistogramsPanel(QWidget):
         if legend is not None and self._current_comparison is not None:
             each = self._current_comparison
             for text, template, state in zip(
-                legend.get_texts(), STATISTICS, (each.before, each.after), strict=True
+                legend.get_texts(), LEGEND_TEMPLATES, (each.before, each.after), strict=True
             ):
                 text.set_text(_statistics_text(template, state))
         for axes in figure.axes:
@@ -372,13 +372,13 @@ class HistogramsPanel(QWidget):
         if comparison is None or axes is None:
             return
         if self.plot.currentIndex() == PROFILE_PLOT:
-            profiles: tuple[tuple[Against, DistanceProfile | None], ...] = (
+            profiles: tuple[tuple[ProfileAxis, DistanceProfile | None], ...] = (
                 ("height", comparison.by_height), ("range", comparison.by_range)
             )  # fmt: skip
-            drawn = [(against, each) for against, each in profiles if each is not None]
-            for place, (against, profile) in zip(axes.figure.axes, drawn, strict=False):
+            drawn = [(axis, each) for axis, each in profiles if each is not None]
+            for place, (axis, profile) in zip(axes.figure.axes, drawn, strict=False):
                 if place is axes:
-                    self.reading.setText(profile_bin_text(profile, against, event.xdata))
+                    self.reading.setText(profile_bin_text(profile, axis, event.xdata))
             return
         edges = axes.patches[0].get_data().edges
         k = int(edges.searchsorted(event.xdata, side="right")) - 1
@@ -398,10 +398,10 @@ class HistogramsPanel(QWidget):
         if self.plot.currentIndex() == PROFILE_PLOT:
             text = profiles_text(comparison)
         else:
-            from lispac.report.histograms import BARS
+            from lispac.report.histograms import MAX_BARS
 
             low, high = self.canvas.figure.axes[0].get_xlim()
-            text = histogram_text(comparison, (high - low) / 1000.0, BARS)
+            text = histogram_text(comparison, (high - low) / 1000.0, MAX_BARS)
         QGuiApplication.clipboard().setText(text)
         self.reading.setText(gettext("The numbers were copied to the clipboard"))
 
@@ -441,7 +441,7 @@ def _create_table() -> QTableWidget:
         head = table.horizontalHeaderItem(column)
         head.setToolTip(gettext(tip))
         if column:
-            head.setTextAlignment(_RIGHT)
+            head.setTextAlignment(_ALIGN_RIGHT)
     table.verticalHeader().hide()
     table.verticalHeader().setDefaultSectionSize(26)
     table.setShowGrid(False)

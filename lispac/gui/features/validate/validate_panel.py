@@ -1,32 +1,32 @@
-"""Step 4: distances between the lines on validation planes, before and after."""
+"""Step 4: options of the comparison of the lines on validation planes, and its start."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
 
 from lispac.gui import widgets
-from lispac.gui.project.status import StepStatus
+from lispac.gui.project.status import VALIDATE, ProjectState
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.local_models import (
-    FEWEST,
+    DEFAULT_NEIGHBOURS,
+    MIN_POINTS_BY_KIND,
     SIX_POINT_PLANE,
-    USUAL_NEIGHBOURS,
     Kind,
     LocalModel,
 )
 
-KINDS: tuple[tuple[Kind, str], ...] = (
+SURFACE_MODELS: tuple[tuple[Kind, str], ...] = (
     ("plane", N_("Local plane")), ("quadric", N_("Local quadric")), ("point", N_("Nearest point")),
 )  # fmt: skip
 
 
 class ValidatePanel(QWidget):
-    """Options of the comparison, and choice of the point clouds shown."""
+    """Options of the comparison, and choice of the lines shown: before or after."""
 
     validate_requested = Signal()
     shown_changed = Signal(str)
-    """The view is to show the clouds with the "prior" or the "estimated" boresight."""
+    """Boresight of the lines to show in the view: "prior" or "estimated"."""
     model_changed = Signal(object)
     """`LocalModel` of the surface to which distances are to be measured."""
 
@@ -46,7 +46,7 @@ class ValidatePanel(QWidget):
         self.advice = widgets.label("", wrap=True, name="validate_advice")
         layout.addWidget(self.advice)
         self.kind = widgets.ChoiceBox(
-            "distance_to", [gettext(title) for _, title in KINDS],
+            "distance_to", [gettext(title) for _, title in SURFACE_MODELS],
             gettext(
                 "Model of the surface between the points of a line. Use a plane for walls and "
                 "boards and a quadric for curved surfaces. Distances to the nearest point include "
@@ -68,7 +68,7 @@ class ValidatePanel(QWidget):
         form.addRow(gettext("Surface model"), self.kind)
         form.addRow(gettext("Points per fit"), self.neighbours)
         layout.addLayout(form)
-        self.kind.currentIndexChanged.connect(self._kind_chosen)
+        self.kind.currentIndexChanged.connect(self._on_kind_chosen)
         self.neighbours.valueChanged.connect(lambda _value: self.model_changed.emit(self.model))
         self.run = widgets.button(
             gettext("Validate"), "validate", icon="check-decagram-outline", primary=True,
@@ -98,16 +98,16 @@ class ValidatePanel(QWidget):
     @property
     def model(self) -> LocalModel:
         """The chosen model of the surface."""
-        return LocalModel(KINDS[self.kind.currentIndex()][0], int(self.neighbours.value()))
+        return LocalModel(SURFACE_MODELS[self.kind.currentIndex()][0], int(self.neighbours.value()))
 
-    def _kind_chosen(self) -> None:
-        kind = KINDS[self.kind.currentIndex()][0]
-        self._fill_neighbours(kind, USUAL_NEIGHBOURS[kind])
+    def _on_kind_chosen(self) -> None:
+        kind = SURFACE_MODELS[self.kind.currentIndex()][0]
+        self._fill_neighbours(kind, DEFAULT_NEIGHBOURS[kind])
         self.model_changed.emit(self.model)
 
     def _fill_neighbours(self, kind: Kind, number: int) -> None:
         self.neighbours.blockSignals(True)
-        self.neighbours.setRange(FEWEST[kind], 200)
+        self.neighbours.setRange(MIN_POINTS_BY_KIND[kind], 200)
         self.neighbours.setValue(number)
         self.neighbours.setEnabled(kind != "point")
         self.neighbours.blockSignals(False)
@@ -120,18 +120,19 @@ class ValidatePanel(QWidget):
         if project.validation:
             model = project.validation[0].model
             self.kind.blockSignals(True)
-            self.kind.setCurrentIndex([kind for kind, _ in KINDS].index(model.kind))
+            self.kind.setCurrentIndex([kind for kind, _ in SURFACE_MODELS].index(model.kind))
             self.kind.blockSignals(False)
             self._fill_neighbours(model.kind, model.neighbours)
             # A radius given on the command line has no field; it is kept until a new choice.
             self.model_changed.emit(model)
 
-    def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
-        """Enable the controls that can be used now."""
+    def show_state(self, state: ProjectState) -> None:
+        """Show the last surface model and the next action; enable the controls usable now."""
+        project, status = state.project, state.steps[VALIDATE]
         if project is not None:
             self._show_last_model(project)
         self.advice.setText(status.advice)
-        self.run.update_enabled(status.ready and not busy)
+        self.run.update_enabled(status.ready and not state.is_busy)
         self.after.setEnabled(project is not None and project.result is not None)
 
     def show_before_after(self, which: str) -> None:

@@ -21,7 +21,7 @@ from lispac.gui.appearance import theme
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message
-from lispac.warning_causes import RESULT
+from lispac.warning_causes import RESULT_CAUSE
 
 TITLE = N_("Warnings")
 ACTIVATE_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
@@ -34,15 +34,15 @@ LEVEL_STYLES: dict[Level, tuple[str, str, str]] = {
 """Icon, colour and name of each level; the shapes also differ, for colour-blind users."""
 
 MAX_SLICE_S = 0.015
-"""Longest time for which texts are added before events are processed; one takes a millisecond."""
+"""Time for which texts are added before events are processed; a text takes a millisecond."""
 
-NO_PROJECT = N_("Open or create a project to see its warnings.")
-NO_WARNINGS = N_("No warnings about the files, the targets or the result.")
+NO_PROJECT_TEXT = N_("Open or create a project to see its warnings.")
+NO_WARNINGS_TEXT = N_("No warnings about the files, the targets or the result.")
 CLICK_HINT = N_("Click a warning, or press Enter on it, to go to its cause.")
-WAITING = N_("A new estimate is running. These warnings are from before the change.")
+WAITING_TEXT = N_("A new estimate is running. These warnings are from before the change.")
 
 
-COUNTS = {
+LEVEL_COUNT_TEXTS = {
     Level.ERROR: Plural("{count:n} error", "{count:n} errors"),
     Level.WARNING: Plural("{count:n} warning", "{count:n} warnings"),
     Level.NOTE: Plural("{count:n} note", "{count:n} notes"),
@@ -53,7 +53,7 @@ def level_counts_text(messages: Sequence[Message]) -> str:
     """Text of the number of messages of each level: ``2 warnings, 3 notes``."""
     counts = {level: sum(each.level is level for each in messages) for level in Level}
     return ", ".join(
-        gettext(COUNTS[level], count=count) for level, count in counts.items() if count
+        gettext(LEVEL_COUNT_TEXTS[level], count=count) for level, count in counts.items() if count
     )
 
 
@@ -81,9 +81,9 @@ class WarningsPanel(QWidget):
         column.addWidget(self.list, 1)
         self._current_message: Message | None = None
         self._texts: dict[Message, str] = {}
-        self._turn = QTimer(self)
-        self._turn.setSingleShot(True)
-        self._turn.timeout.connect(self._fill)
+        self._fill_timer = QTimer(self)
+        self._fill_timer.setSingleShot(True)
+        self._fill_timer.timeout.connect(self._fill)
         self._pages = QStackedWidget()
         self._pages.addWidget(self.empty)
         self._pages.addWidget(filled)
@@ -96,11 +96,11 @@ class WarningsPanel(QWidget):
         """Show that no project is open."""
         self.messages = ()
         self.list.clear()
-        self._show_empty(NO_PROJECT)
+        self._show_empty(NO_PROJECT_TEXT)
 
     def show_waiting(self) -> None:
         """Show that the list is out of date and a new result is being computed."""
-        self.head.setText(gettext(WAITING))
+        self.head.setText(gettext(WAITING_TEXT))
 
     def show_warnings(self, messages: Sequence[Message]) -> None:
         """Show the list; the current message remains current if it is still in the list."""
@@ -110,7 +110,7 @@ class WarningsPanel(QWidget):
         self.list.clear()
         self._current_message = current_message
         if not messages:
-            self._show_empty(NO_WARNINGS)
+            self._show_empty(NO_WARNINGS_TEXT)
             return
         self._fill()
         self.head.setText(f"{level_counts_text(messages)}. {gettext(CLICK_HINT)}")
@@ -133,7 +133,7 @@ class WarningsPanel(QWidget):
             if message == self._current_message:
                 self.list.setCurrentRow(self.list.count() - 1)
         if not self.is_filled:
-            self._turn.start()
+            self._fill_timer.start()
         elif len(texts) > len(self.messages):
             self._texts = {each: texts[each] for each in self.messages}
 
@@ -150,7 +150,7 @@ class WarningsPanel(QWidget):
 
     def _emit_cause(self, row: int) -> None:
         if 0 <= row < len(self.messages):
-            self.cause_activated.emit(self.messages[row].subject or RESULT)
+            self.cause_activated.emit(self.messages[row].subject or RESULT_CAUSE)
 
 
 class _WarningListWidget(QListWidget):

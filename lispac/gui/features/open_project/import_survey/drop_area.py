@@ -1,4 +1,4 @@
-"""Empty state of the import dialogue: which files to add."""
+"""Area for dropped files, shown in the import dialogue until files are added."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QVBoxLayout
@@ -7,7 +7,7 @@ from lispac.gui import widgets
 from lispac.gui.appearance import theme
 from lispac.language import N_, gettext
 
-_FILES = (
+_FILE_KINDS = (
     (
         "ferry",
         N_("Trajectory"),
@@ -24,7 +24,7 @@ _FILES = (
         N_("LAS, LAZ, E57, PLY, PCD, text or CIDCO file, in the scanner frame or georeferenced"),
     ),
 )
-"""Icon, kind and formats of the files."""
+"""Icon, kind and formats of the files to add."""
 
 
 class DropArea(QFrame):
@@ -50,7 +50,7 @@ class DropArea(QFrame):
         grid = QGridLayout()
         grid.setHorizontalSpacing(12)
         grid.setVerticalSpacing(8)
-        for row, (icon, kind, formats) in enumerate(_FILES):
+        for row, (icon, kind, formats) in enumerate(_FILE_KINDS):
             picture = QLabel()
             picture.setPixmap(theme.icon(icon, theme.MUTED).pixmap(20, 20))
             grid.addWidget(picture, row, 0)

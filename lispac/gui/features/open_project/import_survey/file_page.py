@@ -24,7 +24,7 @@ from lispac.language import gettext
 from lispac.message_texts import fact_text, message_text
 from lispac.messages import Action
 from lispac.workflow.importing.input_columns import (
-    PASSED_OVER,
+    UNUSED_COLUMN,
     has_columns,
     meaning_label,
     possible_meanings,
@@ -33,11 +33,11 @@ from lispac.workflow.importing.input_file import InputFile
 from lispac.workflow.importing.input_file_messages import option_to_choose
 from lispac.workflow.importing.input_files import InputFiles
 
-NAMED_FORMATS = ("las", "e57")
+FORMATS_WITH_COLUMN_NAMES = ("las", "e57")
 """Formats whose files name their columns; these names are not translated."""
 MAX_COLUMNS = 60
-MIN_MAPPED_WIDTH = 118
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+MIN_MAPPED_COLUMN_PX = 118
+_ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class FilePreview(QTableWidget):
@@ -56,7 +56,7 @@ class FilePreview(QTableWidget):
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setTabKeyNavigation(False)
         self.horizontalHeader().setHighlightSections(False)
-        self.horizontalHeader().setDefaultAlignment(_RIGHT)
+        self.horizontalHeader().setDefaultAlignment(_ALIGN_RIGHT)
         self._shown: tuple[object, ...] = ()
         self.combos: list[widgets.ChoiceBox] = []
 
@@ -65,12 +65,12 @@ class FilePreview(QTableWidget):
         rows = () if file.finding is None else file.finding.rows
         columns = min(max((len(row) for row in rows), default=0), MAX_COLUMNS)
         mapped = file.format is not None and file.role is not None and has_columns(file.format)
-        which = (file.path, file.format, rows, mapped)
-        if which != self._shown:
-            self._shown = which
+        shown = (file.path, file.format, rows, mapped)
+        if shown != self._shown:
+            self._shown = shown
             self._build(file, rows, columns, mapped)
         for k, combo in enumerate(self.combos):
-            chosen = file.columns[k] if k < len(file.columns) else PASSED_OVER
+            chosen = file.columns[k] if k < len(file.columns) else UNUSED_COLUMN
             combo.blockSignals(True)
             if combo.findData(chosen) < 0:
                 combo.addItem(chosen, chosen)
@@ -86,7 +86,7 @@ class FilePreview(QTableWidget):
         names = list(rows[0][:columns]) if rows else []
         if mapped:
             heads = [gettext("Column {number:n}", number=k + 1) for k in range(columns)]
-        elif file.format is not None and file.format.key in NAMED_FORMATS:
+        elif file.format is not None and file.format.key in FORMATS_WITH_COLUMN_NAMES:
             heads = names
         else:
             heads = list(map(gettext, names))
@@ -96,7 +96,7 @@ class FilePreview(QTableWidget):
         for row, cells in enumerate(rows[1:]):
             for column, text in enumerate(cells[:columns]):
                 item = QTableWidgetItem(text)
-                item.setTextAlignment(_RIGHT)
+                item.setTextAlignment(_ALIGN_RIGHT)
                 item.setFont(theme.tabular_font(self.font()))
                 self.setItem(first + row, column, item)
         if self.rowCount():
@@ -104,7 +104,7 @@ class FilePreview(QTableWidget):
         self.resizeColumnsToContents()
         for k in range(columns):
             width = self.columnWidth(k) + 10
-            self.setColumnWidth(k, max(width, MIN_MAPPED_WIDTH) if mapped else width)
+            self.setColumnWidth(k, max(width, MIN_MAPPED_COLUMN_PX) if mapped else width)
 
     def _add_combo(self, file: InputFile, column: int) -> None:
         assert file.format is not None

@@ -23,11 +23,12 @@ from lispac.workflow.importing.input_file import InputFile
 from lispac.workflow.importing.input_files import InputFiles
 
 FILE, ROLE, FORMAT, COUNT, SPAN, FRAME, STATE = range(7)
-_HEADS = (
+"""Indices of the columns."""
+_COLUMN_TITLES = (
     N_("File"), N_("Role"), N_("Format"), N_("Points"), N_("Time span (s)"), N_("Frame"),
     N_("Status"),
 )  # fmt: skip
-_TIPS = (
+_COLUMN_TIPS = (
     N_("Name of the file; the tooltip of the row shows the folder"),
     N_("Role of the file in the project"),
     N_("Format of the file; the list begins with the most likely format"),
@@ -36,9 +37,9 @@ _TIPS = (
     N_("Coordinate frame of the file"),
     N_("Problems found in the file; select the row to read them"),
 )
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-ROW_HEIGHT = 28
+_ALIGN_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_ALIGN_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+ROW_HEIGHT_PX = 28
 
 
 class FileTable(QTableWidget):
@@ -52,16 +53,16 @@ class FileTable(QTableWidget):
     """Path, or None."""
 
     def __init__(self) -> None:
-        super().__init__(0, len(_HEADS))
+        super().__init__(0, len(_COLUMN_TITLES))
         self.setObjectName("import_files")
         self.setAccessibleName(gettext("Files to import"))
-        self.setHorizontalHeaderLabels([gettext(head) for head in _HEADS])
-        for column, tip in enumerate(_TIPS):
+        self.setHorizontalHeaderLabels([gettext(head) for head in _COLUMN_TITLES])
+        for column, tip in enumerate(_COLUMN_TIPS):
             head = self.horizontalHeaderItem(column)
             head.setToolTip(gettext(tip))
-            head.setTextAlignment(_RIGHT if column in (COUNT, SPAN) else _LEFT)
+            head.setTextAlignment(_ALIGN_RIGHT if column in (COUNT, SPAN) else _ALIGN_LEFT)
         self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT)
+        self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT_PX)
         self.setShowGrid(False)
         self.setStyleSheet("QTableWidget::item { padding: 0 6px; }")
         self.setAlternatingRowColors(True)
@@ -114,9 +115,10 @@ class FileTable(QTableWidget):
             item.setIcon(file_texts.state_icon(input_files, file))
             tip = "\n".join(map(message_text, input_files.messages(file))) or state
             item.setToolTip(widgets.plain_tip(tip))
-            out = input_files.state_of_file(file) == "out"
+            is_excluded = input_files.state_of_file(file) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
-                self.item(row, column).setForeground(QColor(theme.MUTED if out else theme.TEXT))
+                text_colour = theme.MUTED if is_excluded else theme.TEXT
+                self.item(row, column).setForeground(QColor(text_colour))
         if self.current is None and self._paths:
             self.selectRow(0)
 
@@ -135,11 +137,11 @@ class FileTable(QTableWidget):
     def _add_row(self, path: Path) -> None:
         row = self.rowCount()
         self.insertRow(row)
-        for column in range(len(_HEADS)):
+        for column in range(len(_COLUMN_TITLES)):
             item = QTableWidgetItem(path.name if column == FILE else "")
             item.setToolTip(widgets.plain_tip(str(path)))
             if column in (COUNT, SPAN):
-                item.setTextAlignment(_RIGHT)
+                item.setTextAlignment(_ALIGN_RIGHT)
                 item.setFont(theme.tabular_font(self.font()))
             self.setItem(row, column, item)
 
@@ -147,7 +149,7 @@ class FileTable(QTableWidget):
         roles: tuple[Kind | None, ...] = (*file.roles, None)
         if file.project_reading is not None:
             roles = (file.role,)
-        items = [(gettext(file_texts.ROLES[role]), role) for role in roles]
+        items = [(gettext(file_texts.ROLE_NAMES[role]), role) for role in roles]
         self._fill_choice(row, ROLE, file, items, file.role, self.role_chosen)
 
     def _fill_format(self, row: int, file: InputFile) -> None:
@@ -178,7 +180,7 @@ class FileTable(QTableWidget):
                 ("format", N_("Format of {file}"))
             )  # fmt: skip
             combo = widgets.ChoiceBox(
-                f"{name}_{path.name}", [file_texts.NO_VALUE], gettext(_TIPS[column])
+                f"{name}_{path.name}", [file_texts.NO_VALUE], gettext(_COLUMN_TIPS[column])
             )
             combo.setAccessibleName(gettext(label, file=path.name))
             combo.setSizeAdjustPolicy(

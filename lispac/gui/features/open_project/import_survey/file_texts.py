@@ -9,18 +9,18 @@ from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import fact_text, message_text
 from lispac.messages import Level
 from lispac.survey.known_time_base import base_message
-from lispac.survey.time_base import KEYS, TimeBase, base_of_key
+from lispac.survey.time_base import TIME_BASE_KEYS, TimeBase, base_of_key
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.importing.input_file import InputFile
 from lispac.workflow.importing.input_files import InputFiles
 
-ROLES: dict[Kind | None, str] = {
+ROLE_NAMES: dict[Kind | None, str] = {
     "trajectory": N_("Trajectory"), "accuracy": N_("Accuracy"), "points": N_("Line"),
     None: N_("Not imported"),
 }  # fmt: skip
-_COUNTS = ("points", "Points", "Records", "Rows")
+_COUNT_FACTS = ("points", "Points", "Records", "Rows")
 """Names of the facts with the number of points or states of a file, in order of preference."""
-_OPTIONS = {
+_OPTION_LABELS = {
     "attitude": N_("Unit of attitude"),
     "axes": N_("Axes"),
     "byte_order": N_("Byte order"),
@@ -55,7 +55,7 @@ _OPTIONS = {
     "withheld": N_("Withheld points"),
 }
 """Labels of the options."""
-_FACTS = {
+_FACT_LABELS = {
     "attributes": N_("Attributes"),
     "columns": N_("Columns"),
     "Columns": N_("Columns"),
@@ -106,20 +106,20 @@ _FACTS = {
     "z from, to": N_("Z"),
 }
 """Labels of the facts about a file."""
-_AUTOMATIC = {
+_EMPTY_VALUE_TEXTS = {
     "time_rollover": N_("automatic"),
     "grid_unit": N_("same as the coordinate system"),
     "heights": N_("same as the coordinate system"),
 }
-"""Texts of the empty value of options that are not taken from the file."""
-_OF_OPTION = {
+"""Texts of an empty value, for options whose default is not the value in the file."""
+_OPTION_VALUE_TEXTS = {
     ("time_rollover", "none"): N_("none"),
     ("frame", "scanner"): N_("Scanner"),
     ("axes", "unknown"): N_("unknown"),
     ("header", "auto"): N_("automatic"),
 }
-"""Texts of values that depend on the option."""
-_VALUES = {
+"""Texts of values that differ between options, by option and value."""
+_VALUE_TEXTS = {
     "as-is": N_("as in the file"),
     "auto": N_("automatic"),
     "big-endian": N_("big-endian"),
@@ -177,7 +177,7 @@ _VALUES = {
     "yard": N_("yards"),
     "zero": N_("zero"),
 }
-"""Texts of the other values."""
+"""Texts of the values that are the same for all options."""
 NO_VALUE = "–"
 
 
@@ -189,7 +189,7 @@ def count_text(file: InputFile) -> str:
     if isinstance(content, Trajectory | TrajectoryAccuracy):
         return number(len(content.time))
     facts = {} if file.finding is None else file.finding.facts
-    return next((fact_text(facts[name]) for name in _COUNTS if name in facts), NO_VALUE)
+    return next((fact_text(facts[name]) for name in _COUNT_FACTS if name in facts), NO_VALUE)
 
 
 def time_span_text(file: InputFile) -> str:
@@ -246,23 +246,27 @@ def state_icon(input_files: InputFiles, file: InputFile) -> QIcon:
 
 def option_name(name: str) -> str:
     """Label of an option."""
-    return gettext(_OPTIONS.get(name, name))
+    return gettext(_OPTION_LABELS.get(name, name))
 
 
 def fact_name(name: str) -> str:
     """Label of a fact about a file."""
-    return gettext(_FACTS.get(name, name))
+    return gettext(_FACT_LABELS.get(name, name))
 
 
 def option_value(name: str, value: str) -> str:
     """Text of a value of an option."""
     if not value:
-        return gettext(_AUTOMATIC[name]) if name in _AUTOMATIC else gettext("as in the file")
-    if (name, value) in _OF_OPTION:
-        return gettext(_OF_OPTION[name, value])
-    if value in KEYS:
+        return (
+            gettext(_EMPTY_VALUE_TEXTS[name])
+            if name in _EMPTY_VALUE_TEXTS
+            else gettext("as in the file")
+        )
+    if (name, value) in _OPTION_VALUE_TEXTS:
+        return gettext(_OPTION_VALUE_TEXTS[name, value])
+    if value in TIME_BASE_KEYS:
         return message_text(base_message(base_of_key(value)))
-    return gettext(_VALUES[value]) if value in _VALUES else value
+    return gettext(_VALUE_TEXTS[value]) if value in _VALUE_TEXTS else value
 
 
 def time_axis_title(base: TimeBase | None) -> str:

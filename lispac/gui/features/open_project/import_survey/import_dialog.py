@@ -36,9 +36,9 @@ from lispac.gui.features.open_project.import_survey.quality_page import QualityP
 from lispac.gui.features.open_project.import_survey.timeline_page import TimelinePage
 from lispac.gui.widgets.error_box import error_text_and_details
 from lispac.gui.widgets.file_drops import FileDrops
-from lispac.identity import BLANK
+from lispac.identity import EMPTY_IDENTITY
 from lispac.installation_paths import expand_user
-from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
+from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
 from lispac.language import Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Action
@@ -47,11 +47,12 @@ from lispac.workflow.importing.input_files import ImportRequest, InputFiles, pro
 from lispac.workflow.planning.sensors import read_library
 
 FILE, TIMELINE, QUALITY, MOUNTING = range(4)
+"""Indices of the tabs."""
 
 
 def survey_file_filters() -> str:
     """Filters of the file dialogue: the suffixes of all formats, or all files."""
-    formats = (*POINTS, *TRAJECTORIES, *ACCURACIES)
+    formats = (*POINT_FORMATS, *TRAJECTORY_FORMATS, *ACCURACY_FORMATS)
     known = dict.fromkeys(f"*{ending}" for each in formats for ending in each.endings)
     return ";;".join(
         [
@@ -75,7 +76,7 @@ class ImportDialog(QDialog):
         self._settings = settings
         self.project: Path | None = None
         """Dropped project that is to be opened instead of an import; None if there is none."""
-        self._own_folder = False
+        self._folder_is_typed = False
         self.setObjectName("import_dialog")
         self.setWindowTitle(dialog_title(ACTIONS["new"]))
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
@@ -101,7 +102,7 @@ class ImportDialog(QDialog):
     def request(self) -> ImportRequest:
         """The import as filled in."""
         folder = expand_user(Path(self.folder.text().strip()))
-        identity = BLANK.changed(**self.mounting.sensors.identity_fields)
+        identity = EMPTY_IDENTITY.changed(**self.mounting.sensors.identity_fields)
         return replace(
             self.input_files.request(folder, self.mounting.settings()), identity=identity
         )
@@ -222,7 +223,7 @@ class ImportDialog(QDialog):
         work, edit = self.work, self.work.edit
         work.changed.connect(self._show)
         work.progress_changed.connect(self._show_progress)
-        work.runner.failed.connect(self._failed)
+        work.runner.failed.connect(self._show_failure)
         work.project_found.connect(self._open_found_project)
         FileDrops(self).dropped.connect(self.add)
         for files in (self.empty.files_requested, self.add_files.clicked):
@@ -258,7 +259,7 @@ class ImportDialog(QDialog):
             lambda gap: edit(replace(self.input_files, longest_gap=gap))
         )
         self.mounting.changed.connect(self._show_reason)
-        self.folder.textEdited.connect(self._folder_typed)
+        self.folder.textEdited.connect(self._on_folder_typed)
         self.browse.clicked.connect(self._ask_project_folder)
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self._discard)
@@ -274,7 +275,7 @@ class ImportDialog(QDialog):
         accuracy = input_files.accuracy
         self.mounting.show_accuracy("" if accuracy is None else accuracy.path.name)
         self.mounting.show_prior_needed(any(line.is_georeferenced for line in input_files.lines))
-        if not self._own_folder:
+        if not self._folder_is_typed:
             proposed = proposed_folder(input_files)
             self.folder.setText("" if proposed is None else str(proposed))
         count = sum(bool(input_files.time_messages(line)) for line in input_files.lines)
@@ -363,26 +364,26 @@ class ImportDialog(QDialog):
         name = QFileDialog.getExistingDirectory(self, gettext("Project folder"), self.folder.text())
         if name:
             self.folder.setText(name)
-            self._folder_typed(name)
+            self._on_folder_typed(name)
 
     def _start_folder(self) -> str:
         files = self.input_files.files
         return str(files[-1].path.parent) if files else ""
 
-    def _folder_typed(self, text: str) -> None:
-        self._own_folder = bool(text.strip())
+    def _on_folder_typed(self, text: str) -> None:
+        self._folder_is_typed = bool(text.strip())
         self._show_reason()
 
     def _open_found_project(self, project: Path) -> None:
         self.project = project
         self._discard()
 
-    def _failed(self, error: BaseException) -> None:
+    def _show_failure(self, error: BaseException) -> None:
         """Show an error that does not belong to a file, such as a folder that cannot be listed."""
         self._show()
         self.reason.setText(error_text_and_details(error)[0])
 
-    # -- the end -----------------------------------------------------------------------------
+    # -- closing -----------------------------------------------------------------------------
 
     def keyPressEvent(self, event) -> None:
         """Press the focused button with Enter; in a field, Enter must not close the dialogue."""
@@ -394,7 +395,7 @@ class ImportDialog(QDialog):
         super().keyPressEvent(event)
 
     def reject(self) -> None:
-        """Ask before files are discarded, on Escape or when the dialogue is closed."""
+        """Ask before the added files are discarded, on Escape or when the dialogue is closed."""
         if all(
             file.project_reading is not None for file in self.input_files.files
         ) or Questions.confirm_leave(self):

@@ -73,9 +73,9 @@ class ImportWorker(QObject):
     def edit(self, input_files: InputFiles) -> None:
         """Replace the import, and read the files that are pending."""
         self.input_files = input_files
-        here = {input_file.path for input_file in input_files.files}
+        paths = {input_file.path for input_file in input_files.files}
         self._queued = {
-            path: input_file for path, input_file in self._queued.items() if path in here
+            path: input_file for path, input_file in self._queued.items() if path in paths
         }
         for input_file in input_files.files:
             if input_file.pending and self._queued.get(input_file.path) is not input_file:

@@ -12,13 +12,13 @@ from lispac.language import N_, gettext
 from lispac.message_texts import action_text, action_tip, message_text
 from lispac.messages import Action, Level, Message
 
-_MARKS = {
+_LEVEL_STYLES = {
     Level.ERROR: ("close-octagon-outline", "error", N_("Error")),
     Level.WARNING: ("alert-outline", "warning", N_("Warning")),
     Level.NOTE: ("information-outline", "muted", N_("Note")),
 }
 """Icon, role of its colour and label of each level."""
-MAX_HEIGHT = 150
+MAX_HEIGHT_PX = 150
 
 
 class MessageList(QScrollArea):
@@ -58,7 +58,7 @@ class MessageList(QScrollArea):
         if not messages and fine:
             self._add_row(_message_row("check-circle-outline", "done", N_("OK"), fine)[0])
         for place, message in enumerate(messages):
-            row, layout = _message_row(*_MARKS[message.level], message_text(message))
+            row, layout = _message_row(*_LEVEL_STYLES[message.level], message_text(message))
             for action in message.actions:
                 button = self._create_button(action, message, place)
                 layout.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
@@ -95,11 +95,11 @@ class MessageList(QScrollArea):
     def _fit_height(self) -> None:
         self._rows.invalidate()
         needed = self._rows.totalHeightForWidth(self.viewport().width())
-        self.setFixedHeight(min(max(needed, 26), MAX_HEIGHT))
+        self.setFixedHeight(min(max(needed, 26), MAX_HEIGHT_PX))
         # The minimum height of wrapped text in Qt is too large and would cause a scroll bar.
         policy = Qt.ScrollBarPolicy
         self.setVerticalScrollBarPolicy(
-            policy.ScrollBarAsNeeded if needed > MAX_HEIGHT else policy.ScrollBarAlwaysOff
+            policy.ScrollBarAsNeeded if needed > MAX_HEIGHT_PX else policy.ScrollBarAlwaysOff
         )
 
 
@@ -115,7 +115,7 @@ def _message_row(icon: str, kind: str, label: str, text: str) -> tuple[QWidget, 
     head.setStyleSheet(f"color: {colour}; font-weight: 600;")
     bold = QFont(head.font())
     bold.setBold(True)
-    labels = (gettext(each) for *_, each in _MARKS.values())
+    labels = (gettext(each) for *_, each in _LEVEL_STYLES.values())
     head.setFixedWidth(max(map(QFontMetrics(bold).horizontalAdvance, labels)) + 8)
     message_label = widgets.label(text, wrap=True)
     # Setting a policy after the wrapping resets its dependence of the height on the width.

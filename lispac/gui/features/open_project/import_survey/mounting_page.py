@@ -14,8 +14,8 @@ from lispac.project import Settings
 from lispac.survey.lever_arm_warnings import lever_arm_warnings
 from lispac.workflow.planning.sensors import SensorLibrary
 
-GEOGRAPHIC = ("new_latitude", "new_longitude")
-"""Fields that are always in degrees, independent of the unit of angles."""
+GEOGRAPHIC_FIELDS = ("new_latitude", "new_longitude")
+"""Names of the fields that are always in degrees, independent of the unit of angles."""
 
 
 class MountingPage(QScrollArea):
@@ -192,5 +192,5 @@ def _number_field(name: str, suffix: str, decimals: int, low: float, high: float
         low=low,
         high=high,
         step=10.0 ** (1 - decimals),
-        fixed=name in GEOGRAPHIC,
+        fixed=name in GEOGRAPHIC_FIELDS,
     )

@@ -10,9 +10,10 @@ from lispac.language import gettext
 from lispac.message_texts import message_text
 from lispac.workflow.importing.input_file import InputFile
 
-_GEOREFERENCED = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
-_SCANNER = ("unit",)
-"""Options that apply only to georeferenced points, or only to points in the scanner frame."""
+_GEOREFERENCED_OPTIONS = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
+"""Options that apply only to georeferenced points."""
+_SCANNER_FRAME_OPTIONS = ("unit",)
+"""Options that apply only to points in the scanner frame."""
 
 
 class OptionsForm(QWidget):
@@ -37,9 +38,9 @@ class OptionsForm(QWidget):
     def show_file(self, file: InputFile) -> None:
         """Show the options of a file."""
         options = _visible_options(file)
-        which = (file.path, file.format, tuple(option.name for option in options))
-        if which != self._shown:
-            self._shown = which
+        shown = (file.path, file.format, tuple(option.name for option in options))
+        if shown != self._shown:
+            self._shown = shown
             self._build(options)
         resolved, given = file.options, file.given_options or {}
         for option in options:
@@ -130,5 +131,5 @@ def _visible_options(file: InputFile) -> tuple[FormatOption, ...]:
         return ()
     hidden = {"columns"}
     if file.role == "points":
-        hidden |= set(_SCANNER if file.is_georeferenced else _GEOREFERENCED)
+        hidden |= set(_SCANNER_FRAME_OPTIONS if file.is_georeferenced else _GEOREFERENCED_OPTIONS)
     return tuple(option for option in file.format.options if option.name not in hidden)

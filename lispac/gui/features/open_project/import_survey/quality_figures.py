@@ -20,11 +20,11 @@ from lispac.workflow.importing.input_files import InputFiles
 
 Array = NDArray[np.float64]
 LINE_STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
-"""Line styles with which coincident curves, such as north and east, are all visible."""
+"""Line styles of three curves, which stay visible where they coincide, such as north and east."""
 FONT_SIZE, SMALL_SIZE = 9, 8
-MAX_STATES = 10_000
-"""Largest number of drawn points of a track."""
-LETTER_WIDTH = 0.0065
+MAX_TRACK_POINTS = 10_000
+"""A longer track is thinned to between one and two times this number of points."""
+LETTER_WIDTH_SHARE = 0.0065
 """Width of a small letter as a share of the axis width, in the narrowest figure."""
 
 
@@ -73,7 +73,7 @@ class TrajectoryQuality:
 
 
 def draw_accuracies(quality: TrajectoryQuality, figure: Figure) -> None:
-    """Draw the standard deviations of position and attitude over time (thesis 4.17, 4.18)."""
+    """Draw standard deviations of position and attitude over time (thesis figures 4.17, 4.18)."""
     sigmas = quality.sigmas
     if sigmas is None:
         _show_text(
@@ -106,9 +106,9 @@ def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
     axes = figure.add_subplot()
     _style_axes(axes)
     path = quality.track
-    frame, step = path.mean_frame(), max(1, len(path.time) // MAX_STATES)
+    frame, step = path.mean_frame(), max(1, len(path.time) // MAX_TRACK_POINTS)
 
-    def plotted(states: NDArray[np.int64], **style: object) -> None:
+    def plot_states(states: NDArray[np.int64], **style: object) -> None:
         north, west, _ = frame.to_local(
             path.latitude[states], path.longitude[states], path.height[states]
         ).T
@@ -116,19 +116,20 @@ def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
         axes.plot(np.insert(-west, breaks, np.nan), np.insert(north, breaks, np.nan), **style)
 
     gap = 2.0 * step * float(np.median(np.diff(path.time[:1000])))
-    wide = np.flatnonzero(np.diff(path.time) > quality.longest_gap) + 1
-    every = np.unique(np.concatenate([np.arange(0, len(path.time), step), wide, wide - 1]))
-    plotted(every, color=theme.WAITING, linewidth=1.2, label=gettext("Trajectory"))
+    gap_ends = np.flatnonzero(np.diff(path.time) > quality.longest_gap) + 1
+    thinned = np.arange(0, len(path.time), step)
+    states = np.unique(np.concatenate([thinned, gap_ends, gap_ends - 1]))
+    plot_states(states, color=theme.WAITING, linewidth=1.2, label=gettext("Trajectory"))
     for k, (name, start, end, colour) in enumerate(quality.lines):
         # Lines on the same course overlap; earlier ones are wider and remain visible.
         width = min(3 + 1.8 * (len(quality.lines) - 1 - k), 12)
         first, last = np.searchsorted(path.time, (start, end))
         if last > first:
-            states = np.arange(first, last, max(1, (last - first) // MAX_STATES))
-            plotted(states, color=colour, linewidth=width, solid_capstyle="butt",
-                    label=_escape_dollars(name))  # fmt: skip
-    plotted(np.zeros(1, dtype=np.int64), marker="o", color=theme.TEXT, markersize=5,
-            linestyle="none", label=gettext("Start"))  # fmt: skip
+            states = np.arange(first, last, max(1, (last - first) // MAX_TRACK_POINTS))
+            plot_states(states, color=colour, linewidth=width, solid_capstyle="butt",
+                        label=_escape_dollars(name))  # fmt: skip
+    plot_states(np.zeros(1, dtype=np.int64), marker="o", color=theme.TEXT, markersize=5,
+                linestyle="none", label=gettext("Start"))  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
     axes.set_xlabel(gettext("East (m)"), fontsize=FONT_SIZE)
     axes.set_ylabel(gettext("North (m)"), fontsize=FONT_SIZE)
@@ -150,8 +151,8 @@ def draw_motion(quality: TrajectoryQuality, figure: Figure) -> None:
     # Unwrapped, so that the curve does not jump at north.
     heading = np.degrees(np.unwrap(path.attitude[:, 2]))
     _draw_series(bottom, quality, path.time, heading, 0, "")
-    reach = float(np.ptp(heading))
-    step = next((s for s in (1, 5, 10, 30, 45, 90, 180) if reach / s <= 5), 360)
+    span = float(np.ptp(heading))
+    step = next((s for s in (1, 5, 10, 30, 45, 90, 180) if span / s <= 5), 360)
     bottom.yaxis.set_major_locator(MultipleLocator(step))
     bottom.yaxis.set_major_formatter(
         FuncFormatter(lambda value, _: units.localised(f"{value % 360:.3g}"))
@@ -164,7 +165,7 @@ def draw_motion(quality: TrajectoryQuality, figure: Figure) -> None:
     bottom.set_ylabel(gettext("Heading\n(°)"), fontsize=FONT_SIZE)
 
 
-FIGURES: dict[str, Callable[[TrajectoryQuality, Figure], None]] = {
+DRAW_FUNCTIONS: dict[str, Callable[[TrajectoryQuality, Figure], None]] = {
     "accuracies": draw_accuracies, "track": draw_track, "motion": draw_motion,
 }  # fmt: skip
 
@@ -184,13 +185,13 @@ def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequen
         FuncFormatter(lambda value, _: units.localised(f"{value:,.10g}"))
     )
     last.set_xlabel(quality.axis, fontsize=FONT_SIZE)
-    first, free = all_axes[0], -np.inf
+    first, end_of_names = all_axes[0], -np.inf
     for name, begin, finish, _ in sorted(quality.lines, key=lambda line: line[1]):
         middle = (begin + finish) / 2
-        half = LETTER_WIDTH * (end - start) * len(name) / 2
+        half = LETTER_WIDTH_SHARE * (end - start) * len(name) / 2
         # Names that would overlap are omitted; the timeline shows them.
-        if start <= middle <= end and middle - half > free:
-            free = middle + half
+        if start <= middle <= end and middle - half > end_of_names:
+            end_of_names = middle + half
             first.annotate(
                 _escape_dollars(name),
                 (middle, 1),
@@ -208,7 +209,9 @@ def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequen
 def _draw_series(
     axes: Axes, quality: TrajectoryQuality, time: Array, values: Array, k: int, name: str
 ) -> None:
-    shown = envelope(time, values, longest_gap=max(quality.longest_gap, _usual_step(time)))
+    shown = envelope(
+        time, values, longest_gap=max(quality.longest_gap, _longest_regular_step(time))
+    )
     # Dashes of an envelope would be invisible and slow to draw.
     style = LINE_STYLES[k] if len(shown[0]) >= len(time) else "-"
     axes.plot(
@@ -216,8 +219,11 @@ def _draw_series(
     )
 
 
-def _usual_step(time: Array) -> float:
-    """Longest time step that is not a gap, seconds; accuracies are often given at 1 Hz only."""
+def _longest_regular_step(time: Array) -> float:
+    """Longest time step that is not a gap: three times the median, seconds.
+
+    Accuracies are often given at 1 Hz only, so the limit of gaps of the trajectory may be shorter.
+    """
     return 3 * float(np.median(np.diff(time))) if len(time) > 1 else 0.0
 
 
@@ -244,14 +250,16 @@ def _add_legend(axes: Axes) -> None:
                 bbox_to_anchor=(1.005, 0.5), borderaxespad=0.1)  # fmt: skip
 
 
-DEFAULT_BINS = 1500
-"""Intervals of the envelope; more than an axis has pixels."""
+ENVELOPE_INTERVALS = 1500
+"""Number of time intervals of an envelope; more than an axis has pixels."""
 
 
 def envelope(
-    time: Array, values: Array, *, bins: int = DEFAULT_BINS, longest_gap: float = np.inf
+    time: Array, values: Array, *, bins: int = ENVELOPE_INTERVALS, longest_gap: float = np.inf
 ) -> tuple[Array, Array]:
-    """Smallest and largest value of each time interval, with NaN at gaps.
+    """Smallest and largest value of each of ``bins`` time intervals, with NaN at gaps.
+
+    A short series, of at most ``4 * bins`` values, is returned as it is, with NaN at gaps.
 
     Parameters
     ----------

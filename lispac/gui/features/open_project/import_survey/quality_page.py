@@ -10,13 +10,13 @@ from lispac.language import N_, gettext
 from lispac.workflow.importing.input_files import InputFiles
 
 ACCURACIES, TRACK, MOTION = "accuracies", "track", "motion"
-NAMES = {
+FIGURE_TITLES = {
     ACCURACIES: N_("Accuracies"),
     TRACK: N_("Track"),
     MOTION: N_("Speed and attitude"),
 }
 """Labels of the figures."""
-_TIPS = {
+_FIGURE_TIPS = {
     ACCURACIES: N_("Standard deviations of position and attitude over time"),
     TRACK: N_("Track of the vessel on a map, with the lines in their colours"),
     MOTION: N_("Speed, roll, pitch and heading over time"),
@@ -36,9 +36,9 @@ class QualityPage(QWidget):
         row = QHBoxLayout()
         row.setSpacing(0)
         self.choice = QButtonGroup(self)
-        for k, (key, label) in enumerate(NAMES.items()):
+        for k, (key, label) in enumerate(FIGURE_TITLES.items()):
             name = gettext(label)
-            made = widgets.button(name, f"quality_{k}", tip=gettext(_TIPS[key]))
+            made = widgets.button(name, f"quality_{k}", tip=gettext(_FIGURE_TIPS[key]))
             made.setCheckable(True)
             made.setAutoDefault(False)
             made.setProperty("segment", True)
@@ -95,7 +95,7 @@ class QualityPage(QWidget):
             return
         # Matplotlib is imported late, so that the dialogue starts without it.
         from lispac.gui.features.open_project.import_survey.quality_figures import (
-            FIGURES,
+            DRAW_FUNCTIONS,
             TrajectoryQuality,
         )
         from lispac.gui.widgets.chart import Chart
@@ -106,20 +106,20 @@ class QualityPage(QWidget):
             self._layout.addWidget(self.canvas, 1)
         quality = TrajectoryQuality.of(self._input_files)
         assert quality is not None
-        key = list(NAMES)[self.choice.checkedId()]
+        key = list(FIGURE_TITLES)[self.choice.checkedId()]
         self._hint.setText(
             gettext("Coloured sections: lines")
             if key == TRACK
             else gettext("Shaded areas: times of the lines")
         )
-        FIGURES[key](quality, self.canvas.figure)
+        DRAW_FUNCTIONS[key](quality, self.canvas.figure)
         self.canvas.draw_idle()
-        self.canvas.setAccessibleName(gettext(_TIPS[key]))
+        self.canvas.setAccessibleName(gettext(_FIGURE_TIPS[key]))
         self.drawn.emit()
 
 
 def _drawn_data(input_files: InputFiles) -> tuple[object, ...]:
-    """Data of the figures, whose values are compared by identity."""
+    """Key of the data in the figures, which are drawn again if it changes."""
     lines = tuple(
         (id(line.content), line.shift, input_files.names[line.path]) for line in input_files.lines
     )

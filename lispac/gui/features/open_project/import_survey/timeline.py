@@ -15,9 +15,9 @@ from lispac.language import Plural, gettext, number
 from lispac.survey.time_quality import TrajectoryCoverage
 from lispac.workflow.importing.input_files import InputFiles
 
-NAME_PX, TEXT_PX, ROW_PX, AXIS_PX, TOP_PX = 170, 190, 26, 44, 8
-"""Pixels left and right of the bars, of a row, and below and above the bars."""
-MIN_BAR_PX = 4.0
+NAME_WIDTH_PX, TEXT_WIDTH_PX, ROW_HEIGHT_PX, AXIS_HEIGHT_PX, TOP_MARGIN_PX = 170, 190, 26, 44, 8
+"""Widths of the names and of the texts, heights of a row and of the axis, and margin at the top."""
+MIN_BAR_WIDTH_PX = 4.0
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class TimelineBar:
     text : str
         Text beside the bar.
     is_usable : bool
-        Whether all of the file can be used.
+        Whether the trajectory covers all points of the line; True for the trajectory itself.
     is_line : bool
     """
 
@@ -122,7 +122,7 @@ def axis_time_span(bars: tuple[TimelineBar, ...]) -> tuple[float, float]:
 
 
 def round_ticks(start: float, end: float, max_ticks: int) -> list[float]:
-    """Round values between two times, at most ``max_ticks``."""
+    """Round values between two times, at most ``max_ticks + 1``."""
     rough = (end - start) / max(max_ticks, 1)
     power = 10.0 ** np.floor(np.log10(rough))
     step = next(k * power for k in (1, 2, 5, 10) if k * power >= rough)
@@ -157,7 +157,7 @@ class TimelineView(QWidget):
 
     def sizeHint(self) -> QSize:
         """Preferred size in pixels."""
-        return QSize(600, TOP_PX + max(len(self.bars), 1) * ROW_PX + AXIS_PX)
+        return QSize(600, TOP_MARGIN_PX + max(len(self.bars), 1) * ROW_HEIGHT_PX + AXIS_HEIGHT_PX)
 
     def minimumSizeHint(self) -> QSize:
         """Smallest size in pixels."""
@@ -165,7 +165,7 @@ class TimelineView(QWidget):
 
     def mousePressEvent(self, event) -> None:
         """Select the file of the clicked bar."""
-        row = int((event.position().y() - TOP_PX) // ROW_PX)
+        row = int((event.position().y() - TOP_MARGIN_PX) // ROW_HEIGHT_PX)
         if 0 <= row < len(self.bars):
             self.file_selected.emit(self.bars[row].path)
 
@@ -200,15 +200,15 @@ class TimelineView(QWidget):
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             return
         start, end = axis_time_span(self.bars)
-        width = max(self.width() - NAME_PX - TEXT_PX, 50)
+        width = max(self.width() - NAME_WIDTH_PX - TEXT_WIDTH_PX, 50)
 
         def x(time: float) -> float:
-            return NAME_PX + (time - start) / (end - start) * width
+            return NAME_WIDTH_PX + (time - start) / (end - start) * width
 
-        bottom = TOP_PX + len(self.bars) * ROW_PX
+        bottom = TOP_MARGIN_PX + len(self.bars) * ROW_HEIGHT_PX
         self._draw_axis(painter, start, end, x, bottom)
         for row, bar in enumerate(self.bars):
-            self._draw_bar(painter, bar, TOP_PX + row * ROW_PX, x, width)
+            self._draw_bar(painter, bar, TOP_MARGIN_PX + row * ROW_HEIGHT_PX, x, width)
         if self.hasFocus():
             painter.setPen(QPen(QColor(theme.ACCENT), 1))
             painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -217,44 +217,51 @@ class TimelineView(QWidget):
     def _draw_axis(self, painter: QPainter, start: float, end: float, x, bottom: int) -> None:
         metrics = self.fontMetrics()
         label = metrics.horizontalAdvance(number(end, 1)) + 24
-        ticks = round_ticks(start, end, max(int((self.width() - NAME_PX - TEXT_PX) / label), 2))
+        ticks = round_ticks(
+            start, end, max(int((self.width() - NAME_WIDTH_PX - TEXT_WIDTH_PX) / label), 2)
+        )
         fine = len(ticks) > 1 and ticks[1] - ticks[0] < 1
         painter.setFont(theme.tabular_font(self.font()))
         for tick in ticks:
             painter.setPen(QColor(theme.GRID))
-            painter.drawLine(QPointF(x(tick), TOP_PX), QPointF(x(tick), bottom + 4))
+            painter.drawLine(QPointF(x(tick), TOP_MARGIN_PX), QPointF(x(tick), bottom + 4))
             painter.setPen(QColor(theme.TEXT))
             text = number(tick, 2 if fine else 0)
             box = QRectF(x(tick) - label / 2, bottom + 4, label, 18)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
         painter.setPen(QColor(theme.MUTED))
-        box = QRectF(NAME_PX, bottom + 22, self.width() - NAME_PX - TEXT_PX, 18)
+        box = QRectF(NAME_WIDTH_PX, bottom + 22, self.width() - NAME_WIDTH_PX - TEXT_WIDTH_PX, 18)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self._axis)
 
     def _draw_bar(self, painter: QPainter, bar: TimelineBar, top: int, x, width: int) -> None:
         middle = Qt.AlignmentFlag.AlignVCenter
         if bar.path == self._current:
-            painter.fillRect(QRectF(0, top, self.width(), ROW_PX), QColor(theme.CURRENT))
+            painter.fillRect(QRectF(0, top, self.width(), ROW_HEIGHT_PX), QColor(theme.CURRENT))
         painter.setPen(QColor(theme.TEXT))
-        name = self.fontMetrics().elidedText(bar.name, Qt.TextElideMode.ElideMiddle, NAME_PX - 24)
-        painter.drawText(QRectF(12, top, NAME_PX - 20, ROW_PX), middle, name)
+        name = self.fontMetrics().elidedText(
+            bar.name, Qt.TextElideMode.ElideMiddle, NAME_WIDTH_PX - 24
+        )
+        painter.drawText(QRectF(12, top, NAME_WIDTH_PX - 20, ROW_HEIGHT_PX), middle, name)
         painter.setPen(QColor(theme.MUTED if bar.is_usable else theme.ERROR))
-        box = QRectF(NAME_PX + width + 12, top, TEXT_PX - 16, ROW_PX)
+        box = QRectF(NAME_WIDTH_PX + width + 12, top, TEXT_WIDTH_PX - 16, ROW_HEIGHT_PX)
         painter.drawText(box, middle, self.fontMetrics().elidedText(
-            bar.text, Qt.TextElideMode.ElideRight, TEXT_PX - 16))  # fmt: skip
+            bar.text, Qt.TextElideMode.ElideRight, TEXT_WIDTH_PX - 16))  # fmt: skip
         left, right = x(bar.start), x(bar.end)
-        if right < NAME_PX or left > NAME_PX + width:
-            edge = NAME_PX if right < NAME_PX else NAME_PX + width
+        if right < NAME_WIDTH_PX or left > NAME_WIDTH_PX + width:
+            edge = NAME_WIDTH_PX if right < NAME_WIDTH_PX else NAME_WIDTH_PX + width
             self._draw_distant_line(painter, bar, top, edge)
             return
-        left, right = max(left, NAME_PX), min(max(right, left + MIN_BAR_PX), NAME_PX + width)
-        whole = QRectF(left, top + 5, right - left, ROW_PX - 10)
+        left, right = (
+            max(left, NAME_WIDTH_PX),
+            min(max(right, left + MIN_BAR_WIDTH_PX), NAME_WIDTH_PX + width),
+        )
+        whole = QRectF(left, top + 5, right - left, ROW_HEIGHT_PX - 10)
         painter.fillRect(whole, QColor(bar.colour))
         for first, last in bar.gaps:
             a, b = max(x(first), left), min(max(x(last), x(first) + 2), right)
             if b <= a:
                 continue
-            gap = QRectF(a, top + 5, b - a, ROW_PX - 10)
+            gap = QRectF(a, top + 5, b - a, ROW_HEIGHT_PX - 10)
             painter.fillRect(gap, QColor(theme.PAPER))
             painter.fillRect(gap, _hatch_brush())
             painter.setPen(QPen(QColor(theme.ERROR), 1))
@@ -269,10 +276,10 @@ class TimelineView(QWidget):
         self, painter: QPainter, bar: TimelineBar, top: int, edge: float
     ) -> None:
         """Draw an arrow for a line beyond the axis, and its distance in time."""
-        before = edge == NAME_PX
+        before = edge == NAME_WIDTH_PX
         track = next(each for each in self.bars if not each.is_line)
         seconds = track.start - bar.end if before else bar.start - track.end
-        side, y = (1 if before else -1), top + ROW_PX / 2
+        side, y = (1 if before else -1), top + ROW_HEIGHT_PX / 2
         tip = edge + side * 4
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(bar.colour))
@@ -286,7 +293,11 @@ class TimelineView(QWidget):
             else gettext("{duration:s.0} s after the trajectory", duration=seconds)
         )
         align = Qt.AlignmentFlag.AlignLeft if before else Qt.AlignmentFlag.AlignRight
-        box = QRectF(tip + 18, top, 400, ROW_PX) if before else QRectF(tip - 418, top, 400, ROW_PX)
+        box = (
+            QRectF(tip + 18, top, 400, ROW_HEIGHT_PX)
+            if before
+            else QRectF(tip - 418, top, 400, ROW_HEIGHT_PX)
+        )
         painter.drawText(box, align | Qt.AlignmentFlag.AlignVCenter, text)
 
 

@@ -72,7 +72,7 @@ class TimelinePage(QWidget):
         self.gap.blockSignals(True)
         self.gap.setValue(input_files.longest_gap)
         self.gap.blockSignals(False)
-        self.gap.setEnabled(input_files.into is None)
+        self.gap.setEnabled(input_files.project is None)
         found: list[tuple[Path, Message]] = []
         for line in input_files.lines:
             for message in input_files.time_messages(line):
