@@ -147,7 +147,7 @@ def test_mutants_with_effects_at_import_are_tested_in_a_new_process(
 
 
 def test_justifications_are_valid() -> None:
-    content = tomllib.loads(nightly.JUSTIFIED.read_text(encoding="utf-8"))
+    content = tomllib.loads(nightly.JUSTIFICATIONS.read_text(encoding="utf-8"))
     assert set(content) == {"functions", "families"}
     reasons = Justifications.of(content)
     assert all(all(each) for kinds in reasons.functions.values() for each in kinds.values())

@@ -1,6 +1,6 @@
-"""One design, ten thousand of them, and what a second process gains; nothing else should run.
+"""Time of one design and of ten thousand, and the speed-up by a second process.
 
-Run with ``pytest tests/benchmarks``.
+Run with ``pytest tests/benchmarks`` on an idle machine.
 """
 
 from pathlib import Path

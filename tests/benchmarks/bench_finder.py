@@ -1,6 +1,6 @@
-"""Seed to plane in six lines, and neighbours found with and without prepared cells.
+"""Time to find a plane from a seed in six lines, and to find neighbours with and without a grid.
 
-Beside it Open3D's plane segmentation on the same neighbourhood; run with
+Open3D's plane segmentation runs on the same neighbourhood. Run with
 ``pytest -s tests/benchmarks/bench_finder.py``.
 """
 
@@ -20,7 +20,7 @@ AIM_SECONDS = 0.5
 
 
 def median_time(work: Callable[[], object], rounds: int = 5) -> float:
-    """Median seconds of some runs, the first one, which compiles, left out."""
+    """Median time of some runs, s, after a first run that compiles."""
     work()
     times = []
     for _ in range(rounds):
@@ -31,7 +31,10 @@ def median_time(work: Callable[[], object], rounds: int = 5) -> float:
 
 
 def line(rng: np.random.Generator, points: int) -> tuple[Array, Array]:
-    """A quay wall 60 m long, a board of 1.23 x 1.22 m above it, a metre off its place; labels."""
+    """Simulate a quay wall 60 m long with a board of 1.22 x 1.22 m above it.
+
+    Returns the points, displaced at random by up to half a metre, and whether each is on the board.
+    """
     board = CENTRE + rng.uniform(-0.61, 0.61, (2500, 3)) * [1, 0, 1]
     wall = rng.uniform([-30, 20.3, -2], [30, 20.3, 3.2], (points - len(board) - 5000, 3))
     posts = rng.uniform([-1.9, 20, 3.2], [-1.7, 20.2, 5], (5000, 3))

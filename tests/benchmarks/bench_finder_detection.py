@@ -1,6 +1,6 @@
-"""Planes without a seed: region growing here beside Open3D's detector and plane segmentation.
+"""Compare time and quality of the detection of planes with Open3D.
 
-The same clouds in the same run, times and quality; run with
+Region growing and Open3D's detector and plane segmentation run on the same clouds. Run with
 ``pytest -s tests/benchmarks/bench_finder_detection.py``.
 """
 
@@ -37,7 +37,7 @@ def test_the_target_around_a_seed() -> None:
             return np.asarray(theirs.segment_plane(0.01, 3, 1000)[1])
 
         def boxed(theirs=theirs, points=points, seed=seed):
-            """The points within a threshold of the box nearest to the seed."""
+            """Indices of the points within 10 mm of the box nearest to the seed."""
             theirs.estimate_normals(open3d.geometry.KDTreeSearchParamKNN(30))
             boxes = theirs.detect_planar_patches(
                 normal_variance_threshold_deg=30, coplanarity_deg=75, outlier_ratio=0.75,

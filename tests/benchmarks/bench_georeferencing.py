@@ -1,8 +1,8 @@
-"""Points georeferenced per second: kernel, to the map, to LAZ, beside NumPy, PROJ and laspy.
+"""Georeferenced points per second of the kernel, to the map and to LAZ, with reference programs.
 
-`LISPAC_BENCHMARK_POINTS` (1e6, or 1e6,1e7,1e8) sets the sizes of the files. What is compared runs
-in turn, several times; ratios are of times in the same round. Processor time stands beside the
-clock's: on a busy machine it is the better measure.
+The references are NumPy, PROJ and laspy. `LISPAC_BENCHMARK_POINTS` (1e6, or 1e6,1e7,1e8) sets the
+sizes of the files. The compared programs run alternately for several rounds; a ratio is the median
+of the ratios of the rounds. On a busy machine, processor time is the better measure.
 """
 
 import os
@@ -38,19 +38,19 @@ UTM = coordinate_system("EPSG:32619")
 
 
 def timed(run: Callable[[], object]) -> tuple[float, float]:
-    """Seconds by the clock and of the processors."""
+    """Wall-clock time and processor time of a run, s."""
     start, work = perf_counter(), process_time()
     run()
     return perf_counter() - start, process_time() - work
 
 
 def ratio(of: list[tuple[float, float]], to: list[tuple[float, float]], k: int = 0) -> float:
-    """Median over the rounds."""
+    """Median over the rounds of the ratio of times; ``k`` is 1 for processor times."""
     return median(a[k] / b[k] for a, b in zip(of, to, strict=True))
 
 
 def rate(count: int, times: list[tuple[float, float]]) -> str:
-    """Million points a second: the median and, in brackets, the best."""
+    """Text with the median rate, million points per second, and the best one in brackets."""
     clock = [time for time, _ in times]
     return f"{count / median(clock) / 1e6:.2f} ({count / min(clock) / 1e6:.2f}) M points/s"
 
@@ -100,18 +100,18 @@ def test_to_the_map_and_back_beside_proj(code):
 
 
 def by_proj(system, trajectory, points, time, mounting):
-    """Point by point, vectorised."""
+    """Georeference with NumPy and convert each point with PROJ, vectorised."""
     return system.from_local(place_points(points, trajectory.at(time), mounting), trajectory.frame)
 
 
 def back_by_proj(system, trajectory, points, time, mounting):
-    """The inverse of `by_proj`."""
+    """Inverse of `by_proj`."""
     local = system.to_local(points, trajectory.frame)
     return to_lidar(local, trajectory.at(time), mounting)
 
 
 def profiler(count: int) -> Iterator[PointChunk]:
-    """A mirror at 100 revolutions a second in a room that is not quite round."""
+    """Simulate the points of a rotating profiler in a nearly round room."""
     trajectory, rng = track(), np.random.default_rng(0)
     start, span = trajectory.time[0] + 1, trajectory.time[-1] - trajectory.time[0] - 2
     for first in range(0, count, CHUNK):
@@ -130,7 +130,7 @@ def profiler(count: int) -> Iterator[PointChunk]:
 
 
 def write_las(path: Path, count: int) -> laspy.LasHeader:
-    """The profiler's points in the scanner frame, LAS or LAZ by the ending."""
+    """Write the profiler's points in the scanner frame as LAS or LAZ; return the header."""
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales = np.full(3, 1e-4)
     with laspy.open(path, "w", header=header) as writer:
@@ -144,8 +144,8 @@ def write_las(path: Path, count: int) -> laspy.LasHeader:
     return header
 
 
-class Alone:
-    """laspy writing points that are on the map already, and nothing else."""
+class LaspyWriter:
+    """Writes points in map coordinates with laspy, as the reference for the export."""
 
     def __init__(self, path: Path, mapper: ScannerPointConverter) -> None:
         self.header = laspy.LasHeader(point_format=6, version="1.4")
@@ -165,7 +165,7 @@ class Alone:
         self._writer.write_points(record)
 
     def run(self, chunks: Iterator[PointChunk]) -> tuple[float, float]:
-        """Time of the writing alone, without what makes the points."""
+        """Write all chunks; return the times of the writing alone, without the transformation."""
         clock = work = 0.0
         for chunk in chunks:
             points = self._mapper.to_map(chunk.xyz, chunk.time)
@@ -188,8 +188,8 @@ def test_to_laz_beside_laspy_alone(tmp_path, count):
     made, laspys = [], []
     for _ in range(rounds):
         held = list(profiler(count)) if count <= 20_000_000 else None
-        laspys.append(Alone(alone, mapper).run(iter(held) if held else profiler(count)))
-        if held is None:  # what makes the points costs time too
+        laspys.append(LaspyWriter(alone, mapper).run(iter(held) if held else profiler(count)))
+        if held is None:  # measure the time of the simulation, which is part of the export's
             making.append(timed(lambda: [None for _ in profiler(count)])[0])
         source = held if held is not None else profiler(count)
         made.append(timed(lambda source=source: write_cloud(
@@ -234,7 +234,7 @@ def test_file_to_laz_beside_laspy_reading_and_writing(tmp_path, count, ending):
 
 @pytest.mark.parametrize("count", SIZES)
 def test_store_to_laz_beside_laspy_alone(tmp_path, count):
-    """From an imported line, whose points are in the order of space."""
+    """Export an imported line, whose points are in spatial order."""
     local = track()
     latitude, longitude, height = local.frame.to_geodetic(local.position)
     write_sbet(
@@ -255,7 +255,7 @@ def test_store_to_laz_beside_laspy_alone(tmp_path, count):
     ours, alone = tmp_path / "ours.laz", tmp_path / "alone.laz"
     made, laspys = [], []
     for _ in range(1 if count > 20_000_000 else 3):
-        laspys.append(Alone(alone, mapper).run(stored_chunks(stored)))
+        laspys.append(LaspyWriter(alone, mapper).run(stored_chunks(stored)))
         made.append(timed(lambda: write_cloud(
             stored_chunks(stored), ours, ours, mapper, layout_of_columns)))  # fmt: skip
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6

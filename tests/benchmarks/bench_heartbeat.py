@@ -1,10 +1,10 @@
-"""How the window keeps up with its user: the beat of its thread on a whole way through a survey.
+"""Responsiveness of the window in a complete workflow.
 
-A process of its own goes from the raw files to the preview of the report, in the program's own
-window with its own dialogues, on a screen. A timer beats every 10 ms on the window's thread; for
-each step, the longest pause and the 99th percentile are printed. A pause is printed
-with what of it was computing by that thread: the rest is drawing (by software, where there is no
-graphics card) and waiting for a processor (on a busy machine). Aim: nothing computes over 200 ms.
+A separate process goes from the raw files to the preview of the report, in the real window with its
+dialogues, on a screen. A timer fires every 10 ms on the window's thread; for each step, the longest
+pause, the longest computing time and the 99th percentile of the pauses are printed. The rest of a
+pause is drawing (slow without a graphics card) and waiting for a processor (on a busy machine).
+Aim: no computing of more than 200 ms.
 """
 
 import json
@@ -54,11 +54,11 @@ def test_the_window_keeps_up(tmp_path: Path, whole_demo: Project) -> None:
 # -- in the process --------------------------------------------------------------------------------
 
 
-class Heart(Pulse):
-    """Keeps every beat: ms by the clock, and ms of them that were computing."""
+class BeatRecorder(Pulse):
+    """Records every beat: wall-clock time and computing time, ms."""
 
     def discard(self) -> None:
-        """Begin anew."""
+        """Clear all measurements."""
         self.beaten: list[tuple[float, float]] = []
         super().discard()
 
@@ -69,9 +69,9 @@ class Heart(Pulse):
         self.beaten.append((1000 * took, 1000 * computed))
 
     def summary(self) -> str:
-        """The longest pause, the usual ones, and where the thread was in those that computed."""
+        """Text with the longest pause, the 99th percentile, and the places of long computing."""
         took, computed = np.array(self.beaten).T
-        late = [pause for pause in self.pauses if pause.computations > self.limit]
+        late = [pause for pause in self.pauses if pause.computing > self.limit]
         return (
             f"longest pause {took.max():.0f} ms, longest computing {computed.max():.0f} ms, "
             f"99 % of {len(took)} beats within {np.percentile(took, 99):.0f} ms, "
@@ -80,15 +80,15 @@ class Heart(Pulse):
         )
 
 
-class Way:
-    """A user's way through a survey, from its raw files."""
+class Workflow:
+    """Steps of a user's workflow, with a summary of the pauses in each step."""
 
-    def __init__(self, application: QApplication, session: Any, heart: Heart) -> None:
+    def __init__(self, application: QApplication, session: Any, heart: BeatRecorder) -> None:
         self._application, self._window, self._heart = application, session.window, heart
         self.summaries: dict[str, str] = {}
 
     def until(self, done: Callable[[], bool]) -> None:
-        """Let the window live until something is so."""
+        """Process events until a condition holds."""
         limit = time.monotonic() + PATIENCE_S
         while not done():
             self._application.processEvents()
@@ -99,7 +99,7 @@ class Way:
                 )
 
     def idle(self) -> bool:
-        """Whether no work is left."""
+        """Whether no task is active and no result is awaited."""
         return not self._window.runner.active and not self._window.document.awaits_result
 
     def step(
@@ -109,12 +109,12 @@ class Way:
         done: Callable[[], bool] | None = None,
         answer: Callable[[Any], object] | None = None,
     ) -> None:
-        """Do something, and tell the beat until it is done and the window has come to rest.
+        """Perform a step and summarise the beats until it is done and the window is idle.
 
         Parameters
         ----------
-        done : whether it is; when no work is left, unless stated
-        answer : is given the dialogue that is open, every 100 ms
+        done : whether the step is done; `idle` by default
+        answer : called every 100 ms with the open dialogue
         """
         self._heart.discard()
         begun = time.monotonic()
@@ -128,15 +128,15 @@ class Way:
         self.until(done or self.idle)
         answering.stop()
         took = time.monotonic() - begun
-        rested = time.monotonic() + 1.0  # the detail is drawn, panels follow
+        rested = time.monotonic() + 1.0  # time to draw the detail and to update the panels
         self.until(lambda: time.monotonic() > rested)
         beats = self._heart.beats
-        self.until(lambda: self._heart.beats > beats)  # the last pause has its end
+        self.until(lambda: self._heart.beats > beats)  # the beat that ends the last pause
         self.summaries[name] = f"{took:.1f} s; {self._heart.summary()}"
 
 
 def drop(widget: QWidget, paths: Sequence[Path]) -> None:
-    """What the window system sends when files are dropped."""
+    """Send the events of a file drop to a widget."""
     mime = QMimeData()
     mime.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
     how = Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -159,59 +159,61 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
     tidying = GuiThreadGarbageCollector(application)
     session = Session(application, timed_viewport(draws))
     window = session.window
-    heart = Heart(LONG_MS, draws)
+    heart = BeatRecorder(LONG_MS, draws)
     heart.start()
-    way = Way(application, session, heart)
+    workflow = Workflow(application, session, heart)
 
     project = open_project(raw)
     assert project.accuracy is not None
     files = [project.trajectory, project.accuracy, *(line.path for line in project.lines)]
 
     def fill(dialog: QWidget) -> None:
-        """Name a folder once every file has been looked into, and go on."""
+        """Type a folder once every file has been examined, and accept the dialogue."""
         if isinstance(dialog, ImportDialog) and not dialog.work.busy:
             if dialog.folder.text() != str(folder):
                 dialog.folder.setText(str(folder))
                 dialog.folder.textEdited.emit(str(folder))
             dialog.ok.click()
 
-    way.step("an idle window", lambda: None, lambda: True)
-    way.step(
+    workflow.step("an idle window", lambda: None, lambda: True)
+    workflow.step(
         "import, files dropped on the window", lambda: drop(window, files),
-        lambda: window.document.survey is not None and way.idle(), fill,
+        lambda: window.document.survey is not None and workflow.idle(), fill,
     )  # fmt: skip
     window.document.undo_stack.setClean()
-    # The boresight and lever arm that a surveyor enters
-    way.step("opening the project", lambda: window.open_project(raw))
+    # The project with the boresight and lever arm that a surveyor enters
+    workflow.step("opening the project", lambda: window.open_project(raw))
     first = window.document.survey.lines[0]
     for name, (role, position) in demo_seeds().items():
         window.targets.set_role(role)
         seen = PickedPoint(first, position)
-        way.step(
+        workflow.step(
             f"seed on {name}", lambda seen=seen: window.viewport.signals.seed_clicked.emit(seen)
         )
-        way.step(f"{name} accepted", window.actions_["accept"].trigger)
-    way.step("estimate", window.actions_["estimate"].trigger)
-    way.step("validate", window.actions_["validate"].trigger)
+        workflow.step(f"{name} accepted", window.actions_["accept"].trigger)
+    workflow.step("estimate", window.actions_["estimate"].trigger)
+    workflow.step("validate", window.actions_["validate"].trigger)
     docks = [dock for dock in window.docks.values() if dock.isVisible()]
     for dock in docks:
-        way.step(f"{dock.windowTitle()} looked at", dock.raise_)
+        workflow.step(f"{dock.windowTitle()} looked at", dock.raise_)
     pages = window.diagnostics.list
     for k in range(pages.count()):
-        way.step(f"diagnostics, {pages.item(k).text()}", lambda k=k: pages.setCurrentRow(k))
+        workflow.step(f"diagnostics, {pages.item(k).text()}", lambda k=k: pages.setCurrentRow(k))
     previewed: list[QWidget] = []
 
     def leave(dialog: QWidget) -> None:
         previewed.append(dialog)
         dialog.reject()
 
-    way.step("report, to its preview", window.report.preview.click, lambda: bool(previewed), leave)
-    way.step("saved", window.actions_["save"].trigger)
+    workflow.step(
+        "report, to its preview", window.report.preview.click, lambda: bool(previewed), leave
+    )
+    workflow.step("saved", window.actions_["save"].trigger)
     heart.stop()
     tidying.end()
     window.document.undo_stack.setClean()
     window.close()
-    return way.summaries
+    return workflow.summaries
 
 
 if __name__ == "__main__":

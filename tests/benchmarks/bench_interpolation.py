@@ -1,8 +1,9 @@
-"""Error and speed of the interpolation between the states of a trajectory, linear and cubic.
+"""Error and speed of the linear and cubic interpolation of a trajectory.
 
     pytest -s -n0 tests/benchmarks/bench_interpolation.py
 
-thins one motion in waves to 10, 50 and 200 Hz, and real SBETs where the shared data have them.
+uses a simulated motion in waves at 10, 50 and 200 Hz, and thinned real SBETs if they are in the
+shared data.
 """
 
 import time
@@ -72,7 +73,7 @@ def test_error_and_speed(tmp_path: Path, rate: float) -> None:
 ), ids=lambda path: path.name)  # fmt: skip
 @pytest.mark.parametrize("rate", RATES[:2])
 def test_thinning_a_real_trajectory(path: Path, rate: float) -> None:
-    """The full file is the truth."""
+    """Compare the thinned trajectory with the complete file."""
     track = read_sbet(path)
     if track.velocity is None:
         pytest.skip("without velocities")

@@ -1,7 +1,7 @@
-"""The finished program: its start, alone and with a project, and its memory while idle.
+"""Start time of the program, alone and with a project, and its memory while idle.
 
-Every figure is that of a process of its own, started as a user starts it; bytecode and compiled
-kernels are there from an earlier start. Aim: a usable window within 2.5 s on two cores.
+Each figure is from a separate process, started as by a user; bytecode and compiled kernels exist
+from an earlier start. Aim: a usable window within 2.5 s on two cores.
 """
 
 import json
@@ -24,7 +24,7 @@ UNITS = {
     "window_s": "s", "window_cpu_s": "s of processor", "project_s": "s",
     "project_cpu_s": "s of processor", "memory_mb": "MB",
 }  # fmt: skip
-"""A processor's seconds are what a start takes where nobody else is at the machine."""
+"""Units of the measurements; the processor time does not depend on other programs."""
 
 
 @pytest.fixture(autouse=True)
@@ -34,8 +34,8 @@ def screen(qapp: QGuiApplication) -> None:
 
 
 def measurements_of(tmp_path: Path, what: str, *words: str | Path) -> dict[str, Any]:
-    """What a process of this file says."""
-    home = tmp_path / "home"  # the same for all rounds, as a user's is
+    """Run this file in a separate process and return its measurements."""
+    home = tmp_path / "home"  # the same for all rounds, as for a user
     home.mkdir(exist_ok=True)
     variables = {
         **os.environ, "PYTHONPATH": str(CHECKOUT), "XDG_CACHE_HOME": str(home), "HOME": str(home),
@@ -69,13 +69,13 @@ def test_start(opening: bool, tmp_path: Path, calibrated: tuple[Project, object]
 
 
 def processor_s() -> float:
-    """Seconds of processor this process has used, by all its threads."""
+    """Processor time of this process, s, in all threads."""
     times = os.times()
     return times.user + times.system
 
 
 def start(began: float, words: list[str]) -> None:
-    """Run the program until its window can be used, and end it."""
+    """Run the program until its window is usable, and close it."""
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
@@ -110,7 +110,7 @@ def start(began: float, words: list[str]) -> None:
     timer.timeout.connect(inspect_window)
 
     def exec_() -> int:
-        timer.start(10)  # not 0: that takes the processor the import of the view needs
+        timer.start(10)  # an interval of 0 would slow down the import of the viewport
         return run()
 
     QApplication.exec = staticmethod(exec_)

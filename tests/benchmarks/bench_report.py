@@ -1,7 +1,6 @@
-"""The full report of the built-in survey, in seconds; run with ``pytest tests/benchmarks``.
+"""Time of the full report of the built-in survey; run with ``pytest tests/benchmarks``.
 
-By the command, as a user waits for it, and in a program that is running: the first time, and once
-more where nothing has changed.
+By the command, and in a running program: the first report, and the same report again.
 """
 
 import subprocess

@@ -1,8 +1,9 @@
-"""One seed, six lines on disk: the built-in survey as a faster scanner would have seen it.
+"""Time to find a target from a seed in six lines on disk.
 
-Between each two neighbouring points more are put, on the same surface and with noise of their own;
-their labels go with them. Run with ``pytest -s tests/benchmarks/bench_seed_store.py``; 20 million
-points a line with ``-m long`` (5 GB of files).
+The lines are those of the built-in survey with additional points, interpolated between neighbours
+on the same surface, with independent noise and with labels. Run with
+``pytest -s tests/benchmarks/bench_seed_store.py``; 20 million points a line with ``-m long`` (5 GB
+of files).
 """
 
 import resource
@@ -27,8 +28,8 @@ CHUNK = 20_000
 ROUNDS = 5
 
 
-def thickened(line: SimulatedLine, count: int, path: Path) -> None:
-    """Write a line with so many points, and beside it their labels."""
+def write_densified_line(line: SimulatedLine, count: int, path: Path) -> None:
+    """Write a line with about ``count`` points, and a file with their labels beside it."""
     rng = np.random.default_rng(len(line.time))
     times = -(-count // len(line.time))
     labels = []
@@ -62,7 +63,7 @@ def test_seed_to_six_lines_of_a_store(count: int, tmp_path: Path) -> None:
     project = make_demo(tmp_path / "six")
     survey = port_survey()
     for line, source in zip(survey.lines, project.lines, strict=True):
-        thickened(line, count, source.path.with_suffix(".las"))
+        write_densified_line(line, count, source.path.with_suffix(".las"))
         source.path.unlink()
     written = project.folder / PROJECT_FILE_NAME
     written.write_text(written.read_text().replace(".laz", ".las"))
@@ -75,7 +76,7 @@ def test_seed_to_six_lines_of_a_store(count: int, tmp_path: Path) -> None:
 
 
 def report(folder: Path) -> None:
-    """In a process of its own, whose memory is its own too."""
+    """Print the measurements; runs in a separate process so that its peak memory is measured."""
     project = open_project(folder)
     start = now()
     survey = load_survey(project)

@@ -1,4 +1,4 @@
-"""Seed to sphere in one line and in six, among a million points a line.
+"""Time to find a sphere from a seed in one line and in six lines of a million points.
 
 Run with ``pytest -s tests/benchmarks/bench_sphere_finder.py``.
 """
@@ -21,7 +21,7 @@ RADIUS = 0.1
 
 
 def median_time(work: Callable[[], object], rounds: int = 5) -> float:
-    """Median seconds of some runs, the first one, which compiles, left out."""
+    """Median time of some runs, s, after a first run that compiles."""
     work()
     times = []
     for _ in range(rounds):
@@ -32,7 +32,10 @@ def median_time(work: Callable[[], object], rounds: int = 5) -> float:
 
 
 def line(rng: np.random.Generator, points: int) -> tuple[Array, Array, Array]:
-    """A quay wall 60 m long, a ball on a mast 0.6 m before it, off its place; labels, centre."""
+    """Simulate a quay wall 60 m long and a sphere on a mast 0.6 m in front of it, displaced.
+
+    Returns the points, whether each is on the sphere, and the centre of the sphere.
+    """
     turn, height = rng.uniform(0, np.pi, 400), rng.uniform(-1, 1, 400)
     level = np.sqrt(1 - height**2)
     facing = np.stack([level * np.cos(turn), -level * np.sin(turn), height], axis=1)

@@ -1,6 +1,6 @@
-"""How long one waits before anything is done: each figure is that of a process of its own.
+"""Start time of the command line and of the package, each in a separate process.
 
-The aim is 0.3 s for ``lispac --version``: no heavy import at the top.
+Aim: 0.3 s for ``lispac --version``, which needs no heavy imports.
 """
 
 import os

@@ -1,8 +1,8 @@
-"""The boresight from the scene alone, six lines on disk: seconds against points, and the memory.
+"""Time and memory of the targetless method by number of points, with six lines on disk.
 
-The built-in survey as a faster scanner would have seen it. Run with
+The lines are those of the built-in survey with additional points (`bench_seed_store`). Run with
 ``pytest -s tests/benchmarks/bench_targetless.py``; 20 million points a line with ``-m long`` (5 GB
-of files). Aims: six lines of a million under 20 s, of 20 million under 3 min and 4 GB.
+of files). Aims: six lines of a million points in 20 s, of 20 million in 3 min and 4 GB.
 """
 
 import resource
@@ -20,7 +20,7 @@ from lispac.workflow.calibration.targetless import targetless
 from lispac.workflow.planning.demo import make_demo
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
-from tests.benchmarks.bench_seed_store import thickened
+from tests.benchmarks.bench_seed_store import write_densified_line
 
 
 @pytest.mark.parametrize(
@@ -30,12 +30,12 @@ def test_the_scene_of_six_lines(count: int, tmp_path: Path) -> None:
     project = make_demo(tmp_path / "six")
     survey = port_survey()
     for line, source in zip(survey.lines, project.lines, strict=True):
-        thickened(line, count, source.path.with_suffix(".las"))
+        write_densified_line(line, count, source.path.with_suffix(".las"))
         source.path.unlink()
     written = project.folder / PROJECT_FILE_NAME
     written.write_text(written.read_text().replace(".laz", ".las"))
     command = [sys.executable, "-m", "tests.benchmarks.bench_targetless", str(project.folder)]
-    for _ in range(2):  # the first reads the lines, and compiles
+    for _ in range(2):  # the first run also imports the lines and compiles
         run = subprocess.run(
             command, capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2]
         )
@@ -44,7 +44,7 @@ def test_the_scene_of_six_lines(count: int, tmp_path: Path) -> None:
 
 
 def report(folder: Path) -> None:
-    """In a process of its own, whose memory is its own too."""
+    """Print the measurements; runs in a separate process so that its peak memory is measured."""
     project = open_project(folder)
     start = time.perf_counter()
     survey = load_survey(project)

@@ -1,4 +1,4 @@
-"""The viewport on six lines of a million points: what a frame, a pick and a change of data cost."""
+"""Times of a frame, a pick and a change of data in the viewport with six million points."""
 
 import time
 

@@ -1,9 +1,9 @@
-"""The window on an imported project: first picture, frames, a seed, and the event loop meanwhile.
+"""Times of the window with an imported project: first picture, frames, a seed, and stalls.
 
-10^7 points on one line, with ``-m long`` 10^8. Where LISPAC_BENCH_FOLDER names a folder the survey
-is made there and kept for the next run. Each figure is that of a process of its own, from a cold
-start of the window; the import is not part of it. A stall is told with what the window's own thread
-computed in it, a frame with the time of all cores: on a busy machine only the clock's figure grows.
+The line has 10^7 points, with ``-m long`` 10^8. The survey is made in the folder of
+LISPAC_BENCH_FOLDER, if set, and kept there for the next run. The figures are from a separate
+process with a cold start of the window, without the import. A stall is printed with the processor
+time of the window's thread, a frame with that of all cores: these do not grow on a busy machine.
 """
 
 import os
@@ -46,7 +46,7 @@ def test_open_an_imported_project(count: int, tmp_path: Path, qapp: QGuiApplicat
 
 
 def report(folder: Path) -> None:
-    """Open a project in a window and print what it took."""
+    """Open a project in a window and print the measurements."""
     import tempfile
 
     from PySide6.QtWidgets import QApplication

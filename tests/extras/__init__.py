@@ -1,1 +1,1 @@
-"""What takes minutes, the network and root: started by hand before a release."""
+"""Checks that take minutes to hours, the network or root; started by hand before a release."""

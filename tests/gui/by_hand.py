@@ -1,7 +1,7 @@
-"""A hand at mouse and keyboard: the program with its own dialogues, and what a test does to it.
+"""Drive the program by mouse and keyboard, with its own dialogues.
 
-Every way waits with a limit, and none waits in vain for what a dialogue keeps from coming: one
-that no test foresaw is rejected, and what it said is the failure.
+Every wait has a time limit. A dialogue that the test does not expect is rejected at once, and its
+text becomes the failure message.
 """
 
 from collections import deque
@@ -32,50 +32,50 @@ from lispac.gui.window.main_window import MainWindow
 from lispac.gui.window.session import Session
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, in_front, press
 
-LOOK_MS = 50
+POLL_MS = 50
 CLOSES_S = 10.0
-"""What an answered dialogue may still do before it goes."""
+"""Time that an answered dialogue may take to close."""
 
 Act = Callable[[QDialog], bool]
 
 
-class Answers(QObject):
-    """Answers the dialogues a test foresees, in their order, and rejects every other.
+class DialogAnswers(QObject):
+    """Answers the expected dialogues in their order, and rejects all others.
 
     Attributes
     ----------
-    trouble : what went otherwise than foreseen, in words
+    trouble : descriptions of unexpected dialogues and of errors while answering
     """
 
     def __init__(self) -> None:
         super().__init__()
         self.trouble: list[str] = []
-        self._foreseen: deque[tuple[type[QDialog], Act]] = deque()
+        self._expected: deque[tuple[type[QDialog], Act]] = deque()
         self._acting: QWidget | None = None
         self._answered: QWidget | None = None
         self._until = 0.0
         self._on = True
         self._schedule_poll()
 
-    def foresee(self, kind: type[QDialog], act: Act) -> None:
-        """Do something to a dialogue that will come, again and again until it says that was all."""
-        self._foreseen.append((kind, act))
+    def expect(self, kind: type[QDialog], act: Act) -> None:
+        """Expect a dialogue; call ``act`` on it repeatedly until it returns True."""
+        self._expected.append((kind, act))
 
     def stop(self) -> None:
-        """Look no more, and say which of those foreseen did not come."""
+        """Stop polling, and add the expected dialogues that did not appear to `trouble`."""
         self._on = False
-        self.trouble += [f"no {kind.__name__} came" for kind, _ in self._foreseen]
-        self._foreseen.clear()
+        self.trouble += [f"no {kind.__name__} came" for kind, _ in self._expected]
+        self._expected.clear()
 
     @property
     def all_given(self) -> bool:
-        """Whether all that was foreseen has come and is answered."""
-        return not self._foreseen
+        """Whether all expected dialogues have been answered."""
+        return not self._expected
 
     def _schedule_poll(self) -> None:
-        # Each time another timer: one that is at work, be it in a dialogue's loop, does not tick
+        # A new timer each time: a timer does not fire while its slot runs a dialogue's event loop
         if self._on:
-            QTimer.singleShot(LOOK_MS, self._poll)
+            QTimer.singleShot(POLL_MS, self._poll)
 
     def _poll(self) -> None:
         self._schedule_poll()
@@ -85,24 +85,24 @@ class Answers(QObject):
         if dialog is None or not dialog.isVisible() or dialog is self._acting:
             return
         closes = dialog is self._answered and monotonic() < self._until
-        if self.trouble:  # what is beneath the one that nobody foresaw
+        if self.trouble:  # the dialogues under the unexpected one
             _reject(dialog)
-        elif self._foreseen and isinstance(dialog, self._foreseen[0][0]):
-            if in_front(dialog):  # what is typed before is lost
+        elif self._expected and isinstance(dialog, self._expected[0][0]):
+            if in_front(dialog):  # keys typed earlier are lost
                 self._answer(dialog)
         elif not closes:
             self.trouble.append(f"nobody foresaw {_dialog_text(dialog)}")
             _reject(dialog)
 
     def _answer(self, dialog: QDialog) -> None:
-        kind, act = self._foreseen.popleft()
+        kind, act = self._expected.popleft()
         former, self._acting = self._acting, dialog
         try:
             if act(dialog):
                 self._answered, self._until = dialog, monotonic() + CLOSES_S
             else:
-                self._foreseen.appendleft((kind, act))
-        except Exception as error:  # it would be lost in the loop of events, and the dialogue stay
+                self._expected.appendleft((kind, act))
+        except Exception as error:  # otherwise the event loop drops it and the dialogue stays open
             self.trouble.append(f"{error!r} at {_dialog_text(dialog)}")
         finally:
             self._acting = former
@@ -124,20 +124,20 @@ SETTINGS = "settings.ini"
 
 
 class Hands(Driver):
-    """The program as its user has it: windows in their turn, and dialogues that ask.
+    """Driver of the complete program, with its session of windows and its real dialogues.
 
     Parameters
     ----------
-    viewport : makes the view of a window
-    folder : holds the settings, those of a new user who reads English
+    viewport : makes the viewport of a window
+    folder : folder of the settings file, which is that of a new user in English
     """
 
     def __init__(self, qtbot: QtBot, viewport: Callable[[], Viewport], folder: Path) -> None:
-        self.bot, self.dialogs, self.answers = qtbot, Dialogs(), Answers()
+        self.bot, self.dialogs, self.answers = qtbot, Dialogs(), DialogAnswers()
         self.settings = AppSettings(folder / SETTINGS)
         self.settings.language = "en"
         application = QApplication.instance()
-        # The system's own are beyond this hand
+        # Native dialogues of the system cannot be driven by Qt
         application.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
         self.session = Session(application, viewport, self.settings, self.dialogs)
         self._take()
@@ -147,32 +147,33 @@ class Hands(Driver):
         self.until(lambda: in_front(self.window))
 
     def until(self, done: Callable[[], bool]) -> None:
-        """Wait for something, as long as only what was foreseen is asked."""
+        """Wait until a condition holds; fail at once on an unexpected dialogue."""
         self.bot.waitUntil(lambda: bool(self.answers.trouble) or done(), timeout=WAIT_MS)
         assert not self.answers.trouble, "; ".join(self.answers.trouble)
 
     def rest(self) -> None:
-        """Wait until no work is left, and the window is in front.
+        """Wait until no task is active and the window has the focus.
 
-        It leaves the front where it gets its first 3D view: Qt makes another of the window system.
+        The window loses the focus when it gets its first 3D view: Qt then replaces its native
+        window.
         """
         QCoreApplication.processEvents()
         self.until(lambda: not self.window.runner.active)
         self.until(lambda: in_front(self.window))
 
     def answered(self) -> None:
-        """See that all that was foreseen was asked."""
+        """Wait until all expected dialogues have been answered."""
         self.until(lambda: self.answers.all_given)
 
     def to_next_window(self) -> None:
-        """Go on in the window that comes in the place of this one."""
+        """Wait for the window that replaces this one, and continue in it."""
         self.until(lambda: self.session.window is not self.window)
         self._take()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         self.rest()
 
     def leave(self) -> None:
-        """Close the window without a question, and see that nothing of it is left."""
+        """Close the window without a question, and check that nothing of it is left."""
         self.window = self.session.window
         self.window.document.undo_stack.setClean()
         self.window.site_design.workspace.history.mark_saved()
@@ -188,18 +189,18 @@ class Hands(Driver):
 
 
 def push(hands: Hands, text: str) -> None:
-    """Click a button of the next question."""
+    """Click a button of the next message box."""
 
     def act(box: QMessageBox) -> bool:
         found = next(b for b in box.buttons() if text in b.text().replace("&", ""))
         hands.bot.mouseClick(found, Left)
         return True
 
-    hands.answers.foresee(QMessageBox, act)
+    hands.answers.expect(QMessageBox, act)
 
 
 def name_project(hands: Hands, folder: Path) -> None:
-    """Type the project's file into the file dialogue that comes next."""
+    """Type the path of the project file into the next file dialogue."""
     wanted = str(folder / "project.json")
 
     def act(dialog: QFileDialog) -> bool:
@@ -211,11 +212,11 @@ def name_project(hands: Hands, folder: Path) -> None:
         hands.bot.keyClick(name, Key.Key_Return)
         return True
 
-    hands.answers.foresee(QFileDialog, act)
+    hands.answers.expect(QFileDialog, act)
 
 
 def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
-    """Ctrl+O, and the file's name; then the button of the question that follows, if one does."""
+    """Open a project with Ctrl+O; ``then`` is the button to press in a question that follows."""
     name_project(hands, folder)
     if then:
         push(hands, then)
@@ -226,7 +227,7 @@ def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
 
 
 def rename(hands: Hands, row: int, to: str) -> None:
-    """F2 in the list of targets."""
+    """Rename a target with F2 in the list of targets."""
     table = hands.window.targets.table
     hands.bot.mouseClick(
         table.viewport(), Left, pos=table.visualItemRect(table.item(row, 0)).center()
@@ -241,14 +242,14 @@ def rename(hands: Hands, row: int, to: str) -> None:
 
 
 def ctrl_click(hands: Hands, place: QPoint) -> None:
-    """On the drawn lines, at a pixel; a plane is found there."""
+    """Ctrl+click at a pixel of the drawn lines, and check that a plane is found there."""
     hands.bot.mouseClick(hands.viewport.canvas, Left, Control, place)
     hands.rest()
     assert hands.window.controller.candidate is not None
 
 
 def open_menu(bot: QtBot, window: MainWindow, name: str) -> QMenu:
-    """Open a menu of the menu bar by a click."""
+    """Open a menu of the menu bar with a click."""
     bar = window.menuBar()
     action = next(a for a in bar.actions() if name in a.text().replace("&", ""))
     bot.mouseClick(bar, Left, pos=bar.actionGeometry(action).center())
@@ -257,7 +258,7 @@ def open_menu(bot: QtBot, window: MainWindow, name: str) -> QMenu:
 
 
 def choose(bot: QtBot, menu: QMenu, *names: str) -> None:
-    """Click through menus as the mouse does."""
+    """Choose a menu entry with clicks, through submenus where needed."""
     for name in names:
         action = next(a for a in menu.actions() if name in a.text().replace("&", ""))
         bot.mouseClick(menu, Left, pos=menu.actionGeometry(action).center())
@@ -267,7 +268,7 @@ def choose(bot: QtBot, menu: QMenu, *names: str) -> None:
 
 
 def shows_something(hands: Hands, file: Path) -> None:
-    """Keep a picture of the window, which is not blank."""
+    """Save a picture of the window, and check that it is not blank."""
     hands.bot.wait(300)
     assert hands.window.grab().save(str(file))
     image = QImage(str(file)).convertToFormat(QImage.Format.Format_RGB32)

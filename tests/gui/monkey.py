@@ -1,11 +1,11 @@
-"""A monkey at the window: for a while it does by mouse and keys whatever can be done there.
+"""Monkey test of the window: random actions by mouse and keys for a given time.
 
     python -m tests.gui.monkey PROJECT FOLDER --seconds 60 --seed 1
 
-The program runs as it does for a user, with its own dialogues, but in FOLDER, which is its home
-and the only place it is led to; PROJECT is copied there. What the monkey saw goes to
-FOLDER/seen.json, what it did to FOLDER/did.txt as it does it. The same seed makes the same choices
-on the same screen, but work beside the window ends when it ends, so two runs part sooner or later.
+The program runs as for a user, with its own dialogues, but its home directory and all files that
+the monkey names are in FOLDER; PROJECT is copied there. The findings go to FOLDER/seen.json, the
+log of actions to FOLDER/did.txt while it runs. The same seed makes the same choices on the same
+screen, but background tasks end at different times, so two runs diverge sooner or later.
 """
 
 import argparse
@@ -39,30 +39,31 @@ from tests.report_sample import sample_content, sample_project
 STEP_MS = 12
 STALL_MS = 200.0
 PATIENCE_S = 0.25
-HANGS_S = 150.0
-"""After so long without an event the process ends itself, with where every thread was."""
-NEVER_PX = 100_000
-SAME = 100
-"""So often in turn, and what it does leads nowhere."""
+HANG_LIMIT_S = 150.0
+"""Time without an event after which the process dumps the stacks of its threads and exits."""
+NO_DRAG_PX = 100_000
+MAX_REPETITIONS = 100
+"""Successive repetitions of one action that are reported as an error."""
 DEMO = "harbour"
 
 
 @dataclass
-class Seen:
-    """What a run led to; all but the counts should be empty.
+class Findings:
+    """Findings of a run; all lists except the measurements should be empty.
 
     Attributes
     ----------
-    exceptions : tracebacks of what nobody foresaw, with what was done before
-    refusals : how often the program said no in its own words
-    warnings : of Qt, each with how often it came
-    stalls : pauses with more than 200 ms of computing by the window's thread
-    computing_ms : of each of them
-    drawn : other pauses over 200 ms: VTK drew, or others had the processors
-    renewed : pauses in which a window was made in place of another
-    memory_mb, widgets : before and after, the program standing alike
-    course_mb : memory while it played and no work ran, every ten seconds or as soon as that was
-    left : threads and windows after the end
+    done : number of actions of each kind
+    exceptions : tracebacks of unexpected errors, each with the actions before it
+    refusals : number of occurrences of each error message of the program
+    warnings : number of occurrences of each warning, mainly of Qt
+    stalls : pauses with more than 200 ms of computing in the window's thread
+    computing_ms : computing time of each stall
+    drawn : other pauses over 200 ms: VTK was drawing, or other processes had the processors
+    renewed : pauses in which a window was replaced by a new one
+    memory_mb, widgets : before and after the run, with the program in the same state
+    course_mb : memory during the run, at least ten seconds apart, while no task is active
+    left : threads and windows that remain after the end
     """
 
     done: Counter[str] = field(default_factory=Counter)
@@ -81,7 +82,7 @@ class Seen:
 
 
 class Records(logging.Handler):
-    """What the program writes down as an error."""
+    """Log handler that sorts the logged errors and warnings into the findings."""
 
     def __init__(self, monkey: "Monkey") -> None:
         super().__init__(logging.WARNING)
@@ -106,20 +107,20 @@ class Records(logging.Handler):
 
 
 class Links(QObject):
-    """Takes what would start another program."""
+    """Handler of URLs that would otherwise open another program."""
 
     @Slot(QUrl)
     def follow(self, _url: QUrl) -> None:
-        """Go nowhere."""
+        """Ignore the URL."""
 
 
 class Monkey(QObject):
-    """Does something every few milliseconds, also while a dialogue waits."""
+    """Performs an action every few milliseconds, also while a dialogue is open."""
 
     def __init__(self, session: Any, folder: Path, seed: int, draws: Draws) -> None:
         super().__init__()
         self.session, self.folder = session, folder
-        self.seen = Seen()
+        self.seen = Findings()
         self._hands = Hands(random.Random(seed), folder)
         self._lately: deque[str] = deque(maxlen=12)
         self._doing: Doing | None = None
@@ -131,14 +132,14 @@ class Monkey(QObject):
         self._told, self._again = 0, 0
         self._window = session.window
 
-    # -- what it sees ----------------------------------------------------------------------------
+    # -- findings --------------------------------------------------------------------------------
 
     def caught(self, text: str) -> None:
         self.seen.exceptions.append("\n".join([*self._lately, text]))
         self._diary.write(f"!!! {text}\n")
 
     def note_pauses(self) -> None:
-        """Sort the pauses there were since the last look."""
+        """Sort the pauses since the last call into the findings."""
         pauses = self.pulse.pauses
         for pause in pauses[self._told :]:
             text = f"{pause}\n      after: {' | '.join(list(self._lately)[-4:])}"
@@ -154,10 +155,10 @@ class Monkey(QObject):
         self._told = len(pauses)
         self._window = self.session.window
 
-    # -- what it does ----------------------------------------------------------------------------
+    # -- actions ---------------------------------------------------------------------------------
 
     def play(self, seconds: float) -> None:
-        """Do this and that for a while, then bring everything to rest."""
+        """Perform random actions for some seconds, then wait until nothing runs."""
         self._until = time.monotonic() + seconds
         self._weighed = 0.0
         self.ending = False
@@ -168,9 +169,9 @@ class Monkey(QObject):
             time.sleep(0.001)
 
     def _tick(self) -> None:
-        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        faulthandler.dump_traceback_later(HANG_LIMIT_S, exit=True)
         self.note_pauses()
-        # What a search takes in passing, gigabytes about a target of 45 m, is no growth
+        # Temporary memory of a search (gigabytes for a target of 45 m) is not growth
         if time.monotonic() > self._weighed + 10 and not self._works():
             self._weighed = time.monotonic()
             self.seen.course_mb.append(round(resident_mb(), 1))
@@ -181,18 +182,18 @@ class Monkey(QObject):
         QTimer.singleShot(STEP_MS, self._tick)
         doing = self._doing
         if doing is not None and doing.gi_running:  # type: ignore[attr-defined]
-            # Within a click; where that has opened a dialogue or a menu, it is their turn
+            # The action is not finished; it may have opened a dialogue or a menu that needs input
             if time.monotonic() - self._since < PATIENCE_S:
                 return
             doing = None
             window = QApplication.activeWindow()
             if len(self._hands.front()) > 0 and not self._waits() and window is not None:
-                doing = self._hands.press(window, "Escape")  # a text is being dragged
+                doing = self._hands.press(window, "Escape")  # ends the drag of a text
         self._since = time.monotonic()
         if doing is None or self.ending:
             doing = self._doing = self._end() if self.ending else self._hands.doing()
             if doing is None:
-                if not self.session.window.isVisible():  # it was closed: the next one comes
+                if not self.session.window.isVisible():  # closed: replace it by a new window
                     closed = self.session.window
                     self.session.window = self.session._made(None)
                     closed.deleteLater()
@@ -212,18 +213,18 @@ class Monkey(QObject):
             self._inside -= 1
         if first and self._hands.did and not self.ending:
             self._again = self._again + 1 if self._hands.did in list(self._lately)[-1:] else 0
-            if self._again == SAME:
-                self.caught(f"{SAME} times the same")
+            if self._again == MAX_REPETITIONS:
+                self.caught(f"{MAX_REPETITIONS} times the same")
             self._lately.append(self._hands.did)
             self.seen.done[self._hands.did.split(" ")[0]] += 1
             self._diary.write(f"{self._hands.did}\n")
 
     def _end(self) -> Iterator[None]:
-        """Leave dialogues by Escape, or by any of their buttons, and stop what runs."""
+        """Close dialogues with Escape or a random button, and cancel the running tasks."""
         front = QApplication.activePopupWidget() or QApplication.activeModalWidget()
         if front is None:
             for runner in self._runners():
-                if runner.busy:  # what is quiet would only be begun again
+                if runner.busy:  # cancelled background tasks would only be started again
                     runner.cancel()
             yield
             return
@@ -242,21 +243,21 @@ class Monkey(QObject):
 
     @staticmethod
     def _waits() -> bool:
-        """Whether a menu or a dialogue is open."""
+        """Whether a menu or a modal dialogue is open."""
         return bool(QApplication.activePopupWidget() or QApplication.activeModalWidget())
 
     def _rests(self) -> bool:
-        """Whether the time is over, no dialogue waits and no work runs that a user sees."""
+        """Whether the time is over, no dialogue is open and no visible task runs."""
         return (
             self.ending and not self._waits() and not any(runner.busy for runner in self._runners())
         )
 
     def _works(self) -> bool:
-        """Whether any work runs or waits."""
+        """Whether any task runs or waits."""
         return any(runner.active for runner in self._runners())
 
     def rest(self) -> None:
-        """Let what runs come to its end."""
+        """Wait until no task is active, at most two minutes."""
         until = time.monotonic() + 120
         while time.monotonic() < until:
             QCoreApplication.processEvents()
@@ -265,8 +266,8 @@ class Monkey(QObject):
                 break
 
     def stand(self, project: Path) -> None:
-        """Bring the program to where memory is compared: a project, estimated and validated."""
-        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        """Open, estimate and validate a project, then record memory and number of widgets."""
+        faulthandler.dump_traceback_later(HANG_LIMIT_S, exit=True)
         window = self.session.window
         if (design := window.site_design.window) is not None:
             design.hide()
@@ -288,7 +289,7 @@ class Monkey(QObject):
 
 
 def main() -> int:
-    """Play, and write down what was seen."""
+    """Run the monkey and write its findings."""
     parser = argparse.ArgumentParser()
     parser.add_argument("project", type=Path)
     parser.add_argument("folder", type=Path)
@@ -301,7 +302,7 @@ def main() -> int:
         each.mkdir(parents=True)
     project = folder / DEMO
     shutil.copytree(wanted.project, project)
-    # The monkey may open and save "away"; memory is compared with a project that it cannot reach
+    # The monkey may open and overwrite "away"; memory is measured with a copy out of its reach
     for each in (folder / "away", home / "compared"):
         shutil.copytree(wanted.project, each)
     os.environ["HOME"] = str(home)
@@ -312,8 +313,8 @@ def main() -> int:
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     application = QApplication(sys.argv[:1])
     application.setQuitOnLastWindowClosed(False)
-    # A drag of text, or of a file in a dialogue, ends with the real mouse, which the monkey has not
-    application.setStartDragDistance(NEVER_PX)
+    # A drag of text, or of a file in a dialogue, ends only with the real mouse: allow no such drags
+    application.setStartDragDistance(NO_DRAG_PX)
     links = Links()
     for scheme in ("file", "http", "https"):
         QDesktopServices.setUrlHandler(scheme, links, "follow")
@@ -332,8 +333,8 @@ def main() -> int:
     logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()
     monkey = Monkey(session, folder, wanted.seed, draws)
-    # The first report takes a quarter of a gigabyte for good, fonts and what typst keeps, the next
-    # ones nothing: where it came late, it looked like growth
+    # The first report allocates 250 MB permanently (fonts, caches of Typst), later reports nothing:
+    # make one before the first measurement, or it looks like growth
     write_pdf(sample_content(sample_project(home / "sample")), home / "sample.pdf", {})
     for logger in (LOGGER, logging.getLogger("py.warnings")):
         logger.addHandler(Records(monkey))
@@ -358,15 +359,15 @@ def main() -> int:
 
 
 def wait(ms: int) -> None:
-    """Let the program run; `QTest.qWait` keeps the interpreter to itself, and workers starve."""
+    """Run the event loop; `QTest.qWait` would hold the GIL and block the worker threads."""
     loop = QEventLoop()
     QTimer.singleShot(ms, loop.quit)
     loop.exec()
 
 
 def end(monkey: Monkey) -> None:
-    """Close the window as a user does, and look what is left."""
-    faulthandler.dump_traceback_later(HANGS_S, exit=True)
+    """Close the window as a user does, and record the threads and windows that remain."""
+    faulthandler.dump_traceback_later(HANG_LIMIT_S, exit=True)
     window = monkey.session.window
     letting_go = QTimer(interval=200)
     letting_go.timeout.connect(_discard)

@@ -1,7 +1,7 @@
-"""What the monkey does to what it sees: mouse and keys through the window system's own way.
+"""Actions of the monkey: mouse and key events on visible widgets, sent to the native windows.
 
-Each doing is a generator that stops after every event, so that the program gets its turn between
-two of them as it does between two of a hand's. Files are named in the folder it is given only.
+Each action is a generator that yields after every event, so that the program can process it before
+the next one. Only files in the monkey's folder are named.
 """
 
 import random
@@ -37,11 +37,11 @@ from PySide6.QtWidgets import (
 Key, Button, Modifier = Qt.Key, Qt.MouseButton, Qt.KeyboardModifier
 Doing = Iterator[None]
 
-WORDS = (
+TYPED_TEXTS = (
     "1", "0", "12.5", "-3", "0.02", "45", "1e9", "-1e-9", "nan", "inf", "1,5", "12 m", "north",
     "T1", "Mur à l'est", "", " ", "°", "%s {x} \\", "日本", "x" * 80, "2026-02-30", "5/0", "../up",
 )  # fmt: skip
-KEYS = (
+PRESSED_KEYS = (
     "F3", "F5", "F6", "F7", "F9", "F9", "F10", "F10", "F11", "F1", "Ctrl+Z", "Ctrl+Z", "Ctrl+Z",
     "Ctrl+Y", "Ctrl+Y", "Ctrl+S", "Ctrl+E", "Ctrl+O", "Ctrl+N", "Ctrl+,", "Ctrl+.", "Ctrl+Shift+D",
     "Return", "Return", "Return", "Escape", "Escape", "B", "Tab", "Tab", "Delete", "Space", "Up",
@@ -51,23 +51,23 @@ KEYS = (
 
 
 class Hands:
-    """Chooses something that can be seen and does something to it.
+    """Chooses a visible widget at random and acts on it.
 
     Parameters
     ----------
     chance : random.Random
-    folder : the only one whose files it names
+    folder : the only folder whose files it names
     """
 
     def __init__(self, chance: random.Random, folder: Path) -> None:
         self.chance, self._folder = chance, folder
         self.did = ""
 
-    # -- what there is ---------------------------------------------------------------------------
+    # -- choice of the action --------------------------------------------------------------------
 
     @staticmethod
     def front() -> list[QWidget]:
-        """The windows that take mouse and keys now."""
+        """Windows that accept mouse and key events at present."""
         popup, modal = QApplication.activePopupWidget(), QApplication.activeModalWidget()
         if popup is not None or modal is not None:
             return [popup or modal]
@@ -78,7 +78,7 @@ class Hands:
         ]
 
     def doing(self) -> Doing | None:
-        """Something to do with what is seen now; None where nothing is."""
+        """Choose an action on a visible window; None if no window is visible."""
         front = self.front()
         if not front:
             return None
@@ -92,7 +92,7 @@ class Hands:
             window.activateWindow()
         draw = self.chance.random()
         if draw < 0.12:
-            return self.press(window, self.chance.choice(KEYS))
+            return self.press(window, self.chance.choice(PRESSED_KEYS))
         if draw < 0.15 and isinstance(window, QMainWindow):
             return self._drop(window)
         if draw < 0.22 and window.isModal():
@@ -102,7 +102,7 @@ class Hands:
         return self._something(window)
 
     def _something(self, window: QWidget) -> Doing:
-        """Of all kinds of things that are there one, and of that kind one."""
+        """Choose a kind of widget in a window, then a widget of that kind."""
         by_kind: dict[type, list[QWidget]] = {}
         for widget in window.findChildren(QWidget):
             if widget.isVisible() and widget.isEnabled() and widget.window() is window:
@@ -181,7 +181,7 @@ class Hands:
         QCoreApplication.sendEvent(widget, event)
 
     def press(self, window: QWidget, keys: str) -> Doing:
-        """Press a key, with others held."""
+        """Press a key with its modifiers."""
         self._record(f"key {keys}", window)
         handle = window.windowHandle()
         *held, name = keys.split("+")
@@ -198,7 +198,7 @@ class Hands:
         yield
 
     def _type(self, widget: QWidget, text: str) -> Doing:
-        """By keys, into what has the focus."""
+        """Type a text into the widget that has the focus."""
         for letter in text:
             handle = widget.window().windowHandle()
             if handle is None or not widget.isVisible():
@@ -211,7 +211,7 @@ class Hands:
                 )
             yield
 
-    # -- by kind ---------------------------------------------------------------------------------
+    # -- actions for each kind of widget ---------------------------------------------------------
 
     def _anywhere(self, window: QWidget) -> Doing:
         self._record("anywhere", window)
@@ -277,7 +277,7 @@ class Hands:
         yield
 
     def _fill(self, field: QWidget, seen: QRect) -> Doing:
-        text = self.chance.choice(WORDS)
+        text = self.chance.choice(TYPED_TEXTS)
         self._record(f"type {text!r} into", field)
         self.click(field, seen.center())
         yield
@@ -303,7 +303,7 @@ class Hands:
         )
 
     def _draw(self, canvas: QWidget, seen: QRect) -> Doing:
-        """On what shows the lines, a plan or a diagram."""
+        """Act on a widget that shows the lines, a plan or a diagram."""
         self._record("canvas", canvas)
         spot, draw = self._within(seen), self.chance.random()
         if draw < 0.35:
@@ -331,7 +331,7 @@ class Hands:
     # -- files -----------------------------------------------------------------------------------
 
     def files(self) -> list[Path]:
-        """What it may drop and open."""
+        """Files that the monkey may drop and open."""
         return sorted(
             path
             for path in self._folder.rglob("*")
@@ -339,7 +339,7 @@ class Hands:
         )
 
     def _name_a_file(self, dialog: QFileDialog) -> Doing:
-        """Answer by a name in the folder, known or new, or not at all."""
+        """Answer a file dialogue with an existing or new name in the folder, or cancel it."""
         opening = dialog.acceptMode() == QFileDialog.AcceptMode.AcceptOpen
         draw = self.chance.random()
         name = dialog.findChild(QLineEdit, "fileNameEdit")

@@ -1,7 +1,7 @@
-"""The pulse of a window: how long its thread does nothing else, and what it does then.
+"""Measure the pauses of the window's thread, and record their causes.
 
-A timer beats on the window's thread. Where it is late, a thread beside it takes down where the
-window's thread is, so that a pause names its cause.
+A timer fires regularly on the window's thread. While it is late, a watcher thread samples the stack
+of the window's thread, which shows the cause of the pause.
 """
 
 import os
@@ -17,22 +17,22 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, QTimer
 
 BEAT_MS = 10
-LOOK_S = 0.025
-DEPTH = 7
-"""Frames kept of each look, the innermost first."""
+SAMPLE_S = 0.025
+STACK_DEPTH = 7
+"""Number of innermost stack frames kept of each sample."""
 
 
 @dataclass
 class Pause:
-    """The window's thread did not come back to its event loop.
+    """A time in which the window's thread did not return to its event loop.
 
     Attributes
     ----------
-    took : ms by the clock
-    drawing : ms of them in which VTK drew; long where software does the work of a graphics card
-    waiting : ms besides in which the thread could have run, but others had the processors
-    computing : ms of processor time the thread used for anything but drawing
-    places : where the thread was, as often as it was seen there
+    took : wall-clock time, ms
+    drawing : part of it in which VTK drew, ms; long with software rendering
+    waiting : time outside drawing in which the thread waited for a processor, ms
+    computing : processor time of the thread outside drawing, ms
+    places : sampled places of the thread, with the number of samples of each
     """
 
     took: float
@@ -50,14 +50,14 @@ class Pause:
 
 
 class Pulse(QObject):
-    """Beats from `start` to `stop`, on the thread it was made on.
+    """Timer that measures the pauses of the thread it was made on, from `start` to `stop`.
 
     Parameters
     ----------
     limit : float, ms
-        Pauses longer than this are remembered.
+        Pauses longer than this are recorded.
     draws : Draws
-        What VTK has drawn so far.
+        Drawing time of VTK so far.
     """
 
     def __init__(self, limit: float, draws: "Draws", parent: QObject | None = None) -> None:
@@ -76,24 +76,24 @@ class Pulse(QObject):
         self._timer.timeout.connect(self._beat)
 
     def start(self) -> None:
-        """Begin to beat."""
-        self.forget()
+        """Start the timer and the watcher thread."""
+        self.discard()
         self._timer.start()
         self._watcher.start()
 
     def stop(self) -> None:
-        """End; the thread beside ends, too."""
+        """Stop the timer and the watcher thread."""
         self._timer.stop()
         self._ended.set()
         self._watcher.join()
 
-    def forget(self) -> None:
-        """Begin anew."""
+    def discard(self) -> None:
+        """Clear all measurements."""
         self.pauses, self.longest, self.beats = [], 0.0, 0
         self._last = self._now()
 
     def skip(self) -> None:
-        """What was since the last beat does not count."""
+        """Ignore the time since the last beat."""
         self._last = self._now()
 
     def _now(self) -> tuple[float, float, float, float]:
@@ -117,14 +117,14 @@ class Pulse(QObject):
         self._looks = []
 
     def _watch(self) -> None:
-        while not self._ended.wait(LOOK_S):
+        while not self._ended.wait(SAMPLE_S):
             at = time.perf_counter()
             if 1000 * (at - self._last[0]) > self.limit / 2:
                 self._looks.append((at, _place(sys._current_frames().get(self._thread))))
 
 
 class Draws:
-    """Seconds that VTK has drawn; in how many of them the thread computed, or had no processor."""
+    """Total drawing time of VTK; how much of it was computing or waiting for a processor, s."""
 
     def __init__(self) -> None:
         self.seconds, self.computing, self.waiting = 0.0, 0.0, 0.0
@@ -132,11 +132,11 @@ class Draws:
         self._began = (0.0, 0.0, 0.0)
 
     def begin(self) -> None:
-        """A frame begins."""
+        """Note the start of a frame."""
         self._began = (time.perf_counter(), *self._clock())
 
     def end(self) -> None:
-        """It is drawn."""
+        """Add the time of the frame that has been drawn."""
         computing, waiting = self._clock()
         self.seconds += time.perf_counter() - self._began[0]
         self.computing += computing - self._began[1]
@@ -144,7 +144,7 @@ class Draws:
 
 
 def timed_viewport(draws: Draws) -> type:
-    """A viewport whose drawing is counted."""
+    """Viewport class that adds its drawing time to ``draws``."""
     from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     class Timed(VtkViewport):
@@ -163,14 +163,19 @@ def _place(frame: object) -> str:
     if frame is None:
         return "gone"
     stack = traceback.extract_stack(frame)  # type: ignore[arg-type]
-    ours = [k for k, each in enumerate(stack[:-DEPTH]) if "lispac" in Path(each.filename).parts]
-    shown = [*(stack[k] for k in ours[-1:]), *stack[-DEPTH:]]
+    ours = [
+        k for k, each in enumerate(stack[:-STACK_DEPTH]) if "lispac" in Path(each.filename).parts
+    ]
+    shown = [*(stack[k] for k in ours[-1:]), *stack[-STACK_DEPTH:]]
     told = [f"{Path(each.filename).name}:{each.lineno} {each.name}" for each in shown]
     return " < ".join(reversed(told))
 
 
 def processor_clock() -> Callable[[], tuple[float, float]]:
-    """Seconds this thread has computed, and has waited for a processor; the second on Linux."""
+    """Clock of this thread: seconds of computing and of waiting for a processor.
+
+    The waiting time is 0 on systems other than Linux.
+    """
     try:
         file = os.open(f"/proc/self/task/{threading.get_native_id()}/schedstat", os.O_RDONLY)
     except OSError:
@@ -184,7 +189,7 @@ def processor_clock() -> Callable[[], tuple[float, float]]:
 
 
 def resident_mb() -> float:
-    """Megabytes of memory of this process that are in use now; 0 where nobody tells."""
+    """Resident memory of this process, MB; 0 where the system does not report it."""
     try:
         pages = int(Path("/proc/self/statm").read_text().split()[1])
     except OSError:

@@ -1,7 +1,7 @@
-"""A reader of the manual, who does by mouse and keys what a page says, to the letter.
+"""Follow the steps of a page of the manual literally, by mouse and keys.
 
-What a step starts may open a dialogue that waits, so each is begun by the event loop and the next
-one by a timer, as a hand would do both.
+A step may open a modal dialogue that blocks its caller, so each step is started from the event loop
+and the next one from a timer.
 """
 
 import re
@@ -37,24 +37,24 @@ from tests.tutorial_steps import Step
 
 BEAT_MS = 30
 PATIENCE_S, PATIENCE_WITH_WORK_S = 20.0, 150.0
-"""For what a page names to be there, and for what it has started to end."""
+"""Time limits for a named widget to appear, and for a started task to end."""
 CTRL_CLICK = ("Ctrl+click", "Ctrl+clic")
-KEYS = {"Entrée": "Return", "Enter": "Return"}
-"""Keys that are called otherwise in French."""
+KEY_NAMES = {"Entrée": "Return", "Enter": "Return"}
+"""Qt names of the keys whose names in a page differ."""
 Left, Control = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ControlModifier
 Act = Callable[[], None]
 
 
-class Lost(AssertionError):
-    """The page names something that is not there."""
+class StepError(AssertionError):
+    """The page names something that the window does not show."""
 
 
 class Reader(QObject):
-    """Follows steps in a window until they are done or one cannot be.
+    """Follows steps in a window until they are done or one of them fails.
 
     Parameters
     ----------
-    look : is given the widget in front and the picture's path where the page has a picture
+    look : called with the window in front and the path of the picture where the page has one
     """
 
     def __init__(
@@ -72,11 +72,12 @@ class Reader(QObject):
         self._timer.start()
 
     def follow(self) -> None:
-        """Go through all steps.
+        """Perform all steps.
 
         Raises
         ------
-        Lost
+        StepError
+            If something that the page names does not appear.
         """
         while not self.done:
             QApplication.processEvents()
@@ -84,7 +85,7 @@ class Reader(QObject):
         if self.error is not None:
             raise self.error
 
-    # -- the course of things --------------------------------------------------------------------
+    # -- sequence of the steps -------------------------------------------------------------------
 
     def _beat(self) -> None:
         if self._begun:
@@ -101,7 +102,7 @@ class Reader(QObject):
                 QTimer.singleShot(0, lambda: self._do(act))
 
     def _do(self, act: Act) -> None:
-        self._begun -= 1  # before: it may open a dialogue and come back when that is closed
+        self._begun -= 1  # first, because act may open a dialogue and return when that is closed
         try:
             act()
         except BaseException as error:
@@ -138,7 +139,7 @@ class Reader(QObject):
         yield from self._rest()
 
     def _rest(self) -> Iterator[None]:
-        """Until nothing is computed that somebody waits for."""
+        """Wait until no task is active and no result is awaited."""
         yield None
         yield from self._until(
             lambda: not (self._window.runner.active or self._window.document.awaits_result),
@@ -153,14 +154,14 @@ class Reader(QObject):
         while not there():
             if time.monotonic() > end:
                 assert self.at is not None
-                raise Lost(f"{self.at.text!r} {complaint}")
+                raise StepError(f"{self.at.text!r} {complaint}")
             yield None
 
-    # -- what is there ---------------------------------------------------------------------------
+    # -- visible widgets -------------------------------------------------------------------------
 
     @property
     def front(self) -> QWidget:
-        """The window that takes mouse and keys."""
+        """Window that receives mouse and key events."""
         return QApplication.activeModalWidget() or self._window
 
     def _all(self, kind: type) -> list:
@@ -184,7 +185,7 @@ class Reader(QObject):
         return any(text in widget.windowTitle() for widget in self._all(QDockWidget))
 
     def _called(self, text: str) -> list[tuple[QWidget, QPoint]]:
-        """Whatever has a name, and where it is clicked."""
+        """Visible widgets with a text, each with the point to click."""
         popup = QApplication.activePopupWidget()
         if popup is not None:
             return [place for view in popup.findChildren(QListView) for place in _rows(view, text)]
@@ -207,10 +208,10 @@ class Reader(QObject):
         yield from self._until(lambda: self._called(text), "is not there to be clicked")
         found = self._called(text)
         if len(found) > 1:
-            raise Lost(f"{text!r} stands there {len(found)} times")
+            raise StepError(f"{text!r} stands there {len(found)} times")
         widget, place = found[0]
         if not widget.isEnabled():
-            raise Lost(f"{text!r} is greyed")
+            raise StepError(f"{text!r} is greyed")
         parent = widget.parent()
         while parent is not None:
             if isinstance(parent, QScrollArea):
@@ -218,10 +219,10 @@ class Reader(QObject):
             parent = parent.parent()
         yield None
         if widget.visibleRegion().isEmpty():
-            raise Lost(f"{text!r} is out of sight")
+            raise StepError(f"{text!r} is out of sight")
         yield lambda: QTest.mouseClick(widget, Left, Qt.KeyboardModifier.NoModifier, place)
         if isinstance(widget, QComboBox):
-            for _ in range(30):  # Qt takes a click soon after for the second of a double click
+            for _ in range(30):  # Qt would take a sooner click as part of a double click
                 yield None
 
     def _choose(self, names: list[str]) -> Iterator[Act | None]:
@@ -230,10 +231,10 @@ class Reader(QObject):
         for name in names:
             found = [a for a in menu.actions() if a.text().replace("&", "") == name]
             if not found:
-                raise Lost(f"no menu has {name!r}")
+                raise StepError(f"no menu has {name!r}")
             (action,) = found
             if not action.isEnabled():
-                raise Lost(f"{name!r} is greyed")
+                raise StepError(f"{name!r} is greyed")
             place = menu.actionGeometry(action).center()
 
             def act(menu: QWidget = menu, place: QPoint = place) -> None:
@@ -253,10 +254,10 @@ class Reader(QObject):
             yield lambda: QTest.mouseClick(canvas, Left, Control, middle)
             yield from self._rest()
             return
-        sequence = QKeySequence(KEYS.get(keys, keys))[0]
+        sequence = QKeySequence(KEY_NAMES.get(keys, keys))[0]
         key, held = sequence.key(), sequence.keyboardModifiers()
         front = self.front
-        # Files are named in the line of their dialogue, and keys go to where one types
+        # In a dialogue, keys go to its focused widget (in a file dialogue, the line for the name)
         target = front if front is self._window else (front.focusWidget() or front)
         yield lambda: QTest.keyClick(target, key, held)
 
@@ -267,7 +268,7 @@ class Reader(QObject):
         else:
             field = front.focusWidget()
         if not isinstance(field, (QLineEdit, QPlainTextEdit)):
-            raise Lost(f"nothing is there to type {text!r} into")
+            raise StepError(f"nothing is there to type {text!r} into")
         field.selectAll()
 
         def act() -> None:
@@ -284,13 +285,13 @@ class Reader(QObject):
 
 
 def _plain(widget: QWidget) -> str:
-    """Its text without mnemonics, tags and different kinds of blanks."""
+    """Text of a widget without mnemonics and tags, with uniform blanks."""
     text = widget.text().replace("&&", "\0").replace("&", "").replace("\0", "&")
     return " ".join(re.sub(r"<[^>]+>", " ", text).split())
 
 
 def _rows(view: QListView, text: str) -> list[tuple[QWidget, QPoint]]:
-    """Entries of an open list that have a text."""
+    """Entries of an open list with the given text."""
     model = view.model()
     entries = [model.index(row, 0) for row in range(model.rowCount())]
     return [
@@ -299,7 +300,7 @@ def _rows(view: QListView, text: str) -> list[tuple[QWidget, QPoint]]:
 
 
 def _field_of(label: QLabel) -> QWidget | None:
-    """The field that a form has beside a label."""
+    """Field beside a label in a form."""
     for form in label.parentWidget().findChildren(QFormLayout):
         row, role = form.getWidgetPosition(label)
         if row >= 0 and role == QFormLayout.ItemRole.LabelRole:
@@ -312,5 +313,5 @@ def _field_of(label: QLabel) -> QWidget | None:
 
 
 def picture_file(page: Path, name: str) -> Path:
-    """Where a picture of a page is kept."""
+    """Path of a picture of a page."""
     return page.parent / name

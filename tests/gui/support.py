@@ -1,4 +1,4 @@
-"""The window of the tests: answers instead of dialogues, and a driver that leaves nothing."""
+"""Support for window tests: scripted dialogues, and a driver that closes its window cleanly."""
 
 import threading
 from collections.abc import Sequence
@@ -29,7 +29,7 @@ Control = Qt.KeyboardModifier.ControlModifier
 
 
 class ScriptedDialogs(Dialogs):
-    """Answers by itself and remembers what it was told."""
+    """Dialogues that return preset answers and record what they were asked."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -148,7 +148,7 @@ class Demo:
 
 
 class Driver:
-    """A window, and how a test drives and leaves it."""
+    """A window, with methods to wait for it and to close it."""
 
     def __init__(
         self, qtbot: QtBot, viewport: Viewport, folder: Path, dialogs: Dialogs | None = None
@@ -167,7 +167,7 @@ class Driver:
         return self.window.document.project
 
     def rest(self) -> None:
-        """Wait until no work is left, and all that follows from it is drawn."""
+        """Wait until no task is active and all results are drawn."""
         QCoreApplication.processEvents()
         self.bot.waitUntil(lambda: not self.window.runner.active, timeout=WAIT_MS)
         self.bot.waitUntil(lambda: not self._turns, timeout=WAIT_MS)
@@ -177,7 +177,7 @@ class Driver:
         return [turn for turn in self.window.findChildren(IdleTask) if turn.isActive()]
 
     def leave(self) -> None:
-        """Close the window and see that nothing of it is left."""
+        """Close the window and check that nothing of it is left."""
         self.dialogs.answer = "discard"
         assert self.window.close()
         assert self.window.runner.current is None
@@ -189,9 +189,9 @@ class Driver:
 
 
 def labels_that_guess(window: QWidget) -> list[str]:
-    """Labels with a text that decide by it whether it is HTML: the name of a file may look so.
+    """Labels that guess from their text whether it is HTML; a file name may look like HTML.
 
-    Those of forms are words of the program; tooltips are escaped where they are set.
+    Labels of forms contain only texts of the program; tooltips are escaped where they are set.
     """
     heads = {
         item.widget().text()
@@ -210,9 +210,10 @@ def labels_that_guess(window: QWidget) -> list[str]:
 
 
 def in_front(window: QWidget) -> bool:
-    """Whether keys go to a window; asks for it again where they do not, as no window manager does.
+    """Whether a window has the keyboard focus; if not, request it again.
 
-    What is asked of the window system while it is busy with another window is lost.
+    There is no window manager to do so, and the window system may lose a request while it is busy
+    with another window.
     """
     if not window.isActiveWindow():
         window.activateWindow()
@@ -230,7 +231,7 @@ def click(driver: Driver, widget: QWidget) -> None:
 
 
 def double_click(driver: Driver, table: QTableView, row: int, column: int = 0) -> None:
-    """Two clicks and a double click, as a mouse makes them."""
+    """Double-click a cell: a click and a double click, as the mouse sends them."""
     table.scrollTo(table.model().index(row, column))
     place = table.visualRect(table.model().index(row, column)).center()
     driver.bot.mouseClick(table.viewport(), Left, pos=place)
@@ -238,7 +239,7 @@ def double_click(driver: Driver, table: QTableView, row: int, column: int = 0) -
 
 
 def type_into(driver: Driver, field: QWidget, text: str) -> None:
-    """Replace what stands in a field by keys."""
+    """Replace the content of a field by typing."""
     field.setFocus()
     field.selectAll()
     driver.bot.keyClick(field, Key.Key_Delete)
@@ -246,7 +247,7 @@ def type_into(driver: Driver, field: QWidget, text: str) -> None:
 
 
 def wait_until_idle(driver: Driver) -> None:
-    """Wait for what follows from a click by itself."""
+    """Wait until the results that follow from an edit are there and drawn."""
     driver.bot.waitUntil(lambda: not driver.window.document.awaits_result, timeout=WAIT_MS)
     driver.rest()
     driver.bot.waitUntil(lambda: driver.window.scene.is_drawn, timeout=WAIT_MS)
@@ -259,7 +260,7 @@ def click_check(driver: Driver, table: QTableView, index: QModelIndex) -> None:
 
 
 def seed(driver: Driver, name: str, role: Role | None = None) -> None:
-    """What a Ctrl+click on the middle of a plane of the demo does."""
+    """Seed a plane of the demo at its middle, as a Ctrl+click does."""
     usual, position = demo_seeds()[name]
     driver.window.targets.set_role(role or usual)
     first = driver.window.document.survey.lines[0]
@@ -268,7 +269,7 @@ def seed(driver: Driver, name: str, role: Role | None = None) -> None:
 
 
 def estimate(driver: Driver) -> None:
-    """Adjust without the cross-checks, which take most of the time."""
+    """Estimate without the cross-checks, which take most of the time."""
     driver.window.adjust.cross_check.setChecked(False)
     press(driver, Key.Key_F9)
     driver.rest()

@@ -1,4 +1,4 @@
-"""Lines added to the open project: dropped on the window or asked for, and taken back again."""
+"""Tests of adding lines to the open project: by drop or by menu, and undone."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -37,17 +37,17 @@ def shorter(demo: Demo, demo_copy: Path) -> Project:
 
 @pytest.fixture
 def short(driver: Driver, shorter: Project) -> Driver:
-    """A window with that project."""
+    """A window with the project of four lines."""
     driver.window.open_project(shorter.folder)
     driver.rest()
     assert driver.dialogs.errors == []
     return driver
 
 
-MOST_LOOKS = 600
+MAX_POLLS = 600
 
 
-class Real(Dialogs):
+class RealDialogs(Dialogs):
     """The real dialogues, driven by a timer: the question first, then the import dialogue."""
 
     def __init__(self, driver: Driver, answer: str, drive: Callable[[AddLinesDialog], None]):
@@ -55,7 +55,7 @@ class Real(Dialogs):
         self.parent = driver.window
         self.answer, self.drive = answer, drive
         self.seen: list[str] = []
-        self.theme_box = 0
+        self.polls = 0
         self.timer = QTimer(driver.window)
         self.timer.timeout.connect(self._poll)
         self.timer.start(50)
@@ -68,8 +68,8 @@ class Real(Dialogs):
         shown = QApplication.activeModalWidget()
         if shown is None:
             return
-        self.theme_box += 1
-        if self.theme_box > MOST_LOOKS:  # nothing the test expects; do not wait for ever
+        self.polls += 1
+        if self.polls > MAX_POLLS:  # an unexpected dialogue: do not wait for ever
             shown.reject()
         elif isinstance(shown, QMessageBox):
             self.seen.append(shown.text())
@@ -95,7 +95,7 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
         ]  # fmt: skip
         QTest.mouseClick(dialog.ok, Left)
 
-    dialogs = Real(short, "Add to harbour", drive)
+    dialogs = RealDialogs(short, "Add to harbour", drive)
     drop(short.window, new)
     short.bot.waitUntil(lambda: len(short.project.lines) == 6, timeout=WAIT_MS)
     short.rest()
@@ -124,7 +124,7 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
     assert len(open_project(shorter.folder).lines) == 6
 
 
-def test_what_cannot_be_added_is_reported_in_the_dialogue(
+def test_files_that_cannot_be_added_are_reported_in_the_dialogue(
     short: Driver, shorter: Project, tmp_path: Path
 ) -> None:
     late = shifted(shorter.lines[1].path, tmp_path / "late.laz", 90_000.0)
@@ -135,7 +135,7 @@ def test_what_cannot_be_added_is_reported_in_the_dialogue(
         assert not dialog.ok.isEnabled()
         short.bot.mouseClick(dialog.buttons.button(QDialogButtonBox.StandardButton.Cancel), Left)
 
-    Real(short, "Add to harbour", drive)
+    RealDialogs(short, "Add to harbour", drive)
     drop(short.window, [shorter.lines[0].path])
     short.bot.waitUntil(lambda: len(told) == 1, timeout=WAIT_MS)
     drop(short.window, [late])

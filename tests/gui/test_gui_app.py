@@ -1,4 +1,4 @@
-"""What the system asks of the running program."""
+"""Tests of the application: documents opened by the system, file formats, home directory."""
 
 import os
 import subprocess
@@ -10,7 +10,7 @@ import pytest
 from lispac.gui.features.open_project.import_survey.import_dialog import survey_file_filters
 from lispac.io.formats import ACCURACY_FORMATS, POINT_FORMATS, TRAJECTORY_FORMATS
 
-ASKED = """
+OPEN_EVENT_SCRIPT = """
 import sys
 from pathlib import Path
 
@@ -28,10 +28,10 @@ assert asked == [Path(sys.argv[1])], asked
 """
 
 
-def test_a_document_that_the_system_asks_for_is_reported(tmp_path: Path) -> None:
-    """A double click starts no second program on macOS: the one that runs is told."""
+def test_a_document_opened_by_the_system_is_requested(tmp_path: Path) -> None:
+    """On macOS, a double click sends an event to the running program and starts no second one."""
     done = subprocess.run(
-        [sys.executable, "-c", ASKED, str(tmp_path / "project.lispac")],
+        [sys.executable, "-c", OPEN_EVENT_SCRIPT, str(tmp_path / "project.lispac")],
         capture_output=True, text=True, check=False, timeout=120,
         env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
     )  # fmt: skip
@@ -47,7 +47,7 @@ def test_the_dialogue_shows_the_files_of_every_format() -> None:
     assert everything.endswith(" (*)")
 
 
-WINDOW = """
+WINDOW_SCRIPT = """
 import sys
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QMainWindow
@@ -75,7 +75,7 @@ def test_the_window_says_that_the_home_directory_cannot_be_written(tmp_path: Pat
     home = tmp_path / "missing"
     variables |= {"HOME": str(home), "TMPDIR": str(tmp_path), "QT_QPA_PLATFORM": "offscreen"}
     done = subprocess.run(
-        [sys.executable, "-c", WINDOW],
+        [sys.executable, "-c", WINDOW_SCRIPT],
         capture_output=True, text=True, check=False, timeout=60, env=variables,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr

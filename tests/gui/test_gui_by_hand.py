@@ -1,6 +1,6 @@
-"""The program used by mouse and keyboard alone, with its own dialogues and graphics.
+"""Tests of the program by mouse and keyboard alone, with its own dialogues and graphics.
 
-Each way ends with what is on the disk, and a picture of the window that is not blank.
+Each test ends with a check of the files on the disk and of a picture of the window.
 """
 
 from pathlib import Path
@@ -19,7 +19,7 @@ from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project
 from tests.gui.by_hand import (
     SETTINGS,
-    Answers,
+    DialogAnswers,
     Hands,
     ctrl_click,
     open_by_keys,
@@ -31,12 +31,12 @@ from tests.gui.import_support import drop, raw
 from tests.gui.killed import killed_after_editing
 from tests.gui.support import Control, Demo, Key, Left, click, press
 
-NOTCHES = 12
-"""Of the wheel, until a plane of the demo fills the view."""
+WHEEL_NOTCHES = 12
+"""Notches of the wheel after which a plane of the demo fills the view."""
 
 
 def spot(hands: Hands, name: str) -> QPoint:
-    """Bring a plane of the demo into view with the wheel over it: where it is drawn."""
+    """Zoom to a plane of the demo with the wheel over it, and return where it is drawn."""
     role, position = demo_seeds()[name]
     press(hands, Key.Key_F6 if role == "target" else Key.Key_F7)
     press(hands, Key.Key_3)
@@ -46,7 +46,7 @@ def spot(hands: Hands, name: str) -> QPoint:
     def drawn() -> QPoint:
         return QPoint(*(int(v) for v in hands.viewport.to_pixels(aim[None])[0][:2]))
 
-    for _ in range(NOTCHES):
+    for _ in range(WHEEL_NOTCHES):
         at = QPointF(drawn())
         turned = QWheelEvent(
             at, QPointF(hands.viewport.canvas.mapToGlobal(at.toPoint())), QPoint(), QPoint(0, 120),
@@ -59,13 +59,13 @@ def spot(hands: Hands, name: str) -> QPoint:
 
 
 def names(folder: Path) -> list[str]:
-    """Of the targets on the disk."""
+    """Names of the targets on the disk."""
     return [target.name for target in open_project(folder).targets]
 
 
-def test_an_unforeseen_error_is_rejected_and_reported(qtbot: QtBot, qapp: QApplication) -> None:
-    """Also where it comes of the answer to another, whose loop of events waits for it."""
-    answers, below, above = Answers(), QMessageBox(), QMessageBox()
+def test_an_unexpected_dialogue_is_rejected_and_reported(qtbot: QtBot, qapp: QApplication) -> None:
+    """The unexpected dialogue opens in the event loop of an expected one."""
+    answers, below, above = DialogAnswers(), QMessageBox(), QMessageBox()
     below.setText("What now?")
     above.setText("The disk is full.")
 
@@ -73,11 +73,11 @@ def test_an_unforeseen_error_is_rejected_and_reported(qtbot: QtBot, qapp: QAppli
         above.exec()
         return True
 
-    answers.foresee(QMessageBox, act)
+    answers.expect(QMessageBox, act)
     below.exec()
     assert [text for text in answers.trouble if "The disk is full." in text] == answers.trouble
     assert len(answers.trouble) == 1
-    answers.foresee(QFileDialog, act)
+    answers.expect(QFileDialog, act)
     answers.stop()
     assert answers.trouble[1:] == ["no QFileDialog came"]
     for each in (answers, below, above):
@@ -100,7 +100,7 @@ def test_files_dropped_on_the_start_page_become_a_project(
         return True
 
     assert hands.window.central_widget.start.isVisible()
-    hands.answers.foresee(ImportDialog, act)
+    hands.answers.expect(ImportDialog, act)
     drop(hands.window, raw(demo))
     hands.until(lambda: hands.window.document.project is not None)
     hands.rest()
@@ -170,13 +170,13 @@ def test_closing_with_unsaved_changes(
 
 
 @pytest.mark.parametrize("button", ["Restore", pytest.param("Discard", marks=pytest.mark.long)])
-def test_after_a_crash_the_work_is_offered(
+def test_unsaved_work_is_offered_after_a_crash(
     hands: Hands, picked_folder: Path, button: str, tmp_path: Path
 ) -> None:
     before = names(picked_folder)
     killed_after_editing(picked_folder)
     assert names(picked_folder) == before
-    # What the program looks at when the same user starts it again
+    # As at the next start of the same user, who has these settings
     hands.settings.last_project = AppSettings(
         picked_folder.parent / "killed" / SETTINGS
     ).last_project

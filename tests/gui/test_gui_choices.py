@@ -1,4 +1,4 @@
-"""Fewest points and largest tilt, chosen in step 2 and in the dialogue that finds again."""
+"""Tests of the minimum number of points and maximum tilt, in step 2 and in "Find again"."""
 
 from dataclasses import replace
 from math import radians
@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 from lispac.gui.window.main_window import MAX_TITLE_BAR_HEIGHT_PX
 from lispac.targets.finder_settings import DEFAULT_CHOICES, FinderChoices
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
-from tests.gui.test_gui_seed_coordinates import hand
+from tests.gui.test_gui_seed_coordinates import answer_next_dialog
 
 
 def unfold(driver: Driver, parent: QWidget, name: str) -> None:
@@ -21,7 +21,7 @@ def field(parent: QWidget, name: str) -> QDoubleSpinBox:
     return parent.findChild(QDoubleSpinBox, name)
 
 
-def test_chosen_for_the_next_seeds_and_reported_when_folded(opened: Driver) -> None:
+def test_choices_apply_to_the_next_seeds_and_are_shown_when_folded(opened: Driver) -> None:
     open_step(opened, 1)
     panel = opened.window.targets
     assert not field(panel, "seed_min_points").isVisible()
@@ -42,7 +42,7 @@ def test_chosen_for_the_next_seeds_and_reported_when_folded(opened: Driver) -> N
     assert opened.project.target("T1").choices == chosen
 
 
-def test_found_again_with_other_choices(picked: Driver) -> None:
+def test_a_target_is_found_again_with_other_choices(picked: Driver) -> None:
     open_step(picked, 1)
     before = FinderChoices(max_tilt=radians(12.34), seed=5)
     project = picked.project
@@ -55,12 +55,12 @@ def test_found_again_with_other_choices(picked: Driver) -> None:
 
     def answer(dialog) -> None:
         points = field(dialog, "again_min_points")
-        assert points.isVisible()  # unfolded: something else than the usual was chosen
+        assert points.isVisible()  # unfolded, because the choices are not the defaults
         assert field(dialog, "again_max_tilt").value() == 12.3
         type_into(picked, points, "40")
         picked.bot.mouseClick(dialog.findChild(QPushButton, "again_find"), Left)
 
-    seen = hand(picked, answer)
+    seen = answer_next_dialog(picked, answer)
     picked.window.actions_["find_again"].trigger()
     picked.rest()
     assert seen
@@ -70,9 +70,7 @@ def test_found_again_with_other_choices(picked: Driver) -> None:
     assert picked.project.target("T1").choices == replace(before, min_points=40)
 
 
-def test_the_answer_to_what_was_found_is_in_sight_on_a_low_screen(
-    opened: Driver, demo: Demo
-) -> None:
+def test_the_candidate_buttons_are_visible_on_a_low_screen(opened: Driver, demo: Demo) -> None:
     window = opened.window
     window.resize(1366, 768 - MAX_TITLE_BAR_HEIGHT_PX)
     opened.rest()

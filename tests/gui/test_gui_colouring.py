@@ -1,4 +1,4 @@
-"""Colours of the points by what was measured at them."""
+"""Tests of the colours of points by their attributes."""
 
 from types import SimpleNamespace
 
@@ -18,7 +18,7 @@ from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from tests.gui.support import Demo, Driver, Key, press
 
 
-def test_colours_follow_the_values(demo: Demo) -> None:
+def test_colours_depend_on_the_values(demo: Demo) -> None:
     clouds = demo.survey.clouds
     assert point_shading("line", clouds) is None
     for colouring in COLOURINGS[1:-1]:
@@ -42,8 +42,8 @@ def test_colours_follow_the_values(demo: Demo) -> None:
 
 
 @pytest.mark.parametrize("scale", COLOUR_SCALES)
-def test_a_scale_is_seen_on_either_ground(demo: Demo, scale: Scale) -> None:
-    """No colour of it comes near to that of the view, bright or dark."""
+def test_a_scale_is_visible_on_light_and_dark_backgrounds(demo: Demo, scale: Scale) -> None:
+    """No colour of the scale is close to the background of the view, light or dark."""
     set_colour_scale(scale)
     try:
         shaded = point_shading("height", demo.survey.clouds)
@@ -51,7 +51,7 @@ def test_a_scale_is_seen_on_either_ground(demo: Demo, scale: Scale) -> None:
         set_colour_scale("viridis")
     assert shaded is not None
     colours = shaded.scale.astype(float)
-    assert len(np.unique(shaded.scale, axis=0)) > 100  # greys have no more between the ends
+    assert len(np.unique(shaded.scale, axis=0)) > 100  # a grey scale has no more distinct values
     for scheme in (LIGHT_SCHEME, DARK_SCHEME):
         for ground in (scheme.ground, scheme.sky):
             away = np.array(QColor(ground).getRgb()[:3], dtype=float)

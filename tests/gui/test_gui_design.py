@@ -1,4 +1,4 @@
-"""The workspace in which a site is designed: mouse, keys and files."""
+"""Tests of the design window: mouse, keys and files."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, press
 from tests.message_codes import is_shown
 
 
-def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
+def test_the_window_starts_with_the_thesis_plan_and_its_predicted_sigmas(
     driver: Driver, design: DesignWindow
 ) -> None:
     assert len(plan(design).targets) == 2
@@ -43,7 +43,7 @@ def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
     assert not design.isWindowModified()
 
 
-def test_a_line_is_dragged_farther_and_roll_gets_better_on_the_way(
+def test_roll_improves_while_a_line_is_dragged_farther_away(
     driver: Driver, design: DesignWindow
 ) -> None:
     view, before = design.plan_view, shown(design)
@@ -65,7 +65,7 @@ def test_a_line_is_dragged_farther_and_roll_gets_better_on_the_way(
 
 
 @pytest.mark.parametrize(("modifier", "whole"), [(NoModifier, True), (Shift, False)])
-def test_the_arrow_of_a_line_turns_it(
+def test_dragging_the_arrow_of_a_line_turns_it(
     driver: Driver, design: DesignWindow, modifier, whole: bool
 ) -> None:
     view = design.plan_view
@@ -82,7 +82,7 @@ def test_the_arrow_of_a_line_turns_it(
     assert str(design.workspace.history.undo_name) == "Turn line 1"
 
 
-def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
+def test_escape_cancels_a_drag(driver: Driver, design: DesignWindow) -> None:
     view = design.wall_view
     before = design.workspace.titled
     spot = view._target_rect(edits.placed_targets(before)[0]).center()
@@ -106,7 +106,7 @@ def test_a_board_is_dragged_up_the_wall(driver: Driver, design: DesignWindow) ->
     assert shown(design)[1] < before[1], "boards farther apart show pitch better"
 
 
-def test_all_of_it_by_keys(driver: Driver, design: DesignWindow) -> None:
+def test_a_plan_is_edited_by_keys_alone(driver: Driver, design: DesignWindow) -> None:
     view, bot = design.plan_view, driver.bot
     view.setFocus()
     bot.keyClick(view, Key.Key_PageDown)
@@ -145,9 +145,7 @@ def test_all_of_it_by_keys(driver: Driver, design: DesignWindow) -> None:
     assert design.plan_view.grab().width() > 0, "an empty site is drawn too"
 
 
-def test_boards_that_face_one_way_are_refused_in_words(
-    driver: Driver, design: DesignWindow
-) -> None:
+def test_boards_of_one_orientation_give_a_warning(driver: Driver, design: DesignWindow) -> None:
     design.tabs.setCurrentWidget(design.targets)
     editor = type_cell(driver, design.targets.table, 1, 4, "90")
     driver.bot.keyClick(editor, Key.Key_Return)
@@ -155,7 +153,7 @@ def test_boards_that_face_one_way_are_refused_in_words(
     assert design.results.messages.property("role") == "warning"
 
 
-def test_a_mistake_is_reported_while_it_is_typed_and_not_taken(
+def test_an_invalid_number_is_reported_while_typing_and_not_accepted(
     driver: Driver, design: DesignWindow
 ) -> None:
     table, before = design.lines.table, design.workspace.titled
@@ -177,7 +175,7 @@ def test_a_mistake_is_reported_while_it_is_typed_and_not_taken(
     assert design.workspace.line == 2
 
 
-def test_the_pos_and_the_stochastic_model(driver: Driver, design: DesignWindow) -> None:
+def test_the_pos_and_the_stochastic_model_are_edited(driver: Driver, design: DesignWindow) -> None:
     design.tabs.setCurrentWidget(design.system)
     system, before = design.system, shown(design)
     assert system.grade.currentText() == "user-defined"
@@ -199,7 +197,7 @@ def test_the_pos_and_the_stochastic_model(driver: Driver, design: DesignWindow) 
     assert shown(design) == predicted(design)
 
 
-def test_a_plan_is_saved_and_read_again_and_asked_about(
+def test_a_plan_is_saved_and_opened_and_unsaved_changes_are_asked_about(
     driver: Driver, design: DesignWindow, tmp_path
 ) -> None:
     work, dialogs = design.workspace, driver.dialogs
@@ -239,7 +237,7 @@ def test_a_plan_is_saved_and_read_again_and_asked_about(
     assert plan(design).lines[0].distance == 16.0
 
 
-def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
+def test_a_target_is_moved_by_handles_and_clicks_in_3d(
     driver: Driver, design: DesignWindow
 ) -> None:
     design.views.setCurrentIndex(1)
@@ -271,7 +269,9 @@ def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
     assert "line 6" not in viewport.sketches
 
 
-def test_closing_keeps_the_plan_and_quitting_asks(driver: Driver, design: DesignWindow) -> None:
+def test_closing_the_design_window_keeps_the_plan_and_quitting_asks(
+    driver: Driver, design: DesignWindow
+) -> None:
     driver.bot.keyClick(design.plan_view, Key.Key_Up)
     driver.bot.keyClick(design, Key.Key_W, Control)
     assert not design.isVisible()
@@ -283,7 +283,9 @@ def test_closing_keeps_the_plan_and_quitting_asks(driver: Driver, design: Design
     assert plan(design).lines[0].distance == 16.0
 
 
-def test_every_field_says_what_it_is(driver: Driver, design: DesignWindow) -> None:
+def test_every_field_has_a_tooltip_and_an_accessible_name(
+    driver: Driver, design: DesignWindow
+) -> None:
     for kind in (QAbstractSpinBox, QComboBox, QLineEdit):
         for field in design.centralWidget().findChildren(kind):
             if field.objectName().startswith("qt_"):
@@ -292,8 +294,8 @@ def test_every_field_says_what_it_is(driver: Driver, design: DesignWindow) -> No
             assert field.accessibleName(), field.objectName()
 
 
-def test_the_wall_turns_with_everything_on_it() -> None:
-    """Sigmas do not depend on where north is, but for the POS errors, which are alike there."""
+def test_the_targets_and_sigmas_turn_with_the_wall() -> None:
+    """The sigmas stay, because the POS errors are equal in north and east."""
     titled = edits.default_plan()
     turned = edits.with_wall_facing(titled, 30.0)
     assert turned.wall.facing_deg == 30.0

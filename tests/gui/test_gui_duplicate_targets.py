@@ -1,4 +1,4 @@
-"""Duplicate targets are reported before they are accepted, and with the result."""
+"""Tests of the warnings about duplicate targets, for a candidate and with the result."""
 
 from lispac.gui.viewport.base import PickedPoint
 from lispac.workflow.planning.demo import demo_seeds
@@ -7,7 +7,7 @@ from tests.message_codes import is_shown
 
 
 def click_on(driver: Driver, name: str, aside: float = 0.0) -> None:
-    """What a Ctrl+click on a target of the demo does, or on another place of it."""
+    """Seed a target of the demo, ``aside`` metres from its middle, as a Ctrl+click does."""
     x, y, z = demo_seeds()[name][1]
     first = driver.window.document.survey.lines[0]
     driver.viewport.signals.seed_clicked.emit(PickedPoint(first, (x + aside, y, z)))

@@ -1,4 +1,4 @@
-"""Lasso, roles, and the name of every undo step; residuals as colours."""
+"""Tests of editing: lasso, roles, names of the undo steps, and residuals as colours."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ def undo_text(driver: Driver) -> str:
 
 
 def outline(driver: Driver, points: np.ndarray) -> None:
-    """Draw around points as the recording viewport shows them: a rectangle."""
+    """Draw a rectangular lasso around points in the recording viewport."""
     pixels = driver.viewport.to_pixels(points)
     (left, top), (right, low) = pixels.min(axis=0) - 1e-6, pixels.max(axis=0) + 1e-6
     corners = np.array([(left, top), (right, top), (right, low), (left, low)])
@@ -28,7 +28,7 @@ def sizes(driver: Driver, name: str) -> dict[str, int]:
     return {s.line: len(s.indices) for s in driver.project.target(name).sightings}
 
 
-def test_a_lasso_takes_points_from_a_sighting_and_gives_them_back(picked: Driver) -> None:
+def test_a_lasso_removes_points_from_a_sighting_and_restores_them(picked: Driver) -> None:
     window, view = picked.window, picked.viewport
     press(picked, Key.Key_L, SHIFT)
     assert "Select a target first" in window.log.toPlainText()
@@ -64,7 +64,7 @@ def test_a_lasso_takes_points_from_a_sighting_and_gives_them_back(picked: Driver
     assert sizes(picked, "T1") == before
 
 
-def test_the_lasso_spares_hidden_lines_and_what_the_box_hides(picked: Driver) -> None:
+def test_the_lasso_keeps_points_of_hidden_lines_and_outside_the_clip_box(picked: Driver) -> None:
     window, view = picked.window, picked.viewport
     before = sizes(picked, "T1")
     first, second = list(before)[:2]
@@ -72,7 +72,7 @@ def test_the_lasso_spares_hidden_lines_and_what_the_box_hides(picked: Driver) ->
     window._select("T1", "")
     press(picked, Key.Key_X)
     clipping = window.tools.clipping
-    clipping._set_box(clipping.box.with_side_moved(5, -1.1))  # its upper side, down into the target
+    clipping._set_box(clipping.box.with_side_moved(5, -1.1))  # lower the upper side into the target
     press(picked, Key.Key_L, SHIFT)
     points = window.scene.clouds[second][picked.project.target("T1").sighting(second).indices]
     low = points[points[:, 2] < points[:, 2].min() + 0.3]
@@ -87,7 +87,7 @@ def test_the_lasso_spares_hidden_lines_and_what_the_box_hides(picked: Driver) ->
     assert len(clipping.box.inside(window.scene.clouds[second][gone])) == len(gone)
 
 
-def test_a_lasso_about_everything_is_refused(picked: Driver) -> None:
+def test_a_lasso_around_all_points_is_refused(picked: Driver) -> None:
     window = picked.window
     window._select("T1", "")
     press(picked, Key.Key_L, SHIFT)
@@ -98,7 +98,7 @@ def test_a_lasso_about_everything_is_refused(picked: Driver) -> None:
     press(picked, Key.Key_Escape)
 
 
-def test_the_status_bar_clears_its_text_about_a_project_that_has_changed(picked: Driver) -> None:
+def test_the_status_bar_clears_its_text_when_the_project_changes(picked: Driver) -> None:
     bar = picked.window.task_bar
     seed(picked, "T2")
     press(picked, Key.Key_Return)
@@ -147,7 +147,7 @@ def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:
         picked.rest()
 
 
-def test_roles_change_but_for_spheres(picked: Driver) -> None:
+def test_roles_change_except_for_spheres(picked: Driver) -> None:
     window = picked.window
     press(picked, Key.Key_F8)
     assert "Select a target or validation plane first" in window.log.toPlainText()
@@ -179,7 +179,7 @@ def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     places = {tuple(colour): k for k, colour in enumerate(view.shading.scale.tolist())}
     for highlight in view.highlights:
         if highlight.key not in found:
-            assert highlight.key[0] == "V1"  # not adjusted: see the next test
+            assert highlight.key[0] == "V1"  # a validation plane: see the next test
             continue
         order = np.argsort(found[highlight.key])
         along = [places[tuple(colour)] for colour in highlight.shades[order].tolist()]
@@ -190,8 +190,10 @@ def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     assert window.scene.colouring == ("residual" if adjusted.project.result else "line")
 
 
-def test_a_validation_plane_is_a_map_of_what_its_lines_are_apart(adjusted: Driver) -> None:
-    """Before the calibration its lines stand apart by decimetres, after it by millimetres."""
+def test_a_validation_plane_is_coloured_by_the_distances_between_its_lines(
+    adjusted: Driver,
+) -> None:
+    """The lines differ by decimetres before the calibration and by millimetres after it."""
     window, project = adjusted.window, adjusted.project
     survey = window.document.survey
     window.actions_["colour_residual"].trigger()

@@ -1,4 +1,4 @@
-"""The whole way in the window with the real viewport, by mouse and keys, a picture at each step."""
+"""Test the complete workflow with the real viewport, by mouse and keys, with a picture per step."""
 
 from pathlib import Path
 
@@ -22,7 +22,7 @@ def colours_of(path: Path) -> int:
     return len(np.unique(pixels))
 
 
-@pytest.mark.long  # `test_gui_tutorial` goes this way as well
+@pytest.mark.long  # `test_gui_tutorial` covers the same workflow
 def test_from_opening_to_the_report(real: Driver, demo_copy: Path, tmp_path: Path):
     window, viewport, bot = real.window, real.viewport, real.bot
 

@@ -1,4 +1,4 @@
-"""What is known of a target beforehand, typed in step 2."""
+"""Tests of the expected values of a target, typed in step 2."""
 
 from PySide6.QtWidgets import QDoubleSpinBox
 
@@ -9,7 +9,7 @@ def typed(driver: Driver, name: str, text: str) -> None:
     type_into(driver, driver.window.targets.findChild(QDoubleSpinBox, name), text)
 
 
-def test_the_candidate_is_compared_with_what_is_expected(opened: Driver) -> None:
+def test_the_candidate_is_compared_with_the_expected_values(opened: Driver) -> None:
     open_step(opened, 1)
     assert opened.window.targets.expected is None
     typed(opened, "expected_width", "1.23")

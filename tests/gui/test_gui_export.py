@@ -1,4 +1,4 @@
-"""Exports: what the dialogue asks, and what is written."""
+"""Tests of the export dialogue and of the exported files."""
 
 import dataclasses
 from pathlib import Path
@@ -25,7 +25,7 @@ Shift = Control.__class__.ShiftModifier
 
 @pytest.fixture
 def dialog(qtbot: QtBot, demo: Demo, estimated: Project, tmp_path: Path) -> ExportDialog:
-    """Of the demo survey, after an adjustment."""
+    """Export dialogue of the demo survey after an adjustment."""
     project = dataclasses.replace(estimated, folder=tmp_path / "here")
     made = ExportDialog("lines", "estimated", project, demo.survey.trajectory)
     qtbot.addWidget(made)
@@ -34,11 +34,11 @@ def dialog(qtbot: QtBot, demo: Demo, estimated: Project, tmp_path: Path) -> Expo
 
 
 def ok(dialog: ExportDialog):
-    """Its button."""
+    """OK button of the dialogue."""
     return dialog.buttons.button(QDialogButtonBox.StandardButton.Ok)
 
 
-def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: Demo) -> None:
+def test_the_dialogue_proposes_the_zone_and_explains_it(dialog: ExportDialog, demo: Demo) -> None:
     asked = dialog.request()
     assert dialog.windowTitle() == dialog_title(ACTIONS["lines"])
     assert asked.system == utm_zone(demo.survey.trajectory)
@@ -56,7 +56,9 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     assert is_shown("export.trajectory_datum", dialog.message_label.text())
 
 
-def test_a_wrong_system_is_reported_while_it_is_typed(dialog: ExportDialog, qtbot: QtBot) -> None:
+def test_an_invalid_coordinate_system_is_reported_while_typing(
+    dialog: ExportDialog, qtbot: QtBot
+) -> None:
     field = dialog.system.lineEdit()
     field.setFocus()
     field.selectAll()
@@ -91,7 +93,7 @@ def test_a_system_of_another_part_of_the_world_gives_a_warning(
     assert dialog.request().height == ""
 
 
-def test_each_thing_has_its_own_fields(dialog: ExportDialog, qtbot: QtBot) -> None:
+def test_each_kind_of_export_has_its_own_fields(dialog: ExportDialog, qtbot: QtBot) -> None:
     for what in CONTENT_TITLES:
         dialog.what.setCurrentIndex(list(CONTENT_TITLES).index(what))
         assert dialog.system.isVisible() == (what in ("lines", "targets"))
@@ -103,14 +105,14 @@ def test_each_thing_has_its_own_fields(dialog: ExportDialog, qtbot: QtBot) -> No
         qtbot.mouseClick(ok(dialog), Left)
 
 
-def test_nothing_estimated_leaves_the_prior(qtbot: QtBot, demo: Demo) -> None:
+def test_only_the_prior_is_offered_without_an_estimate(qtbot: QtBot, demo: Demo) -> None:
     dialog = ExportDialog("lines", "estimated", demo.project, demo.survey.trajectory)
     qtbot.addWidget(dialog)
     assert dialog.request().which == "prior"
     assert not dialog.boresight.isEnabled()
 
 
-def test_what_is_asked_for_is_written(picked: Driver, tmp_path: Path) -> None:
+def test_the_requested_exports_are_written(picked: Driver, tmp_path: Path) -> None:
     zone = utm_zone(picked.window.document.survey.trajectory)
     picked.dialogs.export_request = ExportRequest("lines", tmp_path / "l", "prior", "laz", zone)
     press(picked, Key.Key_E, Control | Shift)

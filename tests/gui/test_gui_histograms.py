@@ -1,4 +1,4 @@
-"""The plots of the validation planes: what the mouse reads off them, zooms and copies."""
+"""Tests of the plots of the validation planes: read off values, zoom and copy."""
 
 import csv
 from io import StringIO
@@ -20,7 +20,7 @@ Left = Qt.MouseButton.LeftButton
 
 @pytest.fixture
 def panel(driver: Driver, demo: Demo, validated: Project) -> HistogramsPanel:
-    """The panel, in front, with V1 drawn."""
+    """The histograms panel in front, with V1 drawn."""
     window = driver.window
     window.document.open(validated, demo.survey)
     window.docks["Histograms"].raise_()
@@ -33,7 +33,7 @@ def panel(driver: Driver, demo: Demo, validated: Project) -> HistogramsPanel:
 
 
 def place(panel: HistogramsPanel, axes: int, x: float, y: float) -> QPoint:
-    """Where a value of a plot is on its canvas, logical pixels."""
+    """Position of a data point of a plot on its canvas, logical pixels."""
     at = panel.canvas.figure.axes[axes].transData.transform((x, y))
     ratio = panel.canvas.devicePixelRatioF()
     return QPoint(round(at[0] / ratio), round(panel.canvas.height() - at[1] / ratio))
@@ -49,7 +49,7 @@ def wheel(panel: HistogramsPanel, at: QPoint, notches: int) -> None:
     QApplication.sendEvent(panel.canvas, event)
 
 
-def test_a_hidden_plot_is_drawn_once_when_it_is_seen(
+def test_a_hidden_plot_is_drawn_once_when_it_becomes_visible(
     driver: Driver, panel: HistogramsPanel
 ) -> None:
     drawn = []
@@ -65,14 +65,16 @@ def test_a_hidden_plot_is_drawn_once_when_it_is_seen(
     driver.bot.wait(100)
     assert len(drawn) == 1
     panel.plot.setCurrentIndex(0)
-    whole = panel.canvas.picture().toImage()  # what is copied does not wait
+    whole = panel.canvas.picture().toImage()  # a copied picture is drawn at once
     assert len(drawn) == 2
     driver.bot.wait(100)
     assert len(drawn) == 2
     assert panel.canvas.grab().toImage() == whole
 
 
-def test_a_bar_is_read_off_under_the_mouse(driver: Driver, panel: HistogramsPanel) -> None:
+def test_the_values_of_a_bar_are_shown_under_the_mouse(
+    driver: Driver, panel: HistogramsPanel
+) -> None:
     panel.canvas.draw()
     axes = panel.canvas.figure.axes[0]
     drawn = axes.patches[2].get_data()  # after
@@ -85,7 +87,7 @@ def test_a_bar_is_read_off_under_the_mouse(driver: Driver, panel: HistogramsPane
 
 
 @pytest.mark.parametrize("lengths", ["metres", "feet"])
-def test_distances_at_a_height_and_a_range_are_read_off_under_the_mouse(
+def test_distances_by_height_and_range_are_shown_under_the_mouse(
     panel: HistogramsPanel, lengths: str
 ) -> None:
     units.set_units("degrees", lengths)
@@ -103,7 +105,7 @@ def test_distances_at_a_height_and_a_range_are_read_off_under_the_mouse(
         units.set_units("degrees", "metres")
 
 
-def test_the_wheel_shows_finer_bars_and_a_double_click_all_again(
+def test_the_wheel_zooms_to_finer_bars_and_a_double_click_resets(
     driver: Driver, panel: HistogramsPanel
 ) -> None:
     panel.canvas.draw()
@@ -120,7 +122,7 @@ def test_the_wheel_shows_finer_bars_and_a_double_click_all_again(
     assert axes.get_xlim() == whole
 
 
-def test_the_shares_of_all_points_make_one(panel: HistogramsPanel) -> None:
+def test_the_shares_of_all_bars_sum_to_one(panel: HistogramsPanel) -> None:
     panel.plot.setCurrentIndex(1)
     for patch in panel.canvas.figure.axes[0].patches:
         bars = patch.get_data()
@@ -154,7 +156,9 @@ def test_numbers_and_picture_are_copied(
     assert f"{1000 * height.median_after[first]:.3f}" in text
 
 
-def test_pairs_of_lines_stand_beside_the_plane(panel: HistogramsPanel, validated: Project) -> None:
+def test_pairs_of_lines_are_listed_beside_the_plane(
+    panel: HistogramsPanel, validated: Project
+) -> None:
     pairs = validated.validation[0].pairs
     assert panel.pairs.rowCount() == len(pairs)
     names = panel.pairs.item(0, 0).text()

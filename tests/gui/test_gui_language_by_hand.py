@@ -1,4 +1,4 @@
-"""Another language, chosen in the settings by mouse and keyboard alone, and the former again."""
+"""Tests of changing the language in the settings by mouse and keyboard alone."""
 
 from pathlib import Path
 
@@ -19,16 +19,16 @@ from lispac.gui.features.preferences.settings_dialog import SettingsDialog
 from tests.gui.by_hand import Hands, choose, open_by_keys, open_menu, rename, shows_something
 from tests.gui.support import Control, Demo, Key, Left, click, press
 
-TABS = 40
-"""More than there are fields on the page."""
+MAX_TABS = 40
+"""More than the fields of the page."""
 
 
 def speak_by_keys(hands: Hands, menu: str, entry: str, wanted: str) -> None:
-    """Choose a language in the settings: the menu by mouse, the box by keys, and Keep."""
+    """Choose a language in the settings: menu by mouse, choice and Keep by keys."""
 
     def act(dialog: SettingsDialog) -> bool:
         box = dialog.language
-        for _ in range(TABS):
+        for _ in range(MAX_TABS):
             if box.hasFocus():
                 break
             hands.bot.keyClick(QApplication.focusWidget(), Key.Key_Tab)
@@ -41,14 +41,14 @@ def speak_by_keys(hands: Hands, menu: str, entry: str, wanted: str) -> None:
         hands.bot.mouseClick(dialog.keep, Left)
         return True
 
-    hands.answers.foresee(SettingsDialog, act)
+    hands.answers.expect(SettingsDialog, act)
     choose(hands.bot, open_menu(hands.bot, hands.window, menu), entry)
     hands.answered()
     hands.to_next_window()
 
 
 def dialog_texts(dialog: QFileDialog) -> set[str]:
-    """Labels, buttons, heads of columns and kinds of the first rows of a file dialogue."""
+    """Labels, buttons, column headings and file types of the first rows of a file dialogue."""
     tree = dialog.findChild(QTreeView)
     model, root = tree.model(), tree.rootIndex()
     heads = {model.headerData(k, Qt.Orientation.Horizontal) for k in range(model.columnCount())}
@@ -58,7 +58,7 @@ def dialog_texts(dialog: QFileDialog) -> set[str]:
 
 
 def words(menu: QMenu | QMenuBar) -> list[str]:
-    """Of the entries, and of the menus below."""
+    """Texts of the entries of a menu and its submenus."""
     found = []
     for action in menu.actions():
         found.append(action.text().replace("&", ""))
@@ -68,7 +68,7 @@ def words(menu: QMenu | QMenuBar) -> list[str]:
 
 
 @pytest.mark.long
-def test_the_language_is_chosen_and_chosen_back(
+def test_the_language_is_changed_and_changed_back(
     hands: Hands, demo: Demo, picked_folder: Path, tmp_path: Path
 ) -> None:
     kept = tmp_path / "settings.ini"
@@ -106,14 +106,14 @@ def test_file_dialogues_are_in_the_language_of_the_window(
     def inspect_dialog(dialog: QFileDialog) -> bool:
         dialog.setDirectory(str(tmp_path))
         if not {"Folder", "Dossier"} & dialog_texts(dialog):
-            return False  # Qt looks into the folder in a thread of its own
+            return False  # Qt reads the folder in its own thread
         seen.append(dialog_texts(dialog))
         dialog.grab().save(str(tmp_path / f"files-{len(seen)}.png"))
         hands.bot.keyClick(dialog, Key.Key_Escape)
         return True
 
     def ask() -> None:
-        hands.answers.foresee(QFileDialog, inspect_dialog)
+        hands.answers.expect(QFileDialog, inspect_dialog)
         press(hands, Key.Key_O, Control)
         hands.answered()
 

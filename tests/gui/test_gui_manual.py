@@ -1,4 +1,4 @@
-"""Help > Manual: the page that the browser is given."""
+"""Tests of Help > Manual: the page that is opened, and the tables of fields and keys."""
 
 from pathlib import Path
 
@@ -14,12 +14,12 @@ from tests.manual_tables import folder, tables
 
 @pytest.fixture(scope="module")
 def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where the manual is built by the first who asks, in all its languages."""
+    """Cache folder, in which the first test builds the manual in all languages."""
     return tmp_path_factory.mktemp("cache")
 
 
 @pytest.mark.parametrize("spoken", ["en", "fr"])
-def test_it_is_opened_in_the_language_of_the_window(
+def test_the_manual_is_opened_in_the_language_of_the_window(
     driver: Driver, spoken: str, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     opened: list[QUrl] = []
@@ -45,10 +45,10 @@ def test_it_is_opened_in_the_language_of_the_window(
 
 
 @pytest.mark.parametrize("spoken", ["en", "fr"])
-def test_its_tables_are_those_of_the_window_and_the_readers(
+def test_the_tables_of_the_manual_agree_with_window_and_readers(
     qapp: QApplication, spoken: str
 ) -> None:
-    """After a change of fields or options: python -m tests.manual_tables."""
+    """Update the tables after a change of fields or options: python -m tests.manual_tables."""
     kept = {file.name: file.read_text(encoding="utf-8") for file in folder(spoken).iterdir()}
     made = tables(spoken)
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

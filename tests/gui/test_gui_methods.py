@@ -1,4 +1,4 @@
-"""Other methods beside the targets, in the window."""
+"""Tests of the dialogue that compares alternative methods with the targets."""
 
 from dataclasses import replace
 
@@ -13,12 +13,12 @@ from lispac.messages import note
 from lispac.workflow.calibration import method_runs
 from lispac.workflow.calibration.method_runs import adjust_natural_planes
 from tests.gui.support import Driver, Left, wait_until_idle
-from tests.gui.test_gui_studies import answered
+from tests.gui.test_gui_studies import answer_next_dialog
 from tests.gui.test_gui_warnings import listed
 
 
 def result_of_the_scene(project, _survey, *, progress) -> AlternativeResult:
-    """Nearly what the targets say; how it is found is tested elsewhere and takes a while."""
+    """Stand-in for the slow targetless method: roll is 0.5 deg off the result of the targets."""
     progress(0.5, "Matching the lines: iteration 1")
     result = project.result
     turned = result.boresight + np.radians([0.5, 0.0, 0.0])
@@ -33,7 +33,7 @@ def result_of_the_scene(project, _survey, *, progress) -> AlternativeResult:
     )
 
 
-def test_the_missing_ones_are_asked_and_kept_as_one_step(
+def test_missing_methods_are_run_and_stored_as_one_undo_step(
     adjusted: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[str] = []
@@ -59,7 +59,7 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
         adjusted.bot.mouseClick(dialog.run_missing, Left)
 
     compare(adjusted)
-    answered(adjusted, first)
+    answer_next_dialog(adjusted, first)
 
     def second(dialog: MethodsDialog) -> None:
         assert isinstance(dialog, MethodsDialog)
@@ -73,7 +73,7 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
         assert "natural surfaces: 30." in words
         assert not dialog.run_missing.isEnabled()
 
-    answered(adjusted, second)
+    answer_next_dialog(adjusted, second)
     wait_until_idle(adjusted)
     assert asked == ["natural planes", "targetless", "patch test"]
     assert [each.method for each in adjusted.project.alternative_results] == [
@@ -82,18 +82,18 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
     ]
     assert adjusted.window.document.undo_stack.undoText() == "results of alternative methods"
     assert adjusted.project.result is before.result
-    # It is told among the warnings, and taken back in one step.
+    # The difference is listed among the warnings, and one undo removes the results.
     assert "report.methods_differ" in {each.code for each in listed(adjusted)}
     adjusted.window.document.undo_stack.undo()
     assert adjusted.project.alternative_results == ()
 
 
 def compare(driver: Driver) -> None:
-    """The dialogue comes up within the click, which would wait for it."""
+    """Open the dialogue from the event loop, because the action blocks until it is closed."""
     QTimer.singleShot(0, driver.window.actions_["methods"].trigger)
 
 
-def test_what_a_method_cannot_answer_is_reported(
+def test_a_method_without_a_result_is_reported(
     adjusted: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(_project, _survey, method, *, progress):
@@ -102,7 +102,7 @@ def test_what_a_method_cannot_answer_is_reported(
     monkeypatch.setattr(method_runs, "run_method", refuse)
     before = adjusted.project
     compare(adjusted)
-    answered(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.run_missing, Left))
+    answer_next_dialog(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.run_missing, Left))
 
     def inspect_dialog(dialog: MethodsDialog) -> None:
         assert (
@@ -111,9 +111,9 @@ def test_what_a_method_cannot_answer_is_reported(
         )
         assert not dialog.run_missing.isEnabled()
 
-    answered(adjusted, inspect_dialog)
+    answer_next_dialog(adjusted, inspect_dialog)
     assert adjusted.project is before
 
 
-def test_without_lines_there_is_nothing_to_compare(driver: Driver) -> None:
+def test_methods_cannot_be_compared_without_lines(driver: Driver) -> None:
     assert not driver.window.actions_["methods"].isEnabled()

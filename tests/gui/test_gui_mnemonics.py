@@ -1,4 +1,4 @@
-"""Every letter of a menu leads to one entry, in both languages."""
+"""Tests that the mnemonics of each menu are unique, in both languages."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -14,36 +14,36 @@ from tests.gui.support import Demo, Driver
 
 @pytest.fixture(params=LANGUAGES)
 def code(request: pytest.FixtureRequest) -> Iterator[str]:
-    """A language, spoken while the window is made."""
+    """Code of a language, which is set while the window is made."""
     set_language(request.param)
     yield request.param
     set_language("en")
 
 
 def mnemonic(text: str) -> str:
-    """The letter after the first single &; empty where there is none."""
+    """Letter after the first single &; empty if there is none."""
     at = text.replace("&&", "  ").find("&")
     return text[at + 1 : at + 2].lower() if at >= 0 else ""
 
 
-def twice(menu: QMenu | QMenuBar, name: str) -> list[str]:
-    """Letters that are there more than once, here and below."""
+def repeated_mnemonics(menu: QMenu | QMenuBar, name: str) -> list[str]:
+    """Mnemonics that occur more than once in a menu or in one of its submenus."""
     texts = [action.text() for action in menu.actions() if action.text()]
     letters = Counter(letter for text in texts if (letter := mnemonic(text)))
     found = [f"{name}: {letter} {texts}" for letter, count in letters.items() if count > 1]
     for action in menu.actions():
         if action.menu() is not None:
-            found += twice(action.menu(), f"{name} > {action.text()}")
+            found += repeated_mnemonics(action.menu(), f"{name} > {action.text()}")
     return found
 
 
-def test_no_letter_is_there_twice(code: str, driver: Driver, demo: Demo) -> None:
+def test_no_mnemonic_occurs_twice(code: str, driver: Driver, demo: Demo) -> None:
     driver.window.document.open(demo.picked, demo.survey)
     driver.window.controller.rename("T1", "North wall")
     driver.rest()
     bar = driver.window.menuBar()
     assert len(bar.actions()) >= 7
-    assert twice(bar, "main") == []
+    assert repeated_mnemonics(bar, "main") == []
     design = opened_by_keys(driver)
     design.workspace.add_line()
-    assert twice(design.menuBar(), "design") == []
+    assert repeated_mnemonics(design.menuBar(), "design") == []

@@ -1,4 +1,4 @@
-"""A monkey at the window finds no exception, no stall and no growth, and leaves nothing behind."""
+"""Monkey tests of the window: no exception, no memory growth, nothing left behind."""
 
 import json
 import os
@@ -16,12 +16,12 @@ from tests.gui.support import Demo
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 WARMING_S = 120
-"""To start, to bring the program to rest twice, and to end, on busy processors."""
-GROWTH = 1.10
+"""Time for starting, for both memory measurements and for closing, on busy processors."""
+MAX_GROWTH = 1.10
 
 
-def seen(project: Path, folder: Path, seed: int, seconds: int) -> dict[str, Any]:
-    """Let the monkey play in a process of its own."""
+def run_monkey(project: Path, folder: Path, seed: int, seconds: int) -> dict[str, Any]:
+    """Run the monkey in its own process and return its findings."""
     run = subprocess.run(
         [sys.executable, "-m", "tests.gui.monkey", str(project), str(folder),
          "--seed", str(seed), "--seconds", str(seconds)],
@@ -39,15 +39,15 @@ def base(demo: Demo, demo_copy: Path) -> Path:
     """A project with picked targets, on the disk."""
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
-    # With the raw files of its own folder, for the monkey's cage gets copies of it
+    # It refers to the raw files in its own folder, because the monkey works on copies of the folder
     save_project(replace(open_project(demo_copy), targets=demo.picked.targets))
     return demo_copy
 
 
 @pytest.mark.timeout(60 + 2 * WARMING_S)
-def test_a_minute_of_anything(base: Path, tmp_path: Path) -> None:
-    """Stalls are printed: how long computing takes on shared processors is no matter of a test."""
-    found = seen(base, tmp_path / "cage", seed=1, seconds=60)
+def test_a_minute_of_random_actions(base: Path, tmp_path: Path) -> None:
+    """Stalls are only printed, because computing times on shared processors vary."""
+    found = run_monkey(base, tmp_path / "cage", seed=1, seconds=60)
     assert sum(found["done"].values()) > 100, "it hardly did anything"
     assert found["exceptions"] == []
     assert found["left"] == []
@@ -55,13 +55,13 @@ def test_a_minute_of_anything(base: Path, tmp_path: Path) -> None:
 
 @pytest.mark.long
 @pytest.mark.timeout(600 + 2 * WARMING_S)
-def test_ten_minutes_of_anything(base: Path, tmp_path: Path) -> None:
-    found = seen(base, tmp_path / "cage", seed=2, seconds=600)
+def test_ten_minutes_of_random_actions(base: Path, tmp_path: Path) -> None:
+    found = run_monkey(base, tmp_path / "cage", seed=2, seconds=600)
     assert sum(found["done"].values()) > 1000
     assert found["exceptions"] == []
     assert found["stalls"] == []
     assert found["left"] == []
-    # Each library is loaded when it is first needed, so the first minutes are no measure
+    # Libraries are loaded when first needed, so memory is compared after the first minutes
     course = found["course_mb"]
     third = len(course) // 3
-    assert max(course[-third:]) < GROWTH * max(course[third : 2 * third])
+    assert max(course[-third:]) < MAX_GROWTH * max(course[third : 2 * third])

@@ -1,4 +1,4 @@
-"""The sketch of the mounting: what is typed is drawn on the side where georeferencing puts it."""
+"""Tests of the sketch of the mounting: signs and axes agree with the georeferencing."""
 
 import numpy as np
 import pytest
@@ -22,13 +22,13 @@ from tests.gui.support import Driver, open_step, type_into
 
 RIGHT_UP = {"above": (lambda n, w, u: -w, lambda n, w, u: n),
             "starboard": (lambda n, w, u: n, lambda n, w, u: u)}  # fmt: skip
-"""Right and up of a picture for a vessel that lies level with its bow to the north."""
+"""Right and up of each view from north, west, up, for a level vessel heading north."""
 
 
 def placed(lever_arm, boresight_deg) -> np.ndarray:
-    """The scanner's centre and the tips of its axes, (4, 3): north, west, up of the POS centre.
+    """Scanner centre and tips of its axes by the georeferencing, shape (4, 3).
 
-    By the georeferencing, of a vessel that lies level at the origin with its bow to the north.
+    Offsets north, west and up from the POS centre, for a level vessel heading north.
     """
     points = np.vstack([np.zeros(3), np.eye(3)])
     level = Poses(np.zeros((4, 3)), np.zeros((4, 3)))
@@ -36,13 +36,13 @@ def placed(lever_arm, boresight_deg) -> np.ndarray:
 
 
 def offsets(sketch: MountingSketch, view: str) -> np.ndarray:
-    """Of the scanner from the POS centre as drawn, metres to the right and up."""
+    """Drawn offset of the scanner from the POS centre, metres to the right and up."""
     way = sketch.pixel_of(view, sketch.lever_arm) - sketch.pixel_of(view, (0.0, 0.0, 0.0))
     return np.array([way.x(), -way.y()]) / sketch.pixels_per_metre
 
 
 def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray:
-    """Middle of the scanner's dot in the picture, pixels from the POS centre, right and up."""
+    """Drawn centre of the scanner's dot, pixels to the right and up of the POS centre."""
     picture = sketch.grab().toImage()
     wanted = QColor(colour)
     half = picture.width() // 2
@@ -62,7 +62,7 @@ def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray
 
 
 def typed(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketch:
-    """By keys, without Enter."""
+    """Type lever arm and boresight without Enter, and return the sketch."""
     open_step(driver, 0)
     data = driver.window.data
     for field, text in zip((*data.lever_arm.fields, *data.boresight.fields),
@@ -80,7 +80,9 @@ def typed(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketc
     [("1.2", "0.35", "2.1"), ("-1.2", "0.35", "2.1"), ("1.2", "-0.35", "2.1"),
      ("1.2", "0.35", "-2.1"), ("-0.24", "-0.9", "1.5")],
 )  # fmt: skip
-def test_what_is_typed_is_drawn_where_georeferencing_puts_it(opened: Driver, lever_arm) -> None:
+def test_a_typed_lever_arm_is_drawn_where_georeferencing_places_it(
+    opened: Driver, lever_arm
+) -> None:
     sketch = typed(opened, lever_arm)
     north, west, up = placed([float(each) for each in lever_arm], (0.0, 0.0, 0.0))[0]
     for view in VIEWS:
@@ -89,10 +91,10 @@ def test_what_is_typed_is_drawn_where_georeferencing_puts_it(opened: Driver, lev
         colour = theme.WARNING if up < -1 else theme.ACCENT
         dot = dot_in_picture(sketch, view, colour) / sketch.pixels_per_metre
         assert dot == pytest.approx([right, above], abs=1.6 / sketch.pixels_per_metre)
-    assert opened.window.data.apply.isEnabled()  # nothing was taken over meanwhile
+    assert opened.window.data.apply.isEnabled()  # the typed values are not applied yet
 
 
-def test_a_changed_sign_goes_to_the_other_side_as_it_is_typed(opened: Driver) -> None:
+def test_a_changed_sign_moves_the_scanner_to_the_other_side_while_typing(opened: Driver) -> None:
     sketch = typed(opened, ("0.5", "1.2", "2"))
     port = dot_in_picture(sketch, "above", theme.ACCENT)
     field = opened.window.data.lever_arm.fields[1]
@@ -112,9 +114,7 @@ def test_a_changed_sign_goes_to_the_other_side_as_it_is_typed(opened: Driver) ->
     "boresight", [(0.0, 0.0, 90.0), (0.0, 90.0, 0.0), (90.0, 0.0, 0.0), (180.0, 0.0, 0.0),
                   (35.0, -60.0, 120.0)]
 )  # fmt: skip
-def test_the_scanners_axes_point_where_georeferencing_points_them(
-    opened: Driver, boresight
-) -> None:
+def test_the_drawn_scanner_axes_agree_with_the_georeferencing(opened: Driver, boresight) -> None:
     sketch = typed(opened, ("1", "0.4", "2"), [str(each) for each in boresight])
     assert sketch.factor == 1
     local = placed((1.0, 0.4, 2.0), boresight)
@@ -125,13 +125,13 @@ def test_the_scanners_axes_point_where_georeferencing_points_them(
             start, tip = sketch.axis_ends(view, axis)
             drawn.append((tip.x() - start.x(), start.y() - tip.y()))
             wanted.append([way(north, west, up) for way in RIGHT_UP[view]])
-    pixels = np.vdot(drawn, wanted) / np.vdot(wanted, wanted)  # of an axis that is seen whole
+    pixels = np.vdot(drawn, wanted) / np.vdot(wanted, wanted)  # of an axis in the picture plane
     assert pixels > 15
     assert np.array(drawn) == pytest.approx(pixels * np.array(wanted), abs=1e-9)
 
 
-def test_a_small_turn_is_drawn_to_its_own_side(opened: Driver) -> None:
-    """Shown larger, but a turn to starboard still goes to starboard."""
+def test_a_small_rotation_is_drawn_in_its_direction(opened: Driver) -> None:
+    """The rotation is exaggerated, but a turn to starboard is still drawn to starboard."""
     for yaw in ("0.4", "-0.4"):
         sketch = typed(opened, ("1", "0", "2"), ("0", "0", yaw))
         assert sketch.factor > 1
@@ -141,7 +141,7 @@ def test_a_small_turn_is_drawn_to_its_own_side(opened: Driver) -> None:
         assert abs(tip.x() - start.x()) > 2
 
 
-def test_on_a_low_screen_it_is_seen_beside_the_field(opened: Driver) -> None:
+def test_the_sketch_is_visible_beside_the_field_on_a_low_screen(opened: Driver) -> None:
     opened.window.resize(1366, 768)
     sketch = typed(opened, ("1", "0.4", "2"))
     area = opened.window.workflow.findChild(QScrollArea)
@@ -155,7 +155,7 @@ def test_on_a_low_screen_it_is_seen_beside_the_field(opened: Driver) -> None:
     assert not field.visibleRegion().isEmpty()
 
 
-def test_a_scanner_far_below_is_a_warning(opened: Driver) -> None:
+def test_a_scanner_far_below_gives_a_warning(opened: Driver) -> None:
     view = opened.window.data.mounting
     typed(opened, ("1.2", "0.35", "-2.1"))
     assert view.warnings_label.isVisible()
@@ -166,7 +166,7 @@ def test_a_scanner_far_below_is_a_warning(opened: Driver) -> None:
 
 
 @pytest.mark.parametrize(("height", "lever_arm"), [(768, "-2.1"), (1000, "-2.1"), (768, "-42")])
-def test_a_warning_is_fully_visible_while_it_is_typed(opened: Driver, height, lever_arm) -> None:
+def test_a_warning_is_fully_visible_while_typing(opened: Driver, height, lever_arm) -> None:
     opened.window.resize(1366, height)
     view, field = opened.window.data.mounting, opened.window.data.lever_arm.fields[2]
     typed(opened, ("1.2", "0.35", "2.1"))
@@ -176,7 +176,7 @@ def test_a_warning_is_fully_visible_while_it_is_typed(opened: Driver, height, le
 
 
 def is_whole(widget: QWidget) -> bool:
-    """Whether all of it is in sight, and high enough for its words."""
+    """Whether a widget is entirely visible and high enough for its text."""
     return (
         widget.isVisible()
         and widget.visibleRegion().boundingRect() == widget.rect()
@@ -184,7 +184,7 @@ def is_whole(widget: QWidget) -> bool:
     )
 
 
-def test_reverting_draws_what_is_in_use(opened: Driver) -> None:
+def test_reverting_draws_the_applied_lever_arm(opened: Driver) -> None:
     in_use = opened.project.settings.lever_arm
     sketch = typed(opened, ("1.2", "0.35", "2.1"))
     opened.bot.mouseClick(opened.window.data.revert, Qt.MouseButton.LeftButton)
@@ -192,7 +192,7 @@ def test_reverting_draws_what_is_in_use(opened: Driver) -> None:
 
 
 @pytest.mark.parametrize("size", [(262, 220), (330, 220), (620, 220)])
-def test_everything_stays_inside_at_every_size(qtbot, size) -> None:
+def test_the_sketch_stays_inside_its_widget_at_every_size(qtbot, size) -> None:
     sketch = MountingSketch()
     qtbot.addWidget(sketch)
     sketch.resize(*size)
@@ -205,7 +205,7 @@ def test_everything_stays_inside_at_every_size(qtbot, size) -> None:
                 assert 0 < dot.y() - 5 < dot.y() + 5 < size[1]
 
 
-def test_distances_are_in_the_unit_shown() -> None:
+def test_distances_are_in_the_chosen_unit() -> None:
     assert length_with_unit(2.1, ".2f") == "2.10\u00a0m"
     units.set_units("degrees", "feet")
     try:
@@ -214,7 +214,7 @@ def test_distances_are_in_the_unit_shown() -> None:
         units.set_units("degrees", "metres")
 
 
-def test_the_import_dialogue_draws_it_too(filled: ImportDialog, qtbot) -> None:
+def test_the_import_dialogue_also_draws_the_sketch(filled: ImportDialog, qtbot) -> None:
     page = filled.mounting
     page.lever_arm.fields[1].setFocus()
     page.lever_arm.fields[1].selectAll()

@@ -1,4 +1,4 @@
-"""Texts of files are shown as text, whatever they look like."""
+"""Tests that texts from files are shown as plain text, even if they look like HTML."""
 
 import re
 
@@ -19,7 +19,7 @@ def is_plain(label: QLabel) -> bool:
     return label.textFormat() == Qt.TextFormat.PlainText
 
 
-def test_labels_and_boxes_show_names_as_they_are(qtbot: QtBot) -> None:
+def test_labels_and_message_boxes_show_plain_text(qtbot: QtBot) -> None:
     label = widgets.label()
     box = widgets.MessageBox(QMessageBox.Icon.Question, "LISPAC", PICTURE)
     box.setInformativeText(PICTURE)
@@ -33,7 +33,7 @@ def test_labels_and_boxes_show_names_as_they_are(qtbot: QtBot) -> None:
         assert all(map(is_plain, shown))
 
 
-def test_no_label_of_the_window_guesses(adjusted: Driver) -> None:
+def test_no_label_of_the_window_guesses_its_text_format(adjusted: Driver) -> None:
     assert labels_that_guess(adjusted.window) == []
     plain = [label for label in adjusted.window.findChildren(QLabel) if is_plain(label)]
     assert len(plain) > 50
@@ -41,7 +41,7 @@ def test_no_label_of_the_window_guesses(adjusted: Driver) -> None:
 
 
 @pytest.mark.parametrize("text", [PICTURE, "<b>L1</b>\nsecond", "plain & simple", "a < b"])
-def test_tooltips_load_nothing(text: str) -> None:
+def test_tooltips_escape_html(text: str) -> None:
     tip = widgets.plain_tip(text)
     if Qt.mightBeRichText(text):
         assert "<img" not in tip

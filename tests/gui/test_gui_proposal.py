@@ -1,4 +1,4 @@
-"""Targets proposed, and a target found again, through the real dialogues."""
+"""Tests of proposed targets, and of finding a target again, with the real dialogues."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -24,17 +24,18 @@ from lispac.workflow.calibration.proposal_acceptance import (
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from tests.gui.support import Demo, Driver, Left, click, open_step
 
-TARGETS = 1
+TARGETS_STEP = 1
+"""Index of the step of the workflow."""
 
 
 @pytest.fixture(scope="module")
 def proposal(demo: Demo) -> Proposal:
-    """What is proposed for the demo."""
+    """Proposed targets of the demo."""
     return propose_targets(demo.project, demo.survey)
 
 
-def answered(driver: Driver, answer: Callable[[QDialog], None]) -> None:
-    """Let a hand answer the next dialogue."""
+def answer_next_dialog(driver: Driver, answer: Callable[[QDialog], None]) -> None:
+    """Call ``answer`` with the next modal dialogue."""
 
     def inspect_window() -> None:
         dialog = QApplication.activeModalWidget()
@@ -50,8 +51,8 @@ def press(driver: Driver, dialog: QDialog, name: str) -> None:
     driver.bot.mouseClick(dialog.findChild(QPushButton, name), Left)
 
 
-def test_proposed_accepted_in_part_and_undone_in_one_step(opened: Driver) -> None:
-    open_step(opened, TARGETS)
+def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Driver) -> None:
+    open_step(opened, TARGETS_STEP)
     before = opened.project
     seen = []
 
@@ -63,7 +64,7 @@ def test_proposed_accepted_in_part_and_undone_in_one_step(opened: Driver) -> Non
         table.item(0, 0).setCheckState(Qt.CheckState.Unchecked)
         press(opened, dialog, "accept_proposal")
 
-    answered(opened, answer)
+    answer_next_dialog(opened, answer)
     click(opened, opened.window.targets.propose)
     assert opened.window.runner.busy
     assert not opened.window.targets.propose.isEnabled()
@@ -79,8 +80,8 @@ def test_proposed_accepted_in_part_and_undone_in_one_step(opened: Driver) -> Non
     assert opened.project is before
 
 
-def test_the_return_key_accepts_what_is_proposed(opened: Driver, proposal: Proposal) -> None:
-    """Work of a minute is not to be thrown away by the key that says yes everywhere else."""
+def test_the_return_key_accepts_the_proposed_targets(opened: Driver, proposal: Proposal) -> None:
+    """Enter accepts, as in other dialogues; rejecting would discard a minute of work."""
     dialog = ProposedTargetsDialog(proposal)
     with opened.bot.waitExposed(dialog):
         dialog.open()
@@ -100,9 +101,9 @@ def test_the_tab_key_leads_out_of_every_table(opened: Driver) -> None:
 
 
 def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> None:
-    open_step(opened, TARGETS)
+    open_step(opened, TARGETS_STEP)
     before = opened.project
-    answered(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
+    answer_next_dialog(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
     click(opened, opened.window.targets.propose)
     opened.rest()
     assert opened.project is before
@@ -115,7 +116,7 @@ def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> Non
     assert opened.window.targets.propose.isEnabled()
 
 
-def test_what_is_picked_is_not_proposed_and_names_stay_apart(
+def test_existing_targets_are_not_proposed_and_names_are_unique(
     demo: Demo, proposal: Proposal
 ) -> None:
     left = without_picked_surfaces(demo.picked, proposal)
@@ -142,7 +143,7 @@ def test_what_is_picked_is_not_proposed_and_names_stay_apart(
         (9, "all suitable surfaces are already targets: A1, A2"),
     ],
 )
-def test_the_head_says_what_the_sigmas_are_of(
+def test_the_heading_names_the_targets_of_the_sigmas(
     qtbot, demo: Demo, proposal: Proposal, known: int, words: str
 ) -> None:
     targets = [target for target in proposal.targets if target.role == "target"][:known]
@@ -156,7 +157,7 @@ def test_the_head_says_what_the_sigmas_are_of(
     assert names[0] == ("V1" if known == 9 else "T1")
 
 
-def test_nothing_ticked_cannot_be_accepted(qtbot, proposal: Proposal) -> None:
+def test_a_proposal_with_nothing_ticked_cannot_be_accepted(qtbot, proposal: Proposal) -> None:
     dialog = ProposedTargetsDialog(proposal)
     qtbot.addWidget(dialog)
     for row in range(dialog.table.rowCount()):
@@ -166,21 +167,21 @@ def test_nothing_ticked_cannot_be_accepted(qtbot, proposal: Proposal) -> None:
 
 
 def again(driver: Driver, threshold_mm: float, radius: float) -> Project:
-    """Find the selected target again by the menu."""
+    """Find the selected target again with the menu, and return the project."""
 
     def answer(dialog: QDialog) -> None:
         dialog.findChild(QDoubleSpinBox, "again_threshold").setValue(threshold_mm)
         dialog.findChild(QDoubleSpinBox, "again_radius").setValue(radius)
         press(driver, dialog, "again_find")
 
-    answered(driver, answer)
+    answer_next_dialog(driver, answer)
     driver.window.actions_["find_again"].trigger()
     driver.rest()
     return driver.project
 
 
-def test_found_again_with_other_settings(picked: Driver) -> None:
-    open_step(picked, TARGETS)
+def test_a_target_is_found_again_with_other_settings(picked: Driver) -> None:
+    open_step(picked, TARGETS_STEP)
     picked.window.targets.table.clearSelection()
     assert not picked.window.actions_["find_again"].isEnabled()
     line = picked.project.target("T1").sightings[0].line
@@ -189,7 +190,7 @@ def test_found_again_with_other_settings(picked: Driver) -> None:
     picked.window.targets.select("T1")
     picked.bot.waitUntil(picked.window.actions_["find_again"].isEnabled)
     before = picked.project
-    assert again(picked, 15, 1.5) is before  # offered, not taken
+    assert again(picked, 15, 1.5) is before  # a candidate, not accepted yet
     candidate = picked.window.controller.candidate
     assert (candidate.threshold, candidate.radius) == (0.015, 1.5)
     click(picked, picked.window.targets.candidate.accept)

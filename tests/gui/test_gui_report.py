@@ -1,4 +1,4 @@
-"""The report from the window: its details, how it is wanted, and its preview."""
+"""Tests of the report in the window: details, options, preview and pictures."""
 
 import re
 from pathlib import Path
@@ -22,10 +22,11 @@ from lispac.gui.widgets import ChoiceBox
 from lispac.identity import FIELD_NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
-from tests.gui.test_gui_seed_coordinates import hand
+from tests.gui.test_gui_seed_coordinates import answer_next_dialog
 from tests.message_codes import is_shown
 
-REPORT = 4
+REPORT_STEP = 4
+"""Index of the step of the workflow."""
 
 
 def field(dialog: QWidget, name: str) -> QLineEdit | QPlainTextEdit:
@@ -36,14 +37,14 @@ def field(dialog: QWidget, name: str) -> QLineEdit | QPlainTextEdit:
 
 def test_details_are_one_undo_step(adjusted: Driver) -> None:
     before = adjusted.project
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
 
     def answer(dialog: QWidget) -> None:
         for name in FIELD_NAMES:
             type_into(adjusted, field(dialog, name), f"the {name}")
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "identity_keep"), Left)
 
-    hand(adjusted, answer)
+    answer_next_dialog(adjusted, answer)
     click(adjusted, adjusted.window.report.details)
     assert [getattr(adjusted.project.identity, name) for name in FIELD_NAMES] == [
         f"the {name}" for name in FIELD_NAMES
@@ -55,7 +56,7 @@ def test_details_are_one_undo_step(adjusted: Driver) -> None:
     assert adjusted.project is before
 
 
-def test_what_is_wrong_is_reported_and_cancel_changes_nothing(opened: Driver) -> None:
+def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver) -> None:
     open_step(opened, 0)
     before = opened.project
 
@@ -75,14 +76,14 @@ def test_what_is_wrong_is_reported_and_cancel_changes_nothing(opened: Driver) ->
         assert field(dialog, "dates").text() == ""
         opened.bot.keyClick(dialog, Key.Key_Escape)
 
-    hand(opened, answer)
+    answer_next_dialog(opened, answer)
     click(opened, opened.window.data.details)
     assert opened.project is before
     assert opened.window.document.undo_stack.count() == 0
 
 
 def choose(driver: Driver, box: ChoiceBox, index: int) -> None:
-    """Open the list and take an entry by the keyboard."""
+    """Choose an entry of a list with the keys."""
     box.setFocus()
     driver.bot.keyClick(box, Key.Key_Home)
     for _ in range(index):
@@ -90,10 +91,8 @@ def choose(driver: Driver, box: ChoiceBox, index: int) -> None:
     assert box.currentIndex() == index
 
 
-def test_page_convention_and_template_reach_the_file_and_are_remembered(
-    adjusted: Driver, tmp_path: Path
-) -> None:
-    open_step(adjusted, REPORT)
+def test_page_convention_and_template_are_used_and_stored(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT_STEP)
     panel = adjusted.window.report
     template = tmp_path / "own.toml"
     template.write_text('heading = "Order 4711"\npage = "letter"\nconvention = "qinsy"\n')
@@ -107,10 +106,10 @@ def test_page_convention_and_template_reach_the_file_and_are_remembered(
     click(adjusted, panel.report)
     adjusted.rest()
     assert adjusted.dialogs.errors == []
-    header = adjusted.window.workflow.headers[REPORT].sentence
+    header = adjusted.window.workflow.headers[REPORT_STEP].sentence
     assert header.text() == "exported: r.html"
     adjusted.window.controller.rename("T1", "North wall")
-    assert header.text() != "exported: r.html"  # the report tells of another project
+    assert header.text() != "exported: r.html"  # the report belongs to another state of the project
     adjusted.window.document.undo_stack.undo()
     assert header.text() == "exported: r.html"
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
@@ -129,7 +128,7 @@ def test_page_convention_and_template_reach_the_file_and_are_remembered(
 
 
 def test_a_bad_template_is_reported_at_once_and_refused(adjusted: Driver, tmp_path: Path) -> None:
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
     panel = adjusted.window.report
     adjusted.dialogs.path = tmp_path / "own.toml"
     adjusted.dialogs.path.write_text("colour = 'red'")
@@ -142,10 +141,8 @@ def test_a_bad_template_is_reported_at_once_and_refused(adjusted: Driver, tmp_pa
     assert not adjusted.window.runner.active
 
 
-def test_the_preview_shows_every_page_and_saves_what_it_shows(
-    adjusted: Driver, tmp_path: Path
-) -> None:
-    open_step(adjusted, REPORT)
+def test_the_preview_shows_and_saves_every_page(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT_STEP)
     panel = adjusted.window.report
     choose(adjusted, panel.page, 1)
     seen: list[QPixmap] = []
@@ -155,7 +152,7 @@ def test_the_preview_shows_every_page_and_saves_what_it_shows(
             label for label in dialog.findChildren(QLabel)
             if label.objectName().startswith("preview_page_")
         ]  # fmt: skip
-        assert pages[-1].pixmap().isNull()  # unpacked when it is seen
+        assert pages[-1].pixmap().isNull()  # a page is decoded when it becomes visible
         for label in pages:
             label.grab()
         seen.extend(label.pixmap() for label in pages)
@@ -173,7 +170,7 @@ def test_the_preview_shows_every_page_and_saves_what_it_shows(
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_close"), Left)
 
-    hand(adjusted, answer)
+    answer_next_dialog(adjusted, answer)
     click(adjusted, panel.preview)
     adjusted.rest()
     pdf = (tmp_path / "seen.pdf").read_bytes()
@@ -186,8 +183,8 @@ def test_the_preview_shows_every_page_and_saves_what_it_shows(
     assert adjusted.dialogs.asked == [f"{adjusted.project.name}.pdf"] * 2
 
 
-def test_a_preview_that_cannot_be_saved_says_so(adjusted: Driver, tmp_path: Path) -> None:
-    open_step(adjusted, REPORT)
+def test_a_preview_that_cannot_be_saved_is_reported(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT_STEP)
     (tmp_path / "file").write_text("")
 
     def answer(dialog: QWidget) -> None:
@@ -196,7 +193,7 @@ def test_a_preview_that_cannot_be_saved_says_so(adjusted: Driver, tmp_path: Path
         assert dialog.findChild(QLabel, "preview_message").text() == ""
         adjusted.bot.keyClick(dialog, Key.Key_Escape)
 
-    hand(adjusted, answer)
+    answer_next_dialog(adjusted, answer)
     click(adjusted, adjusted.window.report.preview)
     adjusted.rest()
     (error,) = adjusted.dialogs.errors
@@ -209,10 +206,10 @@ CAPTIONS = (
 )
 
 
-def test_both_pictures_are_there_as_soon_as_there_is_a_result(
+def test_the_report_has_pictures_before_and_after_the_estimate(
     adjusted: Driver, tmp_path: Path
 ) -> None:
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
     scene = adjusted.window.scene
     assert scene.which == "prior"
     assert not scene.has_estimated
@@ -223,7 +220,7 @@ def test_both_pictures_are_there_as_soon_as_there_is_a_result(
     assert adjusted.dialogs.errors == []
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert [text.count(f"<figcaption>{caption}<") for caption in CAPTIONS] == [1, 1]
-    # What lay in the view at each picture, and no camera moved between them
+    # Compare the clouds shown in each picture, and check that the camera does not move between them
     shown, calls = {}, adjusted.viewport.calls
     for name, arguments in calls:
         if name == "show_clouds":
@@ -234,7 +231,7 @@ def test_both_pictures_are_there_as_soon_as_there_is_a_result(
     first = next(iter(prior))
     np.testing.assert_array_equal(shown["prior"][first], prior[first])
     moved = np.linalg.norm(shown["estimated"][first] - prior[first], axis=1)
-    # The demo's boresight is wrong by some tenths of a degree, some tens of metres away
+    # The prior boresight is some tenths of a degree off, at distances of some tens of metres
     assert 0.01 < np.median(moved) < 2.0
     names = [name for name, _ in calls]
     between = names[names.index("picture") : len(names) - names[::-1].index("picture")]
@@ -242,10 +239,10 @@ def test_both_pictures_are_there_as_soon_as_there_is_a_result(
     assert scene.which == "prior"
 
 
-def test_an_edit_while_the_pictures_are_taken_ends_the_report(
+def test_an_edit_while_pictures_are_taken_cancels_the_report(
     adjusted: Driver, tmp_path: Path
 ) -> None:
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
     adjusted.window.computations.show("estimated")
     adjusted.rest()
     adjusted.dialogs.path = tmp_path / "r.html"
@@ -265,10 +262,10 @@ def test_an_edit_while_the_pictures_are_taken_ends_the_report(
 
 
 @pytest.mark.parametrize("shown", ["prior", "estimated"])
-def test_pictures_that_are_cancelled_leave_the_view_as_it_was(
+def test_cancelling_the_pictures_restores_the_view(
     adjusted: Driver, tmp_path: Path, shown: str
 ) -> None:
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
     scene, taken = adjusted.window.scene, adjusted.viewport.picture
     adjusted.window.computations.show(shown)
     adjusted.rest()
@@ -298,10 +295,10 @@ def _last_shading(adjusted: Driver):
     return next(arguments[2] for name, arguments in reversed(calls) if name == "show_clouds")
 
 
-def test_a_switch_between_the_pictures_does_not_mix_them_up(
+def test_a_change_of_view_between_the_pictures_does_not_affect_them(
     adjusted: Driver, tmp_path: Path
 ) -> None:
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
     scene, taken = adjusted.window.scene, adjusted.viewport.picture
     adjusted.dialogs.path = tmp_path / "r.html"
     seen: list[str] = []
@@ -318,8 +315,8 @@ def test_a_switch_between_the_pictures_does_not_mix_them_up(
     assert (tmp_path / "r.html").exists()
 
 
-def test_colours_mean_the_same_in_both_pictures(adjusted: Driver, tmp_path: Path) -> None:
-    open_step(adjusted, REPORT)
+def test_both_pictures_have_the_same_colour_scale(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT_STEP)
     adjusted.window.actions_["colour_residual"].trigger()
     adjusted.rest()
     adjusted.dialogs.path = tmp_path / "r.html"
@@ -332,17 +329,17 @@ def test_colours_mean_the_same_in_both_pictures(adjusted: Driver, tmp_path: Path
         elif name == "picture":
             ends["estimated" if ends else "prior"] = last.low, last.high
     assert ends["prior"] == ends["estimated"]
-    # Before it is decimetres, and a view of after alone has a scale of its own again.
+    # The residuals before are decimetres; the view of the lines after has its own scale again.
     assert float(ends["prior"][1]) > 50
     adjusted.window.scene.show("estimated")
     own = next(arguments[2] for name, arguments in reversed(calls) if name == "show_clouds")
     assert float(own.high) < float(ends["prior"][1]) / 2
 
 
-def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(
+def test_hints_and_help_are_on_the_screen_but_not_in_pictures(
     real: Driver, demo: Demo, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # How many points fit into a picture is measured with each frame, and is another each time
+    # The number of points in a picture depends on measured frame times, so it is fixed here
     monkeypatch.setattr(FrameTimes, "picture_points", property(lambda _: 20_000))
     real.window.document.open(demo.project, demo.survey)
     real.rest()
@@ -369,16 +366,16 @@ def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(
     assert (with_help != without).any()
 
 
-def test_there_is_no_preview_without_an_answer(opened: Driver) -> None:
-    open_step(opened, REPORT)
+def test_there_is_no_preview_without_a_result(opened: Driver) -> None:
+    open_step(opened, REPORT_STEP)
     assert not opened.window.report.preview.isEnabled()
 
 
 @pytest.mark.parametrize("cached", [False, True])
-def test_no_report_is_proposed_into_the_cache(
+def test_no_report_is_proposed_in_the_cache(
     adjusted: Driver, monkeypatch: pytest.MonkeyPatch, cached: bool
 ) -> None:
-    """It may be emptied at any time; a project elsewhere keeps its report beside it."""
+    """The cache may be emptied at any time; other projects keep their reports in their folders."""
     folder = adjusted.project.folder
     place = folder.parent if cached else folder / "cache"
     monkeypatch.setattr("lispac.gui.app.settings.usable_cache_folder", lambda: place)

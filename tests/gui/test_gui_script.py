@@ -1,4 +1,4 @@
-"""The script of what was done in the window, run without it."""
+"""Tests of the script of the actions done in the window, and of its run without the window."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel, QPlainTextEdit, QPushButton, QWidget
 
 from lispac.gui.features.export.dialogs import ScriptDialog
 from tests.gui.support import Control, Driver, Key, Left, press, seed
-from tests.gui.test_gui_seed_coordinates import hand
+from tests.gui.test_gui_seed_coordinates import answer_next_dialog
 from tests.script_runs import run, same_part
 
 Answer = Callable[[QWidget], None]
@@ -25,7 +25,7 @@ def shown(driver: Driver, answer: Answer = lambda dialog: None) -> str:
         found.append(dialog.findChild(QPlainTextEdit, "script_text").toPlainText())
         answer(dialog)
 
-    hand(driver, inspect_dialog)
+    answer_next_dialog(driver, inspect_dialog)
     action = driver.window.actions_["script"]
     assert action.isEnabled()
     action.trigger()
@@ -36,7 +36,7 @@ def shown(driver: Driver, answer: Answer = lambda dialog: None) -> str:
 
 
 def values_in_window(driver: Driver, path: Path) -> dict:
-    """The report in JSON that the window writes."""
+    """Comparable values of the JSON report that the window writes."""
     driver.dialogs.path = path
     press(driver, Key.Key_E, Control)
     driver.rest()
@@ -44,10 +44,8 @@ def values_in_window(driver: Driver, path: Path) -> dict:
     return same_part(path)
 
 
-def test_the_demo_run_in_the_window_is_the_script_run_without_it(
-    opened: Driver, tmp_path: Path
-) -> None:
-    """Seeds, an edit taken back, one that stays, an answer, a validation: the same JSON."""
+def test_window_and_script_give_the_same_report(opened: Driver, tmp_path: Path) -> None:
+    """The reports agree after seeds, an undone edit, a kept edit, an estimate and a validation."""
     for name in ("T1", "T2", "V1", "V2"):
         seed(opened, name)
         opened.window.controller.accept()
@@ -81,10 +79,10 @@ def test_the_demo_run_in_the_window_is_the_script_run_without_it(
 
 
 @pytest.mark.long
-def test_what_follows_from_a_click_is_reported_where_the_script_gives_another_answer(
+def test_a_difference_between_window_and_script_is_reported(
     opened: Driver,
 ) -> None:
-    """The window keeps the points selected before; the script selects them anew."""
+    """The window keeps the selected points of the former estimate; the script selects new ones."""
     for name in ("T1", "T2"):
         seed(opened, name)
         opened.window.controller.accept()
@@ -114,7 +112,7 @@ def test_there_is_no_script_without_a_project(driver: Driver) -> None:
     assert not driver.window.actions_["script"].isEnabled()
 
 
-def test_a_script_that_cannot_be_saved_says_so(opened: Driver, tmp_path: Path) -> None:
+def test_a_script_that_cannot_be_saved_is_reported(opened: Driver, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
 
     def save(dialog: QWidget) -> None:

@@ -1,4 +1,4 @@
-"""Seeds whose coordinates are typed, through the real dialogue."""
+"""Tests of the dialogue in which the coordinates of a seed are typed."""
 
 import time
 from collections.abc import Callable
@@ -14,14 +14,15 @@ from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press
 from tests.message_codes import is_shown
 
-TARGETS = 1
+TARGETS_STEP = 1
+"""Index of the step of the workflow."""
 T1 = demo_seeds()["T1"][1]
 
 
-def hand(
+def answer_next_dialog(
     driver: Driver, answer: Callable[[SeedCoordinatesDialog], None]
 ) -> list[SeedCoordinatesDialog]:
-    """Let a hand answer the next dialogue; a failure there comes out of the test."""
+    """Call ``answer`` with the next modal dialogue; its errors fail the test."""
     seen: list[SeedCoordinatesDialog] = []
     until = time.monotonic() + WAIT_MS / 1000
 
@@ -58,7 +59,7 @@ def find(dialog: SeedCoordinatesDialog) -> QPushButton:
     return dialog.findChild(QPushButton, "seed_find")
 
 
-def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> None:
+def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
     before = opened.project
 
     def answer(dialog: SeedCoordinatesDialog) -> None:
@@ -72,7 +73,7 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
         assert dialog.focusWidget() is find(dialog)
         opened.bot.keyClick(dialog.focusWidget(), Key.Key_Return)
 
-    seen = hand(opened, answer)
+    seen = answer_next_dialog(opened, answer)
     press(opened, Key.Key_F3)
     opened.rest()
     assert len(seen) == 1
@@ -81,7 +82,7 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
     assert candidate.seed == pytest.approx(T1, abs=1e-3)
     assert len(candidate.sightings) == 6
     assert opened.project is before
-    opened.window.activateWindow()  # no window manager does it here
+    opened.window.activateWindow()  # there is no window manager to do it
     opened.bot.waitUntil(opened.window.isActiveWindow, timeout=WAIT_MS)
     press(opened, Key.Key_Return)
     assert opened.window.document.undo_stack.undoText() == "detection of T1"
@@ -89,8 +90,8 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
     assert opened.project is before
 
 
-def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
-    open_step(picked, TARGETS)
+def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:
+    open_step(picked, TARGETS_STEP)
     told: list[str] = []
 
     def answer(dialog: SeedCoordinatesDialog) -> None:
@@ -115,7 +116,7 @@ def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
         assert is_shown("coordinates.too_far_local", typed("seed_coordinate_0", "5041234"))
         assert not find(dialog).isEnabled()
 
-    seen = hand(picked, answer)
+    seen = answer_next_dialog(picked, answer)
     before = picked.project
     click(picked, picked.window.targets.type_seed)
     picked.rest()
@@ -125,8 +126,8 @@ def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
     assert picked.window.controller.candidate is None
 
 
-def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
-    open_step(opened, TARGETS)
+def test_three_projected_coordinates_are_pasted_at_once(opened: Driver) -> None:
+    open_step(opened, TARGETS_STEP)
     trajectory = opened.window.document.survey.trajectory
     zone = coordinate_system("EPSG:32619")
     east, north, height = zone.from_local(np.array([T1]), trajectory.frame)[0]
@@ -155,7 +156,7 @@ def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
         assert "Local frame: " in shown_result(dialog)
         opened.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    hand(opened, answer)
+    answer_next_dialog(opened, answer)
     click(opened, opened.window.targets.type_seed)
     opened.rest()
     candidate = opened.window.controller.candidate
@@ -164,8 +165,8 @@ def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
     assert len(opened.project.target("T1").sightings) == 6
 
 
-def test_for_one_line_it_goes_to_the_selected_target(picked: Driver) -> None:
-    open_step(picked, TARGETS)
+def test_a_seed_for_one_line_belongs_to_the_selected_target(picked: Driver) -> None:
+    open_step(picked, TARGETS_STEP)
     line = picked.project.lines[2].name
     picked.window.targets.select("T1")
     picked.window.targets.line_choice.setCurrentText(line)
@@ -177,7 +178,7 @@ def test_for_one_line_it_goes_to_the_selected_target(picked: Driver) -> None:
             fill(picked, dialog, f"seed_coordinate_{k}", f"{value:.3f}")
         picked.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
-    hand(picked, answer)
+    answer_next_dialog(picked, answer)
     click(picked, picked.window.targets.type_seed)
     picked.rest()
     candidate = picked.window.controller.candidate
@@ -186,6 +187,6 @@ def test_for_one_line_it_goes_to_the_selected_target(picked: Driver) -> None:
     assert all(candidate.sighting(name) is sighting for name, sighting in others.items())
 
 
-def test_nothing_to_seed_without_a_survey(driver: Driver) -> None:
+def test_no_seed_can_be_typed_without_a_survey(driver: Driver) -> None:
     assert not driver.window.actions_["seed_coordinates"].isEnabled()
     assert not driver.window.targets.type_seed.isEnabled()

@@ -1,4 +1,4 @@
-"""Seeds from a list of coordinates: preview, picking, table, and one step back."""
+"""Tests of seeds from a list of coordinates: preview, detection, table of results, undo."""
 
 import time
 from pathlib import Path
@@ -22,7 +22,7 @@ from lispac.workflow.calibration.seed_lists import pick_seeds
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.import_support import drop
 from tests.gui.support import WAIT_MS, Driver, Key, Left, click, open_step, press
-from tests.gui.test_gui_seed_coordinates import hand
+from tests.gui.test_gui_seed_coordinates import answer_next_dialog
 from tests.message_codes import is_shown
 
 SEEDS = demo_seeds()
@@ -31,7 +31,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 @pytest.fixture
 def listed(tmp_path: Path) -> Path:
-    """A list of two targets, a validation plane and a place where nothing is."""
+    """A list of two targets, a validation plane and a point without any surface."""
     path = tmp_path / "quay.csv"
     rows = [f"{name};{x:.3f};{y:.3f};{z:.3f}" for name, (_, (x, y, z)) in SEEDS.items()]
     path.write_text("\n".join([*rows[:3], "Lost;20;4;3"]))
@@ -47,16 +47,16 @@ def cells(dialog: QDialog, name: str) -> list[list[str]]:
 
 
 def both(driver: Driver, before, after) -> None:
-    """Answer the preview, then the table of what was found."""
+    """Answer the preview, then the table of results."""
 
     def first(dialog: QDialog) -> None:
-        hand(driver, after)
+        answer_next_dialog(driver, after)
         before(dialog)
 
-    hand(driver, first)
+    answer_next_dialog(driver, first)
 
 
-def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -> None:
+def test_a_list_is_previewed_detected_and_undone_in_one_step(opened: Driver, listed: Path) -> None:
     open_step(opened, 1)
     before = opened.project
     opened.dialogs.path = listed
@@ -91,7 +91,9 @@ def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -
     assert opened.project is before
 
 
-def test_taken_names_are_not_ticked_and_columns_can_be_given(picked: Driver, listed: Path) -> None:
+def test_existing_names_are_not_ticked_and_columns_can_be_chosen(
+    picked: Driver, listed: Path
+) -> None:
     picked.dialogs.path = listed
     ticked = []
 
@@ -118,7 +120,7 @@ def test_taken_names_are_not_ticked_and_columns_can_be_given(picked: Driver, lis
         )
         picked.bot.keyClick(dialog, Key.Key_Escape)
 
-    seen = hand(picked, preview)
+    seen = answer_next_dialog(picked, preview)
     before = picked.project
     press(picked, Key.Key_F3, SHIFT)
     picked.rest()
@@ -129,14 +131,14 @@ def test_taken_names_are_not_ticked_and_columns_can_be_given(picked: Driver, lis
     assert not picked.window.document.undo_stack.canUndo()
 
 
-def test_dropped_on_the_window_and_cancelled_while_picking(
+def test_a_dropped_list_can_be_cancelled_during_detection(
     opened: Driver, listed: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     before = opened.project
     titles = []
 
     def waits(*args, progress: Progress) -> tuple:
-        """As it is, but goes on with the second seed only when it is cancelled, or far too late."""
+        """Pick the seeds, but wait before the second one until the task is cancelled."""
 
         def report(fraction: float, step: Step | None = None) -> None:
             late = time.monotonic() + WAIT_MS / 1000
@@ -152,7 +154,7 @@ def test_dropped_on_the_window_and_cancelled_while_picking(
     def stop() -> None:
         task = opened.window.runner.current
         if not opened.window.isActiveWindow():
-            opened.window.activateWindow()  # no window manager does so after the dialogue
+            opened.window.activateWindow()  # there is no window manager to do it
         if task is None or not task.fraction or not opened.window.isActiveWindow():
             QTimer.singleShot(10, stop)
             return
@@ -163,7 +165,7 @@ def test_dropped_on_the_window_and_cancelled_while_picking(
         QTimer.singleShot(10, stop)
         opened.bot.mouseClick(dialog.findChild(QPushButton, "pick_list"), Left)
 
-    seen = hand(opened, preview)
+    seen = answer_next_dialog(opened, preview)
     drop(opened.window, [listed])
     opened.bot.waitUntil(lambda: bool(titles), timeout=WAIT_MS)
     opened.rest()
@@ -178,7 +180,7 @@ def test_dropped_on_the_window_and_cancelled_while_picking(
     assert opened.window.targets.list_seeds.isEnabled()
 
 
-def test_nothing_found_changes_nothing(opened: Driver, tmp_path: Path) -> None:
+def test_a_list_without_any_found_target_changes_nothing(opened: Driver, tmp_path: Path) -> None:
     path = tmp_path / "far.txt"
     path.write_text("A 300 300 300\n")
     before = opened.project

@@ -1,4 +1,4 @@
-"""On a small screen nothing lies beyond the sides of a panel, and a long choice is read whole."""
+"""Tests of the layout on a small screen: no horizontal scrolling, no truncated choices."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,7 +15,7 @@ from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.language import LANGUAGES
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press
 
-SMALL, LARGE = (1366, 740), (1600, 960)
+SMALL_WINDOW, LARGE_WINDOW = (1366, 740), (1600, 960)
 
 
 @pytest.fixture(params=LANGUAGES)
@@ -27,7 +27,7 @@ def small(
     theme.apply_theme(qapp)
     made = Driver(qtbot, RecordingViewport(), tmp_path)
     try:
-        made.window.resize(*SMALL)
+        made.window.resize(*SMALL_WINDOW)
         made.window.document.open(demo.picked, demo.survey)
         made.rest()
         yield made
@@ -36,13 +36,13 @@ def small(
         set_language("en")
 
 
-def test_the_patch_test_needs_no_scrolling_to_the_side(small: Driver) -> None:
+def test_the_patch_test_needs_no_horizontal_scrolling(small: Driver) -> None:
     window, panel = small.window, small.window.tools.patch_test_controller.panel
     press(small, Key.Key_T, Control)
     panel.show_objects(["O1", "O2"], (), "O1")
     panel.angles.show_found([0.01] * 3, [0.001] * 3)
     area = panel.findChild(QScrollArea)
-    for size, beside in ((SMALL, False), (LARGE, True), (SMALL, False)):
+    for size, beside in ((SMALL_WINDOW, False), (LARGE_WINDOW, True), (SMALL_WINDOW, False)):
         window.resize(*size)
         small.bot.waitUntil(lambda: window.width() == size[0], timeout=WAIT_MS)  # noqa: B023
         small.bot.waitUntil(lambda: area.horizontalScrollBar().maximum() == 0, timeout=WAIT_MS)
@@ -54,7 +54,7 @@ def test_the_patch_test_needs_no_scrolling_to_the_side(small: Driver) -> None:
             assert each.width() >= each.minimumSizeHint().width()
 
 
-def test_how_the_axes_of_another_program_lie_is_read_whole(small: Driver) -> None:
+def test_the_axis_choices_of_the_convention_are_not_cut_off(small: Driver) -> None:
     window = small.window
     window.docks[CONVENTION].raise_()
     small.bot.waitUntil(window.convention.isVisible, timeout=WAIT_MS)
@@ -65,7 +65,7 @@ def test_how_the_axes_of_another_program_lie_is_read_whole(small: Driver) -> Non
 
 
 def room(combo: QComboBox) -> int:
-    """Pixels for the text of a choice."""
+    """Width available for the text of a choice, pixels."""
     option = ComboOption()
     combo.initStyleOption(option)
     part = QStyle.SubControl.SC_ComboBoxEditField

@@ -1,4 +1,4 @@
-"""Studies in the window: calibrations over the years, and the distance between points."""
+"""Tests of the studies in the window: history, subsampling, checks, error budget, visibility."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -28,10 +28,10 @@ Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
 
 
-def answered(driver: Driver, inspect_dialog, key: Qt.Key = Key.Key_Return) -> None:
-    """Look at the dialogue that comes, and end it by a key; its errors are the test's.
+def answer_next_dialog(driver: Driver, inspect_dialog, key: Qt.Key = Key.Key_Return) -> None:
+    """Call ``inspect_dialog`` with the next dialogue and close it with a key; errors fail the test.
 
-    Enter presses the button that was clicked last, where one was.
+    Enter presses the button that was clicked last, if any.
     """
     looked: list[BaseException | None] = []
 
@@ -64,7 +64,7 @@ def surveys(tmp_path: Path) -> Path:
     return folder.parent
 
 
-def test_the_open_answer_is_held_against_last_years(
+def test_the_open_result_is_compared_with_earlier_calibrations(
     adjusted: Driver, surveys: Path, estimated: Project
 ) -> None:
     document = adjusted.window.document
@@ -80,7 +80,7 @@ def test_the_open_answer_is_held_against_last_years(
         days = [dialog.table.item(row, 0).text() for row in range(2)]
         assert days == ["2025-04-02", "2026-04-05"]
         assert dialog.table.item(1, 4).text().replace("−", "-") == f"{pitch:+.4f}"
-        assert dialog.table.item(1, 12).text() == "mounting has moved"  # another system's angles
+        assert dialog.table.item(1, 12).text() == "mounting has moved"  # angles of another system
         assert "Nordlys, VZ-400i" in dialog.system.currentText()
         assert len(dialog.canvas.figure.axes) == 3
         adjusted.bot.mouseClick(dialog.copy_numbers, Left)
@@ -89,7 +89,7 @@ def test_the_open_answer_is_held_against_last_years(
         assert QGuiApplication.clipboard().pixmap().width() >= 560
 
     adjusted.bot.keyClick(adjusted.window, Key.Key_F11)
-    answered(adjusted, inspect_dialog, Key.Key_Escape)
+    answer_next_dialog(adjusted, inspect_dialog, Key.Key_Escape)
 
 
 def test_a_folder_without_projects_is_reported(driver: Driver, tmp_path: Path) -> None:
@@ -100,7 +100,7 @@ def test_a_folder_without_projects_is_reported(driver: Driver, tmp_path: Path) -
     assert error.code == "history.no_project"
 
 
-def test_fewer_points_and_more(adjusted: Driver) -> None:
+def test_results_are_listed_by_subsampling_distance(adjusted: Driver) -> None:
     project = adjusted.project
 
     def inspect_dialog(dialog: SubsamplingDialog) -> None:
@@ -121,7 +121,7 @@ def test_fewer_points_and_more(adjusted: Driver) -> None:
     action = adjusted.window.actions_["subsampling"]
     assert action.isEnabled()
     action.trigger()
-    answered(adjusted, inspect_dialog)
+    answer_next_dialog(adjusted, inspect_dialog)
     assert adjusted.project is project
 
 
@@ -156,8 +156,8 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
         assert len(dialog.canvas.figure.axes) == 1
 
     QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
-    answered(adjusted, ask)
-    answered(adjusted, inspect_dialog)
+    answer_next_dialog(adjusted, ask)
+    answer_next_dialog(adjusted, inspect_dialog)
     assert len(seen) == 2
     stack = adjusted.window.document.undo_stack
     assert stack.undoText() == "check against tripod.txt"
@@ -171,14 +171,14 @@ def test_a_reference_that_is_missing_is_reported(adjusted: Driver, tmp_path: Pat
         dialog.file.setText(str(tmp_path / "gone.laz"))
 
     QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
-    answered(adjusted, ask)
+    answer_next_dialog(adjusted, ask)
     adjusted.rest()
     (error,) = adjusted.dialogs.errors
     assert "gone.laz" in str(error)
     assert adjusted.project.absolute is None
 
 
-def test_the_error_budget(adjusted: Driver) -> None:
+def test_the_error_budget_is_shown(adjusted: Driver) -> None:
     def inspect_dialog(dialog: BudgetDialog) -> None:
         assert isinstance(dialog, BudgetDialog)
         rows = {dialog.table.item(row, 0).text(): row for row in range(dialog.table.rowCount())}
@@ -193,13 +193,13 @@ def test_the_error_budget(adjusted: Driver) -> None:
         assert dialog.table.item(rows["Lever arm"], 1).text() == "not given"
 
     QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
-    answered(adjusted, inspect_dialog)
+    answer_next_dialog(adjusted, inspect_dialog)
 
 
-def test_visible_errors_are_chosen_read_off_and_copied(
+def test_the_visibility_study_is_shown_and_copied(
     driver: Driver, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Without a project: boards are thought of before there is a survey."""
+    """The study needs no project, because boards are planned before a survey."""
 
     def inspect_dialog(dialog: VisibilityDialog) -> None:
         assert isinstance(dialog, VisibilityDialog)
@@ -237,24 +237,24 @@ def test_visible_errors_are_chosen_read_off_and_copied(
             "Roll 2 deg", "Pitch 2 deg", "Yaw 2 deg",
         ]  # fmt: skip
         assert dialog.error.currentText() == "Yaw 2 deg"
-        shiboken6.delete(dialog.reading)  # as when all goes: not in the order of what is shown
+        shiboken6.delete(dialog.reading)  # at exit, widgets are deleted in any order
         LocationEvent("axes_leave_event", dialog.canvas, x, y)._process()
         assert capsys.readouterr().err == ""
 
     action = driver.window.actions_["visibility"]
     assert action.isEnabled()
     action.trigger()
-    answered(driver, inspect_dialog, Key.Key_Escape)
+    answer_next_dialog(driver, inspect_dialog, Key.Key_Escape)
 
 
-def test_there_is_nothing_to_study_without_targets(opened: Driver) -> None:
+def test_studies_of_a_result_are_disabled_without_targets(opened: Driver) -> None:
     assert not opened.window.actions_["check"].isEnabled()
     assert not opened.window.actions_["budget"].isEnabled()
     assert not opened.window.actions_["subsampling"].isEnabled()
     assert opened.window.actions_["history"].isEnabled()
 
 
-def test_differences_between_lines_as_they_are_shown(adjusted: Driver) -> None:
+def test_differences_between_lines_are_shown(adjusted: Driver) -> None:
     adjusted.window.computations.show("estimated")
     adjusted.rest()
     project = adjusted.project
@@ -276,5 +276,5 @@ def test_differences_between_lines_as_they_are_shown(adjusted: Driver) -> None:
     action = adjusted.window.actions_["line_quality"]
     assert action.isEnabled()
     action.trigger()
-    answered(adjusted, inspect_dialog)
+    answer_next_dialog(adjusted, inspect_dialog)
     assert adjusted.project is project

@@ -1,4 +1,4 @@
-"""Between things that take long the window hears of keys and the mouse."""
+"""Tests of `IdleTask`: events are processed between tasks that are due together."""
 
 import itertools
 
@@ -10,7 +10,9 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from tests.gui.support import WAIT_MS
 
 
-def test_those_that_are_due_together_have_a_turn_each(qapp: QApplication, qtbot: QtBot) -> None:
+def test_tasks_due_together_run_in_separate_event_loop_iterations(
+    qapp: QApplication, qtbot: QtBot
+) -> None:
     owner, done = QObject(), []
     turns = [IdleTask(lambda k=k: done.append(k), owner) for k in range(3)]
     beat = QTimer(owner, interval=0)
@@ -26,7 +28,7 @@ def test_those_that_are_due_together_have_a_turn_each(qapp: QApplication, qtbot:
     assert not any(each.isActive() for each in turns)
 
 
-def test_one_that_waited_for_its_turn_waits_as_ever_the_next_time(
+def test_a_postponed_task_has_its_full_delay_the_next_time(
     qapp: QApplication, qtbot: QtBot
 ) -> None:
     owner, done = QObject(), []

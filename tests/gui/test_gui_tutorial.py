@@ -1,4 +1,4 @@
-"""The tutorial of the manual, followed to the letter in the real window."""
+"""Tests that follow the tutorial of the manual literally in the real window."""
 
 import re
 from collections.abc import Iterator
@@ -19,7 +19,7 @@ from lispac.gui.window.session import Session
 from lispac.language import gettext
 from lispac.workflow.project.projects import open_project
 from tests.french_catalogue import FRENCH
-from tests.gui.reader import Lost, Reader
+from tests.gui.reader import Reader, StepError
 from tests.gui.support import WAIT_MS
 from tests.tutorial_steps import Step, page, steps_of
 
@@ -32,7 +32,7 @@ _PLACE = re.compile(r"\{(\w+)[^}]*\}")
 def program(
     qtbot: QtBot, qapp: QApplication, tmp_path: Path, request: pytest.FixtureRequest
 ) -> Iterator[MainWindow]:
-    """The program as it is started for the first time, in a language."""
+    """Window of the first start of the program, in a language."""
     if qapp.platformName() == "offscreen":
         pytest.skip("OpenGL needs a screen, if only a virtual one")
     from lispac.gui.viewport.vtk_viewport import VtkViewport
@@ -57,7 +57,7 @@ def program(
 def test_the_tutorial_leads_to_a_report(
     program: MainWindow, demo_copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As for a user, but that the built-in survey is there already, with a third of the points."""
+    """Follow the tutorial as a user, with an existing demo survey of a third of the points."""
     monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: demo_copy)
     language = program.settings.language
     source = page(language, "tutorial")
@@ -79,7 +79,7 @@ def test_the_tutorial_leads_to_a_report(
     assert not program.isWindowModified()
 
 
-def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
+def test_the_french_page_has_the_same_steps_with_french_names() -> None:
     english, french = (
         steps_of(page(language, "tutorial").read_text(encoding="utf-8")) for language in REPORTS
     )
@@ -90,14 +90,14 @@ def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
     set_language("fr")
     try:
         names = {_bare(text): _bare(gettext(text)) for text in texts}
-        names |= {"English": "Français"}  # of the report
+        names |= {"English": "Français"}  # language of the report
         names |= {each: f"{each[:2]}{gettext(each[2:])}" for each in numbered}
         for one, other in zip(english, french, strict=True):
             if one.kind == "menu":
                 said = " > ".join(names[part] for part in one.text.split(" > "))
             elif one.kind in ("click", "see"):
                 said = names.get(one.text) or _bare(gettext(one.text))
-                if said == one.text != other.text:  # a text with names or numbers in it
+                if said == one.text != other.text:  # a text that contains names or numbers
                     assert other.text in _translations(one.text)
                     continue
             else:
@@ -108,7 +108,7 @@ def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
 
 
 def _translations(text: str) -> set[str]:
-    """French of the texts of the catalogue that become this one with names and numbers."""
+    """French translations of the catalogue texts that match a text with inserted values."""
     found = set()
     for english, french in FRENCH.items():
         names = _PLACE.findall(english)
@@ -134,16 +134,16 @@ def _bare(text: str) -> str:
         (Step("type", "Saucier", 3), "nothing is there to type"),
     ],
 )
-def test_a_page_that_names_what_is_not_there_fails(
+def test_a_page_that_names_missing_widgets_fails(
     program: MainWindow, step: Step, complaint: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("tests.gui.reader.PATIENCE_S", 0.5)
-    with pytest.raises(Lost, match=complaint) as refused:
+    with pytest.raises(StepError, match=complaint) as refused:
         Reader(program, [step], lambda _front, _picture: None).follow()
     assert "at line 3 of the page" in refused.value.__notes__[0]
 
 
-def test_the_marks_of_a_page_are_its_steps() -> None:
+def test_the_steps_of_a_page_are_parsed_from_its_markup() -> None:
     text = (
         "1. Click {guilabel}`A` or\n{menuselection}`File > Save`, press {kbd}`F9`, type\n"
         "{typed}`x y`, see **It\n is done**.\n\n![Picture](pictures/a.png)\n"

@@ -1,4 +1,4 @@
-"""Standard views, projection, and views of what is selected: by keys and menus of the window."""
+"""Tests of standard views, projection and views of the selection, by keys and menus."""
 
 import numpy as np
 from PySide6.QtWidgets import QLabel

@@ -1,4 +1,4 @@
-"""Calculations done a little at a time, and plots drawn so."""
+"""Tests of `SlicedCalculation` and of charts that are drawn in slices."""
 
 import threading
 import time
@@ -20,7 +20,7 @@ def _none_is_left() -> Iterator[None]:
     assert not [each for each in threading.enumerate() if each.name == "slices"]
 
 
-def test_it_rests_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_calculation_pauses_and_resumes(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
     steps, did = SlicedCalculation(), []
 
@@ -41,13 +41,13 @@ def test_it_rests_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not steps.is_running
 
 
-def test_what_is_short_does_not_rest() -> None:
+def test_a_short_calculation_does_not_pause() -> None:
     steps = SlicedCalculation()
     steps.begin(steps.pause)
     assert steps.resume()
 
 
-def test_what_is_abandoned_ends_where_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_abandoned_calculation_ends_at_its_pause(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
     steps, did = SlicedCalculation(), []
 
@@ -71,7 +71,7 @@ def test_what_is_abandoned_ends_where_it_is(monkeypatch: pytest.MonkeyPatch) -> 
     assert did == ["tidied", "again"]
 
 
-def test_errors_come_to_the_caller() -> None:
+def test_errors_are_raised_in_the_caller() -> None:
     steps = SlicedCalculation()
     steps.begin(lambda: 1 // 0)
     with pytest.raises(ZeroDivisionError):
@@ -119,8 +119,8 @@ def test_a_plot_is_the_same_drawn_in_slices_and_at_once(chart: Chart, qtbot: QtB
     remove(other)
 
 
-def test_what_changes_again_and_again_is_drawn(chart: Chart, qtbot: QtBot) -> None:
-    """As by the wheel or by a hand that drags, faster than room is found for texts."""
+def test_a_constantly_changing_plot_is_drawn(chart: Chart, qtbot: QtBot) -> None:
+    """The changes come faster than the layout takes, as while zooming or dragging."""
     drawn: list[object] = []
     chart.mpl_connect("draw_event", drawn.append)
     chart.show()
@@ -133,7 +133,7 @@ def test_what_changes_again_and_again_is_drawn(chart: Chart, qtbot: QtBot) -> No
         qtbot.wait(10)
 
 
-def test_a_plot_may_go_or_change_its_size_while_room_is_found(chart: Chart, qtbot: QtBot) -> None:
+def test_a_plot_can_be_resized_or_deleted_during_its_layout(chart: Chart, qtbot: QtBot) -> None:
     chart.show()
     qtbot.waitUntil(lambda: chart.is_drawing)
     chart.resize(500, 320)
@@ -143,7 +143,7 @@ def test_a_plot_may_go_or_change_its_size_while_room_is_found(chart: Chart, qtbo
     assert not isValid(chart)
 
 
-def test_what_was_emptied_shows_nothing(chart: Chart, qtbot: QtBot) -> None:
+def test_a_cleared_plot_is_blank(chart: Chart, qtbot: QtBot) -> None:
     drawn: list[object] = []
     chart.mpl_connect("draw_event", drawn.append)
     chart.show()

@@ -1,4 +1,4 @@
-"""The API reference: what scripts use, the documents for developers, a page for each module."""
+"""Pages of the API reference: scripting API, developer documents, and a page for each module."""
 
 import ast
 import os
@@ -34,15 +34,15 @@ PACKAGES = {
     "cli": "Command line",
     "others": "Used by all packages",
 }
-"""Folders of the core, and the modules beside them; the window has no place here."""
+"""Titles of the packages of the core; ``others`` are single modules. The GUI is not included."""
 
 
 def build(folder: Path, *, whole: bool = True) -> str:
-    """Build the reference into a folder and say what Sphinx says; nothing where all is well.
+    """Build the reference into a folder; return the output of Sphinx, empty without warnings.
 
     Parameters
     ----------
-    whole : the packages too, not only what scripts use
+    whole : whether to include the packages, or only the scripting API
     """
     with tempfile.TemporaryDirectory(prefix="lispac-") as scratch:
         write(Path(scratch, "sources"), whole=whole)
@@ -50,11 +50,11 @@ def build(folder: Path, *, whole: bool = True) -> str:
 
 
 def run(sources: Path, folder: Path) -> str:
-    """Run Sphinx on sources and say what it says: where nothing, all is well."""
+    """Run Sphinx on sources; return its output, empty without warnings."""
     with tempfile.TemporaryDirectory(prefix="lispac-") as scratch:
         command = [sys.executable, "-m", "sphinx", "-q", "-b", "html", "-W", "--keep-going"]
         command += ["-c", str(HERE), "-d", scratch, str(sources), str(folder.resolve())]
-        # Compiled functions are read as the Python they are written in.
+        # Without compilation, the compiled functions have their Python signatures and docstrings.
         variables = {**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONDONTWRITEBYTECODE": "1"}
         done = subprocess.run(
             command, capture_output=True, text=True, check=False, env=variables, cwd=CHECKOUT
@@ -132,7 +132,7 @@ def _short(module: str) -> str:
 
 
 def _summary(module: str) -> str:
-    """The first line of a module's docstring."""
+    """First paragraph of a module's docstring."""
     words = ast.get_docstring(trees()[f"{module.replace('.', '/')}.py"]) or ""
     return words.partition("\n\n")[0].replace("\n", " ")
 

@@ -1,4 +1,4 @@
-"""What a name of a docstring or a signature stands for in the API reference."""
+"""Resolve names of docstrings and signatures in the API reference."""
 
 import ast
 from collections.abc import Iterator
@@ -13,16 +13,16 @@ FOREIGN = (
     "open3d", "pathlib", "pye57", "pyproj", "scipy", "threading", "types", "typing", "typst",
     "ArgumentTypeError", "CRS", "Commands", "LinAlgError", "cKDTree",
 )  # fmt: skip
-"""Packages whose names the reference does not lead to."""
+"""Packages and single names that the reference does not link."""
 
 
 def script_names() -> dict[str, str]:
-    """What ``import lispac`` offers: the name in its module, and the one to use it by."""
+    """Names exported by ``import lispac``: the full name in its module, and the public name."""
     return {f"{module}.{name}": f"lispac.{name}" for name, module in lispac._MODULE_OF_NAME.items()}
 
 
 def documented_as(name: str) -> str:
-    """The name that a thing has in the reference: by ``lispac`` where it is offered there."""
+    """Name of an object in the reference: the public name if ``lispac`` exports it."""
     for full, short in script_names().items():
         if name == full or name.startswith(f"{full}."):
             return short + name.removeprefix(full)
@@ -31,7 +31,7 @@ def documented_as(name: str) -> str:
 
 @cache
 def known() -> set[str]:
-    """Names in modules and classes: a docstring may speak of a constant that has none."""
+    """Names defined in modules and classes, including constants without a docstring."""
     found = set()
     for module, tree in trees().items():
         dotted = module.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
@@ -52,5 +52,5 @@ def _stored(above: str, nodes: list[ast.stmt]) -> Iterator[str]:
 
 
 def is_there(name: str) -> bool:
-    """Whether a name that has no place in the reference is one in the code nevertheless."""
+    """Whether a name exists in the code, though it is not in the reference."""
     return name in known() or any(each.endswith(f".{name}") for each in known())
