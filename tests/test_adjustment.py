@@ -1,3 +1,5 @@
+"""Tests of the adjustment: Jacobians, reduction, simulated surveys and refusals."""
+
 import json
 from dataclasses import replace
 from pathlib import Path

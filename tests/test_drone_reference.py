@@ -1,8 +1,8 @@
-"""What the reference of the two drone surveys is worth, and what the scene alone says of them.
+"""Tests of the accuracy of the reference of two drone surveys, and of targetless results.
 
-The reference rests on labelled points. These lie within 4 to 5 cm of one plane a label through both
-lines; the surfaces go farther, up to 10 cm of cloth, grass and noise. So they were cut where the
-lines lay with a boresight that was known already, and what is cut there answers there.
+The reference was estimated from labelled points. These lie within 4 to 5 cm of one plane for each
+label through both lines; the surfaces are thicker, up to 10 cm of cloth, grass and noise. So the
+points were selected with a known boresight, and a selection reproduces its boresight.
 """
 
 import json
@@ -30,9 +30,9 @@ from lispac.workflow.project.survey import Survey, load_survey
 Labels = dict[str, np.ndarray]
 NAMES = ("lanl_truck", "lanl_tent")
 WIDE = 0.15
-"""Metres off a label's plane within which all of its surface lies."""
+"""Half width in metres of a band about the plane of a label that contains its whole surface."""
 LEAST = 10
-"""Points of a label on each line."""
+"""Minimum number of points of a label on each line."""
 
 
 class Drone(NamedTuple):
@@ -40,7 +40,7 @@ class Drone(NamedTuple):
     found: TargetlessResult
     reference: np.ndarray  # degrees
     labels: Labels
-    inside: list[Labels]  # of each label, the points of each line that lie in its outline
+    inside: list[Labels]  # for each label, the points of each line within its outline
 
 
 @pytest.fixture(scope="module")
@@ -76,14 +76,14 @@ def drone(shared_data: Path, tmp_path_factory: pytest.TempPathFactory):  # type:
 
 
 def places(survey: Survey, boresight_deg: np.ndarray) -> Labels:
-    """All points of each line placed with a boresight."""
+    """All points of each line, georeferenced with a boresight."""
     one = next(iter(survey.clouds.values())).place.mounting
     clouds = place_clouds(survey.clouds, one.with_boresight(np.radians(boresight_deg)))
     return {line: cloud[np.arange(len(survey.scans[line].time))] for line, cloud in clouds.items()}
 
 
 def outlined(placed: Labels, own: Labels) -> Labels:
-    """Numbers of the points that labelled ones surround within their plane, however far off it."""
+    """Numbers of the points inside the outline of the labelled ones and near their plane."""
     labelled = np.concatenate([placed[line][own[line]] for line in placed])
     plane = fit_plane(labelled)
     axes = plane_axes(plane.normal).T
@@ -100,7 +100,7 @@ def outlined(placed: Labels, own: Labels) -> Labels:
 
 
 def cut(drone: Drone, boresight_deg: np.ndarray, band: float) -> list[Labels]:
-    """The points of each outline within a band about the densest plane of both lines."""
+    """Select the points of each outline in a band about the densest plane of both lines."""
     placed, found = places(drone.survey, boresight_deg), []
     for inside in drone.inside:
         points = np.concatenate([placed[line][own] for line, own in inside.items()])
@@ -140,7 +140,7 @@ THESIS = StochasticModel("independent", loss="huber")
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_its_points_were_cut_to_a_band(drone, name: str) -> None:  # type: ignore[no-untyped-def]
+def test_labelled_points_were_selected_in_a_band(drone, name: str) -> None:  # type: ignore[no-untyped-def]
     here: Drone = drone(name)
     placed = places(here.survey, here.reference)
     beyond = 0
@@ -156,8 +156,8 @@ def test_its_points_were_cut_to_a_band(drone, name: str) -> None:  # type: ignor
 
 
 @pytest.mark.parametrize(("name", "follows"), [("lanl_truck", 0.5), ("lanl_tent", 0.6)])
-def test_what_is_cut_elsewhere_answers_elsewhere(drone, name: str, follows: float) -> None:  # type: ignore[no-untyped-def]
-    """Cut with another boresight, the same surfaces give back most of the change."""
+def test_a_narrow_selection_reproduces_its_boresight(drone, name: str, follows: float) -> None:  # type: ignore[no-untyped-def]
+    """Points selected with another boresight reproduce most of its change."""
     here: Drone = drone(name)
     aside = np.array([0.0, 0.0, 0.1])
     ends = [
@@ -173,8 +173,7 @@ def test_what_is_cut_elsewhere_answers_elsewhere(drone, name: str, follows: floa
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_scene_alone_agrees_with_the_whole_surfaces(drone, name: str) -> None:  # type: ignore[no-untyped-def]
-    """And with the reference within the sigmas in all that the cut does not decide."""
+def test_the_targetless_result_agrees_with_the_whole_surfaces(drone, name: str) -> None:  # type: ignore[no-untyped-def]
     here: Drone = drone(name)
     whole = answer(here, cut(here, here.reference, WIDE), StochasticModel(loss="tukey"))
     result = here.found.result

@@ -1,4 +1,4 @@
-"""No text of a figure of the report is cut at its edge, in either language."""
+"""Tests that no text of a figure of the report is cut at the edge, in either language."""
 
 from pathlib import Path
 
@@ -17,7 +17,7 @@ DESCENT = 2.0
 
 
 def cut_texts(figure: Figure) -> list[str]:
-    """Titles, labels and legends that reach beyond the figure.
+    """Titles, labels and legends that extend beyond the figure.
 
     Labels of ticks are left out: matplotlib keeps some outside the axes and does not draw them.
     """
