@@ -1,6 +1,6 @@
-"""What goes wrong with files, one function for each row of the manual's table of bad input.
+"""Cases of bad input files, one function for each row of the table in the manual.
 
-Each makes its file or situation in a small sound survey and gives the command that meets it.
+Each function changes a small valid survey and returns the command that detects the error.
 """
 
 import os
@@ -28,15 +28,15 @@ TIMES = START + np.linspace(2, 12, COUNT)
 
 @dataclass
 class Scene:
-    """A sound survey in a folder, which a case then spoils.
+    """A valid survey in a folder, which a case then damages.
 
     Attributes
     ----------
     folder : Path
-        Holds ``pos.sbet``, ``L1.las``, and what is written.
+        Contains ``pos.sbet``, ``L1.las`` and the output of commands.
     patch : pytest.MonkeyPatch
     stack : ExitStack
-        Undoes what a case has done to the system.
+        Undoes the changes that a case makes to the system.
     spoilt : set of str
         Names of files that the case itself changes while the command runs.
     """
@@ -56,7 +56,7 @@ class Scene:
     def new(
         self, line: str = "L1.las", *more: str, trajectory: str = "pos.sbet", to: str = "quay"
     ) -> Words:
-        """The command that makes a project."""
+        """Command that makes a project."""
         return [
             "new", str(self / to), str(self / line), "--trajectory", str(self / trajectory),
             "--lever-arm", "0.2", "-0.1", "1.5", "--position-sigma", "0.02", "0.02", "0.03",
@@ -64,19 +64,19 @@ class Scene:
         ]  # fmt: skip
 
     def made(self, *words: str, to: str = "quay") -> str:
-        """Make the project; its folder."""
+        """Make the project and return its folder."""
         assert main(self.new(*words, to=to)) == 0
         return str(self / to)
 
     def to_map(self, output: str = "out", *more: str, project: str = "quay") -> Words:
-        """The command that georeferences its lines."""
+        """Command that georeferences the lines."""
         return [
             "georeference", str(self / project), "--output", str(self / output),
             "--boresight", "prior", "--format", "las", *(more or ("--crs", "EPSG:32618")),
         ]  # fmt: skip
 
     def inspect(self, name: str) -> Words:
-        """The command that inspects a file."""
+        """Command that inspects a file."""
         return ["inspect", str(self / name)]
 
     def cut(self, name: str, size: int) -> None:
@@ -84,7 +84,7 @@ class Scene:
         os.truncate(self / name, size)
 
     def disk(self, size: str) -> Path:
-        """A small disk of its own at ``disk``."""
+        """Mount a small disk at ``disk``."""
         place = self / "disk"
         place.mkdir()
         if not hasattr(os, "geteuid") or os.geteuid() != 0:
@@ -96,12 +96,12 @@ class Scene:
         return place
 
     def locked(self, size: str = "1m") -> None:
-        """Let nobody write to ``disk``, root neither."""
+        """Make ``disk`` read-only, for root too."""
         words = ["mount", "-o", f"remount,ro,size={size}", str(self / "disk")]
         subprocess.run(words, check=True)
 
     def filled(self) -> None:
-        """Leave no room on ``disk``."""
+        """Fill ``disk`` completely."""
         with (self / "disk" / "other").open("wb", buffering=0) as file:
             try:
                 while file.write(bytes(512)):
@@ -112,7 +112,7 @@ class Scene:
 
 Case = Callable[[Scene], Words]
 REFUSED: dict[str, Case] = {}
-"""Name of the row: what is refused with exit code 1 and one sentence."""
+"""Cases that are refused with exit code 1 and one sentence, by the name of the row."""
 WITH_WARNING: dict[str, Case] = {}
 """Files that can be read with a warning or a note, by the name of the row."""
 
@@ -126,7 +126,7 @@ def with_warning(name: str) -> Callable[[Case], Case]:
 
 
 def changed(change: Callable[[np.ndarray], object], count: int = 2000) -> Case:
-    """A trajectory with its records changed."""
+    """A case with changed records of the trajectory."""
 
     def case(scene: Scene) -> Words:
         records = vessel(count)
@@ -145,14 +145,14 @@ def put(rows: object, columns: object, value: object) -> Callable[[np.ndarray], 
 
 
 def las(path: Path, change: Callable[[laspy.LasData], object]) -> None:
-    """Write a LAS file again, changed."""
+    """Change a LAS file."""
     data = laspy.read(path)
     change(data)
     data.write(path)
 
 
 def ply(path: Path, values: np.ndarray, kind: str = "double", order: str = "little") -> Path:
-    """x, y, z and time by hand."""
+    """Write a binary PLY file with x, y, z and time."""
     head = f"ply\nformat binary_{order}_endian 1.0\nelement vertex {len(values)}\n"
     head += "".join(f"property {kind} {name}\n" for name in ("x", "y", "z", "time"))
     size = {"double": "f8", "float": "f4"}[kind]
@@ -164,7 +164,7 @@ def points() -> np.ndarray:
     return np.column_stack([fan(COUNT), TIMES])
 
 
-# Cut short, empty, something else.
+# Truncated, empty and foreign files.
 
 
 @refused("Trajectory cut short")
@@ -194,7 +194,7 @@ def _(scene: Scene) -> Words:
 
 
 def against(name: str, text: str) -> Case:
-    """A reference that a calibrated project is checked against."""
+    """A case that checks a calibrated project against a reference with this text."""
 
     def case(scene: Scene) -> Words:
         project = scene.made()
@@ -264,7 +264,7 @@ def _(scene: Scene) -> Words:
     return scene.new("L1.ply")
 
 
-# Numbers that are none.
+# Invalid numbers.
 
 refused("NaN in the trajectory")(changed(put(4, 8, np.nan)))
 refused("Infinity in the trajectory")(changed(put(6, 1, np.inf)))

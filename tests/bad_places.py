@@ -1,4 +1,4 @@
-"""What goes wrong with units, places, folders, disks, and files that go away: the other rows."""
+"""Cases of bad input: units, places, folders, disks, and files that are removed or changed."""
 
 import os
 from collections.abc import Callable
@@ -15,7 +15,7 @@ from tests.bad_files import COUNT, REFUSED, TIMES, Case, Scene, Words, refused, 
 from tests.input_file_samples import START, fan, write_line
 from tests.trajectory_files import vessel, write_records
 
-# Units, places, coordinate systems.
+# Units, places and coordinate systems.
 
 
 @refused("Degrees instead of radians")
@@ -165,7 +165,7 @@ def _(scene: Scene) -> Words:
     return ["export", scene.made(), "--what", "trajectory", "--output", output]
 
 
-# Files that go away or change.
+# Files that are removed or changed.
 
 
 def removed(name: str, command: Callable[[Scene, str], Words]) -> Case:
@@ -191,7 +191,7 @@ refused("Trajectory removed before the import")(removed("pos.sbet", lambda _, p:
 
 
 def wall(scene: Scene, count: int = COUNT) -> Path:
-    """The line sees a wall 10 m to the left."""
+    """Write a line that shows a wall 10 m to the left."""
     points = fan(count) * [1, 0, 1] + [0, 10, 0]
     return write_line(scene / "L1.las", TIMES[:count], points)
 
@@ -207,7 +207,7 @@ def _(scene: Scene) -> Words:
 
 
 def while_read(act: Callable[[Path], object], command: Callable[[Scene, str], Words]) -> Case:
-    """Something happens to the line after its first points have been read."""
+    """A case that calls ``act`` on the line file after its first points have been read."""
 
     def case(scene: Scene) -> Words:
         project, sound = scene.made(), las_chunks.require_usable_points

@@ -1,4 +1,4 @@
-"""A small survey of balls, a leaning board and a wall, cast ray by ray and written to files."""
+"""Simulated small survey of balls, a leaning board and a wall, written to files."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,23 +25,23 @@ BALLS = {
     "S3": (np.array([-1.6, 13.5, 8.0]), 0.2),
 }
 BOARD = (np.array([1.6, 15.0, 8.0]), np.array([0.0, -np.sqrt(0.5), np.sqrt(0.5)]), 0.6)
-WALL = 16.0  # metres west of the courses
+WALL = 16.0  # metres to the west of the courses
 NOISE = 0.002  # metres, along the beam
 NAMES = [*BALLS, "board", "wall"]
 MIDDLE = np.array([0.0, 14.0, 6.0])  # of the site
-PROFILES, HALF = 40.0, 4.0  # a second, seconds either side of the middle abeam
+PROFILES, HALF = 40.0, 4.0  # profiles a second, seconds before and after the middle is abeam
 
 
 @dataclass(frozen=True, eq=False)
 class BallSurvey:
-    """A project with nothing picked, its survey, and which object each point of a line is on."""
+    """A project without targets, its survey, and the object that each point of a line is on."""
 
     project: Project
     survey: Survey
     labels: dict[str, np.ndarray]
 
     def seed(self, name: str, line: str = "L1") -> tuple[float, float, float]:
-        """A point of an object in the middle of what a line sees of it."""
+        """A point in the middle of the points of an object on a line."""
         on = self.survey.clouds[line][self.labels[line] == NAMES.index(name)]
         north, west, up = on[np.argmin(np.linalg.norm(on - on.mean(axis=0), axis=1))]
         return float(north), float(west), float(up)
@@ -85,7 +85,7 @@ def _sail(course: Course, sea: SeaMotion, time: np.ndarray) -> tuple[np.ndarray,
 
 
 def _profiles(states, course, mounting, rng):
-    """LiDAR points, times and labels of a pass."""
+    """LiDAR points, times and labels of a line."""
     time = _abeam(course) + np.arange(-HALF, HALF, 1.0 / PROFILES)
     pose = np.stack([np.interp(time, states[:, 0], column) for column in states[:, 1:].T], axis=1)
     up = np.radians(np.arange(4.0, 36.0, 0.08))

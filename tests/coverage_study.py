@@ -1,9 +1,9 @@
-"""Do the stated sigmas hold? Many surveys with known truth, adjusted in both models.
+"""Coverage of the sigmas of both stochastic models in simulated surveys with known truth.
 
     python -m tests.coverage_study [SURVEYS]
 
 prints the table for each correlation time and subsampling distance; `tests/test_coverage.py` runs
-a short form of it always and the long one where asked.
+a short form of it always and the long one on request.
 """
 
 import sys
@@ -40,7 +40,7 @@ tell it to a fraction of a percent. `changes` says how well."""
 
 @dataclass(frozen=True, eq=False)
 class Answers:
-    """Errors and stated sigmas of many surveys, each of shape (surveys, 3), degrees."""
+    """Errors and estimated sigmas of many surveys, each of shape (surveys, 3), degrees."""
 
     errors: np.ndarray
     sigmas: np.ndarray
@@ -52,7 +52,7 @@ class Answers:
 
     @property
     def hits(self) -> np.ndarray:
-        """Share of the 95 % intervals that hold the truth."""
+        """Share of the 95 % intervals that contain the truth."""
         return (np.abs(self.ratios) < 1.96).mean(axis=0)
 
     @property
@@ -67,7 +67,7 @@ class Answers:
 
     @property
     def sigma(self) -> np.ndarray:
-        """Mean stated sigma, degrees."""
+        """Mean estimated sigma, degrees."""
         return self.sigmas.mean(axis=0)
 
 
@@ -81,7 +81,7 @@ def models(times: tuple[float, float]) -> dict[str, StochasticModel]:
 
 
 def selected(survey: Observations, distance: float) -> Observations:
-    """Points thinned to one per cube in each sighting, as for uncorrelated POS errors."""
+    """Thin the points of each sighting to one per cube, as for uncorrelated POS errors."""
     places = points_local(survey, PRIOR)
     own = [np.flatnonzero(survey.sighting == k) for k in range(len(survey.sightings))]
     return survey.reordered(np.concatenate([i[thin_points(places[i], distance)] for i in own]))
@@ -112,7 +112,7 @@ def _one(
 def study(
     times: tuple[float, float], distances: tuple[float, ...], surveys: int, workers: int = 2
 ) -> dict[tuple[str, float], Answers]:
-    """Answers by model and subsampling distance."""
+    """Errors and sigmas by model and subsampling distance."""
     arguments = ([times] * surveys, [distances] * surveys, range(surveys))
     if workers == 1:
         runs = list(map(_one, *arguments))
@@ -125,7 +125,7 @@ def study(
 
 
 def changes(answers: dict[tuple[str, float], Answers]) -> tuple[np.ndarray, np.ndarray]:
-    """Sigmas of the correlated model over those at the smallest distance, and how well known.
+    """Ratios of sigmas of the correlated model to those at the smallest distance.
 
     Returns
     -------

@@ -1,11 +1,11 @@
-"""How often a right survey gets a serious warning that is false.
+"""Frequency of false serious warnings in surveys without errors.
 
     python -m tests.false_warnings [SURVEYS] [KIND ...]
 
-A row a kind of survey: boards, boards on two lines only, natural planes proposed by the program,
-targetless, spinning scanner. Only warnings that name an error are counted: a right survey has none.
-Those about the geometry (no redundancy, large standard deviations) are true. Natural surfaces may
-really not be flat: the simulated surfaces decide, and warnings that are true are counted apart.
+A row for each kind of survey: boards, boards on only two lines, natural planes proposed by the
+program, targetless, spinning scanner. Only warnings that name an error are counted. Those about the
+geometry (no redundancy, large standard deviations) are true. Natural surfaces may not be flat: this
+follows from the simulated surfaces, and true warnings are counted separately.
 """
 
 import sys
@@ -47,10 +47,10 @@ OF_GEOMETRY = {
     "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
     "adjustment.one_facing",
 }  # fmt: skip
-"""Codes of warnings that are true of a right survey too."""
+"""Codes of warnings that are true for surveys without errors too."""
 
 PICKED = {"T1", "T2", "V1"}
-"""Surfaces of the port that the spinning scanner is calibrated on."""
+"""Surfaces of the port used to calibrate the spinning scanner."""
 
 Judged = tuple[AdjustmentResult, CrossChecks | None]
 NOT_FLAT = "adjustment.not_flat"
@@ -58,7 +58,7 @@ NOT_FLAT = "adjustment.not_flat"
 
 @dataclass(frozen=True)
 class Counted:
-    """Codes of serious warnings about one survey that name an error, false ones and true ones."""
+    """Codes of the false and the true serious warnings about errors in one survey."""
 
     false: tuple[str, ...]
     true: tuple[str, ...] = ()
@@ -108,11 +108,11 @@ KINDS: dict[str, Callable[[int], Judged]] = {
     "boards": boards, "two lines": two_lines, "targetless": without_targets, "spinning": spinning,
 }  # fmt: skip
 NATURAL = "natural"
-"""Kind of the planes that the program proposes in scenes without boards."""
+"""Kind of surveys with proposed natural planes in scenes without boards."""
 
 
 def count_warnings(kind: str, seed: int) -> Counted | None:
-    """Serious warnings that name an error; None where there is no answer."""
+    """Serious warnings that name an error, or None without a result."""
     try:
         result, checks = KINDS[kind](seed)
     except (AdjustmentError, TargetNotFound) as error:
@@ -123,7 +123,7 @@ def count_warnings(kind: str, seed: int) -> Counted | None:
 
 
 def judged(survey: str, warnings: Iterable[Message], bent: frozenset[str]) -> Counted:
-    """False and true ones among the serious warnings that name an error.
+    """Separate false and true warnings among the serious ones that name an error.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Writes the manual's tables of fields and formats, from the window and the readers themselves.
+"""Write the tables of fields and formats of the manual, from the window and the readers.
 
 ``python -m tests.manual_tables`` renews ``resources/manual/*/tables``; a test in
 `tests/gui/test_gui_manual.py` holds what is there against what would be written. No screen is
@@ -142,7 +142,7 @@ SHARED = tuple(
 
 
 def tables(language: str) -> dict[str, str]:
-    """Text of each table, by the name of its file."""
+    """Text of each table by the name of its file."""
     set_language(language)
     try:
         made = {f"{name}.md": _fields(make(), language) for name, make in PANELS.items()}
@@ -214,7 +214,7 @@ def _name(field: QWidget, labels: dict[QWidget, str]) -> str:
 
 
 def _labels(panel: QWidget) -> dict[QWidget, str]:
-    """The label that a form has beside a widget."""
+    """Labels of a form by their widgets."""
     found: dict[QWidget, str] = {}
     for form in panel.findChildren(QFormLayout):
         for row in range(form.rowCount()):
@@ -347,13 +347,13 @@ def _messages(language: str) -> str:
 
 
 def _shown(template: Template) -> tuple[str, ...]:
-    """The text in every language; of a plural that for several things."""
+    """The text in every language; the plural form if there are several forms."""
     english = template.plural if isinstance(template, Plural) else template
     return tuple(re.sub(r"\{(\w+)[^}]*\}", r"[\1]", each) for each in (english, FRENCH[english]))
 
 
 def folder(language: str) -> Path:
-    """Where the tables of a language are kept."""
+    """Folder of the tables of a language."""
     return resource_path("manual") / language / "tables"
 
 

@@ -1,10 +1,11 @@
-"""Do the stated sigmas hold where the targets are proposed? Many random scenes without boards.
+"""Coverage of the sigmas with proposed targets in random scenes without boards.
 
     python -m tests.natural_scenes [SCENES]
 
 Roofs, walls, ground, vehicles and tarpaulins of random size, inclination and form error, seen from
-two to six lines. Prints how many scenes gave a proposal, the share of 95 % intervals that hold, for
-each angle, the ratio of stated and predicted sigmas, and the serious warnings.
+two to six lines. Prints the number of scenes with proposed targets, the share of 95 % intervals
+that contain the truth, for each angle, the ratio of reported and predicted sigmas, and the serious
+warnings.
 `tests.false_warnings` prints the same, and which of the warnings are false.
 """
 
@@ -42,7 +43,7 @@ error, those of a bent surface over longer distances."""
 
 
 def surfaces(chance: np.random.Generator) -> list[Rectangle]:
-    """Six to fourteen surfaces, the first two of them ground and a wall."""
+    """Six to fourteen surfaces; the first two are the ground and a wall."""
     found = [
         tilted_rectangle("T-ground", (0.0, WALL - 3.0, 4.0), 14.0, 8.0, 270, 85),
         tilted_rectangle(
@@ -61,7 +62,7 @@ def surfaces(chance: np.random.Generator) -> list[Rectangle]:
 def formed(
     echoes: Echoes, beams_local: np.ndarray, scene: list[Rectangle], chance: np.random.Generator
 ) -> Echoes:
-    """Echoes of surfaces that are not flat; every line sees the same shape.
+    """Echoes of surfaces that are not flat; every line shows the same shape.
 
     Parameters
     ----------
@@ -96,7 +97,7 @@ def formed(
 
 
 def natural_site(seed: int) -> Site:
-    """A scene of its own for every seed, two, four or six lines past it."""
+    """Random scene of a seed with two, four or six lines past it."""
     chance = np.random.default_rng([34, seed])
     scene = surfaces(chance)
     seen = site(
@@ -116,7 +117,7 @@ def natural_site(seed: int) -> Site:
 
 
 def opened(seen: Site, off_deg: np.ndarray) -> tuple[Project, Survey]:
-    """With the standard deviations of the POS that were simulated."""
+    """Project and survey with the simulated standard deviations of the POS."""
     project, survey = seen.opened(off_deg)
     position, attitude = HYDROGRAPHIC_INS.sigma_position, HYDROGRAPHIC_INS.sigma_attitude
     degrees = tuple(float(np.degrees(each)) for each in attitude)
@@ -126,7 +127,7 @@ def opened(seen: Site, off_deg: np.ndarray) -> tuple[Project, Survey]:
 
 
 def form_factors(seen: Site, project: Project) -> dict[str, float]:
-    """Form error of the true surface of each target, over the LiDAR noise that averaging leaves.
+    """Ratio of the form error of each true target surface to the averaged LiDAR noise.
 
     The error is the RMS distance of the true places of its points from their best plane. Points on
     another surface do not count. Points that share a form error do not share their noise: it
@@ -153,7 +154,7 @@ def form_factors(seen: Site, project: Project) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a scene gave: nothing but a reason, or error and sigmas in degrees, shape (3,).
+    """Result of a scene: only a reason, or error and sigmas in degrees, shape (3,).
 
     Attributes
     ----------
@@ -179,7 +180,7 @@ class Answer:
 
 
 def answer(seed: int) -> Answer:
-    """Propose, adjust, compare with the truth."""
+    """Propose targets, adjust, and compare the result with the truth."""
     seen = natural_site(seed)
     off = np.random.default_rng([35, seed]).normal(0, 1.0, 3)
     project, survey = opened(seen, off)
@@ -213,7 +214,7 @@ def main() -> None:
 
 
 def print_answers(answers: list[Answer]) -> None:
-    """A row for each scene, and the shares."""
+    """Print a row for each scene, and the shares."""
     for seed, each in enumerate(answers):
         if each.error is None or each.sigma is None:
             print(seed, each.lines, each.reason[:150])

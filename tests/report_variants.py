@@ -1,4 +1,4 @@
-"""The sample report in every kind it can have, with sentences as the program makes them."""
+"""Variants of the sample report, with notes and messages of the program."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -155,7 +155,7 @@ VARIANTS: dict[str, Change] = {
 
 
 def content_of_sample(project: Project) -> ReportContent:
-    """Of the sample, with sentences and notes as the program makes them."""
+    """Report content of the sample, with notes and messages of the program."""
     result = project.result
     if result is not None and result.observability is not None:
         seen = replace(result.observability, messages=COMMENT_MARKS)

@@ -1,4 +1,4 @@
-"""What the dialogues of `tests.screens` show: found once, with the project's own survey."""
+"""Results shown in the dialogues of `tests.screens`, computed once from the survey."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -37,7 +37,7 @@ NOWHERE = (400.0, 400.0, 0.0)
 
 @dataclass(frozen=True)
 class Findings:
-    """Answers that take a while."""
+    """Results of long computations."""
 
     checked: AbsoluteCheckValues
     budget: ErrorBudgetValues
@@ -50,7 +50,7 @@ class Findings:
 
     @classmethod
     def of(cls, project: Project, survey: Survey, folder: Path) -> "Findings":
-        """All of it, for an estimated and validated project; files go into a folder."""
+        """Compute all results of an estimated and validated project; write files to a folder."""
         bare = project
         for target in project.targets:
             bare = bare.without_target(target.name)
@@ -72,7 +72,7 @@ class Findings:
     def asked(
         self, dialogs: Dialogs, settings: AppSettings, project: Project, survey: Survey
     ) -> dict[str, Callable[[], object]]:
-        """By name: what brings up a dialogue that no action ends in at once."""
+        """Functions by name that open dialogues which no action opens directly."""
         way, used = survey.trajectory, project.settings.subsample
         return {
             "checked": lambda: dialogs.show_check_result(self.checked),
@@ -98,7 +98,7 @@ class Findings:
 
 
 def _seed_list(project: Project, path: Path) -> Path:
-    """Seeds of the project's targets, and one where there is nothing."""
+    """Seeds of the targets of the project, and one at an empty place."""
     rows = [(target.name, *target.seed) for target in project.targets]
     rows.append(("T9", *NOWHERE))
     path.write_text("".join("{},{:.2f},{:.2f},{:.2f}\n".format(*row) for row in rows))
@@ -106,7 +106,7 @@ def _seed_list(project: Project, path: Path) -> Path:
 
 
 def _check_points(project: Project, folder: Path) -> Path:
-    """The seeds, as if they had been surveyed."""
+    """The seeds as surveyed check points."""
     path = folder / "checkpoints.csv"
     path.write_text("".join("{},{},{},{}\n".format(t.name, *t.seed) for t in project.targets))
     return path
@@ -115,7 +115,7 @@ def _check_points(project: Project, folder: Path) -> Path:
 def _years(
     project: Project, folder: Path
 ) -> tuple[tuple[CalibrationHistory, ...], tuple[str, ...]]:
-    """The project's answer this year and last."""
+    """Results of the project in this year and in the previous year."""
     last = sample_project(folder / "years" / "2025")
     write_project(replace(last, identity=replace(SYSTEM, dates="2025-04-02")))
     now = replace(project, identity=replace(SYSTEM, dates="2026-04-05"))

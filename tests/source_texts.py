@@ -1,4 +1,4 @@
-"""Texts that the source of a module can display, read from its syntax tree."""
+"""Texts that a module can display, read from its syntax tree."""
 
 import ast
 import re
@@ -22,7 +22,7 @@ _TWO_WORDS = re.compile(r"[^\W\d_]{2,} .*[^\W\d_]{2,}", re.DOTALL)
 def displayed_texts(
     path: Path, functions: set[str] | None = None, *, at_once: bool = False
 ) -> Iterator[tuple[int, str]]:
-    """Line and text of each string with two words at least, `PLACE` where values go.
+    """Line and text of each string with at least two words, with `PLACE` instead of values.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def _in(node: ast.AST, at_once: bool) -> Iterator[tuple[int, str]]:
 
 
 def _beside_a_bar(argument: ast.expr) -> Iterator[tuple[int, str]]:
-    """What is said of a step: also a single word."""
+    """Text of a step of a progress bar, which may be a single word."""
     if isinstance(argument, ast.Constant | ast.JoinedStr):
         for text in _texts(argument):
             if re.search(r"[^\W\d_]{2}", text):
@@ -81,7 +81,7 @@ def _name(error: ast.expr | None) -> str:
 
 
 def _texts(node: ast.expr) -> Iterator[str]:
-    """What the expression may say: one text for each way its conditions may turn out."""
+    """Possible texts of an expression: one for each combination of its conditions."""
     values = node.values if isinstance(node, ast.JoinedStr) else []
     asked = {ast.unparse(n.test) for v in values for n in ast.walk(v) if isinstance(n, ast.IfExp)}
     for answers in product((True, False), repeat=len(asked)):
