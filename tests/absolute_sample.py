@@ -14,7 +14,7 @@ from lispac.workflow.project.survey import Survey, load_survey
 from tests.static_scans import plane_of
 
 
-def with_truth(demo_project: Project, sample: Project) -> tuple[Project, Survey]:
+def project_with_true_boresight(demo_project: Project, sample: Project) -> tuple[Project, Survey]:
     """The built-in survey with its true boresight as the result, with a sigma of 0.01 deg."""
     result = sample.result
     assert result is not None
@@ -48,7 +48,7 @@ def true_offsets(
     return found
 
 
-def checked(
+def check_against_points(
     known: tuple[Project, Survey], path: Path, points: np.ndarray, **how: object
 ) -> AbsoluteCheck:
     np.savetxt(path, points, fmt="%.5f")

@@ -37,14 +37,14 @@ class Scene:
     patch : pytest.MonkeyPatch
     stack : ExitStack
         Undoes the changes that a case makes to the system.
-    spoilt : set of str
+    changed_files : set of str
         Names of files that the case itself changes while the command runs.
     """
 
     folder: Path
     patch: pytest.MonkeyPatch
     stack: ExitStack
-    spoilt: set[str] = field(default_factory=set)
+    changed_files: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
         write_records(self / "pos.sbet", vessel(2000))
@@ -63,12 +63,12 @@ class Scene:
             "--attitude-sigma", "0.01", "0.01", "0.02", *more,
         ]  # fmt: skip
 
-    def made(self, *words: str, to: str = "quay") -> str:
+    def make_project(self, *words: str, to: str = "quay") -> str:
         """Make the project and return its folder."""
         assert main(self.new(*words, to=to)) == 0
         return str(self / to)
 
-    def to_map(self, output: str = "out", *more: str, project: str = "quay") -> Words:
+    def georeference(self, output: str = "out", *more: str, project: str = "quay") -> Words:
         """Command that georeferences the lines."""
         return [
             "georeference", str(self / project), "--output", str(self / output),
@@ -83,7 +83,7 @@ class Scene:
         """Keep the first bytes of a file."""
         os.truncate(self / name, size)
 
-    def disk(self, size: str) -> Path:
+    def mount_disk(self, size: str) -> Path:
         """Mount a small disk at ``disk``."""
         place = self / "disk"
         place.mkdir()
@@ -95,12 +95,12 @@ class Scene:
         self.stack.callback(subprocess.run, ["umount", str(place)], check=True)
         return place
 
-    def locked(self, size: str = "1m") -> None:
+    def make_disk_read_only(self, size: str = "1m") -> None:
         """Make ``disk`` read-only, for root too."""
         words = ["mount", "-o", f"remount,ro,size={size}", str(self / "disk")]
         subprocess.run(words, check=True)
 
-    def filled(self) -> None:
+    def fill_disk(self) -> None:
         """Fill ``disk`` completely."""
         with (self / "disk" / "other").open("wb", buffering=0) as file:
             try:
@@ -114,7 +114,7 @@ Case = Callable[[Scene], Words]
 REFUSED: dict[str, Case] = {}
 """Cases that are refused with exit code 1 and one sentence, by the name of the row."""
 WITH_WARNING: dict[str, Case] = {}
-"""Files that can be read with a warning or a note, by the name of the row."""
+"""Cases of files that are read with a warning or a note, by the name of the row."""
 
 
 def refused(name: str) -> Callable[[Case], Case]:
@@ -125,7 +125,7 @@ def with_warning(name: str) -> Callable[[Case], Case]:
     return lambda case: WITH_WARNING.setdefault(name, case)
 
 
-def changed(change: Callable[[np.ndarray], object], count: int = 2000) -> Case:
+def changed_trajectory(change: Callable[[np.ndarray], object], count: int = 2000) -> Case:
     """A case with changed records of the trajectory."""
 
     def case(scene: Scene) -> Words:
@@ -193,11 +193,11 @@ def _(scene: Scene) -> Words:
     return scene.new(trajectory="nav.txt")
 
 
-def against(name: str, text: str) -> Case:
+def reference_case(name: str, text: str) -> Case:
     """A case that checks a calibrated project against a reference with this text."""
 
     def case(scene: Scene) -> Words:
-        project = scene.made()
+        project = scene.make_project()
         result = sample_project(scene / "sample").result
         write_project(replace(read_project(Path(project)), result=result))
         (scene / name).write_text(text)
@@ -206,9 +206,9 @@ def against(name: str, text: str) -> Case:
     return case
 
 
-refused("Reference cut short")(against("scan.pts", "3\n1.5 2.5 3.5\n1.6 2.5 3.5\n"))
+refused("Reference cut short")(reference_case("scan.pts", "3\n1.5 2.5 3.5\n1.6 2.5 3.5\n"))
 refused("Reference with more points than its count")(
-    against("scan.pts", "1\n1.5 2.5 3.5\n1.6 2.5 3.5\n")
+    reference_case("scan.pts", "1\n1.5 2.5 3.5\n1.6 2.5 3.5\n")
 )
 
 
@@ -266,8 +266,8 @@ def _(scene: Scene) -> Words:
 
 # Invalid numbers.
 
-refused("NaN in the trajectory")(changed(put(4, 8, np.nan)))
-refused("Infinity in the trajectory")(changed(put(6, 1, np.inf)))
+refused("NaN in the trajectory")(changed_trajectory(put(4, 8, np.nan)))
+refused("Infinity in the trajectory")(changed_trajectory(put(6, 1, np.inf)))
 
 
 @refused("NaN or infinity in a line")
@@ -280,13 +280,17 @@ def _(scene: Scene) -> Words:
 
 # Times.
 
-refused("Duplicate time in the trajectory")(changed(put(5, 0, START + 0.08)))
-refused("Decreasing time in the trajectory")(changed(put(5, 0, START)))
+refused("Duplicate time in the trajectory")(changed_trajectory(put(5, 0, START + 0.08)))
+refused("Decreasing time in the trajectory")(changed_trajectory(put(5, 0, START)))
 refused("Non-monotonic SBET: two missions in one file")(
-    changed(lambda records: records.__setitem__((slice(1000, None), 0), records[:1000, 0]))
+    changed_trajectory(
+        lambda records: records.__setitem__((slice(1000, None), 0), records[:1000, 0])
+    )
 )
 refused("Trajectory times converted from 32 bits")(
-    changed(lambda records: records.__setitem__((..., 0), records[:, 0].astype(np.float32)))
+    changed_trajectory(
+        lambda records: records.__setitem__((..., 0), records[:, 0].astype(np.float32))
+    )
 )
 
 

@@ -29,7 +29,10 @@ WALL = 16.0  # metres to the west of the courses
 NOISE = 0.002  # metres, along the beam
 NAMES = [*BALLS, "board", "wall"]
 MIDDLE = np.array([0.0, 14.0, 6.0])  # of the site
-PROFILES, HALF = 40.0, 4.0  # profiles a second, seconds before and after the middle is abeam
+PROFILES, HALF_DURATION = (
+    40.0,
+    4.0,
+)  # profiles a second, seconds before and after the middle is abeam
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +56,7 @@ def make_ball_survey(folder: Path) -> BallSurvey:
     sea, mounting = SeaMotion.draw(rng), Mounting(np.array(LEVER_ARM), np.radians(BORESIGHT_DEG))
     states, lines, labels = [], [], {}
     for course in sorted(six_courses(), key=_abeam):
-        time = _abeam(course) + np.arange(-HALF - 0.5, HALF + 0.5, 0.005)
+        time = _abeam(course) + np.arange(-HALF_DURATION - 0.5, HALF_DURATION + 0.5, 0.005)
         states.append(np.column_stack([time, *_sail(course, sea, time)]))
         points, times, labels[course.name] = _profiles(states[-1], course, mounting, rng)
         lines.append(LineSource(course.name, folder / "raw" / f"{course.name}.laz"))
@@ -86,7 +89,7 @@ def _sail(course: Course, sea: SeaMotion, time: np.ndarray) -> tuple[np.ndarray,
 
 def _profiles(states, course, mounting, rng):
     """LiDAR points, times and labels of a line."""
-    time = _abeam(course) + np.arange(-HALF, HALF, 1.0 / PROFILES)
+    time = _abeam(course) + np.arange(-HALF_DURATION, HALF_DURATION, 1.0 / PROFILES)
     pose = np.stack([np.interp(time, states[:, 0], column) for column in states[:, 1:].T], axis=1)
     up = np.radians(np.arange(4.0, 36.0, 0.08))
     angle = np.concatenate([up, np.pi - up])

@@ -15,7 +15,7 @@ from tests.point_files import cloud as open3d_cloud
 
 MOUNTING = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.4, -1.9, 0.4]), 0.02, 0.001, 0.003)
 QUEBEC, SYDNEY, GREENWICH = (46.8, -71.2), (-33.9, 151.2), (51.48, 0.0)
-TIMED = (1, 3, 4, 5, 6, 7, 8, 9, 10)
+TIMED_FORMATS = (1, 3, 4, 5, 6, 7, 8, 9, 10)
 COORDINATES = ("X", "Y", "Z", "gps_time")
 VERSIONS = {1: "1.2", 3: "1.2", 4: "1.3", 5: "1.3"}
 
@@ -108,7 +108,7 @@ def one_by_one(
 
 
 LINE_POINTS = 3000
-"""Of the first line of `two_lines`."""
+"""Number of points of the first line of `two_lines`."""
 
 
 def states() -> Trajectory:

@@ -7,7 +7,7 @@ import dask
 import distributed
 
 RESTART_S = 30.0
-"""In which a nanny has started a worker again, on busy processors."""
+"""Time in which a nanny process restarts a worker on busy processors."""
 
 
 class Clusters:

@@ -91,7 +91,7 @@ def pool() -> ProcessPoolExecutor:
     return ProcessPoolExecutor(2, mp_context=get_context("spawn"))
 
 
-def drawn(pairs: int, seed: int = 35) -> list[tuple[str, str]]:
+def random_pairs(pairs: int, seed: int = 35) -> list[tuple[str, str]]:
     """Random pairs of commands, including pairs of the same command."""
     names, chance = list(commands()), np.random.default_rng(seed)
     return [(names[i], names[j]) for i, j in chance.integers(len(names), size=(pairs, 2))]

@@ -18,14 +18,14 @@ from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.workflow.planning.demo import make_demo
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.sharing import once
+from tests.sharing import make_once
 
 hypothesis.settings.register_profile("same", derandomize=True, deadline=None)
 
 # Warnings are errors in child processes too, except for deprecation warnings of libraries.
 os.environ["PYTHONWARNINGS"] = "error::RuntimeWarning,error::UserWarning"
 
-LONG = {"test_gui_monkey.py": 40, "test_gui_end_to_end.py": 30, "test_coverage.py": 30}
+LONG_FILES = {"test_gui_monkey.py": 40, "test_gui_end_to_end.py": 30, "test_coverage.py": 30}
 """Files with a few long tests, with the number of short tests that take the same time."""
 
 
@@ -42,7 +42,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """
     if "PYTEST_XDIST_WORKER" in os.environ:
         tests = Counter(item.path for item in items)
-        items.sort(key=lambda item: -max(tests[item.path], LONG.get(item.path.name, 0)))
+        items.sort(key=lambda item: -max(tests[item.path], LONG_FILES.get(item.path.name, 0)))
 
 
 def pytest_collection_finish() -> None:
@@ -92,19 +92,19 @@ def shared_data() -> Path:
 @pytest.fixture(scope="session")
 def port(tmp_path_factory: pytest.TempPathFactory) -> SimulatedSurvey:
     """The simulated built-in survey with the labels of all points."""
-    return once(tmp_path_factory, "port", lambda _folder: port_survey())
+    return make_once(tmp_path_factory, "port", lambda _folder: port_survey())
 
 
 @pytest.fixture(scope="session")
 def whole_demo(tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The built-in survey without targets; tests must not change it on disk."""
-    return once(tmp_path_factory, "whole", make_demo)
+    return make_once(tmp_path_factory, "whole", make_demo)
 
 
 @pytest.fixture(scope="session")
 def demo_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The built-in survey with a third of the points, for tests that do not need all."""
-    return once(
+    return make_once(
         tmp_path_factory, "made", lambda folder: make_demo(folder, points_per_second=50_000.0)
     )
 
@@ -112,7 +112,7 @@ def demo_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 @pytest.fixture(scope="session")
 def sparse_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The built-in survey with a sixth of the points, for searches for surfaces."""
-    return once(
+    return make_once(
         tmp_path_factory, "sparse", lambda folder: make_demo(folder, points_per_second=25_000.0)
     )
 
@@ -131,7 +131,7 @@ def printed_demo(
             code = main(["demo", "--output", str(folder), "--no-window"])
         return folder, code, out.getvalue(), err.getvalue()
 
-    return once(tmp_path_factory, "printed", run_demo)
+    return make_once(tmp_path_factory, "printed", run_demo)
 
 
 @pytest.fixture(scope="session")
@@ -144,7 +144,7 @@ def calibrated(
         shutil.copytree(printed_demo[0], folder, ignore=shutil.ignore_patterns("report.*"))
         return open_project(folder)
 
-    project = once(tmp_path_factory, "calibrated", take)
+    project = make_once(tmp_path_factory, "calibrated", take)
     return project, load_survey(project)
 
 

@@ -35,7 +35,7 @@ from lispac.survey.trajectory import Poses
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
-RAW = 0.03
+POINT_SPACING = 0.03
 MODEL = Settings(lever_arm=(0.0, 0.0, 0.0)).stochastic_model
 TARGETS = (
     *THESIS_BOARDS,
@@ -127,7 +127,7 @@ def survey(kind: str, seed: int) -> Observations:
     if kind == "lever arm 2 cm":
         off = chance.normal(size=3)
         mounting = replace(TRUTH, lever_arm=TRUTH.lever_arm + 0.02 * off / np.linalg.norm(off))
-    exact = error_free_survey(mounting, TARGETS, six_courses(), RAW, generator, pos=pos)
+    exact = error_free_survey(mounting, TARGETS, six_courses(), POINT_SPACING, generator, pos=pos)
     data = add_errors(exact, pos, generator)
     change = KINDS[kind]
     data = data if change is None else change(data, chance)
@@ -135,7 +135,7 @@ def survey(kind: str, seed: int) -> Observations:
 
 
 @dataclass(frozen=True)
-class Answer:
+class SurveyResult:
     """Error and sigmas of one survey, degrees, and the codes of its serious warnings.
 
     ``shortened`` is True if the residuals required shorter correlation times.
@@ -148,9 +148,9 @@ class Answer:
     shortened: bool
 
 
-def answer(kind: str, seed: int) -> Answer:
+def answer(kind: str, seed: int) -> SurveyResult:
     result = adjust(survey(kind, seed), PRIOR, MODEL)
-    return Answer(
+    return SurveyResult(
         np.degrees(result.boresight - TRUTH.boresight),
         np.degrees(result.sigma),
         np.degrees(result.with_formal_sigmas.sigma),
@@ -159,21 +159,21 @@ def answer(kind: str, seed: int) -> Answer:
     )
 
 
-def study(kind: str, surveys: int, workers: int = 2) -> list[Answer]:
+def study(kind: str, surveys: int, workers: int = 2) -> list[SurveyResult]:
     if workers == 1:
         return [answer(kind, seed) for seed in range(surveys)]
     with ProcessPoolExecutor(workers) as pool:
         return list(pool.map(answer, [kind] * surveys, range(surveys), chunksize=4))
 
 
-def hits(answers: list[Answer], which: str = "sigma") -> np.ndarray:
+def hits(answers: list[SurveyResult], which: str = "sigma") -> np.ndarray:
     """Share of the 95 % intervals that contain the truth, shape (3,)."""
     if not answers:
         return np.full(3, np.nan)
     return np.mean([np.abs(a.error) < 1.96 * getattr(a, which) for a in answers], axis=0)
 
 
-def row(kind: str, answers: list[Answer]) -> str:
+def row(kind: str, answers: list[SurveyResult]) -> str:
     """One row of the table."""
     calm = [each for each in answers if not each.serious]
 

@@ -30,12 +30,12 @@ from lispac.targets.thinning import thin_points
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
-RAW = 0.02  # metres between the points of the scanner
+POINT_SPACING = 0.02  # metres between the points of the scanner
 CORRELATION_TIMES = ((300.0, 600.0), (3600.0, 3600.0), (5.0, 5.0))
 DISTANCES = (0.02, 0.05, 0.10, 0.20)
-SUBSAMPLED = 20
-"""Surveys that tell how subsampling changes the sigmas: each is compared with itself, so that few
-tell it to a fraction of a percent. `changes` says how well."""
+SUBSAMPLED_SURVEYS = 20
+"""Number of surveys for the effect of subsampling on the sigmas. Each is compared with itself, so
+that few surveys are sufficient; `sigma_ratios` returns the standard error."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +80,7 @@ def models(times: tuple[float, float]) -> dict[str, StochasticModel]:
     }
 
 
-def selected(survey: Observations, distance: float) -> Observations:
+def thinned_per_cube(survey: Observations, distance: float) -> Observations:
     """Thin the points of each sighting to one per cube, as for uncorrelated POS errors."""
     places = points_local(survey, PRIOR)
     own = [np.flatnonzero(survey.sighting == k) for k in range(len(survey.sightings))]
@@ -92,7 +92,9 @@ def _one(
 ) -> list[tuple[np.ndarray, np.ndarray]]:
     pos = replace(HYDROGRAPHIC_INS, time_position=times[0], time_attitude=times[1])
     generator = np.random.default_rng([2026, seed])
-    exact = error_free_survey(TRUTH, THESIS_BOARDS, six_courses(), RAW, generator, pos=pos)
+    exact = error_free_survey(
+        TRUTH, THESIS_BOARDS, six_courses(), POINT_SPACING, generator, pos=pos
+    )
     survey = add_errors(exact, pos, generator)
     found = []
     for distance in distances:
@@ -102,7 +104,7 @@ def _one(
                     survey, PRIOR, distance, longest=model.knot_interval, no_outliers=True
                 )
             else:
-                points = selected(survey, distance)
+                points = thinned_per_cube(survey, distance)
             result = adjust(points, PRIOR, model, diagnostics=False)
             error = np.degrees(result.boresight - TRUTH.boresight)
             found.append((error, np.degrees(result.sigma)))
@@ -124,7 +126,7 @@ def study(
     return {key: Answers(table[:, k, 0], table[:, k, 1]) for k, key in enumerate(keys)}
 
 
-def changes(answers: dict[tuple[str, float], Answers]) -> tuple[np.ndarray, np.ndarray]:
+def sigma_ratios(answers: dict[tuple[str, float], Answers]) -> tuple[np.ndarray, np.ndarray]:
     """Ratios of sigmas of the correlated model to those at the smallest distance.
 
     Returns
@@ -136,7 +138,7 @@ def changes(answers: dict[tuple[str, float], Answers]) -> tuple[np.ndarray, np.n
     return ratios.mean(axis=1), ratios.std(axis=1, ddof=1) / np.sqrt(ratios.shape[1])
 
 
-def printed(times: tuple[float, float], answers: dict[tuple[str, float], Answers]) -> str:
+def table_text(times: tuple[float, float], answers: dict[tuple[str, float], Answers]) -> str:
     """The table of one pair of correlation times."""
     count = len(next(iter(answers.values())).errors)
     lines = [
@@ -155,11 +157,11 @@ def main() -> None:
     """Print the whole study."""
     surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
     for times in CORRELATION_TIMES:
-        print(printed(times, study(times, (0.10,), surveys)), flush=True)
+        print(table_text(times, study(times, (0.10,), surveys)), flush=True)
     for times in CORRELATION_TIMES:
-        answers = study(times, DISTANCES, min(SUBSAMPLED, max(surveys, 2)))
-        print(printed(times, answers))
-        print("sigma by that at the first, +-", *changes(answers), sep="\n", flush=True)
+        answers = study(times, DISTANCES, min(SUBSAMPLED_SURVEYS, max(surveys, 2)))
+        print(table_text(times, answers))
+        print("sigma by that at the first, +-", *sigma_ratios(answers), sep="\n", flush=True)
 
 
 if __name__ == "__main__":

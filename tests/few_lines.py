@@ -33,7 +33,7 @@ def picked() -> tuple[Project, Survey]:
 
 
 @cache
-def answered() -> tuple[Project, Survey]:
+def picked_and_estimated() -> tuple[Project, Survey]:
     """The same survey with the true boresight as the result."""
     project, survey = picked()
     project = estimate(project, survey, cross_check=False)

@@ -11,11 +11,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.errors import HypothesisWarning
 
-SECONDS, INPUTS, FEWEST = 60, 100_000, 2_500
-"""The long form ends with whichever comes first, after the fewest inputs."""
+MAX_SECONDS, MAX_INPUTS, MIN_INPUTS = 60, 100_000, 2_500
+"""A long run ends at the first of the two limits, but not before the minimum number of inputs."""
 
 Attempt = Callable[[bytes], bool]
-"""Puts content before a reader; whether it was read. All but the program's own errors come out."""
+"""Gives content to a reader; returns whether it was read. Foreign errors are raised."""
 
 
 def damaged(content: bytes) -> st.SearchStrategy[bytes]:
@@ -134,8 +134,8 @@ def fuzz(made: st.SearchStrategy[bytes], attempt: Attempt, examples: int) -> tup
 def fuzz_long(name: str, made: Sequence[st.SearchStrategy[bytes]], attempt: Attempt) -> int:
     """Run `fuzz` for a minute or 100,000 inputs from all sources; prints the numbers."""
     inputs = read = turn = 0
-    end = monotonic() + SECONDS
-    while inputs < FEWEST or (inputs < INPUTS and monotonic() < end):
+    end = monotonic() + MAX_SECONDS
+    while inputs < MIN_INPUTS or (inputs < MAX_INPUTS and monotonic() < end):
         counts = fuzz(made[turn % len(made)], attempt, 250)
         inputs, read, turn = inputs + counts[0], read + counts[1], turn + 1
     print(f"{name}: {inputs:,} inputs, {read:,} of them read, {inputs - read:,} refused")

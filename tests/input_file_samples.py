@@ -15,7 +15,7 @@ START = 486_000.0
 LEVER = (0.2, -0.1, 1.5)
 
 
-def taken_in(
+def import_files(
     input_files: InputFiles, *paths: Path, mappings: dict[str, str] | None = None
 ) -> InputFiles:
     """Examine and import input files like the window, in one thread."""

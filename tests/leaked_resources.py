@@ -9,29 +9,29 @@ import shiboken6
 from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 
-SETTLES_S = 1.0
+SETTLING_S = 1.0
 """Time for single-shot timers and ending threads to finish."""
 
 
 def find_leaks() -> list[str]:
     """Names of objects that were created since `gc.freeze` and still exist after a short wait."""
-    left = _left()
-    until = time.monotonic() + SETTLES_S  # one search may take that long on a busy machine
+    left = _leaked()
+    until = time.monotonic() + SETTLING_S  # one search may take that long on a busy machine
     while left and time.monotonic() < until:
         time.sleep(0.01)
         QCoreApplication.processEvents()
-        left = _left()
+        left = _leaked()
     return left
 
 
-def _left() -> list[str]:
+def _leaked() -> list[str]:
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     gc.collect()
     made = gc.get_objects()
     shown = [each for each in QApplication.topLevelWidgets() if each.isVisible()]
     return [
         *(f"thread {each.name}" for each in threading.enumerate() if _is_ours(each)),
-        *(f"timer {each.objectName()}" for each in made if _beats(each)),
+        *(f"timer {each.objectName()}" for each in made if _is_running_timer(each)),
         *(f"shown {type(each).__name__}" for each in shown),
         # Windows deleted by Qt count too: their Python objects still hold points and graphics
         *(type(each).__name__ for each in made if isinstance(each, (QMainWindow, QDialog))),
@@ -43,7 +43,7 @@ def _is_ours(thread: threading.Thread) -> bool:
     return thread.name.startswith("lispac")
 
 
-def _beats(each: object) -> bool:
+def _is_running_timer(each: object) -> bool:
     return isinstance(each, QTimer) and shiboken6.isValid(each) and each.isActive()
 
 

@@ -56,11 +56,11 @@ WORDS = {
     "fr": ("Champ", "Unité, étendue, choix", "Ce que c'est", "de {} à {}", "Option", "Choix",
            "habituel"),
 }  # fmt: skip
-STANDARD = {
+STANDARD_KEYS = {
     Keys.New: "Ctrl+N", Keys.Open: "Ctrl+O", Keys.Save: "Ctrl+S",
     Keys.SaveAs: "Ctrl+Shift+S", Keys.Quit: "Ctrl+Q", Keys.Undo: "Ctrl+Z",
 }  # fmt: skip
-"""Keys that the desktop has a say in; these are the usual ones."""
+"""Shortcuts that depend on the desktop, with their usual keys."""
 MENUS = {"en": ("Entry", "Keys", "What it does"), "fr": ("Entrée", "Touches", "Ce qu'elle fait")}
 ASSUMED = {
     "en": "Assumed of a usual file without options:",
@@ -133,12 +133,12 @@ PANELS: dict[str, Callable[[], QWidget]] = {
     "histograms": HistogramsPanel, "report": ReportPanel, "convention": ConventionPanel,
 }  # fmt: skip
 FIELDS = (QAbstractSpinBox, QComboBox, QAbstractButton, QLineEdit)
-LONGEST = 6
-"""Choices of a field that are named; longer lists are those of a library."""
-SHARED = tuple(
+MAX_CHOICES = 6
+"""Maximum number of choices of a field that are listed; longer lists come from a library."""
+COMMON_POINT_OPTIONS = tuple(
     option for option in POINTS[0].options if all(option in each.options for each in POINTS)
 )
-"""Options of every format of points."""
+"""Options that all point formats have."""
 
 
 def tables(language: str) -> dict[str, str]:
@@ -161,7 +161,7 @@ def tables(language: str) -> dict[str, str]:
                 parts = [_format(each, files[each.key], language) for each in formats]
                 made[f"{name}.md"] = "\n".join(parts)
         made["programs.md"] = _programs(language)
-        made["points-shared.md"] = _options(list(SHARED), language)
+        made["points-shared.md"] = _options(list(COMMON_POINT_OPTIONS), language)
         made["messages.md"] = _messages(language)
     finally:
         set_language("en")
@@ -241,7 +241,7 @@ def _range(field: QWidget, language: str) -> str:
         return f"{said}\xa0{field.suffix().strip()}".replace(" ", "\xa0").strip()
     if isinstance(field, QComboBox):
         items = [field.itemText(k) for k in range(field.count())]
-        return "; ".join(items) if len(items) <= LONGEST else ""
+        return "; ".join(items) if len(items) <= MAX_CHOICES else ""
     return ""
 
 
@@ -265,7 +265,7 @@ def _entries(menu: str, under: str) -> Iterator[tuple[str, ...]]:
             keys = ALL_ACTIONS[name].keys
             text, tip = ALL_ACTIONS[name].texts
             first = keys[0] if isinstance(keys, tuple) else keys
-            shown = STANDARD.get(first, first)
+            shown = STANDARD_KEYS.get(first, first)
             shown = shown.replace("Shift", "Maj") if current_language() == "fr" else shown
             yield f"{under}{_bare(text)}", shown, tip
 
@@ -291,7 +291,7 @@ def _format(format: FileFormat, file: Path, language: str) -> str:
     told = [message_text(each) for each in assumed(format.key, file)]
     if told:
         text += f"\n{ASSUMED[language]}\n\n" + "".join(f"- {_cell(each)}\n" for each in told)
-    own = [option for option in format.options if option not in SHARED]
+    own = [option for option in format.options if option not in COMMON_POINT_OPTIONS]
     return f"{text}\n{_options(own, language)}" if own else text
 
 

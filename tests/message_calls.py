@@ -13,10 +13,10 @@ from lispac.messages import Level
 ROOT = Path(__file__).resolve().parents[1]
 MAKERS = ("error", "warning", "note")
 MAX_STEPS = 4
-"""Names that are followed from a call to the constants they may stand for."""
+"""Maximum number of names that are followed from a call to a constant."""
 
 Scope = tuple[ast.AST, ...]
-"""Functions around an expression, the innermost first."""
+"""Functions that contain an expression, the innermost first."""
 Source = tuple[ast.expr, Scope]
 
 

@@ -34,12 +34,12 @@ from lispac.workflow.project.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 
 FORMS = {"flat": 0.4, "bent": 0.3, "rough": 0.3}
-"""Kinds of surfaces and how often each occurs."""
-PULSES = 60_000.0
+"""Kinds of surfaces and their probabilities."""
+PULSES_PER_SECOND = 60_000.0
 WAVELENGTH = 0.8
 HALF_WAVE = WAVELENGTH / 2
-"""Metres: typical length of the waves of a rough surface. Points within half of it share a form
-error, those of a bent surface over longer distances."""
+"""Half of the typical wavelength of a rough surface, metres. Points within this distance share a
+form error; on a bent surface the distances are longer."""
 
 
 def surfaces(chance: np.random.Generator) -> list[Rectangle]:
@@ -101,7 +101,11 @@ def natural_site(seed: int) -> Site:
     chance = np.random.default_rng([34, seed])
     scene = surfaces(chance)
     seen = site(
-        scene, lines=int(chance.choice([2, 4, 6])), seed=seed, pulses_per_second=PULSES, near=9.0
+        scene,
+        lines=int(chance.choice([2, 4, 6])),
+        seed=seed,
+        pulses_per_second=PULSES_PER_SECOND,
+        near=9.0,
     )
     forms = int(chance.integers(2**31))
     mounting = Mounting(np.array(LEVER_ARM), seen.boresight)
@@ -153,7 +157,7 @@ def form_factors(seen: Site, project: Project) -> dict[str, float]:
 
 
 @dataclass(frozen=True)
-class Answer:
+class SceneResult:
     """Result of a scene: only a reason, or error and sigmas in degrees, shape (3,).
 
     Attributes
@@ -179,7 +183,7 @@ class Answer:
         return tuple(each.code for each in self.warnings)
 
 
-def answer(seed: int) -> Answer:
+def answer(seed: int) -> SceneResult:
     """Propose targets, adjust, and compare the result with the truth."""
     seen = natural_site(seed)
     off = np.random.default_rng([35, seed]).normal(0, 1.0, 3)
@@ -188,10 +192,10 @@ def answer(seed: int) -> Answer:
         proposal = propose_targets(project, survey)
         solved = estimate(replace(project, targets=proposal.targets), survey)
     except (TargetNotFound, AdjustmentError) as error:
-        return Answer(f"{type(error).__name__}: {error}", lines=len(seen.echoes))
+        return SceneResult(f"{type(error).__name__}: {error}", lines=len(seen.echoes))
     result = solved.result
     assert result is not None
-    return Answer(
+    return SceneResult(
         "",
         np.degrees(result.boresight - seen.boresight),
         np.degrees(result.sigma),
@@ -203,7 +207,7 @@ def answer(seed: int) -> Answer:
     )
 
 
-def study(scenes: int, workers: int = 2) -> list[Answer]:
+def study(scenes: int, workers: int = 2) -> list[SceneResult]:
     with ProcessPoolExecutor(workers) as pool:
         return list(pool.map(answer, range(scenes)))
 
@@ -213,7 +217,7 @@ def main() -> None:
     print_answers(study(int(sys.argv[1]) if len(sys.argv) > 1 else 200))
 
 
-def print_answers(answers: list[Answer]) -> None:
+def print_answers(answers: list[SceneResult]) -> None:
     """Print a row for each scene, and the shares."""
     for seed, each in enumerate(answers):
         if each.error is None or each.sigma is None:

@@ -246,7 +246,7 @@ def e57(
 
 
 CSV_HEAD = "time,x,y,z,ring"
-VALID: dict[str, tuple[str, Callable[[Path], Path]]] = {
+VALID_FILES: dict[str, tuple[str, Callable[[Path], Path]]] = {
     "a.las": ("las", lambda path: las(path, 1, "1.2", crs="EPSG:32619")),
     "b.las": ("las", lambda path: las(path, 7, "1.4", crs="EPSG:32619")),
     "a.laz": ("las", lambda path: las(path, 3, "1.3")),
@@ -265,4 +265,4 @@ VALID: dict[str, tuple[str, Callable[[Path], Path]]] = {
     "plane.txt": ("planes", planes),
     "target.csv": ("target", target),
 }
-"""Name of the file: key of its format, and how to write it."""
+"""Key of the format and writer of each file, by the name of the file."""

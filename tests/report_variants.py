@@ -42,7 +42,7 @@ COMMENT_MARKS = (
     ),
     note("observability.no_main_line", angle=mounting_value_name("roll")),
 )
-"""As `lispac.adjustment.diagnostics.observability` makes them."""
+"""Messages as made by `lispac.adjustment.diagnostics.observability`."""
 NOTES = (
     note("trajectory.metres_assumed", file="a.txt", column="Alt"),
     note("assumed.column_unit", column="Alt", unit=note("unit.feet")),

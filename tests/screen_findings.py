@@ -25,14 +25,14 @@ from lispac.workflow.project.survey import Survey
 from tests.report_sample import sample_project
 
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
-HOW = (
+SEARCH_TEXT = (
     "All are searched for as planes on every line, with search radius, threshold and the rest as "
     "set in step 2."
 )
-WRITTEN = 1772633100.0
-"""When unsaved work was written down, seconds since 1970."""
+UNSAVED_TIME = 1772633100.0
+"""Time at which unsaved work was stored, seconds since 1970."""
 NOWHERE = (400.0, 400.0, 0.0)
-"""North, west, up: no line has seen anything there."""
+"""A place without points on any line (north, west, up)."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ class Findings:
             "subsampling": lambda: dialogs.subsampling(self.subsampled, used),
             "visibility": lambda: dialogs.visibility(self.visible),
             "proposal": lambda: dialogs.proposal(self.proposal),
-            "seed-list": lambda: dialogs.seed_list(self.seeds, project, way, HOW),
+            "seed-list": lambda: dialogs.seed_list(self.seeds, project, way, SEARCH_TEXT),
             "seeds-found": lambda: dialogs.seeds_found(self.outcomes, len(project.lines)),
             "sensors-of-plan": lambda: dialogs.sensors_of_plan(settings),
             "sensor-editor": lambda: SensorEditor(
@@ -89,7 +89,7 @@ class Findings:
             ).exec(),
             "add-or-new": lambda: dialogs.ask_to_add(project.name),
             "candidate-waits": lambda: dialogs.ask_about_candidate("T3"),
-            "recover": lambda: dialogs.ask_to_recover(project.name, local_datetime(WRITTEN)),
+            "recover": lambda: dialogs.ask_to_recover(project.name, local_datetime(UNSAVED_TIME)),
             "open-elsewhere": lambda: dialogs.ask_to_open_locked(
                 project.name, "bridge, process 4711"
             ),

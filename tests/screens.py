@@ -35,13 +35,13 @@ from tests.screen_findings import Findings
 SIZES = ("1600x1000", "1366x768")
 LOOKS, LANGUAGES = ("light", "dark"), ("en", "fr")
 SETTLING_S = 0.4
-ASKING = (
+DIALOGUE_ACTIONS = (
     "about", "keys", "seed_coordinates", "find_again", "lines", "targets", "trajectory", "check",
     "script", "budget", "settings",
 )  # fmt: skip
-"""Actions that end in a dialogue."""
-SURVEYS = 100
-"""Simulated of the plan."""
+"""Actions that open a dialogue."""
+SIMULATED_SURVEYS = 100
+"""Number of simulated surveys of the plan."""
 
 
 class Photographer:
@@ -177,7 +177,7 @@ class Photographer:
         """Take a picture of each dialogue when it is open, and close it."""
         window, dialogs = self.window, self.window.dialogs
         self._watch.start()
-        for name in ASKING:
+        for name in DIALOGUE_ACTIONS:
             self._ask(name, window.actions_[name].trigger)
         self._ask("details", window.report.details_requested.emit)
         self._ask("preview", window.report.preview_requested.emit)
@@ -234,7 +234,7 @@ class Photographer:
                 for page in range(tabs.count()):
                     tabs.setCurrentIndex(page)
                     self.take(design, f"{width}-{tabs.objectName()}-{page + 1}")
-        design.surveys.surveys.setValue(SURVEYS)
+        design.surveys.surveys.setValue(SIMULATED_SURVEYS)
         designing.compare()
         self._wait_until_idle(designing.runner)
         self.take(design, "design-compared")

@@ -30,7 +30,7 @@ def run(script: str, folder: Path) -> dict[str, Any]:
     return _script_result(folder)
 
 
-def run_here(script: str, folder: Path) -> dict[str, Any]:
+def run_in_process(script: str, folder: Path) -> dict[str, Any]:
     """As `run`, in this process, which has already imported the modules, so that it is faster."""
     path = _written(script, folder)
     with pytest.MonkeyPatch.context() as patch:

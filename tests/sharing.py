@@ -12,7 +12,7 @@ import pytest
 Made = TypeVar("Made")
 
 
-def once(
+def make_once(
     factory: pytest.TempPathFactory, name: str, make: Callable[[Path], Made], *, pause: float = 0.1
 ) -> Made:
     """Result of ``make`` for a folder, computed once a run by the first process that needs it.

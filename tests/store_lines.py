@@ -123,7 +123,7 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(column_files, "WINDOW", 2048)
 
 
-def why(error: LispacError) -> str:
+def reason_code(error: LispacError) -> str:
     """Code of the reason for which a line has to be imported again."""
     assert error.code == "store.import_again"
     assert error.message is not None

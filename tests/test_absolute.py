@@ -29,7 +29,7 @@ from lispac.survey.crs import coordinate_system
 from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.survey import Survey
-from tests.absolute_sample import checked, true_offsets, with_truth
+from tests.absolute_sample import check_against_points, project_with_true_boresight, true_offsets
 from tests.command_errors import is_refusal, refused_with
 from tests.report_sample import sample_content, sample_project
 from tests.report_schema import followed
@@ -51,14 +51,14 @@ def sample(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 @pytest.fixture(scope="module")
 def known(demo_project: Project, sample: Project) -> tuple[Project, Survey]:
-    return with_truth(demo_project, sample)
+    return project_with_true_boresight(demo_project, sample)
 
 
 @pytest.fixture(scope="module")
 def both(known: tuple[Project, Survey], tmp_path_factory: pytest.TempPathFactory) -> AbsoluteCheck:
     """Check against one scan of a near plane, dense with points, and a far one."""
     path = tmp_path_factory.mktemp("both") / "both.xyz"
-    return checked(known, path, near_and_far())
+    return check_against_points(known, path, near_and_far())
 
 
 def near_and_far() -> np.ndarray:
@@ -72,7 +72,7 @@ def test_a_known_shift_of_a_scan_is_measured(
     """V5 faces west, the direction of the shift: its lines lie farther away by the shift."""
     expected = true_offsets(truth, known[1], "V5")
     scan = tripod_scan(("V5",), shift=(0.0, shift, 0.0))
-    check = checked(known, tmp_path / "scan.xyz", scan)
+    check = check_against_points(known, tmp_path / "scan.xyz", scan)
     assert {line.line for line in check.lines} <= set(expected)
     assert len(check.lines) >= 2
     for line in check.lines:
@@ -89,7 +89,9 @@ def test_a_known_shift_of_a_scan_is_measured(
 def test_offsets_larger_than_the_given_sigmas_are_significant(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
-    check = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",), shift=(0.0, 0.08, 0.0)))
+    check = check_against_points(
+        known, tmp_path / "s.xyz", tripod_scan(("V5",), shift=(0.0, 0.08, 0.0))
+    )
     assert check.all_lines.after.significant
     assert all(line.after.significant for line in check.lines)
     mean, _, lines, *_ = AbsoluteCheckValues.of(check).messages
@@ -102,7 +104,7 @@ def test_the_sources_of_the_sigma_of_the_mean(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     """V5 faces west: only the west position sigma counts; the attitude counts by its lever arm."""
-    check = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",)), sigma=0.01)
+    check = check_against_points(known, tmp_path / "s.xyz", tripod_scan(("V5",)), sigma=0.01)
     _, survey = known
     for line in check.lines:
         position, attitude = survey.accuracy.at(np.array([survey.scans[line.line].first_time]))
@@ -129,7 +131,7 @@ def test_errors_average_out_between_lines_far_apart_in_time_only(
     for seconds in (1e-3, 1e9):
         settings = replace(project.settings, position_time=seconds, attitude_time=seconds)
         one = (replace(project, settings=settings), survey)
-        check = checked(one, tmp_path / "s.xyz", tripod_scan(("V5",)))
+        check = check_against_points(one, tmp_path / "s.xyz", tripod_scan(("V5",)))
         share = 1.0 / len(check.lines)
         own = np.array([line.after.mean_sigma.position for line in check.lines])
         sigmas.append((check.all_lines.after.mean_sigma.position, share, own))
@@ -145,7 +147,9 @@ def test_a_near_plane_takes_no_places_from_a_far_one(
     """The places of a line do not depend on the other plane, and all lines weigh the same."""
     alone: dict[str, list[LineCheck]] = {}
     for name in ("V1", "V5"):
-        for line in checked(known, tmp_path / f"{name}.xyz", tripod_scan((name,))).lines:
+        for line in check_against_points(
+            known, tmp_path / f"{name}.xyz", tripod_scan((name,))
+        ).lines:
             alone.setdefault(line.line, []).append(line)
     found = {line.line: line for line in both.lines}
     assert set(found) == set(alone)
@@ -168,7 +172,7 @@ def test_a_near_plane_takes_no_places_from_a_far_one(
 def test_a_line_that_is_not_compared_has_a_suggested_action(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
-    scan = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",)))
+    scan = check_against_points(known, tmp_path / "s.xyz", tripod_scan(("V5",)))
     assert scan.not_compared
     (tmp_path / "p.csv").write_text("A,{},{},{}\n".format(*on_plane("V5", *np.zeros((2, 1)))[0]))
     project, _ = check_absolute(*known, tmp_path / "p.csv")
@@ -186,7 +190,7 @@ def test_a_line_that_is_not_compared_has_a_suggested_action(
     # A patch with enough places on near lines and too few on far ones.
     patch = tripod_scan(("V5",), density=2000.0)
     patch = patch[np.linalg.norm(patch - on_plane("V5", *np.zeros((2, 1))), axis=1) < 1.6]
-    small = checked(known, tmp_path / "few.xyz", patch)
+    small = check_against_points(known, tmp_path / "few.xyz", patch)
     assert {line.line for line in small.lines} == {"L1_000", "L2_180"}
     (found,) = (each for each in small.not_compared if each.params["line"] == "L3_045")
     reason = found.params["reason"]
@@ -314,7 +318,7 @@ def test_the_format_of_the_reference_does_not_matter(
     las.write(tmp_path / "scan.las")
     half = len(scan) // 2
     write_pts(tmp_path / "scan.pts", [scan[:half], scan[half:]])
-    expected = checked(known, tmp_path / "scan.xyz", scan)
+    expected = check_against_points(known, tmp_path / "scan.xyz", scan)
     for name in ("scan.las", "scan.pts"):
         found = check_absolute(*known, tmp_path / name)[0].absolute
         assert found is not None

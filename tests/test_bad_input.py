@@ -35,7 +35,7 @@ def content_of_folder(scene: Scene) -> dict[str, bytes | None]:
     return {
         str(path.relative_to(scene.folder)): path.read_bytes() if path.is_file() else None
         for path in sorted(scene.folder.rglob("*"))
-        if path.name not in scene.spoilt
+        if path.name not in scene.changed_files
     }
 
 

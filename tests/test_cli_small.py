@@ -33,7 +33,7 @@ from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
 from lispac.workflow.calibration.targetless import TargetlessResult
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.report_sample import sample_project
-from tests.sharing import once
+from tests.sharing import make_once
 from tests.test_absolute_warnings import check as against_reference
 from tests.test_cli import answer, import_workflow, refused, run
 
@@ -49,7 +49,7 @@ def _made(folder: Path) -> Project:
 @pytest.fixture(scope="module")
 def small(tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The built-in survey with few points; tests must not change it on disk."""
-    return once(tmp_path_factory, "small", _made)
+    return make_once(tmp_path_factory, "small", _made)
 
 
 @pytest.fixture

@@ -22,7 +22,7 @@ from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_scanner_
 from lispac.workflow.output.cloud_export import write_cloud
 from tests.cloud_files import (
     MOUNTING,
-    TIMED,
+    TIMED_FORMATS,
     folded_geoid,
     one_by_one,
     sweep,
@@ -48,7 +48,7 @@ def to_las(
 
 
 @pytest.mark.parametrize("ending", ["las", "laz"])
-@pytest.mark.parametrize("number", TIMED)
+@pytest.mark.parametrize("number", TIMED_FORMATS)
 def test_all_attributes_of_all_point_formats_are_kept(
     tmp_path: Path, number: int, ending: str
 ) -> None:
@@ -96,7 +96,7 @@ def test_all_attributes_of_all_point_formats_are_kept(
     assert any(record.record_id == 34735 for record in header.vlrs) == (number < 6)
 
 
-@pytest.mark.parametrize("number", TIMED)
+@pytest.mark.parametrize("number", TIMED_FORMATS)
 def test_unpacked_attributes_are_written_unchanged(tmp_path: Path, number: int) -> None:
     """A store or another reader gives columns by name; some points are outside the trajectory."""
     points, time = sweep(track(), SMALL)

@@ -43,7 +43,7 @@ LATE_MODULES = {
     "scipy.stats",
     "vtkmodules",
 }
-"""What the window imports with the work that needs it, and once it is drawn."""
+"""Modules that the window imports when it needs them or after it has been drawn."""
 
 
 def requirements(lock: str) -> dict[str, list[str]]:

@@ -25,8 +25,8 @@ LEVER_ARM = np.array([-0.185596, 0.037658, 2.419063])
 cos, sin = np.cos, np.sin
 
 Formula = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], np.ndarray]
-"""Raw points, angles as typed (radians), lever arm as typed, attitude of this program (roll,
-pitch, heading of every point): points from the POS, in North, West, Up."""
+"""Maps raw points, typed angles (radians), a typed lever arm and the attitude of this program
+(roll, pitch, heading of every point) to points relative to the POS in North, West, Up."""
 
 
 def survey(count: int = 400, seed: int = 3) -> tuple[np.ndarray, Poses]:

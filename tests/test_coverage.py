@@ -6,7 +6,14 @@ import scipy.stats
 
 from tests.coverage_of_errors import KINDS, hits, row
 from tests.coverage_of_errors import study as study_of_errors
-from tests.coverage_study import CORRELATION_TIMES, DISTANCES, SUBSAMPLED, changes, printed, study
+from tests.coverage_study import (
+    CORRELATION_TIMES,
+    DISTANCES,
+    SUBSAMPLED_SURVEYS,
+    sigma_ratios,
+    study,
+    table_text,
+)
 
 
 def test_most_intervals_contain_the_truth() -> None:
@@ -14,7 +21,7 @@ def test_most_intervals_contain_the_truth() -> None:
     count, times = 40, (300.0, 600.0)
     answers = study(times, (0.10,), count, workers=1)
     honest, thesis = answers["correlated", 0.10], answers["independent", 0.10]
-    said = printed(times, answers)
+    said = table_text(times, answers)
     fewest = scipy.stats.binom.ppf(0.0005, count, 0.95) / count
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
     assert (honest.hits >= fewest).all(), said
@@ -29,7 +36,7 @@ def test_most_intervals_contain_the_truth() -> None:
 @pytest.mark.parametrize("times", CORRELATION_TIMES)
 def test_coverage_of_a_thousand_surveys(times: tuple[float, float]) -> None:
     answers = study(times, (0.10,), 1000)
-    said = printed(times, answers)
+    said = table_text(times, answers)
     print(said)
     honest, thesis = answers["correlated", 0.10], answers["independent", 0.10]
     assert ((honest.hits > 0.93) & (honest.hits < 0.97)).all(), said
@@ -42,9 +49,9 @@ def test_coverage_of_a_thousand_surveys(times: tuple[float, float]) -> None:
 @pytest.mark.parametrize("times", CORRELATION_TIMES)
 def test_sigmas_do_not_depend_on_subsampling(times: tuple[float, float]) -> None:
     """Twenty surveys, each compared with itself, with a margin of three standard errors."""
-    answers = study(times, DISTANCES, SUBSAMPLED)
-    ratio, error = changes(answers)
-    said = f"{printed(times, answers)}\nby the first\n{ratio}\n+- {error.max():.4f}"
+    answers = study(times, DISTANCES, SUBSAMPLED_SURVEYS)
+    ratio, error = sigma_ratios(answers)
+    said = f"{table_text(times, answers)}\nby the first\n{ratio}\n+- {error.max():.4f}"
     print(said)
     most = (ratio + 3 * error).max(axis=0) / (ratio - 3 * error).min(axis=0)
     assert (most < 1.10).all(), said

@@ -12,8 +12,8 @@ from lispac.gui.window.actions import ALL_ACTIONS, MENUS
 from lispac.language import LANGUAGES, in_language
 
 WITHOUT_OWN_TITLE = {"lines", "targets", "trajectory", "add_lines", "section_picture", "design"}
-"""Actions whose dialogue takes its title from what is exported, from the project, from the view's
-picture or from the survey plan."""
+"""Actions whose dialogue has another title: the exported data, the project, the picture of the view
+or the survey plan."""
 
 
 def titled() -> set[str]:

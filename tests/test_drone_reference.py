@@ -29,9 +29,9 @@ from lispac.workflow.project.survey import Survey, load_survey
 
 Labels = dict[str, np.ndarray]
 NAMES = ("lanl_truck", "lanl_tent")
-WIDE = 0.15
+BAND = 0.15
 """Half width in metres of a band about the plane of a label that contains its whole surface."""
-LEAST = 10
+MIN_LABELLED_POINTS = 10
 """Minimum number of points of a label on each line."""
 
 
@@ -68,7 +68,7 @@ def drone(shared_data: Path, tmp_path_factory: pytest.TempPathFactory):  # type:
         inside = [
             outlined(placed, {line: labels[line] == k for line in placed})
             for k in range(int(labels["line1"].max()) + 1)
-            if min((labels[line] == k).sum() for line in placed) >= LEAST
+            if min((labels[line] == k).sum() for line in placed) >= MIN_LABELLED_POINTS
         ]
         return Drone(survey, targetless(project, survey), np.array(reference), labels, inside)
 
@@ -89,7 +89,7 @@ def outlined(placed: Labels, own: Labels) -> Labels:
     axes = plane_axes(plane.normal).T
     tree, found = KDTree(labelled @ axes), {}
     for line, points in placed.items():
-        near = np.flatnonzero(np.abs(plane.distances(points)) < 2 * WIDE)
+        near = np.flatnonzero(np.abs(plane.distances(points)) < 2 * BAND)
         along = points[near] @ axes
         around = np.zeros((len(near), 4), dtype=bool)
         for i, beside in enumerate(tree.query_ball_point(along, 0.12)):
@@ -136,7 +136,7 @@ def answer(drone: Drone, chosen: list[Labels], model: StochasticModel) -> Adjust
 
 
 THESIS = StochasticModel("independent", loss="huber")
-"""As the reference's own adjustments were."""
+"""Stochastic model of the adjustments that gave the reference."""
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -150,7 +150,7 @@ def test_labelled_points_were_selected_in_a_band(drone, name: str) -> None:  # t
         for line, numbers in inside.items():
             off = np.abs(plane.distances(placed[line]))
             assert off[own[line]].max() < 0.055
-            beyond += int((~own[line][numbers] & (off[numbers] < WIDE)).sum())
+            beyond += int((~own[line][numbers] & (off[numbers] < BAND)).sum())
     total = sum(len(own) for inside in here.inside for own in inside.values())
     assert beyond / total > 0.15, beyond / total
 
@@ -166,7 +166,7 @@ def test_a_narrow_selection_reproduces_its_boresight(drone, name: str, follows: 
     ]
     assert np.degrees(ends[0] - ends[1])[2] / 0.2 > follows
     wide = [
-        answer(here, cut(here, here.reference + sign * aside, WIDE), THESIS).boresight
+        answer(here, cut(here, here.reference + sign * aside, BAND), THESIS).boresight
         for sign in (1, -1)
     ]
     assert abs(np.degrees(wide[0] - wide[1])[2]) / 0.2 < 0.2
@@ -175,7 +175,7 @@ def test_a_narrow_selection_reproduces_its_boresight(drone, name: str, follows: 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_targetless_result_agrees_with_the_whole_surfaces(drone, name: str) -> None:  # type: ignore[no-untyped-def]
     here: Drone = drone(name)
-    whole = answer(here, cut(here, here.reference, WIDE), StochasticModel(loss="tukey"))
+    whole = answer(here, cut(here, here.reference, BAND), StochasticModel(loss="tukey"))
     result = here.found.result
     off = np.abs(result.boresight - whole.boresight) / np.hypot(result.sigma, whole.sigma)
     assert (off < 3).all(), off

@@ -28,7 +28,7 @@ from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.survey import load_survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
-from tests.few_lines import answered
+from tests.few_lines import picked_and_estimated
 from tests.report_sample import sample_content, sample_project
 from tests.test_cli import answer, run
 
@@ -219,7 +219,7 @@ def test_the_command_and_the_report_give_the_same_budget(
 def test_invalid_sigmas_of_the_lever_arm_are_refused(
     sigma: tuple[float, float, float],
 ) -> None:
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     with pytest.raises(InputError) as caught:
         error_budget_of(project, survey, lever_sigma=sigma)
     assert caught.value.code == "estimate.lever_arm_sigma"

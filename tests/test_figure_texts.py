@@ -13,7 +13,7 @@ from lispac.report.document_blocks import UndrawnPictures
 from tests.report_sample import sample_content, sample_project
 
 DESCENT = 2.0
-"""Pixels, 100 to the inch: room for descenders below a text of 7 points, counted if it has none."""
+"""Pixels at 100 dpi: space for descenders below a text of 7 points, which is always included."""
 
 
 def cut_texts(figure: Figure) -> list[str]:

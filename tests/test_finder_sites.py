@@ -153,7 +153,7 @@ def test_a_line_without_points_near_the_seed_has_a_reason(lost):
 
 
 # P6 of the truck crosses P2 at 17 deg within its own width, and its seed lies among five times as
-# many points of P2; line 2 saw P4 of the tent with a tenth of line 1's points, among those of P2.
+# many points of P2; line 2 has a tenth of line 1's points on P4 of the tent, among those of P2.
 AMBIGUOUS = {("lanl_truck", "P6"), ("lanl_tent", "P4")}
 
 

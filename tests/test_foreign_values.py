@@ -141,7 +141,7 @@ WRONG_VALUES = [
     ("truth_deg", "abc"),
     ("truth_deg", [1, 2]),
 ]
-"""Places in a project file, and values that do not fit there."""
+"""Places in a project file, and invalid values for them."""
 
 
 @pytest.mark.parametrize(("place", "value"), WRONG_VALUES)

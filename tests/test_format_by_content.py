@@ -96,11 +96,11 @@ def test_a_trajectory_and_accuracies_with_other_endings_are_recognised(
 
 
 @pytest.mark.parametrize("ending", ENDINGS)
-@pytest.mark.parametrize("name", files.VALID)
+@pytest.mark.parametrize("name", files.VALID_FILES)
 def test_every_point_format_is_recognised_with_any_ending(
     tmp_path: Path, name: str, ending: str
 ) -> None:
-    key, write = files.VALID[name]
+    key, write = files.VALID_FILES[name]
     path = write(tmp_path / name).rename(tmp_path / f"line{ending}")
     assert recognise_formats(path, "points")[0][0].key == key
     assert check_file(path)[0].format.key == key

@@ -93,7 +93,7 @@ def of_format(key: str) -> Subject:
         if FORMATS[key].kind == "points":
             sound = [
                 write(folder / name)
-                for name, (format, write) in point_files.VALID.items()
+                for name, (format, write) in point_files.VALID_FILES.items()
                 if format == key
             ]
         else:

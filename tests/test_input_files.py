@@ -24,9 +24,9 @@ from tests.input_file_samples import (
     START,
     codes_about,
     fan,
+    import_files,
     message_texts,
     named,
-    taken_in,
     write_line,
     write_survey,
 )
@@ -42,7 +42,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def whole(files: Path) -> InputFiles:
-    return taken_in(InputFiles(), files)
+    return import_files(InputFiles(), files)
 
 
 # -- what files are ------------------------------------------------------------------------------
@@ -80,12 +80,12 @@ def test_what_is_missing_is_reported_in_order(files: Path, tmp_path: Path) -> No
     assert InputFiles().import_problem("x").startswith("Add the files of the survey")
     waiting = InputFiles().with_files([files / "L1.laz"])
     assert waiting.import_problem("x") == "The files are being examined."
-    line = taken_in(InputFiles(), files / "L1.laz")
+    line = import_files(InputFiles(), files / "L1.laz")
     assert "The trajectory is missing" in line.import_problem("x")
-    track = taken_in(InputFiles(), files / "pos.sbet")
+    track = import_files(InputFiles(), files / "pos.sbet")
     assert "There is no line" in track.import_problem("x")
     (tmp_path / "project.json").write_text("{}")
-    both = taken_in(line, files / "pos.sbet")
+    both = import_files(line, files / "pos.sbet")
     assert "already contains a project" in both.import_problem(str(tmp_path))
     assert "This is a file" in both.import_problem(str(files / "L1.laz"))
     assert both.import_problem(str(tmp_path / "new")) == ""
@@ -96,7 +96,7 @@ def test_two_trajectories_are_one_too_many_until_one_is_skipped(
     whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
-    input_files = taken_in(whole, second)
+    input_files = import_files(whole, second)
     several = error("import.several_trajectories", file="pos.sbet")
     assert message_text(several) in input_files.import_problem("x")
     (leave_out,) = input_files.messages(named(input_files, "second.sbet"))[0].actions
@@ -113,9 +113,9 @@ def test_text_that_might_be_a_trajectory_is_a_line_beside_a_certain_one(
     rows = np.column_stack([START + np.linspace(3, 9, 200), fan(200), np.ones((200, 4))])
     text = tmp_path / "points.txt"
     np.savetxt(text, rows, fmt="%.4f")
-    alone = taken_in(InputFiles(), text)
+    alone = import_files(InputFiles(), text)
     assert "points" in alone.files[0].roles
-    beside = taken_in(taken_in(InputFiles(), files / "pos.sbet"), text)
+    beside = import_files(import_files(InputFiles(), files / "pos.sbet"), text)
     assert beside.file(text).role == "points"
 
 
@@ -124,7 +124,7 @@ def test_lines_of_one_name_are_named_by_their_folders(files: Path, tmp_path: Pat
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
         paths.append(write_line(tmp_path / folder / "scan.laz", START + np.linspace(1, 2, 100)))
-    input_files = taken_in(InputFiles(), files / "pos.sbet", *paths)
+    input_files = import_files(InputFiles(), files / "pos.sbet", *paths)
     assert list(input_files.names.values()) == ["a_scan", "b_scan"]
     assert input_files.files_problem_text() == ""
 
@@ -135,7 +135,7 @@ def test_a_damaged_line_is_an_error_beside_the_others(
     damaged = tmp_path / "damaged.laz"
     content = (files / "L1.laz").read_bytes()
     damaged.write_bytes(content[: len(content) // 2])
-    input_files = taken_in(whole, damaged)
+    input_files = import_files(whole, damaged)
     assert input_files.state_of_file(input_files.file(damaged)) == "error"
     assert str(damaged) not in message_texts(input_files, "damaged.laz")
     assert input_files.import_problem("x").startswith("damaged.laz: ")
@@ -149,7 +149,7 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
     whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     late = write_line(tmp_path / "day.laz", START + np.linspace(20, 30, 3000) - 5 * 86_400)
-    input_files = taken_in(whole, late)
+    input_files = import_files(whole, late)
     remark = input_files.messages(input_files.file(late))[0]
     assert (remark.level, remark.code) == (Level.ERROR, "import.outside_with_shift")
     assert remark.params["points"] == note("time_base.gps_day")
@@ -179,7 +179,7 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
 def test_a_shift_that_another_one_rivals_stays_a_warning(whole: InputFiles, tmp_path: Path) -> None:
     # With 18 s to spare on one side, UTC and GPS seconds of the day both fit.
     late = write_line(tmp_path / "day.laz", START + np.linspace(1, 5, 500) - 5 * 86_400)
-    input_files = taken_in(whole, late)
+    input_files = import_files(whole, late)
     first = input_files.messages(input_files.file(late))[0]
     assert len({action.params.get("shift") for action in first.actions} - {None}) == 2
     mended = input_files.with_action(late, first.actions[0])
@@ -196,7 +196,7 @@ def test_a_line_of_another_day_is_refused_with_the_distance(
     whole: InputFiles, tmp_path: Path
 ) -> None:
     other = write_line(tmp_path / "other.laz", START + 50_000 + np.linspace(0, 5, 500))
-    input_files = taken_in(whole, other)
+    input_files = import_files(whole, other)
     remark = input_files.messages(input_files.file(other))[0]
     assert (remark.level, remark.code) == (Level.ERROR, "import.after_trajectory")
     assert remark.params["distance"] == pytest.approx(49_960, abs=0.5)
@@ -220,7 +220,7 @@ def test_points_in_a_gap_are_distinguished_from_those_outside_and_bridged_on_dem
     records = records[(time < 17) | (time > 19)]
     write_records(tmp_path / "gap.sbet", records)
     late = write_line(tmp_path / "late.laz", START + np.linspace(30, 45, 3000))
-    input_files = taken_in(InputFiles(), tmp_path / "gap.sbet", files / "L2.las", late)
+    input_files = import_files(InputFiles(), tmp_path / "gap.sbet", files / "L2.las", late)
     in_gaps = input_files.messages(named(input_files, "L2.las"))[0]
     assert (in_gaps.code, in_gaps.params["limit"]) == ("import.points_in_gaps", 1.5)
     assert "import.points_outside" in codes_about(input_files, "late.laz")

@@ -22,7 +22,7 @@ from lispac.workflow.checking.survey_sections import section_at_target
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.planning.plan_comparison import compare_with_plan
 from lispac.workflow.project.survey import Survey
-from tests.few_lines import answered, on_board, picked
+from tests.few_lines import on_board, picked, picked_and_estimated
 
 
 def only(survey: Survey, *lines: str) -> Survey:
@@ -63,7 +63,7 @@ def test_of_radii_that_no_second_line_answers_to_the_smallest_is_kept() -> None:
 
 def test_a_section_of_a_ball_does_not_say_how_far_lines_are_apart() -> None:
     """Along which direction that would be is not known of it, as it is of a plane."""
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     for cut in section_at_target(project, survey, "T1", level=True, size=2.0, thickness=0.2):
         assert cut.separation is not None
     ball = replace(project.target("T1"), shape="sphere")
@@ -73,7 +73,7 @@ def test_a_section_of_a_ball_does_not_say_how_far_lines_are_apart() -> None:
 
 
 def test_planes_on_single_lines_are_each_refused_with_their_reason() -> None:
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     planes = tuple(
         replace(each, role="validation", sightings=each.sightings[:1]) for each in project.targets
     )
@@ -108,7 +108,7 @@ def test_lines_in_the_clouds_share_no_objects() -> None:
 
 
 def test_an_answer_without_observability_gets_no_advice() -> None:
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     assert project.result is not None
     bare = project.with_result(replace(project.result, observability=None))
     advised = complete_result(bare, bare, survey, cross_check=False)
@@ -160,7 +160,7 @@ def test_a_plan_is_compared_with_an_answer_only(planned: TitledPlan) -> None:
 
 def test_what_was_sailed_of_a_plan_may_leave_the_boresight_open(planned: TitledPlan) -> None:
     """One board and two opposite lines: what is missing is said, and what it would have done."""
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     one = project.target("T1")
     few = replace(project, targets=(replace(one, sightings=one.sightings[:2]),))
     found = compare_with_plan(few, only(survey, "L1", "L2"), planned)

@@ -23,7 +23,7 @@ from tests.error_codes import has_code
 from tests.message_codes import codes
 
 FORMATS = {format_.key: format_ for format_ in POINTS}
-NAMES = list(files.VALID)
+NAMES = list(files.VALID_FILES)
 MAGIC = (".las", ".laz", ".e57", ".ply", ".pcd")
 
 
@@ -31,12 +31,12 @@ MAGIC = (".las", ".laz", ".e57", ".ply", ".pcd")
 def made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     """Each valid file, not to be changed."""
     folder = tmp_path_factory.mktemp("valid")
-    return {name: write(folder / name) for name, (_, write) in files.VALID.items()}
+    return {name: write(folder / name) for name, (_, write) in files.VALID_FILES.items()}
 
 
 def refusal_text(path: Path, name: str, choice: dict[str, Any] | None = None) -> str:
     """Code and text of the error that a reader raises for a bad file; it names the file."""
-    format_ = FORMATS[files.VALID[name][0]]
+    format_ = FORMATS[files.VALID_FILES[name][0]]
     with pytest.raises(InputError) as refused:
         for _ in format_.read(path, choice or {}):
             pass
@@ -58,7 +58,7 @@ def test_missing_folder_and_empty(tmp_path: Path, name: str) -> None:
     assert "file.not_found" in refusal_text(tmp_path / "absent" / name, name)
     assert "file.folder" in refusal_text(tmp_path, name)
     assert re.search("is empty", refusal_text(damaged(tmp_path, name, b""), name))
-    format_ = FORMATS[files.VALID[name][0]]
+    format_ = FORMATS[files.VALID_FILES[name][0]]
     for path in (tmp_path / "absent", tmp_path, tmp_path / name):
         assert format_.sniff(path) == 0
 
@@ -78,7 +78,7 @@ def test_truncated(tmp_path: Path, made: dict[str, Path], name: str, share: floa
 @pytest.mark.parametrize("name", [name for name in NAMES if name[1:] in MAGIC])
 def test_wrong_magic(tmp_path: Path, made: dict[str, Path], name: str) -> None:
     path = damaged(tmp_path, name, b"XXXX" * 40 + made[name].read_bytes()[160:])
-    assert FORMATS[files.VALID[name][0]].sniff(path) == 0
+    assert FORMATS[files.VALID_FILES[name][0]].sniff(path) == 0
     assert re.match(
         r"(las\.signature|(e57|pcd|ply)\.header|pcd\.header_incomplete) ", refusal_text(path, name)
     )
@@ -96,7 +96,7 @@ def test_wrong_byte_order(tmp_path: Path, made: dict[str, Path]) -> None:
 
 def unusable(path: Path, name: str) -> list[int]:
     """Points of a file that are excluded because they are not numbers."""
-    format = FORMATS[files.VALID[name][0]]
+    format = FORMATS[files.VALID_FILES[name][0]]
     screen = PointScreen(PointSelection(), ranged=True)
     used = [screen(c.time, c.xyz, c.extra) for c in format.read(path, {})]
     found = np.flatnonzero(~np.concatenate(used)).tolist()
@@ -269,7 +269,7 @@ def test_file_cut_while_it_is_read(
         las.write(path)
     for module in ("points.ply", "las.las_chunks"):
         monkeypatch.setattr(f"lispac.io.{module}.CHUNK", 10_000)
-    chunks = FORMATS[files.VALID[name][0]].read(path, {})
+    chunks = FORMATS[files.VALID_FILES[name][0]].read(path, {})
     next(chunks)
     os.truncate(path, path.stat().st_size // 3)
     with pytest.raises(InputError) as refused:

@@ -9,9 +9,10 @@ RADIUS = 6378137.0
 
 
 def vessel(count: int = 2000, *, rate: float = 50.0, wander: float = 0.0) -> np.ndarray:
-    """SBET records, shape (n, 17), of a vessel on a wide circle, which reveals wrong frames or signs.
+    """SBET records, shape (n, 17), of a vessel on a wide circle.
 
-    Velocities are along the wander azimuth, left, up; rates are those of forward, starboard, down.
+    The motion reveals wrong frames and signs. Velocities are along the wander azimuth, left, up;
+    rates are those of forward, starboard, down.
     """
     t = np.arange(count) / rate
     speed, turn = 4.0, np.radians(4.0)
