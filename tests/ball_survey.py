@@ -29,10 +29,8 @@ WALL = 16.0  # metres to the west of the courses
 NOISE = 0.002  # metres, along the beam
 NAMES = [*BALLS, "board", "wall"]
 MIDDLE = np.array([0.0, 14.0, 6.0])  # of the site
-PROFILES, HALF_DURATION = (
-    40.0,
-    4.0,
-)  # profiles a second, seconds before and after the middle is abeam
+# profiles a second, and seconds before and after the middle is abeam
+PROFILES, HALF_DURATION = 40.0, 4.0
 
 
 @dataclass(frozen=True, eq=False)

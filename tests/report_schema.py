@@ -75,7 +75,7 @@ def _with_texts(value: Any) -> Any:
 def _plain(value: Any, *, named: bool = False) -> Any:
     """Schema without titles that only repeat names, and with the sentences of docstrings only.
 
-    ``named`` says that the keys are names of the content's.
+    ``named`` is True if the keys are names of the content.
     """
     if isinstance(value, list):
         return [_plain(item) for item in value]

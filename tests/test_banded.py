@@ -1,4 +1,4 @@
-"""Triangular systems of a banded matrix, against SciPy's."""
+"""Tests of triangular systems of a banded matrix against SciPy."""
 
 import hypothesis.strategies as st
 import numpy as np
