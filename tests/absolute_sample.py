@@ -1,4 +1,4 @@
-"""A survey whose estimated boresight is the true one, and where its lines then truly lie."""
+"""A survey with the true boresight as its result, and the true offsets of its lines."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -14,8 +14,8 @@ from lispac.workflow.project.survey import Survey, load_survey
 from tests.static_scans import plane_of
 
 
-def with_truth(demo_project: Project, sample: Project) -> tuple[Project, Survey]:
-    """The built-in survey, its true boresight as the estimated one, known to a hundredth degree."""
+def project_with_true_boresight(demo_project: Project, sample: Project) -> tuple[Project, Survey]:
+    """The built-in survey with its true boresight as the result, with a sigma of 0.01 deg."""
     result = sample.result
     assert result is not None
     truth_deg = demo_project.truth_deg
@@ -34,7 +34,7 @@ def with_truth(demo_project: Project, sample: Project) -> tuple[Project, Survey]
 def true_offsets(
     truth: SimulatedSurvey, survey: Survey, name: str, fewest: int = 500
 ) -> dict[str, float]:
-    """By how much each line lies off a plane by its POS errors, from the simulator's own points."""
+    """Mean offset of each line from a plane due to POS errors, from the points of the simulator."""
     number, normal = truth.surface_names.index(name), plane_of(name).normal
     mounting = Mounting(truth.lever_arm, truth.boresight)
     found = {}
@@ -48,7 +48,7 @@ def true_offsets(
     return found
 
 
-def checked(
+def check_against_points(
     known: tuple[Project, Survey], path: Path, points: np.ndarray, **how: object
 ) -> AbsoluteCheck:
     np.savetxt(path, points, fmt="%.5f")

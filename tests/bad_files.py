@@ -1,6 +1,6 @@
-"""What goes wrong with files, one function for each row of the manual's table of bad input.
+"""Cases of bad input files, one function for each row of the table in the manual.
 
-Each makes its file or situation in a small sound survey and gives the command that meets it.
+Each function changes a small valid survey and returns the command that detects the error.
 """
 
 import os
@@ -28,23 +28,23 @@ TIMES = START + np.linspace(2, 12, COUNT)
 
 @dataclass
 class Scene:
-    """A sound survey in a folder, which a case then spoils.
+    """A valid survey in a folder, which a case then damages.
 
     Attributes
     ----------
     folder : Path
-        Holds ``pos.sbet``, ``L1.las``, and what is written.
+        Contains ``pos.sbet``, ``L1.las`` and the output of commands.
     patch : pytest.MonkeyPatch
     stack : ExitStack
-        Undoes what a case has done to the system.
-    spoilt : set of str
+        Undoes the changes that a case makes to the system.
+    changed_files : set of str
         Names of files that the case itself changes while the command runs.
     """
 
     folder: Path
     patch: pytest.MonkeyPatch
     stack: ExitStack
-    spoilt: set[str] = field(default_factory=set)
+    changed_files: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
         write_records(self / "pos.sbet", vessel(2000))
@@ -56,35 +56,35 @@ class Scene:
     def new(
         self, line: str = "L1.las", *more: str, trajectory: str = "pos.sbet", to: str = "quay"
     ) -> Words:
-        """The command that makes a project."""
+        """Command that makes a project."""
         return [
             "new", str(self / to), str(self / line), "--trajectory", str(self / trajectory),
             "--lever-arm", "0.2", "-0.1", "1.5", "--position-sigma", "0.02", "0.02", "0.03",
             "--attitude-sigma", "0.01", "0.01", "0.02", *more,
         ]  # fmt: skip
 
-    def made(self, *words: str, to: str = "quay") -> str:
-        """Make the project; its folder."""
+    def make_project(self, *words: str, to: str = "quay") -> str:
+        """Make the project and return its folder."""
         assert main(self.new(*words, to=to)) == 0
         return str(self / to)
 
-    def to_map(self, output: str = "out", *more: str, project: str = "quay") -> Words:
-        """The command that georeferences its lines."""
+    def georeference(self, output: str = "out", *more: str, project: str = "quay") -> Words:
+        """Command that georeferences the lines."""
         return [
             "georeference", str(self / project), "--output", str(self / output),
             "--boresight", "prior", "--format", "las", *(more or ("--crs", "EPSG:32618")),
         ]  # fmt: skip
 
     def inspect(self, name: str) -> Words:
-        """The command that inspects a file."""
+        """Command that inspects a file."""
         return ["inspect", str(self / name)]
 
     def cut(self, name: str, size: int) -> None:
         """Keep the first bytes of a file."""
         os.truncate(self / name, size)
 
-    def disk(self, size: str) -> Path:
-        """A small disk of its own at ``disk``."""
+    def mount_disk(self, size: str) -> Path:
+        """Mount a small disk at ``disk``."""
         place = self / "disk"
         place.mkdir()
         if not hasattr(os, "geteuid") or os.geteuid() != 0:
@@ -95,13 +95,13 @@ class Scene:
         self.stack.callback(subprocess.run, ["umount", str(place)], check=True)
         return place
 
-    def locked(self, size: str = "1m") -> None:
-        """Let nobody write to ``disk``, root neither."""
+    def make_disk_read_only(self, size: str = "1m") -> None:
+        """Make ``disk`` read-only, for root too."""
         words = ["mount", "-o", f"remount,ro,size={size}", str(self / "disk")]
         subprocess.run(words, check=True)
 
-    def filled(self) -> None:
-        """Leave no room on ``disk``."""
+    def fill_disk(self) -> None:
+        """Fill ``disk`` completely."""
         with (self / "disk" / "other").open("wb", buffering=0) as file:
             try:
                 while file.write(bytes(512)):
@@ -112,9 +112,9 @@ class Scene:
 
 Case = Callable[[Scene], Words]
 REFUSED: dict[str, Case] = {}
-"""Name of the row: what is refused with exit code 1 and one sentence."""
+"""Cases that are refused with exit code 1 and one sentence, by the name of the row."""
 WITH_WARNING: dict[str, Case] = {}
-"""Files that can be read with a warning or a note, by the name of the row."""
+"""Cases of files that are read with a warning or a note, by the name of the row."""
 
 
 def refused(name: str) -> Callable[[Case], Case]:
@@ -125,8 +125,8 @@ def with_warning(name: str) -> Callable[[Case], Case]:
     return lambda case: WITH_WARNING.setdefault(name, case)
 
 
-def changed(change: Callable[[np.ndarray], object], count: int = 2000) -> Case:
-    """A trajectory with its records changed."""
+def changed_trajectory(change: Callable[[np.ndarray], object], count: int = 2000) -> Case:
+    """A case with changed records of the trajectory."""
 
     def case(scene: Scene) -> Words:
         records = vessel(count)
@@ -145,14 +145,14 @@ def put(rows: object, columns: object, value: object) -> Callable[[np.ndarray], 
 
 
 def las(path: Path, change: Callable[[laspy.LasData], object]) -> None:
-    """Write a LAS file again, changed."""
+    """Change a LAS file."""
     data = laspy.read(path)
     change(data)
     data.write(path)
 
 
 def ply(path: Path, values: np.ndarray, kind: str = "double", order: str = "little") -> Path:
-    """x, y, z and time by hand."""
+    """Write a binary PLY file with x, y, z and time."""
     head = f"ply\nformat binary_{order}_endian 1.0\nelement vertex {len(values)}\n"
     head += "".join(f"property {kind} {name}\n" for name in ("x", "y", "z", "time"))
     size = {"double": "f8", "float": "f4"}[kind]
@@ -164,7 +164,7 @@ def points() -> np.ndarray:
     return np.column_stack([fan(COUNT), TIMES])
 
 
-# Cut short, empty, something else.
+# Truncated, empty and foreign files.
 
 
 @refused("Trajectory cut short")
@@ -193,11 +193,11 @@ def _(scene: Scene) -> Words:
     return scene.new(trajectory="nav.txt")
 
 
-def against(name: str, text: str) -> Case:
-    """A reference that a calibrated project is checked against."""
+def reference_case(name: str, text: str) -> Case:
+    """A case that checks a calibrated project against a reference with this text."""
 
     def case(scene: Scene) -> Words:
-        project = scene.made()
+        project = scene.make_project()
         result = sample_project(scene / "sample").result
         write_project(replace(read_project(Path(project)), result=result))
         (scene / name).write_text(text)
@@ -206,9 +206,9 @@ def against(name: str, text: str) -> Case:
     return case
 
 
-refused("Reference cut short")(against("scan.pts", "3\n1.5 2.5 3.5\n1.6 2.5 3.5\n"))
+refused("Reference cut short")(reference_case("scan.pts", "3\n1.5 2.5 3.5\n1.6 2.5 3.5\n"))
 refused("Reference with more points than its count")(
-    against("scan.pts", "1\n1.5 2.5 3.5\n1.6 2.5 3.5\n")
+    reference_case("scan.pts", "1\n1.5 2.5 3.5\n1.6 2.5 3.5\n")
 )
 
 
@@ -264,10 +264,10 @@ def _(scene: Scene) -> Words:
     return scene.new("L1.ply")
 
 
-# Numbers that are none.
+# Invalid numbers.
 
-refused("NaN in the trajectory")(changed(put(4, 8, np.nan)))
-refused("Infinity in the trajectory")(changed(put(6, 1, np.inf)))
+refused("NaN in the trajectory")(changed_trajectory(put(4, 8, np.nan)))
+refused("Infinity in the trajectory")(changed_trajectory(put(6, 1, np.inf)))
 
 
 @refused("NaN or infinity in a line")
@@ -280,13 +280,17 @@ def _(scene: Scene) -> Words:
 
 # Times.
 
-refused("Duplicate time in the trajectory")(changed(put(5, 0, START + 0.08)))
-refused("Decreasing time in the trajectory")(changed(put(5, 0, START)))
+refused("Duplicate time in the trajectory")(changed_trajectory(put(5, 0, START + 0.08)))
+refused("Decreasing time in the trajectory")(changed_trajectory(put(5, 0, START)))
 refused("Non-monotonic SBET: two missions in one file")(
-    changed(lambda records: records.__setitem__((slice(1000, None), 0), records[:1000, 0]))
+    changed_trajectory(
+        lambda records: records.__setitem__((slice(1000, None), 0), records[:1000, 0])
+    )
 )
 refused("Trajectory times converted from 32 bits")(
-    changed(lambda records: records.__setitem__((..., 0), records[:, 0].astype(np.float32)))
+    changed_trajectory(
+        lambda records: records.__setitem__((..., 0), records[:, 0].astype(np.float32))
+    )
 )
 
 

@@ -1,4 +1,4 @@
-"""What goes wrong with units, places, folders, disks, and files that go away: the other rows."""
+"""Cases of bad input: units, places, folders, disks, and files that are removed or changed."""
 
 import os
 from collections.abc import Callable
@@ -15,7 +15,7 @@ from tests.bad_files import COUNT, REFUSED, TIMES, Case, Scene, Words, refused, 
 from tests.input_file_samples import START, fan, write_line
 from tests.trajectory_files import vessel, write_records
 
-# Units, places, coordinate systems.
+# Units, places and coordinate systems.
 
 
 @refused("Degrees instead of radians")
@@ -88,8 +88,8 @@ def _(scene: Scene) -> Words:
 
 @refused("Unknown coordinate system: the code does not exist")
 def _(scene: Scene) -> Words:
-    scene.made()
-    return scene.to_map("out", "--crs", "EPSG:999999")
+    scene.make_project()
+    return scene.georeference("out", "--crs", "EPSG:999999")
 
 
 @refused("Wrong coordinate system: points far from the trajectory")
@@ -100,8 +100,8 @@ def _(scene: Scene) -> Words:
 
 @with_warning("Wrong output coordinate system: intended for another part of the world")
 def _(scene: Scene) -> Words:
-    scene.made()
-    return scene.to_map("out", "--crs", "EPSG:32633")
+    scene.make_project()
+    return scene.georeference("out", "--crs", "EPSG:32633")
 
 
 # Folders and disks.
@@ -109,68 +109,68 @@ def _(scene: Scene) -> Words:
 
 @refused("Read-only folder: new project")
 def _(scene: Scene) -> Words:
-    scene.disk("1m")
-    scene.locked()
+    scene.mount_disk("1m")
+    scene.make_disk_read_only()
     return scene.new(to="disk/quay")
 
 
 @refused("Read-only folder: import")
 def _(scene: Scene) -> Words:
-    scene.disk("1m")
-    scene.made(to="disk/quay")
-    scene.locked()
+    scene.mount_disk("1m")
+    scene.make_project(to="disk/quay")
+    scene.make_disk_read_only()
     return ["import", str(scene / "disk/quay")]
 
 
 @refused("Read-only folder: georeferenced cloud")
 def _(scene: Scene) -> Words:
-    scene.made()
-    scene.disk("1m")
-    scene.locked()
-    return scene.to_map("disk/out")
+    scene.make_project()
+    scene.mount_disk("1m")
+    scene.make_disk_read_only()
+    return scene.georeference("disk/out")
 
 
 @refused("File with the name of the output folder")
 def _(scene: Scene) -> Words:
-    scene.made()
-    return scene.to_map("L1.las/out")
+    scene.make_project()
+    return scene.georeference("L1.las/out")
 
 
 @refused("Disk full: new project")
 def _(scene: Scene) -> Words:
-    scene.disk("16k")
-    scene.filled()
+    scene.mount_disk("16k")
+    scene.fill_disk()
     return scene.new(to="disk/quay")
 
 
 @refused("Disk full: import")
 def _(scene: Scene) -> Words:
-    scene.disk("4m")
+    scene.mount_disk("4m")
     write_line(scene / "L1.las", START + np.linspace(2, 12, 600_000))
-    scene.made(to="disk/quay")
+    scene.make_project(to="disk/quay")
     return ["import", str(scene / "disk/quay")]
 
 
 @refused("Disk full: georeferenced cloud")
 def _(scene: Scene) -> Words:
-    scene.made()
-    scene.disk("32k")
-    return scene.to_map("disk/out")
+    scene.make_project()
+    scene.mount_disk("32k")
+    return scene.georeference("disk/out")
 
 
 @refused("Disk full: exported trajectory")
 def _(scene: Scene) -> Words:
-    scene.disk("32k")
+    scene.mount_disk("32k")
     output = str(scene / "disk/track.sbet")
-    return ["export", scene.made(), "--what", "trajectory", "--output", output]
+    return ["export", scene.make_project(), "--what", "trajectory", "--output", output]
 
 
-# Files that go away or change.
+# Files that are removed or changed.
 
 
 def removed(name: str, command: Callable[[Scene, str], Words]) -> Case:
     def case(scene: Scene) -> Words:
-        project = scene.made()
+        project = scene.make_project()
         (scene / name).unlink()
         return command(scene, project)
 
@@ -179,19 +179,19 @@ def removed(name: str, command: Callable[[Scene, str], Words]) -> Case:
 
 @refused("Output with the name of a survey file")
 def _(scene: Scene) -> Words:
-    project = scene.made()
+    project = scene.make_project()
     return ["export", project, "--what", "trajectory", "--output", str(scene / "L1.las")]
 
 
 refused("File missing")(lambda scene: scene.new("L7.las"))
 refused("File removed before the import")(removed("L1.las", lambda _, p: ["import", p]))
-refused("File removed before georeferencing")(removed("L1.las", lambda s, _: s.to_map()))
+refused("File removed before georeferencing")(removed("L1.las", lambda s, _: s.georeference()))
 refused("File removed before the estimate")(removed("L1.las", lambda _, p: ["estimate", p]))
 refused("Trajectory removed before the import")(removed("pos.sbet", lambda _, p: ["import", p]))
 
 
 def wall(scene: Scene, count: int = COUNT) -> Path:
-    """The line sees a wall 10 m to the left."""
+    """Write a line that shows a wall 10 m to the left."""
     points = fan(count) * [1, 0, 1] + [0, 10, 0]
     return write_line(scene / "L1.las", TIMES[:count], points)
 
@@ -199,7 +199,7 @@ def wall(scene: Scene, count: int = COUNT) -> Path:
 @refused("Line changed after a target was picked")
 def _(scene: Scene) -> Words:
     wall(scene)
-    project = scene.made()
+    project = scene.make_project()
     seed = load_survey(open_project(Path(project))).clouds["L1"].sample[COUNT // 2]
     assert main(["pick", project, "--name", "T1", "--seed", *(f"{v:.3f}" for v in seed)]) == 0
     wall(scene, COUNT - 1)
@@ -207,11 +207,11 @@ def _(scene: Scene) -> Words:
 
 
 def while_read(act: Callable[[Path], object], command: Callable[[Scene, str], Words]) -> Case:
-    """Something happens to the line after its first points have been read."""
+    """A case that calls ``act`` on the line file after its first points have been read."""
 
     def case(scene: Scene) -> Words:
-        project, sound = scene.made(), las_chunks.require_usable_points
-        scene.spoilt.add("L1.las")
+        project, sound = scene.make_project(), las_chunks.require_usable_points
+        scene.changed_files.add("L1.las")
 
         def spoil(*given: object) -> None:
             sound(*given)  # type: ignore[arg-type]
@@ -231,7 +231,7 @@ def shorten(path: Path) -> None:
 
 refused("File removed during the import")(while_read(Path.unlink, lambda _, p: ["import", p]))
 refused("File cut short during the import")(while_read(shorten, lambda _, p: ["import", p]))
-refused("File cut short during georeferencing")(while_read(shorten, lambda s, _: s.to_map()))
+refused("File cut short during georeferencing")(while_read(shorten, lambda s, _: s.georeference()))
 
 
 ACTIONS = {
@@ -243,4 +243,4 @@ ACTIONS = {
     ),
     "Unknown coordinate system: none in the file": "--line-option crs=EPSG:32618",
 }
-"""Options that correct the error, as the manual names them, by the name of the row."""
+"""Options that correct the error according to the manual, by the name of the row."""

@@ -1,4 +1,4 @@
-"""A small survey of balls, a leaning board and a wall, cast ray by ray and written to files."""
+"""Simulated small survey of balls, a leaning board and a wall, written to files."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,23 +25,24 @@ BALLS = {
     "S3": (np.array([-1.6, 13.5, 8.0]), 0.2),
 }
 BOARD = (np.array([1.6, 15.0, 8.0]), np.array([0.0, -np.sqrt(0.5), np.sqrt(0.5)]), 0.6)
-WALL = 16.0  # metres west of the courses
+WALL = 16.0  # metres to the west of the courses
 NOISE = 0.002  # metres, along the beam
 NAMES = [*BALLS, "board", "wall"]
 MIDDLE = np.array([0.0, 14.0, 6.0])  # of the site
-PROFILES, HALF = 40.0, 4.0  # a second, seconds either side of the middle abeam
+# profiles a second, and seconds before and after the middle is abeam
+PROFILES, HALF_DURATION = 40.0, 4.0
 
 
 @dataclass(frozen=True, eq=False)
 class BallSurvey:
-    """A project with nothing picked, its survey, and which object each point of a line is on."""
+    """A project without targets, its survey, and the object that each point of a line is on."""
 
     project: Project
     survey: Survey
     labels: dict[str, np.ndarray]
 
     def seed(self, name: str, line: str = "L1") -> tuple[float, float, float]:
-        """A point of an object in the middle of what a line sees of it."""
+        """A point in the middle of the points of an object on a line."""
         on = self.survey.clouds[line][self.labels[line] == NAMES.index(name)]
         north, west, up = on[np.argmin(np.linalg.norm(on - on.mean(axis=0), axis=1))]
         return float(north), float(west), float(up)
@@ -53,7 +54,7 @@ def make_ball_survey(folder: Path) -> BallSurvey:
     sea, mounting = SeaMotion.draw(rng), Mounting(np.array(LEVER_ARM), np.radians(BORESIGHT_DEG))
     states, lines, labels = [], [], {}
     for course in sorted(six_courses(), key=_abeam):
-        time = _abeam(course) + np.arange(-HALF - 0.5, HALF + 0.5, 0.005)
+        time = _abeam(course) + np.arange(-HALF_DURATION - 0.5, HALF_DURATION + 0.5, 0.005)
         states.append(np.column_stack([time, *_sail(course, sea, time)]))
         points, times, labels[course.name] = _profiles(states[-1], course, mounting, rng)
         lines.append(LineSource(course.name, folder / "raw" / f"{course.name}.laz"))
@@ -85,8 +86,8 @@ def _sail(course: Course, sea: SeaMotion, time: np.ndarray) -> tuple[np.ndarray,
 
 
 def _profiles(states, course, mounting, rng):
-    """LiDAR points, times and labels of a pass."""
-    time = _abeam(course) + np.arange(-HALF, HALF, 1.0 / PROFILES)
+    """LiDAR points, times and labels of a line."""
+    time = _abeam(course) + np.arange(-HALF_DURATION, HALF_DURATION, 1.0 / PROFILES)
     pose = np.stack([np.interp(time, states[:, 0], column) for column in states[:, 1:].T], axis=1)
     up = np.radians(np.arange(4.0, 36.0, 0.08))
     angle = np.concatenate([up, np.pi - up])

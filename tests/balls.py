@@ -1,12 +1,12 @@
-"""Balls, masts and walls as a scanner at the origin sees them, for the tests of spheres."""
+"""Simulated points of balls, masts and walls seen by a scanner at the origin."""
 
 import numpy as np
 
 from lispac.geometry.spheres import Sphere
 
-CENTRE = np.array([0.0, 20.0, 4.0])  # a ball, seen from the origin of the frame
+CENTRE = np.array([0.0, 20.0, 4.0])  # centre of a ball, seen from the origin of the frame
 BALL = Sphere(CENTRE, 0.1)
-MAST, WALL = -1, -2  # labels beside those of the balls, which count from 0
+MAST, WALL = -1, -2  # labels in addition to those of the balls, which count from 0
 
 
 def to_sphere(rays, sphere):
@@ -26,9 +26,9 @@ def to_mast(rays, foot, radius):
 
 
 def cast(rng, balls, *, mast=None, wall=None, noise=0.002, mixed=0.5, step=(0.006, 0.012)):
-    """What a scanner at the origin sees about CENTRE: points and the label of each.
+    """Points around CENTRE as seen by a scanner at the origin, and their labels.
 
-    A beam beside an edge sees some of both sides: its range lies between the two ("mixed pixel").
+    A beam at an edge hits both surfaces: its range lies between the two ("mixed pixel").
     """
     x, z = (np.arange(-0.9, 0.9, s) / CENTRE[1] for s in step)
     turn = np.arctan2(CENTRE[2], CENTRE[1])
@@ -57,7 +57,7 @@ def cast(rng, balls, *, mast=None, wall=None, noise=0.002, mixed=0.5, step=(0.00
 
 
 def front(sphere, *, off=(0.0, 0.0), gap=0.0):
-    """A place on the side towards the scanner, ``off`` radii north and up of its middle."""
+    """A place on the side towards the scanner, ``off`` radii north and up from the centre."""
     towards = -sphere.centre / np.linalg.norm(sphere.centre)
     aside = towards + off[0] * np.array([1.0, 0.0, 0.0]) + off[1] * np.array([0.0, 0.0, 1.0])
     return sphere.centre + (sphere.radius + gap) * aside / np.linalg.norm(aside)

@@ -1,4 +1,4 @@
-"""What tests of georeferenced clouds share: a track, a geoid, LAS files of every point format."""
+"""Trajectory, geoid and LAS files of every point format for tests of georeferenced clouds."""
 
 import struct
 from pathlib import Path
@@ -15,7 +15,7 @@ from tests.point_files import cloud as open3d_cloud
 
 MOUNTING = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.4, -1.9, 0.4]), 0.02, 0.001, 0.003)
 QUEBEC, SYDNEY, GREENWICH = (46.8, -71.2), (-33.9, 151.2), (51.48, 0.0)
-TIMED = (1, 3, 4, 5, 6, 7, 8, 9, 10)
+TIMED_FORMATS = (1, 3, 4, 5, 6, 7, 8, 9, 10)
 COORDINATES = ("X", "Y", "Z", "gps_time")
 VERSIONS = {1: "1.2", 3: "1.2", 4: "1.3", 5: "1.3"}
 
@@ -71,7 +71,7 @@ def written_las(
 def track(
     place_deg: tuple[float, float] = QUEBEC, *, size: float = 800.0, turns: float = 3.0
 ) -> LocalTrajectory:
-    """Circles of a rolling vessel: the heading passes through north again and again."""
+    """Circles of a rolling vessel, whose heading passes through north repeatedly."""
     time = 400_000 + np.arange(12_001) / 200
     course = np.linspace(0, 2 * np.pi * turns, len(time))
     latitude = np.radians(place_deg[0]) + size / 6.37e6 * np.sin(course)
@@ -91,7 +91,7 @@ def sweep(trajectory: LocalTrajectory, count: int = 4000) -> tuple[np.ndarray, n
 
 
 def folded_geoid(path: Path) -> Path:
-    """Waves of decimetres on nodes 1' apart, in NOAA's format (GTX): folded along each of them."""
+    """Write a geoid in the format of NOAA (GTX): waves of decimetres on nodes 1' apart."""
     south, west = np.mgrid[0:121, 0:181]
     waves = -27.5 + 0.3 * np.sin(south / 5) + 0.4 * np.cos(west / 7)
     head = struct.pack(">4d2i", 46.0, -73.0, 1 / 60, 1 / 60, *waves.shape)
@@ -102,24 +102,24 @@ def folded_geoid(path: Path) -> Path:
 def one_by_one(
     system: CoordinateSystem, trajectory: LocalTrajectory, points: np.ndarray, time: np.ndarray
 ) -> np.ndarray:
-    """The reference: formula by formula, PROJ for every point."""
+    """Reference georeferencing: the formulas step by step, with PROJ for every point."""
     local = place_points(points, trajectory.at(time + MOUNTING.latency), MOUNTING)
     return system.from_geodetic(*trajectory.frame.to_geodetic(local))
 
 
 LINE_POINTS = 3000
-"""Of the first line of `two_lines`."""
+"""Number of points of the first line of `two_lines`."""
 
 
 def states() -> Trajectory:
-    """The states of `track` as a file has them."""
+    """States of `track` as in a trajectory file."""
     local = track()
     latitude, longitude, height = local.frame.to_geodetic(local.position)
     return Trajectory(local.time, latitude, longitude, height, local.attitude)
 
 
 def two_lines(folder: Path) -> Project:
-    """Two lines in the scanner frame: LAS with a time shift, PLY."""
+    """Two lines in the scanner frame: a LAS file with a time shift and a PLY file."""
     write_sbet(folder / "sbet.out", states())
     points, time = sweep(track(), LINE_POINTS)
     raw = written_las(folder / "raw.laz", 6, points, time - 18.0)

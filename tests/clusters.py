@@ -1,4 +1,4 @@
-"""A cluster on this machine, whose workers tests may kill."""
+"""Local cluster whose workers may be killed by tests."""
 
 import time
 from contextlib import ExitStack
@@ -7,15 +7,15 @@ import dask
 import distributed
 
 RESTART_S = 30.0
-"""In which a nanny has started a worker again, on busy processors."""
+"""Time in which a nanny process restarts a worker on busy processors."""
 
 
 class Clusters:
-    """Two workers, each a process of its own that is started again when it ends.
+    """Cluster of two workers, each a separate process that is restarted when it ends.
 
     Attributes
     ----------
-    running : the cluster that is used
+    running : the current cluster
     """
 
     def __init__(self) -> None:
@@ -23,7 +23,7 @@ class Clusters:
         self.running = self._started()
 
     def _started(self) -> distributed.LocalCluster:
-        # The scheduler gives a chunk up as soon as it has lost one worker.
+        # The scheduler gives up a chunk as soon as one worker is lost.
         self._open.enter_context(dask.config.set({"distributed.scheduler.allowed-failures": 0}))
         return self._open.enter_context(
             distributed.LocalCluster(
@@ -33,7 +33,7 @@ class Clusters:
         )  # fmt: skip
 
     def with_workers(self) -> distributed.LocalCluster:
-        """The cluster; another one where the test before has cost it its workers for good."""
+        """The current cluster, or a new one if an earlier test has ended its workers for good."""
         until = time.monotonic() + RESTART_S
         while len(self.running.scheduler.workers) < 2:
             if time.monotonic() > until:

@@ -1,4 +1,4 @@
-"""Commands that run at the same time in two processes on one project."""
+"""Commands for tests with two concurrent processes on one project."""
 
 import json
 import shutil
@@ -19,7 +19,7 @@ Words = tuple[str, ...]
 
 
 def commands() -> dict[str, Words]:
-    """Commands that change a project, by a name each; the folder follows the first word."""
+    """Commands that change a project, by name; the folder follows the first word."""
     seeds = demo_seeds()
     picks = {
         f"pick {name}": (
@@ -39,7 +39,7 @@ def commands() -> dict[str, Words]:
 
 
 def run(words: Words, folder: Path) -> tuple[int, str]:
-    """Exit status of a command, and what it printed on stderr."""
+    """Exit status and stderr of a command."""
     out, err = StringIO(), StringIO()
     with redirect_stdout(out), redirect_stderr(err):
         status = main([words[0], str(folder), *words[1:]])
@@ -47,7 +47,7 @@ def run(words: Words, folder: Path) -> tuple[int, str]:
 
 
 def state(folder: Path) -> dict[str, Any]:
-    """What the project file holds, without the times that the work took."""
+    """Content of the project file without computation times."""
     content = json.loads((folder / "project.json").read_text())
     return _without_times(content)
 
@@ -59,8 +59,8 @@ def _without_times(content: Any) -> Any:
 
 
 @dataclass
-class Serial:
-    """What commands make of a project one after the other, each order computed once."""
+class SerialRuns:
+    """Results of commands that run one after the other; each order is computed once."""
 
     project: Path
     folder: Path
@@ -69,7 +69,7 @@ class Serial:
         self._known: dict[tuple[Words, ...], tuple[list[int], dict[str, Any]]] = {}
 
     def after(self, *order: Words) -> tuple[list[int], dict[str, Any]]:
-        """Exit statuses and the state of the project."""
+        """Exit statuses and the state of the project after the commands in this order."""
         if order not in self._known:
             place = self.folder / f"serial-{len(self._known)}"
             copy_of(self.project, place)
@@ -87,11 +87,11 @@ def copy_of(project: Path, place: Path) -> Path:
 
 
 def pool() -> ProcessPoolExecutor:
-    """Two processes that stay."""
+    """Pool of two persistent processes."""
     return ProcessPoolExecutor(2, mp_context=get_context("spawn"))
 
 
-def drawn(pairs: int, seed: int = 35) -> list[tuple[str, str]]:
-    """Random pairs of commands, two of the same kind among them."""
+def random_pairs(pairs: int, seed: int = 35) -> list[tuple[str, str]]:
+    """Random pairs of commands, including pairs of the same command."""
     names, chance = list(commands()), np.random.default_rng(seed)
     return [(names[i], names[j]) for i, j in chance.integers(len(names), size=(pairs, 2))]

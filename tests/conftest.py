@@ -1,4 +1,4 @@
-"""Fixtures every test may use."""
+"""Fixtures and hooks for all tests."""
 
 import gc
 import os
@@ -18,45 +18,45 @@ from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.workflow.planning.demo import make_demo
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.sharing import once
+from tests.sharing import make_once
 
 hypothesis.settings.register_profile("same", derandomize=True, deadline=None)
 
-# Warnings are errors in the processes that tests start too, but for the deprecations of libraries.
+# Warnings are errors in child processes too, except for deprecation warnings of libraries.
 os.environ["PYTHONWARNINGS"] = "error::RuntimeWarning,error::UserWarning"
 
-LONG = {"test_gui_monkey.py": 40, "test_gui_end_to_end.py": 30, "test_coverage.py": 30}
-"""Files of one or a few long tests: as many short ones take as long."""
+LONG_FILES = {"test_gui_monkey.py": 40, "test_gui_end_to_end.py": 30, "test_coverage.py": 30}
+"""Files with a few long tests, with the number of short tests that take the same time."""
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """The normal run draws the same examples every time; the long one seeks new ones."""
+    """Draw the same examples in every normal run, and new ones in long runs."""
     if config.option.markexpr == "not long":
         hypothesis.settings.load_profile("same")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Where two processes share the files, long ones come before the many short ones.
+    """Run long files first if several processes share the files.
 
-    One that begins last of all leaves the other process without work for as long as it takes.
+    A long file that starts last would leave the other process without work.
     """
     if "PYTEST_XDIST_WORKER" in os.environ:
         tests = Counter(item.path for item in items)
-        items.sort(key=lambda item: -max(tests[item.path], LONG.get(item.path.name, 0)))
+        items.sort(key=lambda item: -max(tests[item.path], LONG_FILES.get(item.path.name, 0)))
 
 
 def pytest_collection_finish() -> None:
-    """Modules and tests stay to the end: no search for garbage has to go through them each time."""
+    """Exclude modules and tests, which exist until the end, from garbage collection."""
     gc.collect()
     gc.freeze()
 
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object]:
-    """As in the program, no worker deletes widgets: what a window leaves is collected after it.
+    """Collect garbage after a test of the window, so that no worker thread deletes widgets.
 
-    Around the whole of a test, for its fixtures are held until it has ended. Frozen before, so that
-    this takes no longer than what the test has made.
+    The hook includes the whole test, because its fixtures exist until it has ended. Earlier objects
+    are frozen, so that the collection considers only objects of the test.
     """
     if "qapp" not in getattr(item, "fixturenames", ()):
         return (yield)
@@ -82,7 +82,7 @@ def _fail(item: pytest.Item, why: str) -> None:
 
 @pytest.fixture(scope="session")
 def shared_data() -> Path:
-    """Folder of the reference surveys, which live beside the checkout and are not part of it."""
+    """Folder of the reference surveys, which is beside the checkout and not part of it."""
     folder = Path(__file__).resolve().parents[2] / "shared" / "data"
     if not folder.is_dir():
         pytest.skip("the reference surveys are not beside this checkout")
@@ -91,28 +91,28 @@ def shared_data() -> Path:
 
 @pytest.fixture(scope="session")
 def port(tmp_path_factory: pytest.TempPathFactory) -> SimulatedSurvey:
-    """The built-in survey as it is simulated, every point with its label."""
-    return once(tmp_path_factory, "port", lambda _folder: port_survey())
+    """The simulated built-in survey with the labels of all points."""
+    return make_once(tmp_path_factory, "port", lambda _folder: port_survey())
 
 
 @pytest.fixture(scope="session")
 def whole_demo(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The built-in survey with nothing picked; not to be changed on disk."""
-    return once(tmp_path_factory, "whole", make_demo)
+    """The built-in survey without targets; tests must not change it on disk."""
+    return make_once(tmp_path_factory, "whole", make_demo)
 
 
 @pytest.fixture(scope="session")
 def demo_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The same with a third of the points, where their number does not matter."""
-    return once(
+    """The built-in survey with a third of the points, for tests that do not need all."""
+    return make_once(
         tmp_path_factory, "made", lambda folder: make_demo(folder, points_per_second=50_000.0)
     )
 
 
 @pytest.fixture(scope="session")
 def sparse_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The same with a sixth of the points: to look for surfaces takes as long as they are many."""
-    return once(
+    """The built-in survey with a sixth of the points, for searches for surfaces."""
+    return make_once(
         tmp_path_factory, "sparse", lambda folder: make_demo(folder, points_per_second=25_000.0)
     )
 
@@ -121,7 +121,7 @@ def sparse_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 def printed_demo(
     demo_project: Project, tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Path, int, str, str]:
-    """Folder of `lispac demo`, its code and what it said; not to be changed on disk."""
+    """Folder, exit code and output of `lispac demo`; tests must not change it on disk."""
 
     def run_demo(folder: Path) -> tuple[Path, int, str, str]:
         shutil.copytree(demo_project.folder, folder)
@@ -131,26 +131,26 @@ def printed_demo(
             code = main(["demo", "--output", str(folder), "--no-window"])
         return folder, code, out.getvalue(), err.getvalue()
 
-    return once(tmp_path_factory, "printed", run_demo)
+    return make_once(tmp_path_factory, "printed", run_demo)
 
 
 @pytest.fixture(scope="session")
 def calibrated(
     printed_demo: tuple[Path, int, str, str], tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Project, Survey]:
-    """The built-in survey, calibrated and validated; not to be changed on disk."""
+    """The built-in survey, calibrated and validated; tests must not change it on disk."""
 
     def take(folder: Path) -> Project:
         shutil.copytree(printed_demo[0], folder, ignore=shutil.ignore_patterns("report.*"))
         return open_project(folder)
 
-    project = once(tmp_path_factory, "calibrated", take)
+    project = make_once(tmp_path_factory, "calibrated", take)
     return project, load_survey(project)
 
 
 @pytest.fixture
 def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
-    """A copy of the calibrated project, to do with as one likes."""
+    """A copy of the calibrated project that a test may change."""
     folder = tmp_path / "copy"
     shutil.copytree(calibrated[0].folder, folder)
     return open_project(folder)
@@ -158,7 +158,7 @@ def copy(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
 
 @pytest.fixture
 def shown(qtbot):
-    """Show viewports, each with the budget asked for, and take them away at the end."""
+    """Function that shows a viewport with a given budget; all are closed at the end."""
     from PySide6.QtCore import QCoreApplication, QEvent
     from PySide6.QtGui import QGuiApplication
 

@@ -1,10 +1,11 @@
-"""Do the stated sigmas hold where the model of errors does not? Many surveys with known truth.
+"""Coverage of the sigmas with errors that the stochastic model does not contain.
 
     python -m tests.coverage_of_errors [SURVEYS] [KIND ...]
 
-prints a row a kind of error: the share of 95 % intervals that hold, for each angle, with the sigmas
-that the model foresees and as they are stated; the share of surveys with a serious warning; and the
-share of intervals that hold in the surveys without one.
+simulates surveys with known truth and prints a row for each kind of error: the share of 95 %
+intervals that contain the truth, for each angle, with the formal sigmas and with the reported ones;
+the share of angles with an increased sigma; the share of surveys with a serious warning; and the
+share of intervals that contain the truth in the surveys without one.
 """
 
 import sys
@@ -34,7 +35,7 @@ from lispac.survey.trajectory import Poses
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
-RAW = 0.03
+POINT_SPACING = 0.03
 MODEL = Settings(lever_arm=(0.0, 0.0, 0.0)).stochastic_model
 TARGETS = (
     *THESIS_BOARDS,
@@ -45,7 +46,7 @@ Change = Callable[[Observations, np.random.Generator], Observations]
 
 
 def _along_beams(data: Observations, off: np.ndarray) -> Observations:
-    """Points moved along their beams by ``off`` (n,), metres."""
+    """Move points along their beams by ``off`` (n,), metres."""
     beams = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
     return replace(data, points_lidar=data.points_lidar + off[:, None] * beams)
 
@@ -56,10 +57,10 @@ def _of_line(data: Observations, chance: np.random.Generator) -> np.ndarray:
 
 
 def curved(data: Observations, chance: np.random.Generator) -> Observations:
-    """Boards bent by some 10 mm, of which each line sees another part, three fifths of the height.
+    """Boards bent by some 10 mm; each line shows another three fifths of their height.
 
-    All lines see the same bent surface: points move along their beams as far as the board is off
-    its plane along the normal.
+    All lines show the same bent surface: points move along their beams according to the distance
+    of the board from its plane along the normal.
     """
     boards = {each.name: each for each in TARGETS}
     poses = Poses(data.position, data.attitude)
@@ -81,26 +82,26 @@ def curved(data: Observations, chance: np.random.Generator) -> Observations:
 
 
 def rough(data: Observations, chance: np.random.Generator) -> Observations:
-    """Surfaces that lie 4 mm (1 sigma) elsewhere on every line: grass, cloth."""
+    """Surfaces displaced by 4 mm (1 sigma) on each line, like grass or cloth."""
     return _along_beams(data, chance.normal(0, 0.004, len(data.sightings))[data.sighting])
 
 
 def heavy_tails(data: Observations, chance: np.random.Generator) -> Observations:
-    """Ranges with errors of Student's t with 3 degrees of freedom, and 1 % off by decimetres."""
+    """Range errors of Student's t with 3 degrees of freedom, and 1 % outliers of decimetres."""
     off = 0.004 * chance.standard_t(3, len(data))
     off += (chance.random(len(data)) < 0.01) * chance.normal(0, 0.2, len(data))
     return _along_beams(data, off)
 
 
 def biased_line(data: Observations, chance: np.random.Generator) -> Observations:
-    """The positions on one line off by 5 cm."""
+    """Positions of one line wrong by 5 cm."""
     shift = chance.normal(size=3)
     shift *= 0.05 / np.linalg.norm(shift)
     return replace(data, position=data.position + _of_line(data, chance)[:, None] * shift)
 
 
 def turned_line(data: Observations, chance: np.random.Generator) -> Observations:
-    """The attitude on one line off by 0.05 deg."""
+    """Attitude of one line wrong by 0.05 deg."""
     turn = chance.normal(size=3)
     turn *= np.radians(0.05) / np.linalg.norm(turn)
     points = data.points_lidar @ rotation_matrix(*turn).T
@@ -116,7 +117,7 @@ KINDS: dict[str, Change | None] = {
 
 
 def survey(kind: str, seed: int) -> Observations:
-    """The observations of a survey with one kind of error."""
+    """Observations of a survey with one kind of error."""
     generator, chance = np.random.default_rng([34, seed]), np.random.default_rng([35, seed])
     pos, mounting = HYDROGRAPHIC_INS, TRUTH
     if kind.startswith("POS time"):
@@ -126,7 +127,7 @@ def survey(kind: str, seed: int) -> Observations:
     if kind == "lever arm 2 cm":
         off = chance.normal(size=3)
         mounting = replace(TRUTH, lever_arm=TRUTH.lever_arm + 0.02 * off / np.linalg.norm(off))
-    exact = error_free_survey(mounting, TARGETS, six_courses(), RAW, generator, pos=pos)
+    exact = error_free_survey(mounting, TARGETS, six_courses(), POINT_SPACING, generator, pos=pos)
     data = add_errors(exact, pos, generator)
     change = KINDS[kind]
     data = data if change is None else change(data, chance)
@@ -134,10 +135,10 @@ def survey(kind: str, seed: int) -> Observations:
 
 
 @dataclass(frozen=True)
-class Answer:
+class SurveyResult:
     """Error and sigmas of one survey, degrees, and the codes of its serious warnings.
 
-    ``shortened`` tells whether the residuals asked for shorter correlation times.
+    ``shortened`` is True if the residuals required shorter correlation times.
     """
 
     error: np.ndarray
@@ -147,9 +148,9 @@ class Answer:
     shortened: bool
 
 
-def answer(kind: str, seed: int) -> Answer:
+def answer(kind: str, seed: int) -> SurveyResult:
     result = adjust(survey(kind, seed), PRIOR, MODEL)
-    return Answer(
+    return SurveyResult(
         np.degrees(result.boresight - TRUTH.boresight),
         np.degrees(result.sigma),
         np.degrees(result.with_formal_sigmas.sigma),
@@ -158,21 +159,21 @@ def answer(kind: str, seed: int) -> Answer:
     )
 
 
-def study(kind: str, surveys: int, workers: int = 2) -> list[Answer]:
+def study(kind: str, surveys: int, workers: int = 2) -> list[SurveyResult]:
     if workers == 1:
         return [answer(kind, seed) for seed in range(surveys)]
     with ProcessPoolExecutor(workers) as pool:
         return list(pool.map(answer, [kind] * surveys, range(surveys), chunksize=4))
 
 
-def hits(answers: list[Answer], which: str = "sigma") -> np.ndarray:
-    """Share of the 95 % intervals that hold, shape (3,)."""
+def hits(answers: list[SurveyResult], which: str = "sigma") -> np.ndarray:
+    """Share of the 95 % intervals that contain the truth, shape (3,)."""
     if not answers:
         return np.full(3, np.nan)
     return np.mean([np.abs(a.error) < 1.96 * getattr(a, which) for a in answers], axis=0)
 
 
-def row(kind: str, answers: list[Answer]) -> str:
+def row(kind: str, answers: list[SurveyResult]) -> str:
     """One row of the table."""
     calm = [each for each in answers if not each.serious]
 

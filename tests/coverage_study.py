@@ -1,9 +1,9 @@
-"""Do the stated sigmas hold? Many surveys with known truth, adjusted in both models.
+"""Coverage of the sigmas of both stochastic models in simulated surveys with known truth.
 
     python -m tests.coverage_study [SURVEYS]
 
 prints the table for each correlation time and subsampling distance; `tests/test_coverage.py` runs
-a short form of it always and the long one where asked.
+a short form of it always and the long one on request.
 """
 
 import sys
@@ -30,17 +30,17 @@ from lispac.targets.thinning import thin_points
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
-RAW = 0.02  # metres between the points of the scanner
+POINT_SPACING = 0.02  # metres between the points of the scanner
 CORRELATION_TIMES = ((300.0, 600.0), (3600.0, 3600.0), (5.0, 5.0))
 DISTANCES = (0.02, 0.05, 0.10, 0.20)
-SUBSAMPLED = 20
-"""Surveys that tell how subsampling changes the sigmas: each is compared with itself, so that few
-tell it to a fraction of a percent. `changes` says how well."""
+SUBSAMPLED_SURVEYS = 20
+"""Number of surveys for the effect of subsampling on the sigmas. Each is compared with itself, so
+that few surveys are sufficient; `sigma_ratios` returns the standard error."""
 
 
 @dataclass(frozen=True, eq=False)
 class Answers:
-    """Errors and stated sigmas of many surveys, each of shape (surveys, 3), degrees."""
+    """Errors and estimated sigmas of many surveys, each of shape (surveys, 3), degrees."""
 
     errors: np.ndarray
     sigmas: np.ndarray
@@ -52,7 +52,7 @@ class Answers:
 
     @property
     def hits(self) -> np.ndarray:
-        """Share of the 95 % intervals that hold the truth."""
+        """Share of the 95 % intervals that contain the truth."""
         return (np.abs(self.ratios) < 1.96).mean(axis=0)
 
     @property
@@ -67,7 +67,7 @@ class Answers:
 
     @property
     def sigma(self) -> np.ndarray:
-        """Mean stated sigma, degrees."""
+        """Mean estimated sigma, degrees."""
         return self.sigmas.mean(axis=0)
 
 
@@ -80,8 +80,8 @@ def models(times: tuple[float, float]) -> dict[str, StochasticModel]:
     }
 
 
-def selected(survey: Observations, distance: float) -> Observations:
-    """Points thinned to one per cube in each sighting, as for uncorrelated POS errors."""
+def thinned_per_cube(survey: Observations, distance: float) -> Observations:
+    """Thin the points of each sighting to one per cube, as for uncorrelated POS errors."""
     places = points_local(survey, PRIOR)
     own = [np.flatnonzero(survey.sighting == k) for k in range(len(survey.sightings))]
     return survey.reordered(np.concatenate([i[thin_points(places[i], distance)] for i in own]))
@@ -92,7 +92,9 @@ def _one(
 ) -> list[tuple[np.ndarray, np.ndarray]]:
     pos = replace(HYDROGRAPHIC_INS, time_position=times[0], time_attitude=times[1])
     generator = np.random.default_rng([2026, seed])
-    exact = error_free_survey(TRUTH, THESIS_BOARDS, six_courses(), RAW, generator, pos=pos)
+    exact = error_free_survey(
+        TRUTH, THESIS_BOARDS, six_courses(), POINT_SPACING, generator, pos=pos
+    )
     survey = add_errors(exact, pos, generator)
     found = []
     for distance in distances:
@@ -102,7 +104,7 @@ def _one(
                     survey, PRIOR, distance, longest=model.knot_interval, no_outliers=True
                 )
             else:
-                points = selected(survey, distance)
+                points = thinned_per_cube(survey, distance)
             result = adjust(points, PRIOR, model, diagnostics=False)
             error = np.degrees(result.boresight - TRUTH.boresight)
             found.append((error, np.degrees(result.sigma)))
@@ -112,7 +114,7 @@ def _one(
 def study(
     times: tuple[float, float], distances: tuple[float, ...], surveys: int, workers: int = 2
 ) -> dict[tuple[str, float], Answers]:
-    """Answers by model and subsampling distance."""
+    """Errors and sigmas by model and subsampling distance."""
     arguments = ([times] * surveys, [distances] * surveys, range(surveys))
     if workers == 1:
         runs = list(map(_one, *arguments))
@@ -124,8 +126,8 @@ def study(
     return {key: Answers(table[:, k, 0], table[:, k, 1]) for k, key in enumerate(keys)}
 
 
-def changes(answers: dict[tuple[str, float], Answers]) -> tuple[np.ndarray, np.ndarray]:
-    """Sigmas of the correlated model over those at the smallest distance, and how well known.
+def sigma_ratios(answers: dict[tuple[str, float], Answers]) -> tuple[np.ndarray, np.ndarray]:
+    """Ratios of sigmas of the correlated model to those at the smallest distance.
 
     Returns
     -------
@@ -136,7 +138,7 @@ def changes(answers: dict[tuple[str, float], Answers]) -> tuple[np.ndarray, np.n
     return ratios.mean(axis=1), ratios.std(axis=1, ddof=1) / np.sqrt(ratios.shape[1])
 
 
-def printed(times: tuple[float, float], answers: dict[tuple[str, float], Answers]) -> str:
+def table_text(times: tuple[float, float], answers: dict[tuple[str, float], Answers]) -> str:
     """The table of one pair of correlation times."""
     count = len(next(iter(answers.values())).errors)
     lines = [
@@ -155,11 +157,11 @@ def main() -> None:
     """Print the whole study."""
     surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
     for times in CORRELATION_TIMES:
-        print(printed(times, study(times, (0.10,), surveys)), flush=True)
+        print(table_text(times, study(times, (0.10,), surveys)), flush=True)
     for times in CORRELATION_TIMES:
-        answers = study(times, DISTANCES, min(SUBSAMPLED, max(surveys, 2)))
-        print(printed(times, answers))
-        print("sigma by that at the first, +-", *changes(answers), sep="\n", flush=True)
+        answers = study(times, DISTANCES, min(SUBSAMPLED_SURVEYS, max(surveys, 2)))
+        print(table_text(times, answers))
+        print("sigma by that at the first, +-", *sigma_ratios(answers), sep="\n", flush=True)
 
 
 if __name__ == "__main__":

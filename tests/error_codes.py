@@ -7,7 +7,7 @@ from lispac.errors import LispacError
 
 
 def has_code(code: str, **params: Any) -> Callable[[BaseException], bool]:
-    """A check for `pytest.raises`: the error has this code, and these among its parameters."""
+    """Check for `pytest.raises` that an error has this code and these parameters."""
 
     def check(error: BaseException) -> bool:
         assert isinstance(error, LispacError)

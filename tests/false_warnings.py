@@ -1,11 +1,11 @@
-"""How often a right survey gets a serious warning that is false.
+"""Frequency of false serious warnings in surveys without errors.
 
     python -m tests.false_warnings [SURVEYS] [KIND ...]
 
-A row a kind of survey: boards, boards on two lines only, natural planes proposed by the program,
-targetless, spinning scanner. Only warnings that name an error are counted: a right survey has none.
-Those about the geometry (no redundancy, large standard deviations) are true. Natural surfaces may
-really not be flat: the simulated surfaces decide, and warnings that are true are counted apart.
+A row for each kind of survey: boards, boards on only two lines, natural planes proposed by the
+program, targetless, spinning scanner. Only warnings that name an error are counted. Those about the
+geometry (no redundancy, large standard deviations) are true. Natural surfaces may not be flat: this
+follows from the simulated surfaces, and true warnings are counted separately.
 """
 
 import sys
@@ -38,7 +38,7 @@ from lispac.workflow.planning.simulate import simulate
 from lispac.workflow.planning.simulated_setup import read_simulation
 from lispac.workflow.project.survey import load_survey
 from tests.coverage_of_errors import MODEL, PRIOR, TARGETS, TRUTH
-from tests.coverage_of_errors import RAW as SPACING
+from tests.coverage_of_errors import POINT_SPACING as SPACING
 from tests.natural_scenes import print_answers, study
 from tests.test_targetless_coverage import surveyed
 
@@ -47,24 +47,24 @@ OF_GEOMETRY = {
     "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
     "adjustment.one_facing",
 }  # fmt: skip
-"""Codes of warnings that are true of a right survey too."""
+"""Codes of warnings that are true for surveys without errors too."""
 
 PICKED = {"T1", "T2", "V1"}
-"""Surfaces of the port that the spinning scanner is calibrated on."""
+"""Surfaces of the port used to calibrate the spinning scanner."""
 
-Judged = tuple[AdjustmentResult, CrossChecks | None]
+ResultAndChecks = tuple[AdjustmentResult, CrossChecks | None]
 NOT_FLAT = "adjustment.not_flat"
 
 
 @dataclass(frozen=True)
-class Counted:
-    """Codes of serious warnings about one survey that name an error, false ones and true ones."""
+class WarningCodes:
+    """Codes of the false and the true serious warnings about errors in one survey."""
 
     false: tuple[str, ...]
     true: tuple[str, ...] = ()
 
 
-def boards(seed: int, courses: int = 6) -> Judged:
+def boards(seed: int, courses: int = 6) -> ResultAndChecks:
     chance = np.random.default_rng([36, seed])
     chosen = tuple(six_courses()[k] for k in sorted(chance.choice(6, courses, replace=False)))
     data = add_errors(
@@ -76,17 +76,17 @@ def boards(seed: int, courses: int = 6) -> Judged:
     return result, cross_checks(data, PRIOR, result)
 
 
-def two_lines(seed: int) -> Judged:
+def two_lines(seed: int) -> ResultAndChecks:
     return boards(seed, 2)
 
 
-def without_targets(seed: int) -> Judged:
+def without_targets(seed: int) -> ResultAndChecks:
     with TemporaryDirectory() as folder:
         project, survey, _ = surveyed(Path(folder), seed)
         return targetless(project, survey, count=16).result, None
 
 
-def spinning(seed: int) -> Judged:
+def spinning(seed: int) -> ResultAndChecks:
     made = read_simulation(
         "port", vessel="launch", scanner="velodyne-hdl-32e", points_per_second=60_000,
         errors={"boresight_deg": tuple(np.random.default_rng([37, seed]).normal(0, 1, 3))},
@@ -104,26 +104,28 @@ def spinning(seed: int) -> Judged:
     return solved.result, solved.cross_checks
 
 
-KINDS: dict[str, Callable[[int], Judged]] = {
+KINDS: dict[str, Callable[[int], ResultAndChecks]] = {
     "boards": boards, "two lines": two_lines, "targetless": without_targets, "spinning": spinning,
 }  # fmt: skip
 NATURAL = "natural"
-"""Kind of the planes that the program proposes in scenes without boards."""
+"""Kind of surveys with proposed natural planes in scenes without boards."""
 
 
-def count_warnings(kind: str, seed: int) -> Counted | None:
-    """Serious warnings that name an error; None where there is no answer."""
+def count_warnings(kind: str, seed: int) -> WarningCodes | None:
+    """Serious warnings that name an error, or None without a result."""
     try:
         result, checks = KINDS[kind](seed)
     except (AdjustmentError, TargetNotFound) as error:
         print(kind, seed, str(error)[:100])
         return None
     found = [each for each in result_warnings(result, checks) if each.is_serious]
-    return judged(f"{kind} {seed}", found, frozenset())
+    return separate_warnings(f"{kind} {seed}", found, frozenset())
 
 
-def judged(survey: str, warnings: Iterable[Message], bent: frozenset[str]) -> Counted:
-    """False and true ones among the serious warnings that name an error.
+def separate_warnings(
+    survey: str, warnings: Iterable[Message], bent: frozenset[str]
+) -> WarningCodes:
+    """Separate false and true warnings among the serious ones that name an error.
 
     Parameters
     ----------
@@ -140,7 +142,7 @@ def judged(survey: str, warnings: Iterable[Message], bent: frozenset[str]) -> Co
         (true if is_true else false).append(each.code)
         word = "true" if is_true else "false"
         print(survey, word, each.code, message_text(each)[:260], flush=True)
-    return Counted(tuple(set(false)), tuple(set(true)))
+    return WarningCodes(tuple(set(false)), tuple(set(true)))
 
 
 def row(kind: str, surveys: int) -> str:
@@ -148,7 +150,7 @@ def row(kind: str, surveys: int) -> str:
         scenes = study(surveys)
         print_answers(scenes)
         known = [
-            judged(f"{kind} {seed}", each.warnings, each.bent)
+            separate_warnings(f"{kind} {seed}", each.warnings, each.bent)
             for seed, each in enumerate(scenes) if each.error is not None
         ]  # fmt: skip
     else:

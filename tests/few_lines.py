@@ -1,4 +1,4 @@
-"""Three short lines by two boards, made and picked in a moment."""
+"""Small survey of three short lines past two boards."""
 
 from dataclasses import replace
 from functools import cache
@@ -17,14 +17,14 @@ from tests.test_finder_sites import board
 
 @cache
 def site_of_few_lines() -> Site:
-    """An upright board and a leaning one, some 1,500 points a line on both together."""
+    """An upright and a leaning board with some 1,500 points on each line."""
     leaning = tilted_rectangle("T2", (-2.6, WALL, 7.5), 1.23, 1.0, 270, 45)
     return site([board(), leaning], lines=3, pulses_per_second=50_000.0)
 
 
 @cache
 def picked() -> tuple[Project, Survey]:
-    """Both boards as targets, nothing estimated; values, so that tests may share them."""
+    """The survey with both boards as targets and no result; values that tests may share."""
     project, survey = site_of_few_lines().opened()
     for surface in site_of_few_lines().scene.surfaces:
         north, west, up = map(float, surface.centre)
@@ -33,8 +33,8 @@ def picked() -> tuple[Project, Survey]:
 
 
 @cache
-def answered() -> tuple[Project, Survey]:
-    """The same with the true boresight as the estimated one."""
+def picked_and_estimated() -> tuple[Project, Survey]:
+    """The same survey with the true boresight as the result."""
     project, survey = picked()
     project = estimate(project, survey, cross_check=False)
     assert project.result is not None
@@ -43,7 +43,7 @@ def answered() -> tuple[Project, Survey]:
 
 
 def on_board(name: str, across: float, up: float) -> np.ndarray:
-    """A true place on a board, metres from its middle along it and up the slope, shape (3,)."""
+    """True place on a board, metres from its centre along it and up the slope, shape (3,)."""
     surface = site_of_few_lines().scene[name]
     along = np.cross(surface.normal, surface.across)
     return np.asarray(surface.centre + across * surface.across + up * along)

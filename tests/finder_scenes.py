@@ -1,4 +1,4 @@
-"""Small sites seen by the project's own simulator, every point with the surface it is on."""
+"""Small sites with simulated points, labelled with the surface they are on."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -21,13 +21,13 @@ from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.workflow.project.survey import Survey
 
 WALL = -15.0  # metres west: 15 m to starboard of the line along it
-REACH = 7.0  # metres before and after abeam that are recorded
-NEAR = 7.0  # metres about the targets: what lies farther off only takes time
+REACH = 7.0  # recorded metres before and after the middle is abeam
+NEAR = 7.0  # metres around the targets: points farther away only take time
 
 
 @dataclass(frozen=True, eq=False)
 class Site:
-    """Lines past a scene, with the truth."""
+    """Simulated lines past a scene, with their true values."""
 
     scene: Scene
     boresight: np.ndarray
@@ -35,7 +35,7 @@ class Site:
     echoes: Mapping[str, Echoes]
 
     def clouds(self, off_deg: Iterable[float] = (0.0, 0.0, 0.0)) -> dict[str, np.ndarray]:
-        """Every line, placed with a boresight that is off by so much."""
+        """Every line, georeferenced with a boresight that is wrong by ``off_deg``."""
         mounting = Mounting(np.array(LEVER_ARM), self.boresight + np.radians(off_deg))
         return {
             name: georeference(echo.points_lidar, echo.time, self.trajectory, mounting)
@@ -43,14 +43,14 @@ class Site:
         }
 
     def on(self, line: str, *names: str) -> np.ndarray:
-        """Which points of a line are on the surfaces of these names."""
+        """Mask of the points of a line on the surfaces with these names."""
         wanted = [k for k, name in enumerate(self.scene.names) if name in names]
         return np.isin(self.echoes[line].label, wanted)
 
     def opened(
         self, off_deg: Iterable[float] = (0.0, 0.0, 0.0), *, noise: float = 0.002
     ) -> tuple[Project, Survey]:
-        """A project of these lines, its prior boresight off by so much, and its survey."""
+        """Project of these lines with a prior boresight wrong by ``off_deg``, and its survey."""
         prior = np.degrees(self.boresight) + list(off_deg)
         settings = Settings(
             lever_arm=LEVER_ARM, boresight_deg=tuple(map(float, prior)), lidar_sigma=noise
@@ -86,10 +86,10 @@ def site(
     absent_from: str | None = None,
     near: float = NEAR,
 ) -> Site:
-    """The first of the six lines along such a scene, with POS errors, noise and mixed echoes.
+    """Simulate the first of six lines past a scene, with POS errors, noise and mixed echoes.
 
-    T1 was not there yet when the line ``absent_from`` was recorded. Points farther than ``near``,
-    metres, from the middle of the targets are left out.
+    T1 is missing on the line ``absent_from``. Points farther than ``near``, metres, from the middle
+    of the targets are omitted.
     """
     sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + lines)
     lines = [replace(each, run_in=REACH, run_out=REACH) for each in six_lines()[:lines]]
@@ -125,7 +125,7 @@ def rippled(
     name: str, centre: tuple[float, float, float], width: float, height: float, *,
     period: float = 0.2, slope_deg: float = 12.0,
 ) -> list[Rectangle]:  # fmt: skip
-    """A corrugated sheet facing east: strips that lean to and fro about the vertical."""
+    """A corrugated sheet facing east, of strips with alternating inclination."""
     strip = period / 2
     half = np.radians(slope_deg)
     return [
@@ -142,6 +142,6 @@ def rippled(
 
 
 def precision_and_recall(indices: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
-    """Share of the found points that are right, and of the right ones that are found."""
+    """Share of the found points that are right, and share of the right points that are found."""
     right = np.count_nonzero(truth[indices])
     return right / max(len(indices), 1), right / max(np.count_nonzero(truth), 1)

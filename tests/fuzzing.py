@@ -1,4 +1,4 @@
-"""Bytes and values that nobody meant, and how many of them a reader has seen."""
+"""Damaged bytes and changed values for tests of readers."""
 
 import json
 import warnings
@@ -11,15 +11,15 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.errors import HypothesisWarning
 
-SECONDS, INPUTS, FEWEST = 60, 100_000, 2_500
-"""The long form ends with whichever comes first, after the fewest inputs."""
+MAX_SECONDS, MAX_INPUTS, MIN_INPUTS = 60, 100_000, 2_500
+"""A long run ends at the first of the two limits, but not before the minimum number of inputs."""
 
 Attempt = Callable[[bytes], bool]
-"""Puts content before a reader; whether it was read. All but the program's own errors come out."""
+"""Gives content to a reader; returns whether it was read. Foreign errors are raised."""
 
 
 def damaged(content: bytes) -> st.SearchStrategy[bytes]:
-    """Sound bytes with pieces changed, taken out, put in or cut off."""
+    """Valid bytes with pieces changed, removed, inserted or truncated."""
     place = st.integers(0, len(content))
     length = st.sampled_from([0, 0, 1, 2, 4, 8, -1, -1, -1]) | st.integers(0, 40)
     edit = st.tuples(place, length, st.binary(max_size=9))
@@ -46,7 +46,7 @@ values = st.recursive(
 
 
 def places_of(content: Any, at: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
-    """Where values stand in what JSON holds: keys and numbers on the way to each."""
+    """Paths to all values in JSON content, as keys and numbers."""
     inner = (
         content.items() if isinstance(content, dict)
         else enumerate(content) if isinstance(content, list)
@@ -56,7 +56,7 @@ def places_of(content: Any, at: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 
 
 def changed_values(content: Any) -> st.SearchStrategy[Any]:
-    """What JSON holds with values exchanged, or left out."""
+    """JSON content with changed or missing values."""
     nothing = object()
     edit = st.tuples(st.sampled_from(places_of(content)[1:]), st.just(nothing) | values)
 
@@ -71,7 +71,7 @@ def changed_values(content: Any) -> st.SearchStrategy[Any]:
                     del inner[place[-1]]
                 else:
                     inner[place[-1]] = value
-            except (LookupError, TypeError):  # an edit before has taken it away
+            except (LookupError, TypeError):  # an earlier edit has removed it
                 continue
         return changed
 
@@ -79,7 +79,7 @@ def changed_values(content: Any) -> st.SearchStrategy[Any]:
 
 
 def json_like(content: bytes) -> st.SearchStrategy[bytes]:
-    """The bytes of a JSON file damaged, or whole with other values."""
+    """Bytes of a JSON file, damaged or with changed values."""
     written = changed_values(json.loads(content)).map(lambda value: json.dumps(value).encode())
     nested = st.integers(1, 100_000).map(lambda depth: b"[" * depth)
     return st.one_of(damaged(content), written, written, nested)
@@ -94,7 +94,7 @@ TOML_VALUES = [
 
 
 def toml_like(content: bytes) -> st.SearchStrategy[bytes]:
-    """The bytes of a TOML file damaged, or whole with other values or without a line."""
+    """Bytes of a TOML file, damaged, with changed values or without a line."""
     lines = content.decode().splitlines()
     values = st.sampled_from(TOML_VALUES)
     edit = st.tuples(st.integers(0, len(lines) - 1), values | st.none())
@@ -111,7 +111,7 @@ def toml_like(content: bytes) -> st.SearchStrategy[bytes]:
 
 
 def fuzz(made: st.SearchStrategy[bytes], attempt: Attempt, examples: int) -> tuple[int, int]:
-    """Put examples before a reader; how many there were, and how many were read."""
+    """Give examples to a reader; returns the number of examples and of those that were read."""
     inputs = read = 0
 
     @settings(
@@ -125,17 +125,17 @@ def fuzz(made: st.SearchStrategy[bytes], attempt: Attempt, examples: int) -> tup
         read += attempt(content)
 
     with warnings.catch_warnings():
-        # That an example is too long to print must not hide what it found.
+        # An example that is too long to print must not hide its error.
         warnings.simplefilter("ignore", HypothesisWarning)
         run()
     return inputs, read
 
 
 def fuzz_long(name: str, made: Sequence[st.SearchStrategy[bytes]], attempt: Attempt) -> int:
-    """As `fuzz`, for a minute or 100,000 inputs, from each source in turn; prints how many."""
+    """Run `fuzz` for a minute or 100,000 inputs from all sources; prints the numbers."""
     inputs = read = turn = 0
-    end = monotonic() + SECONDS
-    while inputs < FEWEST or (inputs < INPUTS and monotonic() < end):
+    end = monotonic() + MAX_SECONDS
+    while inputs < MIN_INPUTS or (inputs < MAX_INPUTS and monotonic() < end):
         counts = fuzz(made[turn % len(made)], attempt, 250)
         inputs, read, turn = inputs + counts[0], read + counts[1], turn + 1
     print(f"{name}: {inputs:,} inputs, {read:,} of them read, {inputs - read:,} refused")

@@ -15,10 +15,10 @@ START = 486_000.0
 LEVER = (0.2, -0.1, 1.5)
 
 
-def taken_in(
+def import_files(
     input_files: InputFiles, *paths: Path, mappings: dict[str, str] | None = None
 ) -> InputFiles:
-    """As the window does it, in one thread."""
+    """Examine and import input files like the window, in one thread."""
     input_files = input_files.with_files(collect_files(paths))
     while waiting := [entry for entry in input_files.files if entry.pending]:
         entry = waiting[0]
@@ -28,7 +28,7 @@ def taken_in(
 
 
 def write_line(path: Path, times: np.ndarray, points: np.ndarray | None = None, crs: str = ""):
-    """A line as another program writes it: laspy alone."""
+    """Write a line as another program would, with laspy only."""
     points = fan(len(times)) if points is None else points
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = np.full(3, 1e-4), np.floor(points.mean(axis=0))
@@ -65,7 +65,7 @@ def fan(count: int) -> np.ndarray:
 
 
 def write_survey(folder: Path) -> Path:
-    """A trajectory of 40 s, its accuracies, two lines, and a letter."""
+    """Write a trajectory of 40 s, its accuracies, two lines and a letter."""
     write_records(folder / "pos.sbet", vessel(2000))
     accuracy = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
     accuracy[:, 0] = START + np.arange(41)

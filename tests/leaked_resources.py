@@ -1,4 +1,4 @@
-"""Resources that a test of the window leaked: threads, timers, windows and graphics."""
+"""Search for resources leaked by a test of the window: threads, timers, windows, graphics."""
 
 import gc
 import sys
@@ -9,31 +9,31 @@ import shiboken6
 from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 
-SETTLES_S = 1.0
-"""What is about to end may end: a timer that fires once, a thread that says so last of all."""
+SETTLING_S = 1.0
+"""Time for single-shot timers and ending threads to finish."""
 
 
 def find_leaks() -> list[str]:
-    """Name what lives on of what was made since `gc.freeze`, once all that may go has gone."""
-    left = _left()
-    until = time.monotonic() + SETTLES_S  # one look takes as long on a busy machine
+    """Names of objects that were created since `gc.freeze` and still exist after a short wait."""
+    left = _leaked()
+    until = time.monotonic() + SETTLING_S  # one search may take that long on a busy machine
     while left and time.monotonic() < until:
         time.sleep(0.01)
         QCoreApplication.processEvents()
-        left = _left()
+        left = _leaked()
     return left
 
 
-def _left() -> list[str]:
+def _leaked() -> list[str]:
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     gc.collect()
     made = gc.get_objects()
     shown = [each for each in QApplication.topLevelWidgets() if each.isVisible()]
     return [
         *(f"thread {each.name}" for each in threading.enumerate() if _is_ours(each)),
-        *(f"timer {each.objectName()}" for each in made if _beats(each)),
+        *(f"timer {each.objectName()}" for each in made if _is_running_timer(each)),
         *(f"shown {type(each).__name__}" for each in shown),
-        # Also where Qt has deleted one: what Python holds of it is its points and graphics
+        # Windows deleted by Qt count too: their Python objects still hold points and graphics
         *(type(each).__name__ for each in made if isinstance(each, (QMainWindow, QDialog))),
         *(type(each).__name__ for each in made if isinstance(each, _graphics())),
     ]
@@ -43,7 +43,7 @@ def _is_ours(thread: threading.Thread) -> bool:
     return thread.name.startswith("lispac")
 
 
-def _beats(each: object) -> bool:
+def _is_running_timer(each: object) -> bool:
     return isinstance(each, QTimer) and shiboken6.isValid(each) and each.isActive()
 
 

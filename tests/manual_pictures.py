@@ -1,4 +1,4 @@
-"""Makes the pictures of the manual, by following its pages in the program itself.
+"""Make the pictures of the manual by following its pages in the program.
 
 ``python -m tests.manual_pictures`` goes through the tutorial in both languages and writes each
 picture where its page has one. It needs a screen of at least 1600 x 1000, if only a virtual one,
@@ -26,7 +26,7 @@ PAGES = ("tutorial",)
 
 
 def photograph(language: str) -> None:
-    """Follow the pages of one language and take their pictures."""
+    """Follow the pages in one language and take their pictures."""
     from lispac.gui.app.settings import AppSettings
     from lispac.gui.project import controller
     from lispac.gui.viewport.vtk_viewport import VtkViewport
@@ -46,7 +46,7 @@ def photograph(language: str) -> None:
                 source = page(language, name)
 
                 def take(front: QWidget, picture: str, source: Path = source) -> None:
-                    session.window.task_bar.clearMessage()  # it names folders of this machine
+                    session.window.task_bar.clearMessage()  # it names folders
                     application.processEvents()
                     save(front, picture_file(source, picture))
 
@@ -57,7 +57,7 @@ def photograph(language: str) -> None:
 
 
 def save(widget: QWidget, file: Path) -> None:
-    """A picture of what the screen shows of a window, its 3D view too, with few colours."""
+    """Save a picture of a window on the screen, including its 3D view, with few colours."""
     from PIL import Image
 
     place = widget.frameGeometry()
@@ -72,7 +72,7 @@ def save(widget: QWidget, file: Path) -> None:
 
 
 def _palette(picture: "Image.Image") -> "Image.Image":
-    """256 colours: most for what there is much of, some for what is rare, as a line's swatch."""
+    """256 colours: most for frequent colours, some for rare ones, such as the swatch of a line."""
     from PIL import Image
 
     much, rare = Image.Quantize.MEDIANCUT, Image.Quantize.MAXCOVERAGE
@@ -86,7 +86,7 @@ def _palette(picture: "Image.Image") -> "Image.Image":
 
 
 def main() -> None:
-    """Take all pictures, each language in a process of its own."""
+    """Take all pictures, each language in a separate process."""
     parser = argparse.ArgumentParser(prog="python -m tests.manual_pictures", description=__doc__)
     parser.add_argument("--language", choices=list(LANGUAGES), help="this one only, and here")
     language = parser.parse_args().language

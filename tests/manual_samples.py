@@ -1,4 +1,4 @@
-"""A usual file of each format, for what its reader assumes of it."""
+"""A typical file of each format, for the list of assumptions of its reader."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from tests.trajectory_files import vessel, write_delph, write_pospac, write_reco
 
 
 def samples(folder: Path) -> dict[str, Path]:
-    """A file of each format in a folder, by the format's key."""
+    """Write a file of each format; returns the paths by the key of the format."""
     from lispac.io.trajectory.sbet import write_smrmsg
 
     records = vessel(400)
@@ -53,7 +53,7 @@ def samples(folder: Path) -> dict[str, Path]:
 
 
 def assumed(key: str, file: Path) -> tuple[Message, ...]:
-    """What the reader of a format says that it assumes of a file."""
+    """Assumptions about a file that the reader of its format reports."""
     if key == "pospac-sigmas":
-        return ()  # the file of the samples has none
+        return ()  # the sample file has none
     return format_of(key).preview(file, {}).assumptions

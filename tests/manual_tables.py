@@ -1,4 +1,4 @@
-"""Writes the manual's tables of fields and formats, from the window and the readers themselves.
+"""Write the tables of fields and formats of the manual, from the window and the readers.
 
 ``python -m tests.manual_tables`` renews ``resources/manual/*/tables``; a test in
 `tests/gui/test_gui_manual.py` holds what is there against what would be written. No screen is
@@ -56,11 +56,11 @@ WORDS = {
     "fr": ("Champ", "Unité, étendue, choix", "Ce que c'est", "de {} à {}", "Option", "Choix",
            "habituel"),
 }  # fmt: skip
-STANDARD = {
+STANDARD_KEYS = {
     Keys.New: "Ctrl+N", Keys.Open: "Ctrl+O", Keys.Save: "Ctrl+S",
     Keys.SaveAs: "Ctrl+Shift+S", Keys.Quit: "Ctrl+Q", Keys.Undo: "Ctrl+Z",
 }  # fmt: skip
-"""Keys that the desktop has a say in; these are the usual ones."""
+"""Shortcuts that depend on the desktop, with their usual keys."""
 MENUS = {"en": ("Entry", "Keys", "What it does"), "fr": ("Entrée", "Touches", "Ce qu'elle fait")}
 ASSUMED = {
     "en": "Assumed of a usual file without options:",
@@ -133,18 +133,18 @@ PANELS: dict[str, Callable[[], QWidget]] = {
     "histograms": HistogramsPanel, "report": ReportPanel, "convention": ConventionPanel,
 }  # fmt: skip
 FIELDS = (QAbstractSpinBox, QComboBox, QAbstractButton, QLineEdit)
-LONGEST = 6
-"""Choices of a field that are named; longer lists are those of a library."""
-SHARED = tuple(
+MAX_CHOICES = 6
+"""Maximum number of choices of a field that are listed; longer lists come from a library."""
+COMMON_POINT_OPTIONS = tuple(
     option
     for option in POINT_FORMATS[0].options
     if all(option in each.options for each in POINT_FORMATS)
 )
-"""Options of every format of points."""
+"""Options that all point formats have."""
 
 
 def tables(language: str) -> dict[str, str]:
-    """Text of each table, by the name of its file."""
+    """Text of each table by the name of its file."""
     set_language(language)
     try:
         made = {f"{name}.md": _fields(make(), language) for name, make in PANELS.items()}
@@ -167,7 +167,7 @@ def tables(language: str) -> dict[str, str]:
                 parts = [_format(each, files[each.key], language) for each in formats]
                 made[f"{name}.md"] = "\n".join(parts)
         made["programs.md"] = _programs(language)
-        made["points-shared.md"] = _options(list(SHARED), language)
+        made["points-shared.md"] = _options(list(COMMON_POINT_OPTIONS), language)
         made["messages.md"] = _messages(language)
     finally:
         set_language("en")
@@ -220,7 +220,7 @@ def _name(field: QWidget, labels: dict[QWidget, str]) -> str:
 
 
 def _labels(panel: QWidget) -> dict[QWidget, str]:
-    """The label that a form has beside a widget."""
+    """Labels of a form by their widgets."""
     found: dict[QWidget, str] = {}
     for form in panel.findChildren(QFormLayout):
         for row in range(form.rowCount()):
@@ -247,7 +247,7 @@ def _range(field: QWidget, language: str) -> str:
         return f"{said}\xa0{field.suffix().strip()}".replace(" ", "\xa0").strip()
     if isinstance(field, QComboBox):
         items = [field.itemText(k) for k in range(field.count())]
-        return "; ".join(items) if len(items) <= LONGEST else ""
+        return "; ".join(items) if len(items) <= MAX_CHOICES else ""
     return ""
 
 
@@ -271,7 +271,7 @@ def _entries(menu: str, under: str) -> Iterator[tuple[str, ...]]:
             keys = ALL_ACTIONS[name].keys
             text, tip = ALL_ACTIONS[name].texts
             first = keys[0] if isinstance(keys, tuple) else keys
-            shown = STANDARD.get(first, first)
+            shown = STANDARD_KEYS.get(first, first)
             shown = shown.replace("Shift", "Maj") if current_language() == "fr" else shown
             yield f"{under}{_bare(text)}", shown, tip
 
@@ -297,7 +297,7 @@ def _format(format: FileFormat, file: Path, language: str) -> str:
     told = [message_text(each) for each in assumed(format.key, file)]
     if told:
         text += f"\n{ASSUMED[language]}\n\n" + "".join(f"- {_cell(each)}\n" for each in told)
-    own = [option for option in format.options if option not in SHARED]
+    own = [option for option in format.options if option not in COMMON_POINT_OPTIONS]
     return f"{text}\n{_options(own, language)}" if own else text
 
 
@@ -353,13 +353,13 @@ def _messages(language: str) -> str:
 
 
 def _shown(template: Template) -> tuple[str, ...]:
-    """The text in every language; of a plural that for several things."""
+    """The text in every language; the plural form if there are several forms."""
     english = template.plural if isinstance(template, Plural) else template
     return tuple(re.sub(r"\{(\w+)[^}]*\}", r"[\1]", each) for each in (english, FRENCH[english]))
 
 
 def folder(language: str) -> Path:
-    """Where the tables of a language are kept."""
+    """Folder of the tables of a language."""
     return resource_path("manual") / language / "tables"
 
 

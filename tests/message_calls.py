@@ -1,4 +1,4 @@
-"""Where the program makes its messages, read from the syntax trees of its modules."""
+"""Calls that make messages, found in the syntax trees of the program."""
 
 import ast
 import re
@@ -13,10 +13,10 @@ from lispac.messages import Level
 ROOT = Path(__file__).resolve().parents[1]
 MAKERS = ("error", "warning", "note")
 MAX_STEPS = 4
-"""Names that are followed from a call to the constants they may stand for."""
+"""Maximum number of names that are followed from a call to a constant."""
 
 Scope = tuple[ast.AST, ...]
-"""Functions around an expression, the innermost first."""
+"""Functions that contain an expression, the innermost first."""
 Source = tuple[ast.expr, Scope]
 
 
@@ -28,7 +28,7 @@ def trees() -> dict[Path, ast.Module]:
 
 
 def calls() -> list[tuple[str, ast.Call]]:
-    """Every call that makes a message with a code of its own, with its place."""
+    """Every call that makes a message with a literal code, with its place."""
     return [
         (f"{path.name}:{node.lineno}", node)
         for path, tree in trees().items()
@@ -43,7 +43,7 @@ def calls() -> list[tuple[str, ast.Call]]:
 
 @cache
 def message_levels() -> dict[str, set[str]]:
-    """Levels that the calls of the program can give each code, by way of names and tables too."""
+    """Levels that the calls of the program can give each code, including codes in variables."""
     levels: dict[str, set[str]] = defaultdict(set)
     for call, scope in (each for found in _calls().values() for each in found):
         makers = _names(call.func)
@@ -52,7 +52,7 @@ def message_levels() -> dict[str, set[str]]:
         given, texts = {*MAKERS} & makers, call.args[:1]
         if "Message" in makers and len(call.args) > 1:
             given = {each.lower() for each in _matching(Level.__members__, call.args[1], scope)}
-        elif not given:  # a function that is given the maker
+        elif not given:  # a function with the maker as an argument
             given = {*MAKERS} & {each.id for each in call.args if isinstance(each, ast.Name)}
             texts = [each for each in call.args if isinstance(each, ast.Constant)]
         for text in texts if given else ():
@@ -62,7 +62,7 @@ def message_levels() -> dict[str, set[str]]:
 
 
 def is_part(code: str) -> bool:
-    """Whether the text of a code is no sentence: it only occurs within other messages."""
+    """Whether the text of a code is not a sentence, so that it occurs only in other messages."""
     text = TEXTS[code]
     words = re.sub(r"\{.*?\}", "x", text if isinstance(text, str) else text.plural)
     return not re.search(r"[.:?]( |$)", words)
@@ -70,7 +70,7 @@ def is_part(code: str) -> bool:
 
 @cache
 def _literal() -> set[str]:
-    """Codes that a call names itself."""
+    """Literal codes of a call."""
     firsts = [call.args[0] for found in _calls().values() for call, _ in found if call.args]
     return {each.value for each in firsts if isinstance(each, ast.Constant)}
 
@@ -83,7 +83,7 @@ def _matching(known: Iterable[str], node: ast.expr, scope: Scope) -> set[str]:
 
 
 def _patterns(node: ast.AST, scope: Scope, steps: int, seen: set[ast.AST]) -> set[str]:
-    """Regular expressions of the texts that an expression may be; none of one seen before."""
+    """Regular expressions of the possible texts of an expression; none for one in ``seen``."""
     if node in seen:
         return set()
     seen.add(node)
@@ -126,7 +126,7 @@ def _patterns(node: ast.AST, scope: Scope, steps: int, seen: set[ast.AST]) -> se
 
 
 def _sources(name: str, scope: Scope) -> list[Source]:
-    """Expressions that a name may stand for: in the functions around it, else in the program."""
+    """Expressions that a name may refer to, in the enclosing functions or else in the program."""
     for k, function in enumerate(scope):
         found = [(each, scope[k:]) for each in _assigned(function).get(name, ())]
         if isinstance(function, ast.FunctionDef):
@@ -157,7 +157,7 @@ def _assigned(scope: ast.AST) -> dict[str, list[ast.expr]]:
 
 
 def _arguments(function: ast.FunctionDef, name: str) -> list[Source]:
-    """What the calls of a function give one of its parameters, and its default."""
+    """Arguments that calls of a function give for a parameter, and the default of the parameter."""
     names = [each.arg for each in (*function.args.posonlyargs, *function.args.args)]
     place = names.index(name) if name in names else None
     is_method = bool(names) and names[0] in ("self", "cls")
@@ -179,7 +179,7 @@ def _arguments(function: ast.FunctionDef, name: str) -> list[Source]:
 
 @cache
 def _calls() -> dict[str, list[tuple[ast.Call, Scope]]]:
-    """Calls by the name of what is called; those without a name under an empty one."""
+    """Calls by the name of the called object; calls without a name have an empty one."""
     found: dict[str, list[tuple[ast.Call, Scope]]] = defaultdict(list)
     for node, scope in _nodes_with_scopes():
         if isinstance(node, ast.Call):
@@ -189,7 +189,7 @@ def _calls() -> dict[str, list[tuple[ast.Call, Scope]]]:
 
 @cache
 def _returned() -> dict[str, list[Source]]:
-    """Expressions that functions and properties return, by their names."""
+    """Expressions returned by functions and properties, by their names."""
     found: dict[str, list[Source]] = defaultdict(list)
     for node, scope in _nodes_with_scopes():
         if (
@@ -203,7 +203,7 @@ def _returned() -> dict[str, list[Source]]:
 
 @cache
 def _attributes() -> dict[str, list[Source]]:
-    """Expressions given to attributes: by keywords of calls and in classes."""
+    """Expressions assigned to attributes, by keywords of calls and in classes."""
     found: dict[str, list[Source]] = defaultdict(list)
     for node, scope in _nodes_with_scopes():
         if isinstance(node, ast.keyword) and node.arg:
@@ -215,7 +215,7 @@ def _attributes() -> dict[str, list[Source]]:
 
 
 def _nodes_with_scopes() -> Iterator[tuple[ast.AST, Scope]]:
-    """All nodes of the program but the module of the makers, with the functions around each."""
+    """All nodes of the program, except for the module of the makers, with enclosing functions."""
     waiting: list[tuple[ast.AST, Scope]] = [
         (tree, ()) for path, tree in trees().items() if path.name != "messages.py"
     ]

@@ -14,12 +14,12 @@ def codes(messages: Iterable[Message]) -> list[str]:
 
 
 def texts(messages: Iterable[Message | str]) -> str:
-    """Texts of messages, and what is a text already, in one line."""
+    """Texts of messages in one line; strings are accepted too."""
     return " ".join(each if isinstance(each, str) else message_text(each) for each in messages)
 
 
 def is_shown(code: str, text: str) -> bool:
-    """Whether a text contains the English message of a code, with any parameters."""
+    """Whether a text contains the English message of a code with any parameters."""
     template = TEXTS[code]
     forms = [template] if isinstance(template, str) else [template.singular, template.plural]
     return any(re.search(_pattern(form), text) is not None for form in forms)

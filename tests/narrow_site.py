@@ -1,4 +1,4 @@
-"""The quay of the resources with so few choices that a design is found at once."""
+"""The quay of the resources with few choices, so that a design is found quickly."""
 
 from collections.abc import Mapping
 
@@ -14,7 +14,7 @@ NARROWED = {
 
 
 def narrow_site(others: Mapping[str, str]) -> str:
-    """Its text, with these places of it changed as well."""
+    """Text of the site with further replacements."""
     text = (resource_path("sites") / "quay.toml").read_text(encoding="utf-8")
     for wide, narrow in {**NARROWED, **others}.items():
         assert wide in text

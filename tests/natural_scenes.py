@@ -1,10 +1,11 @@
-"""Do the stated sigmas hold where the targets are proposed? Many random scenes without boards.
+"""Coverage of the sigmas with proposed targets in random scenes without boards.
 
     python -m tests.natural_scenes [SCENES]
 
 Roofs, walls, ground, vehicles and tarpaulins of random size, inclination and form error, seen from
-two to six lines. Prints how many scenes gave a proposal, the share of 95 % intervals that hold, for
-each angle, the ratio of stated and predicted sigmas, and the serious warnings.
+two to six lines. Prints the number of scenes with proposed targets, the share of 95 % intervals
+that contain the truth, for each angle, the ratio of reported and predicted sigmas, and the serious
+warnings.
 `tests.false_warnings` prints the same, and which of the warnings are false.
 """
 
@@ -33,16 +34,16 @@ from lispac.workflow.project.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 
 FORMS = {"flat": 0.4, "bent": 0.3, "rough": 0.3}
-"""Kinds of surfaces and how often each occurs."""
-PULSES = 60_000.0
+"""Kinds of surfaces and their probabilities."""
+PULSES_PER_SECOND = 60_000.0
 WAVELENGTH = 0.8
 HALF_WAVE = WAVELENGTH / 2
-"""Metres: typical length of the waves of a rough surface. Points within half of it share a form
-error, those of a bent surface over longer distances."""
+"""Half of the typical wavelength of a rough surface, metres. Points within this distance share a
+form error; on a bent surface the distances are longer."""
 
 
 def surfaces(chance: np.random.Generator) -> list[Rectangle]:
-    """Six to fourteen surfaces, the first two of them ground and a wall."""
+    """Six to fourteen surfaces; the first two are the ground and a wall."""
     found = [
         tilted_rectangle("T-ground", (0.0, WALL - 3.0, 4.0), 14.0, 8.0, 270, 85),
         tilted_rectangle(
@@ -61,7 +62,7 @@ def surfaces(chance: np.random.Generator) -> list[Rectangle]:
 def formed(
     echoes: Echoes, beams_local: np.ndarray, scene: list[Rectangle], chance: np.random.Generator
 ) -> Echoes:
-    """Echoes of surfaces that are not flat; every line sees the same shape.
+    """Echoes of surfaces that are not flat; every line shows the same shape.
 
     Parameters
     ----------
@@ -96,11 +97,15 @@ def formed(
 
 
 def natural_site(seed: int) -> Site:
-    """A scene of its own for every seed, two, four or six lines past it."""
+    """Random scene of a seed with two, four or six lines past it."""
     chance = np.random.default_rng([34, seed])
     scene = surfaces(chance)
     seen = site(
-        scene, lines=int(chance.choice([2, 4, 6])), seed=seed, pulses_per_second=PULSES, near=9.0
+        scene,
+        lines=int(chance.choice([2, 4, 6])),
+        seed=seed,
+        pulses_per_second=PULSES_PER_SECOND,
+        near=9.0,
     )
     forms = int(chance.integers(2**31))
     mounting = Mounting(np.array(LEVER_ARM), seen.boresight)
@@ -116,7 +121,7 @@ def natural_site(seed: int) -> Site:
 
 
 def opened(seen: Site, off_deg: np.ndarray) -> tuple[Project, Survey]:
-    """With the standard deviations of the POS that were simulated."""
+    """Project and survey with the simulated standard deviations of the POS."""
     project, survey = seen.opened(off_deg)
     position, attitude = HYDROGRAPHIC_INS.sigma_position, HYDROGRAPHIC_INS.sigma_attitude
     degrees = tuple(float(np.degrees(each)) for each in attitude)
@@ -126,7 +131,7 @@ def opened(seen: Site, off_deg: np.ndarray) -> tuple[Project, Survey]:
 
 
 def form_factors(seen: Site, project: Project) -> dict[str, float]:
-    """Form error of the true surface of each target, over the LiDAR noise that averaging leaves.
+    """Ratio of the form error of each true target surface to the averaged LiDAR noise.
 
     The error is the RMS distance of the true places of its points from their best plane. Points on
     another surface do not count. Points that share a form error do not share their noise: it
@@ -152,8 +157,8 @@ def form_factors(seen: Site, project: Project) -> dict[str, float]:
 
 
 @dataclass(frozen=True)
-class Answer:
-    """What a scene gave: nothing but a reason, or error and sigmas in degrees, shape (3,).
+class SceneResult:
+    """Result of a scene: only a reason, or error and sigmas in degrees, shape (3,).
 
     Attributes
     ----------
@@ -178,8 +183,8 @@ class Answer:
         return tuple(each.code for each in self.warnings)
 
 
-def answer(seed: int) -> Answer:
-    """Propose, adjust, compare with the truth."""
+def answer(seed: int) -> SceneResult:
+    """Propose targets, adjust, and compare the result with the truth."""
     seen = natural_site(seed)
     off = np.random.default_rng([35, seed]).normal(0, 1.0, 3)
     project, survey = opened(seen, off)
@@ -187,10 +192,10 @@ def answer(seed: int) -> Answer:
         proposal = propose_targets(project, survey)
         solved = estimate(replace(project, targets=proposal.targets), survey)
     except (TargetNotFound, AdjustmentError) as error:
-        return Answer(f"{type(error).__name__}: {error}", lines=len(seen.echoes))
+        return SceneResult(f"{type(error).__name__}: {error}", lines=len(seen.echoes))
     result = solved.result
     assert result is not None
-    return Answer(
+    return SceneResult(
         "",
         np.degrees(result.boresight - seen.boresight),
         np.degrees(result.sigma),
@@ -202,7 +207,7 @@ def answer(seed: int) -> Answer:
     )
 
 
-def study(scenes: int, workers: int = 2) -> list[Answer]:
+def study(scenes: int, workers: int = 2) -> list[SceneResult]:
     with ProcessPoolExecutor(workers) as pool:
         return list(pool.map(answer, range(scenes)))
 
@@ -212,8 +217,8 @@ def main() -> None:
     print_answers(study(int(sys.argv[1]) if len(sys.argv) > 1 else 200))
 
 
-def print_answers(answers: list[Answer]) -> None:
-    """A row for each scene, and the shares."""
+def print_answers(answers: list[SceneResult]) -> None:
+    """Print a row for each scene, and the shares."""
     for seed, each in enumerate(answers):
         if each.error is None or each.sigma is None:
             print(seed, each.lines, each.reason[:150])

@@ -1,4 +1,4 @@
-"""Small files of points in every format, by writers that are not the program's own."""
+"""Small point files in every format, written without the writers of the program."""
 
 import gzip
 import struct
@@ -44,11 +44,11 @@ def las(
 
 
 def cloud(path: Path, *, text: bool = False, compressed: bool = False, time: bool = True) -> Path:
-    """PLY or PCD as open3d writes it."""
+    """Write PLY or PCD with Open3D."""
     points = o3d.t.geometry.PointCloud()
     points.point.positions = o3d.core.Tensor(XYZ)
     if time:
-        # open3d writes six digits into text
+        # Open3D writes six digits in text files
         points.point["time"] = o3d.core.Tensor((TIME - 400_000 if text else TIME)[:, None])
     points.point["ring"] = o3d.core.Tensor(RING[:, None])
     assert o3d.t.io.write_point_cloud(str(path), points, write_ascii=text, compressed=compressed)
@@ -56,7 +56,7 @@ def cloud(path: Path, *, text: bool = False, compressed: bool = False, time: boo
 
 
 def big_endian_ply(path: Path) -> Path:
-    """By struct, with an element before the vertices and a name of time as CloudCompare has it."""
+    """Write PLY with an element before the vertices and the name of times of CloudCompare."""
     head = (
         "ply\nformat binary_big_endian 1.0\ncomment by hand\n"
         "element camera 2\nproperty double view\nproperty uchar flag\n"
@@ -71,7 +71,7 @@ def big_endian_ply(path: Path) -> Path:
 
 
 def padded_pcd(path: Path) -> Path:
-    """By struct: padding, a field of three values, and points that are no returns."""
+    """Write PCD with padding, a field of three values, and points without return."""
     head = (
         "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z _ timestamp normal\nSIZE 8 8 8 1 8 4\n"
         f"TYPE F F F U F F\nCOUNT 1 1 1 4 1 3\nWIDTH {COUNT}\nHEIGHT 1\n"
@@ -152,7 +152,7 @@ def e57(
     none_valid_of: int = 0,
     more: Mapping[str, np.ndarray] | None = None,
 ) -> Path:
-    """By libE57, in ``scans`` scans; stamps count from ``start``.
+    """Write ``scans`` scans with libE57; time stamps count from ``start``.
 
     Fields ``without`` are left out, those ``first_without`` of the first scan alone; where points
     are marked as invalid, the first ``none_valid_of`` all are. ``more`` are other fields; whole
@@ -246,7 +246,7 @@ def e57(
 
 
 CSV_HEAD = "time,x,y,z,ring"
-VALID: dict[str, tuple[str, Callable[[Path], Path]]] = {
+VALID_FILES: dict[str, tuple[str, Callable[[Path], Path]]] = {
     "a.las": ("las", lambda path: las(path, 1, "1.2", crs="EPSG:32619")),
     "b.las": ("las", lambda path: las(path, 7, "1.4", crs="EPSG:32619")),
     "a.laz": ("las", lambda path: las(path, 3, "1.3")),
@@ -265,4 +265,4 @@ VALID: dict[str, tuple[str, Callable[[Path], Path]]] = {
     "plane.txt": ("planes", planes),
     "target.csv": ("target", target),
 }
-"""Name of the file: key of its format, and how to write it."""
+"""Key of the format and writer of each file, by the name of the file."""

@@ -1,10 +1,10 @@
-"""Are the foretold sigmas those of many simulated surveys?
+"""Comparison of predicted sigmas with the errors of many simulated surveys.
 
     python -m tests.prediction_study [SURVEYS]
 
-Every survey has all points the scanner would measure, boards that lie off their shape, LiDAR noise
-and POS errors that drift, on a rolling vessel; it is adjusted like any other. `lispac campaign`
-does the same with any plan.
+Every survey has all points that the scanner would measure, boards with form errors, LiDAR noise and
+drifting POS errors, on a rolling vessel, and is adjusted like any other. `lispac campaign` does the
+same with any plan.
 """
 
 import sys
@@ -23,7 +23,7 @@ PLAN = Plan(BOARDS, line_pattern(), (0.0, -15.0, 5.0))
 
 
 def compared(plan: Plan, surveys: int, *, stated: bool, workers: int = 2) -> MonteCarloResult:
-    """Many surveys of a plan; ``stated``: the adjustment is told how flat the boards are."""
+    """Simulate surveys of a plan; with ``stated`` the flatness of the boards is given."""
     with process_pool_mapper(workers) as mapper:
         return run_monte_carlo(plan, surveys, flatness_known=stated, mapper=mapper)
 

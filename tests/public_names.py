@@ -13,14 +13,14 @@ HEADING = re.compile(r"^(\w[\w ]*)\n-{3,}$", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Documented:
-    """A docstring, cut into its sections."""
+    """A docstring, divided into its sections."""
 
     words: str
     sections: dict[str, str]
 
     @classmethod
     def of(cls, docstring: str) -> "Documented":
-        """Cut a docstring at its headings; what stands before the first are its words."""
+        """Divide a docstring at its headings; the text before the first heading are its words."""
         words, *rest = HEADING.split(docstring)
         return cls(words, dict(zip(rest[::2], rest[1::2], strict=True)))
 
@@ -40,7 +40,7 @@ class Documented:
 
 @dataclass(frozen=True)
 class Name:
-    """A function, method or class of the core and where it stands."""
+    """A function, method or class of the core and its module."""
 
     module: str
     name: str
@@ -49,18 +49,18 @@ class Name:
 
     @property
     def where(self) -> str:
-        """For a reader of the failure."""
+        """Location for the message of a failed test."""
         return f"{self.module}:{self.node.lineno} {self.name}"
 
 
 def modules() -> list[Path]:
-    """The core's modules."""
+    """Modules of the core."""
     return [path for path in sorted(CORE.rglob("*.py")) if "gui" not in path.parts]
 
 
 @cache
 def trees() -> dict[str, ast.Module]:
-    """Syntax trees of the core's modules."""
+    """Syntax trees of the modules of the core."""
     return {
         str(path.relative_to(CORE.parent)): ast.parse(path.read_text(encoding="utf-8"))
         for path in modules()
@@ -68,7 +68,7 @@ def trees() -> dict[str, ast.Module]:
 
 
 def public(package: str) -> Iterator[Name]:
-    """Public names of a package, methods and properties with them."""
+    """Public names of a package, including methods and properties."""
 
     def below(module: str, parent: str, nodes: list[ast.stmt]) -> Iterator[Name]:
         for node in nodes:

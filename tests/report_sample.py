@@ -1,4 +1,4 @@
-"""A finished project made by hand, for tests of what is shown of one."""
+"""A complete project with invented results, for tests of reports and views."""
 
 from datetime import UTC, datetime
 from pathlib import Path
@@ -82,7 +82,7 @@ def _observability(sigma: np.ndarray, lines: dict[str, float]) -> Observability:
 
 
 def sample_checks(lines: dict[str, float], targets: tuple[str, ...]) -> CrossChecks:
-    """What parts of the sample say: all agree with the whole, T2 alone gives no answer."""
+    """Cross-checks of the sample: all parts agree with the whole; T2 alone has no result."""
     sigma = np.radians([0.0163, 0.0291, 0.0376])
     rng = np.random.default_rng(7)
 
@@ -123,7 +123,7 @@ def _result(lines: dict[str, float], targets: tuple[str, ...], model: str) -> Ad
     )
     points = sum(s.points for s in sightings)
     correlated = model == "correlated"
-    # The lever arm is estimated too, and told well from the angles
+    # The lever arm is estimated too, with small correlations to the angles
     wider = np.eye(4)
     wider[:3, :3] = correlation
     wider[3, :3] = wider[:3, 3] = (0.031, -0.127, 0.208)
@@ -205,19 +205,19 @@ def _plane(name: str, scale: float, pairs: tuple[tuple[str, str, bool], ...]) ->
 
 
 def _map(line_a: str, line_b: str, scale: float) -> DistanceMap:
-    """Three metres across, 1.5 up; farther apart to the right, one corner not seen."""
+    """Map of 3 m by 1.5 m with distances that grow to the right, and one missing corner."""
     across, up = (v.ravel()[1:] for v in np.meshgrid(np.arange(0.25, 3, 0.5), (0.25, 0.75, 1.25)))
     return DistanceMap(line_a, line_b, 0.5, across, up, -scale * across, 0.001 * up)
 
 
 def _on_every_line(k: int) -> tuple[PickedSighting, ...]:
-    """Sightings of the ``k``-th target, whose points no other one has."""
+    """Sightings of the ``k``-th target, without points shared with other targets."""
     numbers = np.arange(200 * k, 200 * (k + 1))
     return tuple(PickedSighting(line, numbers, 0.003) for line in HEADINGS)
 
 
 def sample_project(folder: Path, *, model: str = "correlated", target: str = "T1") -> Project:
-    """A finished project, made by hand."""
+    """A complete project with invented results."""
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("trajectory.sbet", "smrmsg.out", *(f"{line}.laz" for line in HEADINGS)):
         (folder / name).write_bytes(name.encode() * 1000)
@@ -269,7 +269,7 @@ def sample_content(
 
 
 def with_lines_of_its_own(project: Project) -> Project:
-    """Another survey: its lines are no copies of another sample's."""
+    """Another survey, whose lines are not copies of those of another sample."""
     for line in project.lines:
         line.path.write_bytes(str(line.path).encode() * 100)
     return project

@@ -1,6 +1,6 @@
 """The JSON schema of the report, made from the dataclasses of its content.
 
-``python -m tests.report_schema`` writes it anew after a change of these.
+``python -m tests.report_schema`` writes it again after a change of the dataclasses.
 """
 
 import json
@@ -22,7 +22,7 @@ ABOUT = (
 
 
 def schema_text() -> str:
-    """The schema as the file holds it."""
+    """Text of the schema file."""
     found = TypeAdapter(_in_json()).json_schema(mode="serialization")
     made = _plain(_with_texts(found))
     head = {
@@ -42,7 +42,7 @@ def schema_text() -> str:
 
 
 def _in_json() -> type:
-    """The content with its messages as they are in JSON."""
+    """Type of the content with messages as in JSON."""
     hints = get_type_hints(ReportContent) | {"warnings": tuple[JsonWarning, ...]}
     each = [
         (it.name, hints[it.name], field(default=it.default))
@@ -54,7 +54,7 @@ def _in_json() -> type:
 
 
 def _with_texts(value: Any) -> Any:
-    """A schema with texts for messages, and without the definitions of their parts."""
+    """Schema with texts instead of messages, without the definitions of parts of messages."""
     if isinstance(value, list):
         return [_with_texts(item) for item in value]
     if not isinstance(value, dict):
@@ -73,9 +73,9 @@ def _with_texts(value: Any) -> Any:
 
 
 def _plain(value: Any, *, named: bool = False) -> Any:
-    """Without titles that only repeat the names, and with the sentences of docstrings alone.
+    """Schema without titles that only repeat names, and with the sentences of docstrings only.
 
-    ``named`` says that the keys are names of the content's.
+    ``named`` is True if the keys are names of the content.
     """
     if isinstance(value, list):
         return [_plain(item) for item in value]
@@ -92,7 +92,7 @@ def _plain(value: Any, *, named: bool = False) -> Any:
 
 
 def followed(text: str) -> dict[str, Any]:
-    """The report of a JSON text, which has to follow the published schema.
+    """Read the report from a JSON text and check it against the published schema.
 
     Raises
     ------

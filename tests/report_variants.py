@@ -1,4 +1,4 @@
-"""The sample report in every kind it can have, with sentences as the program makes them."""
+"""Variants of the sample report, with notes and messages of the program."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -42,7 +42,7 @@ COMMENT_MARKS = (
     ),
     note("observability.no_main_line", angle=mounting_value_name("roll")),
 )
-"""As `lispac.adjustment.diagnostics.observability` makes them."""
+"""Messages as made by `lispac.adjustment.diagnostics.observability`."""
 NOTES = (
     note("trajectory.metres_assumed", file="a.txt", column="Alt"),
     note("assumed.column_unit", column="Alt", unit=note("unit.feet")),
@@ -155,7 +155,7 @@ VARIANTS: dict[str, Change] = {
 
 
 def content_of_sample(project: Project) -> ReportContent:
-    """Of the sample, with sentences and notes as the program makes them."""
+    """Report content of the sample, with notes and messages of the program."""
     result = project.result
     if result is not None and result.observability is not None:
         seen = replace(result.observability, messages=COMMENT_MARKS)

@@ -1,4 +1,4 @@
-"""What the dialogues of `tests.screens` show: found once, with the project's own survey."""
+"""Results shown in the dialogues of `tests.screens`, computed once from the survey."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -29,19 +29,19 @@ from lispac.workflow.project.survey import Survey
 from tests.report_sample import sample_project
 
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
-HOW = (
+SEARCH_TEXT = (
     "All are searched for as planes on every line, with search radius, threshold and the rest as "
     "set in step 2."
 )
-WRITTEN = 1772633100.0
-"""When unsaved work was written down, seconds since 1970."""
+UNSAVED_TIME = 1772633100.0
+"""Time at which unsaved work was stored, seconds since 1970."""
 NOWHERE = (400.0, 400.0, 0.0)
-"""North, west, up: no line has seen anything there."""
+"""A place without points on any line (north, west, up)."""
 
 
 @dataclass(frozen=True)
 class Findings:
-    """Answers that take a while."""
+    """Results of long computations."""
 
     checked: AbsoluteCheckValues
     budget: ErrorBudgetValues
@@ -54,7 +54,7 @@ class Findings:
 
     @classmethod
     def of(cls, project: Project, survey: Survey, folder: Path) -> "Findings":
-        """All of it, for an estimated and validated project; files go into a folder."""
+        """Compute all results of an estimated and validated project; write files to a folder."""
         bare = project
         for target in project.targets:
             bare = bare.without_target(target.name)
@@ -78,7 +78,7 @@ class Findings:
     def asked(
         self, dialogs: Dialogs, settings: AppSettings, project: Project, survey: Survey
     ) -> dict[str, Callable[[], object]]:
-        """By name: what brings up a dialogue that no action ends in at once."""
+        """Functions by name that open dialogues which no action opens directly."""
         way, used = survey.trajectory, project.settings.subsample
         return {
             "checked": lambda: dialogs.show_check_result(self.checked),
@@ -87,7 +87,7 @@ class Findings:
             "subsampling": lambda: dialogs.subsampling(self.subsampled, used),
             "visibility": lambda: dialogs.visibility(self.visible),
             "proposal": lambda: dialogs.proposal(self.proposal),
-            "seed-list": lambda: dialogs.seed_list(self.seeds, project, way, HOW),
+            "seed-list": lambda: dialogs.seed_list(self.seeds, project, way, SEARCH_TEXT),
             "seeds-found": lambda: dialogs.seeds_found(self.outcomes, len(project.lines)),
             "sensors-of-plan": lambda: dialogs.sensors_of_plan(settings),
             "sensor-editor": lambda: SensorEditor(
@@ -95,7 +95,7 @@ class Findings:
             ).exec(),
             "add-or-new": lambda: dialogs.ask_to_add(project.name),
             "candidate-waits": lambda: dialogs.ask_about_candidate("T3"),
-            "recover": lambda: dialogs.ask_to_recover(project.name, local_datetime(WRITTEN)),
+            "recover": lambda: dialogs.ask_to_recover(project.name, local_datetime(UNSAVED_TIME)),
             "open-elsewhere": lambda: dialogs.ask_to_open_locked(
                 project.name, "bridge, process 4711"
             ),
@@ -104,7 +104,7 @@ class Findings:
 
 
 def _seed_list(project: Project, path: Path) -> Path:
-    """Seeds of the project's targets, and one where there is nothing."""
+    """Seeds of the targets of the project, and one at an empty place."""
     rows = [(target.name, *target.seed) for target in project.targets]
     rows.append(("T9", *NOWHERE))
     path.write_text("".join("{},{:.2f},{:.2f},{:.2f}\n".format(*row) for row in rows))
@@ -112,7 +112,7 @@ def _seed_list(project: Project, path: Path) -> Path:
 
 
 def _check_points(project: Project, folder: Path) -> Path:
-    """The seeds, as if they had been surveyed."""
+    """The seeds as surveyed check points."""
     path = folder / "checkpoints.csv"
     path.write_text("".join("{},{},{},{}\n".format(t.name, *t.seed) for t in project.targets))
     return path
@@ -121,7 +121,7 @@ def _check_points(project: Project, folder: Path) -> Path:
 def _years(
     project: Project, folder: Path
 ) -> tuple[tuple[CalibrationHistory, ...], tuple[str, ...]]:
-    """The project's answer this year and last."""
+    """Results of the project in this year and in the previous year."""
     last = sample_project(folder / "years" / "2025")
     write_project(replace(last, identity=replace(SYSTEM, dates="2025-04-02")))
     now = replace(project, identity=replace(SYSTEM, dates="2026-04-05"))

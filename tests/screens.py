@@ -1,7 +1,7 @@
-"""Pictures of every panel and the main dialogues, to be looked at.
+"""Make pictures of every panel and of the main dialogues for visual inspection.
 
-``python -m tests.screens FOLDER [PROJECT]`` shows PROJECT, or else the built-in survey, calibrated;
-in both looks, both languages and two sizes. ``QT_SCALE_FACTOR=2`` makes them for a fine screen. It
+``python -m tests.screens FOLDER [PROJECT]`` shows PROJECT or the calibrated built-in survey in both
+colour schemes, both languages and two sizes. ``QT_SCALE_FACTOR=2`` makes them for a fine screen. It
 needs a screen of at least the largest size, if only a virtual one. PROJECT is not changed.
 """
 
@@ -35,17 +35,17 @@ from tests.screen_findings import Findings
 SIZES = ("1600x1000", "1366x768")
 LOOKS, LANGUAGES = ("light", "dark"), ("en", "fr")
 SETTLING_S = 0.4
-ASKING = (
+DIALOGUE_ACTIONS = (
     "about", "keys", "seed_coordinates", "find_again", "lines", "targets", "trajectory", "check",
     "script", "budget", "settings",
 )  # fmt: skip
-"""Actions that end in a dialogue."""
-SURVEYS = 100
-"""Simulated of the plan."""
+"""Actions that open a dialogue."""
+SIMULATED_SURVEYS = 100
+"""Number of simulated surveys of the plan."""
 
 
 class Photographer:
-    """Drives a session and writes pictures into a folder."""
+    """Operate the window and write pictures to a folder."""
 
     def __init__(
         self,
@@ -73,7 +73,7 @@ class Photographer:
         return self._session.window
 
     def rest(self, seconds: float = SETTLING_S) -> None:
-        """Wait for work and what is drawn in turns, and then a little."""
+        """Wait for computations and drawing, and then a short time."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             self._application.processEvents()
@@ -83,14 +83,14 @@ class Photographer:
                 end = time.monotonic() + seconds
 
     def take(self, widget: QWidget, name: str) -> None:
-        """A picture of what the screen shows of a window, its 3D view too."""
+        """Save a picture of a window on the screen, including its 3D view."""
         self.rest()
         top = widget.frameGeometry()
         picture = widget.screen().grabWindow(0, top.x(), top.y(), top.width(), top.height())
         picture.save(str(self._folder / f"{self._prefix}-{name}.png"))
 
     def everything(self, looks: Sequence[str], languages: Sequence[str]) -> None:
-        """All pictures."""
+        """Take all pictures."""
         for _ in self._dressed(looks, languages):
             self.empty()
         self.window.open_project(self._project)
@@ -116,7 +116,7 @@ class Photographer:
                 self.tour()
 
     def _dressed(self, looks: Sequence[str], languages: Sequence[str]) -> Iterator[None]:
-        """Once in each look and language and size."""
+        """Set each combination of colour scheme, language and size in turn."""
         for look in looks:
             for language in languages:
                 self._dress(look, language)
@@ -133,7 +133,7 @@ class Photographer:
             self.rest(0.1)
 
     def empty(self) -> None:
-        """Before a project is open: the start page, and what the docks say of themselves."""
+        """Start page and docks without a project."""
         self.take(self.window, "start")
         for step, name in enumerate(STEP_NAMES):
             self.window.workflow.open(step)
@@ -141,7 +141,7 @@ class Photographer:
         self._docks("empty")
 
     def panels(self) -> None:
-        """Every step and every dock, with nothing and with a target selected."""
+        """Every step and every dock, without and with a selected target."""
         window = self.window
         for step, name in enumerate(STEP_NAMES):
             window.workflow.open(step)
@@ -168,16 +168,16 @@ class Photographer:
             self.take(self.window, f"{what}-{name.split()[0].lower()}")
 
     def tour(self) -> None:
-        """Its first card."""
+        """First card of the tour."""
         self.window.actions_["tour"].trigger()
         self.rest(2.0)
         self.take(self.window, "tour")
 
     def dialogues(self) -> None:
-        """Each is photographed when it is up, and closed."""
+        """Take a picture of each dialogue when it is open, and close it."""
         window, dialogs = self.window, self.window.dialogs
         self._watch.start()
-        for name in ASKING:
+        for name in DIALOGUE_ACTIONS:
             self._ask(name, window.actions_[name].trigger)
         self._ask("details", window.report.details_requested.emit)
         self._ask("preview", window.report.preview_requested.emit)
@@ -218,12 +218,13 @@ class Photographer:
                 tabs.setCurrentIndex(page)
                 self.take(dialog, f"dialogue-{self._asked}-{page + 1}")
         if isinstance(dialog, QDialog):
-            dialog.done(QDialog.DialogCode.Rejected)  # some questions cannot be closed unanswered
+            # some dialogues cannot be closed without a choice
+            dialog.done(QDialog.DialogCode.Rejected)
         self._seen = None
         self._watch.start()
 
     def design(self) -> None:
-        """The workspace of a site, its tables and views, before and after its long work."""
+        """Workspace of a site with its tables and views, before and after the long computations."""
         self.window.actions_["design"].trigger()
         designing = self.window.site_design
         design = designing.window
@@ -233,7 +234,7 @@ class Photographer:
                 for page in range(tabs.count()):
                     tabs.setCurrentIndex(page)
                     self.take(design, f"{width}-{tabs.objectName()}-{page + 1}")
-        design.surveys.surveys.setValue(SURVEYS)
+        design.surveys.surveys.setValue(SIMULATED_SURVEYS)
         designing.compare()
         self._wait_until_idle(designing.runner)
         self.take(design, "design-compared")
@@ -252,7 +253,7 @@ class Photographer:
             self.rest(0.1)
 
     def leave(self) -> None:
-        """Close the windows, and list what stayed English."""
+        """Close the windows and list texts that are not translated."""
         assert self.window.site_design.leave()
         self.window.stop_and_hide()
 
@@ -272,7 +273,9 @@ def main() -> None:
     application = QApplication(sys.argv[:1])
     with tempfile.TemporaryDirectory() as scratch:
         for variable in ("XDG_CACHE_HOME", "LOCALAPPDATA"):
-            os.environ[variable] = scratch  # the tour changes the demo: not that of the user
+            os.environ[variable] = (
+                scratch  # the tour changes the demo, but must not change that of the user
+            )
         copy = Path(scratch) / "harbour"
         if arguments.project is None:
             run_demo(copy)

@@ -1,4 +1,4 @@
-"""Scripts run as a user runs them, and reports compared."""
+"""Run scripts like a user, and compare their reports."""
 
 import json
 import os
@@ -14,11 +14,11 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 
 
 def run(script: str, folder: Path) -> dict[str, Any]:
-    """Run a project's script without a display, and read the report it writes.
+    """Run the script of a project without a display and read its report.
 
     Parameters
     ----------
-    folder : for the project that it makes; not there yet
+    folder : for the project that it makes; must not exist
     """
     path = _written(script, folder)
     variables = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
@@ -30,8 +30,8 @@ def run(script: str, folder: Path) -> dict[str, Any]:
     return _script_result(folder)
 
 
-def run_here(script: str, folder: Path) -> dict[str, Any]:
-    """As `run`, in this process, which has imported already what takes longer than the script."""
+def run_in_process(script: str, folder: Path) -> dict[str, Any]:
+    """As `run`, in this process, which has already imported the modules, so that it is faster."""
     path = _written(script, folder)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sys, "argv", [str(path), str(folder)])
@@ -52,7 +52,7 @@ def _script_result(folder: Path) -> dict[str, Any]:
 
 
 def same_part(report: Path) -> dict[str, Any]:
-    """A report in JSON without the moment it was made at and the name of the folder."""
+    """A report in JSON without its date and the name of the folder."""
     content = json.loads(report.read_text(encoding="utf-8"))
     del content["generated"], content["project"]
     return content  # type: ignore[no-any-return]

@@ -1,4 +1,4 @@
-"""What takes long to make is made by one process of a run and found by the others."""
+"""Test data that one process of a run makes and the other processes reuse."""
 
 import os
 import pickle
@@ -12,21 +12,21 @@ import pytest
 Made = TypeVar("Made")
 
 
-def once(
+def make_once(
     factory: pytest.TempPathFactory, name: str, make: Callable[[Path], Made], *, pause: float = 0.1
 ) -> Made:
-    """What ``make`` gives for a folder: called in the process that asks first, once a run.
+    """Result of ``make`` for a folder, computed once a run by the first process that needs it.
 
-    The others wait for it. Where it fails, the next one tries, and so fails as well.
+    The other processes wait. If ``make`` fails, the next process tries again, and fails too.
 
     Parameters
     ----------
     name : str
-        Of the folder, which ``make`` may make; every process is given the same.
+        Name of the folder, which ``make`` may create; the same for all processes.
     make : callable
-        Its answer goes to the other processes as a file.
+        Its result is given to the other processes in a file.
     pause : float, seconds
-        Between two looks at whether the other process is done.
+        Between two checks whether the other process is done.
     """
     root = factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
@@ -39,7 +39,7 @@ def once(
             time.sleep(pause)
             continue
         try:
-            if not answer.is_file():  # the other process was done between the two looks
+            if not answer.is_file():  # the other process finished between the two checks
                 made = make(root / name)
                 whole = root / f"{name}.writing"
                 whole.write_bytes(pickle.dumps(made))

@@ -1,4 +1,4 @@
-"""Texts that the source of a module can display, read from its syntax tree."""
+"""Texts that a module can display, read from its syntax tree."""
 
 import ast
 import re
@@ -6,28 +6,28 @@ from collections.abc import Iterator, Mapping
 from itertools import product
 from pathlib import Path
 
-PLACE = "7"
-"""Stands for what the program puts into a sentence."""
+VALUE_MARK = "7"
+"""Placeholder for values that the program inserts into a sentence."""
 FOR_PROGRAMMERS = {"ValueError", "AssertionError", "AttributeError", "FileNotFoundError"}
-"""Errors that no user is shown."""
+"""Errors that are not shown to users."""
 NEVER_SHOWN = FOR_PROGRAMMERS | {"InputError", "ProjectError", "LispacError"}
-"""Errors that stop a command and are kept nowhere."""
-OF_CATALOGUE = {"N_", "Plural", "gettext", "gettext_lazy"}
-"""Calls whose texts the gettext catalogues hold."""
-NEVER_CALLED = {"progress", "step"}
-"""What they are told is gone with the bar it stood beside."""
+"""Errors that end a command and are not stored."""
+CATALOGUE_CALLS = {"N_", "Plural", "gettext", "gettext_lazy"}
+"""Calls whose texts are in the gettext catalogues."""
+PROGRESS_CALLS = {"progress", "step"}
+"""Calls whose texts are shown beside a progress bar only temporarily."""
 _TWO_WORDS = re.compile(r"[^\W\d_]{2,} .*[^\W\d_]{2,}", re.DOTALL)
 
 
 def displayed_texts(
     path: Path, functions: set[str] | None = None, *, at_once: bool = False
 ) -> Iterator[tuple[int, str]]:
-    """Line and text of each string with two words at least, `PLACE` where values go.
+    """Line and text of each string with at least two words, with `VALUE_MARK` for values.
 
     Parameters
     ----------
-    functions : only what stands in these
-    at_once : also what is shown and kept nowhere: the errors and the words of a progress bar
+    functions : only texts in these functions
+    at_once : include texts that are not stored: errors and texts of a progress bar
     """
     tree = ast.parse(path.read_text(encoding="utf-8"))
     if functions is None:
@@ -46,9 +46,9 @@ def _in(node: ast.AST, at_once: bool) -> Iterator[tuple[int, str]]:
         return
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
         return  # a docstring
-    if isinstance(node, ast.Call) and _name(node) in OF_CATALOGUE:
+    if isinstance(node, ast.Call) and _name(node) in CATALOGUE_CALLS:
         return
-    if isinstance(node, ast.Call) and _name(node) in NEVER_CALLED:
+    if isinstance(node, ast.Call) and _name(node) in PROGRESS_CALLS:
         if at_once:
             for argument in (*node.args, *(each.value for each in node.keywords)):
                 yield from _beside_a_bar(argument)
@@ -66,7 +66,7 @@ def _in(node: ast.AST, at_once: bool) -> Iterator[tuple[int, str]]:
 
 
 def _beside_a_bar(argument: ast.expr) -> Iterator[tuple[int, str]]:
-    """What is said of a step: also a single word."""
+    """Text of a step of a progress bar, which may be a single word."""
     if isinstance(argument, ast.Constant | ast.JoinedStr):
         for text in _texts(argument):
             if re.search(r"[^\W\d_]{2}", text):
@@ -81,7 +81,7 @@ def _name(error: ast.expr | None) -> str:
 
 
 def _texts(node: ast.expr) -> Iterator[str]:
-    """What the expression may say: one text for each way its conditions may turn out."""
+    """Possible texts of an expression: one for each combination of its conditions."""
     values = node.values if isinstance(node, ast.JoinedStr) else []
     asked = {ast.unparse(n.test) for v in values for n in ast.walk(v) if isinstance(n, ast.IfExp)}
     for answers in product((True, False), repeat=len(asked)):
@@ -99,4 +99,4 @@ def _text(node: ast.expr, answers: Mapping[str, bool]) -> str:
         case ast.IfExp(test=test, body=body, orelse=orelse) if ast.unparse(test) in answers:
             return _text(body if answers[ast.unparse(test)] else orelse, answers)
         case _:
-            return PLACE
+            return VALUE_MARK

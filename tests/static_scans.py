@@ -1,4 +1,4 @@
-"""Static scans of the built-in port: its true surfaces, sampled with known noise and shifted."""
+"""Static scans of the built-in port: true surfaces sampled with known noise and shifts."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,14 +14,14 @@ PLANES = ("T1", "T2", "V1", "V2", "V3", "V4", "V5")
 
 
 def plane_of(name: str) -> Rectangle:
-    """The true plane of that name."""
+    """True plane with this name."""
     plane = port_scene()[name]
     assert isinstance(plane, Rectangle)
     return plane
 
 
 def on_plane(name: str, across: Array, up: Array) -> Array:
-    """Places of a true plane, in shares of its sides from its middle, shape (n, 3), metres."""
+    """Places on a true plane, given as fractions of its sides from its centre, (n, 3), metres."""
     plane = plane_of(name)
     along = np.cross(plane.normal, plane.across)
     return (
@@ -38,7 +38,7 @@ def tripod_scan(
     shift: tuple[float, float, float] = (0.0, 0.0, 0.0),
     density: float = 400.0,
 ) -> Array:
-    """Points of true planes, evenly spread, with noise along their normals, shape (n, 3)."""
+    """Evenly spread points of true planes with noise along their normals, shape (n, 3)."""
     rng, parts = np.random.default_rng(4), []
     for name in names:
         plane = plane_of(name)
@@ -49,7 +49,7 @@ def tripod_scan(
 
 
 def write_pts(path: Path, blocks: Sequence[Array], *, more: int = 4) -> Path:
-    """Leica PTS as Cyclone writes it; ``more`` columns are intensity, red, green and blue."""
+    """Write Leica PTS like Cyclone; ``more`` columns are intensity, red, green and blue."""
     with path.open("w") as file:
         for points in blocks:
             file.write(f"{len(points)}\n")

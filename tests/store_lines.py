@@ -1,4 +1,4 @@
-"""Lines for the tests of the store, and ways to stop an import."""
+"""Lines for tests of the store, and progress functions that cancel an import."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -21,7 +21,7 @@ RECIPE = ImportRecipe("L1", ORIGINAL, {}, {})
 
 
 def place(xyz: np.ndarray, time: np.ndarray) -> np.ndarray:
-    """A vessel that goes straight ahead, 1 m a second."""
+    """Georeference points of a vessel that moves straight ahead with 1 m/s."""
     local = np.array(xyz)
     local[:, 0] += time
     return local
@@ -29,7 +29,7 @@ def place(xyz: np.ndarray, time: np.ndarray) -> np.ndarray:
 
 @dataclass(eq=False)
 class Line:
-    """A wall and a quay along the vessel's way, some points of the file left out."""
+    """A wall and a quay along the course of the vessel; some points of the file have no pose."""
 
     count: int
     seed: int = 3
@@ -46,7 +46,7 @@ class Line:
             )
             self.xyz[1::2, 1] = 20 + rng.normal(0, 0.01, n // 2)
             self.xyz[1::2, 2] = rng.uniform(3, 12, n // 2)
-            if self.stray:  # beyond the cells
+            if self.stray:  # beyond the grid cells
                 self.xyz[::50] *= rng.uniform(1, 5000, (len(self.xyz[::50]), 1))
         # Every tenth point after a hundred has no pose.
         self.index = np.arange(n) + np.maximum(0, np.arange(n) - 100) // 9
@@ -64,12 +64,12 @@ class Line:
         return self.count
 
     def pieces(self, size: int) -> "Source":
-        """Its points, some at a time."""
+        """Points of the line in chunks."""
         return Source(self, size)
 
 
 class Source:
-    """Gives the points of a line from an index on, and knows which were asked for."""
+    """Reader of the points of a line from an index on, which records the requested indices."""
 
     def __init__(self, line: Line, size: int) -> None:
         self._line, self._size, self.asked = line, size, []
@@ -86,7 +86,7 @@ class Source:
 
 
 def stop_at(call: int) -> Progress:
-    """A progress that cancels at its call of that number, from 0."""
+    """Progress function that cancels at the call with this number, counted from 0."""
     calls = 0
 
     def progress(fraction: float, step: Step | None = None) -> None:
@@ -102,7 +102,7 @@ LINE = Line(6_300)
 
 
 def stored(folder: Path, line: Line = LINE, size: int = 900) -> StoredLine:
-    """The line, imported in pieces of a size."""
+    """Import the line in pieces of a size."""
     write_store(folder, RECIPE, line.pieces(size), place)
     return open_store(folder, "L1")
 
@@ -114,7 +114,7 @@ def files_of(manifest: Manifest) -> dict[str, int]:
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Blocks, buckets and coarse level so small that a few thousand points are a big line."""
+    """Make blocks, buckets and coarse level small, so that a few thousand points are large."""
     for module in (point_blocks, spool):
         monkeypatch.setattr(module, "BLOCK_POINTS", 1000)
     monkeypatch.setattr(column_writer, "BUCKET_POINTS", 700)
@@ -123,7 +123,7 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(column_files, "WINDOW_VALUES", 2048)
 
 
-def why(error: LispacError) -> str:
+def reason_code(error: LispacError) -> str:
     """Code of the reason for which a line has to be imported again."""
     assert error.code == "store.import_again"
     assert error.message is not None

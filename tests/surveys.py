@@ -1,4 +1,4 @@
-"""Small surveys with a known truth, made in closed form for the tests."""
+"""Small surveys with known truth, simulated in closed form."""
 
 from dataclasses import replace
 
@@ -24,11 +24,11 @@ def planar_survey(
     scatter: bool = True,
     seed: int = 7,
 ) -> Observations:
-    """Exact points of flat boards 15 m from six lines: every point of a pass has its own pose.
+    """Exact points of flat boards 15 m from six lines; every point of a line has its own pose.
 
-    Without ``scatter`` the vessel keeps exactly to its course, level.
+    Without ``scatter`` the vessel moves exactly along its course, level.
 
-    The sigmas are those the noise added by `disturbed` has.
+    The sigmas are those of the noise added by `disturbed`.
     """
     rng = np.random.default_rng(seed)
     rows: list[np.ndarray] = []
@@ -43,7 +43,7 @@ def planar_survey(
             course = np.array([np.cos(np.radians(heading)), -np.sin(np.radians(heading)), 0])
             motion = rng.normal(0, 1.0, (2, points, 3)) * scatter
             attitude = np.radians([0, 0, heading]) + 0.01 * motion[0]
-            # The scanner sees across its course: the vessel is where that line meets the point.
+            # The scanner measures across the course, so the vessel is abeam of the point.
             position = course * (local @ course)[:, None] + 0.05 * motion[1]
             time = 100.0 * k + rng.uniform(0, 1, points) + 2 * targets.index(target)
             scan = to_lidar(local, Poses(position, attitude), mounting)
@@ -71,7 +71,7 @@ def disturbed(
     seed: int,
     correlation_times: tuple[float, float] = (300.0, 600.0),
 ) -> Observations:
-    """Add noise as the sigmas say: POS errors drifting in time (correlated) or one a point."""
+    """Add noise of the given sigmas; POS errors drift in time (correlated) or are independent."""
     rng = np.random.default_rng(seed)
 
     def pos_error(sigma: np.ndarray, correlation_time: float) -> np.ndarray:
@@ -105,5 +105,5 @@ def gauss_markov(time: np.ndarray, correlation_time: float, rng: np.random.Gener
 
 
 def turned(normal: np.ndarray, degrees: float) -> np.ndarray:
-    """A normal turned about all axes by some degrees."""
+    """A normal rotated about all axes by the given degrees."""
     return rotation_matrix(*np.full(3, np.radians(degrees))) @ normal

@@ -1,4 +1,4 @@
-"""Lines against a static scan or surveyed points: known shifts and known POS errors come back."""
+"""Tests of the comparison of lines with a static scan or with surveyed points."""
 
 import json
 from dataclasses import replace
@@ -29,7 +29,7 @@ from lispac.survey.crs import coordinate_system
 from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.survey import Survey
-from tests.absolute_sample import checked, true_offsets, with_truth
+from tests.absolute_sample import check_against_points, project_with_true_boresight, true_offsets
 from tests.command_errors import is_refusal, refused_with
 from tests.report_sample import sample_content, sample_project
 from tests.report_schema import followed
@@ -51,14 +51,14 @@ def sample(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 @pytest.fixture(scope="module")
 def known(demo_project: Project, sample: Project) -> tuple[Project, Survey]:
-    return with_truth(demo_project, sample)
+    return project_with_true_boresight(demo_project, sample)
 
 
 @pytest.fixture(scope="module")
 def both(known: tuple[Project, Survey], tmp_path_factory: pytest.TempPathFactory) -> AbsoluteCheck:
-    """Against a near plane, dense with points, and a far one in one scan."""
+    """Check against one scan of a near plane, dense with points, and a far one."""
     path = tmp_path_factory.mktemp("both") / "both.xyz"
-    return checked(known, path, near_and_far())
+    return check_against_points(known, path, near_and_far())
 
 
 def near_and_far() -> np.ndarray:
@@ -66,19 +66,19 @@ def near_and_far() -> np.ndarray:
 
 
 @pytest.mark.parametrize("shift", SHIFTS)
-def test_a_known_shift_of_a_scan_comes_back(
+def test_a_known_shift_of_a_scan_is_measured(
     known: tuple[Project, Survey], truth: SimulatedSurvey, tmp_path: Path, shift: float
 ) -> None:
-    """V5 faces west, to where the scan is shifted: its lines lie farther from the vessel by it."""
+    """V5 faces west, the direction of the shift: its lines lie farther away by the shift."""
     expected = true_offsets(truth, known[1], "V5")
     scan = tripod_scan(("V5",), shift=(0.0, shift, 0.0))
-    check = checked(known, tmp_path / "scan.xyz", scan)
+    check = check_against_points(known, tmp_path / "scan.xyz", scan)
     assert {line.line for line in check.lines} <= set(expected)
     assert len(check.lines) >= 2
     for line in check.lines:
         off = expected[line.line] - shift
         assert line.after.signed.mean == pytest.approx(off, abs=0.001)
-        # The shift is what the mean may be off by: 12 mm of the POS, 5 mm of the reference.
+        # The 95 % interval of the mean contains the shift: 12 mm of the POS, 5 mm of the reference.
         assert abs(line.after.signed.mean + shift) <= line.after.interval_95
     assert check.all_lines.before.distances.rms > 5 * check.all_lines.after.distances.rms
     mean = check.all_lines.after.mean_sigma
@@ -86,10 +86,12 @@ def test_a_known_shift_of_a_scan_comes_back(
     assert mean.scatter < 0.001
 
 
-def test_errors_beyond_the_given_ones_are_significant(
+def test_offsets_larger_than_the_given_sigmas_are_significant(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
-    check = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",), shift=(0.0, 0.08, 0.0)))
+    check = check_against_points(
+        known, tmp_path / "s.xyz", tripod_scan(("V5",), shift=(0.0, 0.08, 0.0))
+    )
     assert check.all_lines.after.significant
     assert all(line.after.significant for line in check.lines)
     mean, _, lines, *_ = AbsoluteCheckValues.of(check).messages
@@ -98,18 +100,18 @@ def test_errors_beyond_the_given_ones_are_significant(
     assert (lines.code, lines.params["count"]) == ("report.absolute_line_off", len(check.lines))
 
 
-def test_the_parts_of_what_the_mean_may_be_off_by(
+def test_the_sources_of_the_sigma_of_the_mean(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
-    """V5 faces west: of the position counts the sigma of that axis, and the rest by its lever."""
-    check = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",)), sigma=0.01)
+    """V5 faces west: only the west position sigma counts; the attitude counts by its lever arm."""
+    check = check_against_points(known, tmp_path / "s.xyz", tripod_scan(("V5",)), sigma=0.01)
     _, survey = known
     for line in check.lines:
         position, attitude = survey.accuracy.at(np.array([survey.scans[line.line].first_time]))
         parts = line.after.mean_sigma
         assert parts.position == pytest.approx(position[0, 1], rel=0.01)
-        # Heading turns the point along the normal by how far it lies fore and aft of the POS, roll
-        # by its height over it: less than the distance times the largest of the sigmas.
+        # Heading moves the point along the normal by its distance fore or aft of the POS, roll
+        # by its height above the POS: less than the distance times the largest of the sigmas.
         assert 0.0 < parts.attitude < 60.0 * attitude.max()
         assert parts.boresight is not None
         assert line.before.mean_sigma.boresight is None
@@ -121,7 +123,7 @@ def test_the_parts_of_what_the_mean_may_be_off_by(
         )
 
 
-def test_lines_far_apart_in_time_average_out_and_near_ones_do_not(
+def test_errors_average_out_between_lines_far_apart_in_time_only(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     project, survey = known
@@ -129,7 +131,7 @@ def test_lines_far_apart_in_time_average_out_and_near_ones_do_not(
     for seconds in (1e-3, 1e9):
         settings = replace(project.settings, position_time=seconds, attitude_time=seconds)
         one = (replace(project, settings=settings), survey)
-        check = checked(one, tmp_path / "s.xyz", tripod_scan(("V5",)))
+        check = check_against_points(one, tmp_path / "s.xyz", tripod_scan(("V5",)))
         share = 1.0 / len(check.lines)
         own = np.array([line.after.mean_sigma.position for line in check.lines])
         sigmas.append((check.all_lines.after.mean_sigma.position, share, own))
@@ -139,13 +141,15 @@ def test_lines_far_apart_in_time_average_out_and_near_ones_do_not(
     assert near == pytest.approx(np.sum(share * own), rel=0.01)
 
 
-def test_far_lines_have_as_many_places_beside_near_ones_as_alone(
+def test_a_near_plane_takes_no_places_from_a_far_one(
     known: tuple[Project, Survey], both: AbsoluteCheck, tmp_path: Path
 ) -> None:
-    """Every line on either plane, whatever else is in the scan, and each counts alike."""
+    """The places of a line do not depend on the other plane, and all lines weigh the same."""
     alone: dict[str, list[LineCheck]] = {}
     for name in ("V1", "V5"):
-        for line in checked(known, tmp_path / f"{name}.xyz", tripod_scan((name,))).lines:
+        for line in check_against_points(
+            known, tmp_path / f"{name}.xyz", tripod_scan((name,))
+        ).lines:
             alone.setdefault(line.line, []).append(line)
     found = {line.line: line for line in both.lines}
     assert set(found) == set(alone)
@@ -165,10 +169,10 @@ def test_far_lines_have_as_many_places_beside_near_ones_as_alone(
     assert AbsoluteCheckValues.of(both).messages[-1].code == "absolute.lines_alike"
 
 
-def test_a_line_that_is_not_compared_says_what_would_help(
+def test_a_line_that_is_not_compared_has_a_suggested_action(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
-    scan = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",)))
+    scan = check_against_points(known, tmp_path / "s.xyz", tripod_scan(("V5",)))
     assert scan.not_compared
     (tmp_path / "p.csv").write_text("A,{},{},{}\n".format(*on_plane("V5", *np.zeros((2, 1)))[0]))
     project, _ = check_absolute(*known, tmp_path / "p.csv")
@@ -183,10 +187,10 @@ def test_a_line_that_is_not_compared_says_what_would_help(
         assert codes == ["check.line_not_compared"] * len(lines)
         assert {each.params["line"] for each in check.not_compared} == lines
         assert all(each.params["reason"] == reason for each in check.not_compared)
-    # A patch with enough places of near lines and too few of far ones.
+    # A patch with enough places on near lines and too few on far ones.
     patch = tripod_scan(("V5",), density=2000.0)
     patch = patch[np.linalg.norm(patch - on_plane("V5", *np.zeros((2, 1))), axis=1) < 1.6]
-    small = checked(known, tmp_path / "few.xyz", patch)
+    small = check_against_points(known, tmp_path / "few.xyz", patch)
     assert {line.line for line in small.lines} == {"L1_000", "L2_180"}
     (found,) = (each for each in small.not_compared if each.params["line"] == "L3_045")
     reason = found.params["reason"]
@@ -234,7 +238,7 @@ def test_surveyed_points_and_planes(
     found = {point.name: point for point in check.points}
     assert set(found) == {"BOARD", "A0", "A1"}
     assert note("check.points_not_compared", distance=1.0, points=["AWAY"]) in check.not_compared
-    # Four points of 4 mm each make a plane of 2 mm in their middle.
+    # Four points of 4 mm each determine a plane with 2 mm at their centroid.
     assert found["BOARD"].sigma == pytest.approx(0.002, rel=1e-6)
     assert found["A0"].sigma == 0.003
     seen = [expected[line.line] for line in check.lines]
@@ -255,7 +259,7 @@ def test_surveyed_points_and_planes(
     assert listed.rows[2][4].replace("\N{MINUS SIGN}", "-") == f"{1000 * found['BOARD'].after:+.1f}"
 
 
-def test_a_scan_on_the_map_without_time(
+def test_a_scan_in_map_coordinates_without_times_is_compared(
     known: tuple[Project, Survey], both: AbsoluteCheck, tmp_path: Path
 ) -> None:
     scan, local = near_and_far(), both
@@ -273,7 +277,7 @@ def test_a_scan_on_the_map_without_time(
     assert "UTM zone 18N" in mapped.system
     for one, other in zip(local.lines, mapped.lines, strict=True):
         assert other.after.signed.mean == pytest.approx(one.after.signed.mean, abs=2e-4)
-    # What the file says can be overruled, and what is elsewhere is refused.
+    # The user's system overrides that of the file; a scan far from the survey is refused.
     with pytest.raises(InputError) as raised:
         check_absolute(*known, path, crs="EPSG:32619")
     assert raised.value.code == "coordinates.too_far"
@@ -294,7 +298,7 @@ def test_a_scan_on_the_map_without_time(
         ("p.csv", "a,90000,2,3\n", "coordinates.too_far_local"),
     ],
 )
-def test_references_that_cannot_be_used(
+def test_unusable_references_are_refused(
     known: tuple[Project, Survey], tmp_path: Path, name: str, text: str, said: str
 ) -> None:
     (tmp_path / name).write_text(text)
@@ -303,7 +307,9 @@ def test_references_that_cannot_be_used(
     assert is_refusal(raised.value, said)
 
 
-def test_the_same_points_in_every_format(known: tuple[Project, Survey], tmp_path: Path) -> None:
+def test_the_format_of_the_reference_does_not_matter(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
     scan = near_and_far().round(5)
     header = laspy.LasHeader(version="1.2", point_format=0)
     header.scales, header.offsets = np.full(3, 1e-5), np.zeros(3)
@@ -312,7 +318,7 @@ def test_the_same_points_in_every_format(known: tuple[Project, Survey], tmp_path
     las.write(tmp_path / "scan.las")
     half = len(scan) // 2
     write_pts(tmp_path / "scan.pts", [scan[:half], scan[half:]])
-    expected = checked(known, tmp_path / "scan.xyz", scan)
+    expected = check_against_points(known, tmp_path / "scan.xyz", scan)
     for name in ("scan.las", "scan.pts"):
         found = check_absolute(*known, tmp_path / name)[0].absolute
         assert found is not None
@@ -324,7 +330,9 @@ def test_the_same_points_in_every_format(known: tuple[Project, Survey], tmp_path
             assert one.before.distances.rms == pytest.approx(other.before.distances.rms, abs=1e-9)
 
 
-def test_what_no_line_sees(known: tuple[Project, Survey], tmp_path: Path) -> None:
+def test_points_that_no_line_shows_and_a_missing_result_are_refused(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
     (tmp_path / "p.csv").write_text("a,0,30,3\n")
     with pytest.raises(NotComparable) as refused:
         check_absolute(*known, tmp_path / "p.csv")
@@ -335,7 +343,7 @@ def test_what_no_line_sees(known: tuple[Project, Survey], tmp_path: Path) -> Non
     assert raised.value.code == "estimate.needed"
 
 
-def test_the_project_keeps_it_and_the_report_shows_it(
+def test_the_project_stores_the_check_and_the_report_shows_it(
     sample: Project, both: AbsoluteCheck, tmp_path: Path
 ) -> None:
     check = both
@@ -359,7 +367,7 @@ def test_the_project_keeps_it_and_the_report_shows_it(
     assert shown[6] == f"{1000 * together.distances.rms:.1f}"
     assert content.absolute is not None
     assert len(svg_of(reference_distance_figure(content.absolute))) > 1000
-    # A file of before has no such entry, and nothing is told of it.
+    # A file of an earlier version has no such entry, and the report has no such section.
     path = project.folder / PROJECT_FILE_NAME
     stored = json.loads(path.read_text())
     del stored["absolute"]

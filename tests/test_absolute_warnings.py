@@ -1,4 +1,4 @@
-"""Warnings on page one about a check against a reference: lines, points and the RMS."""
+"""Tests of the warnings on page one about a check against a reference."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -31,10 +31,10 @@ LINES = ("L1", "L2", "L3", "L4", "L5", "L6")
 def check(
     off: dict[str, float], *, rms: float = SIGMA, points: tuple[PointCheck, ...] = ()
 ) -> AbsoluteCheck:
-    """Six lines, each of 12 mm: what the largest of them keeps within.
+    """Check of six lines with a sigma of 12 mm each.
 
-    95 % of single ones within 23.5 mm, of the largest of six within 31.7 mm (Sidak and Bonferroni
-    agree to a tenth).
+    The 95 % limit is 23.5 mm for a single line and 31.7 mm for the largest of six (Sidak and
+    Bonferroni agree to a tenth of a millimetre).
     """
 
     def state(mean: float) -> AbsoluteState:
@@ -107,7 +107,9 @@ def test_the_rms(tmp_path: Path, times: float, level: Level | None) -> None:
     ("off", "code"),
     [(0.0, None), (0.05, "report.absolute_nearer"), (-0.05, "report.absolute_farther")],
 )
-def test_page_one_has_a_line_of_every_check(tmp_path: Path, off: float, code: str | None) -> None:
+def test_page_one_has_one_sentence_or_warning_for_each_check(
+    tmp_path: Path, off: float, code: str | None
+) -> None:
     found = check({ALL_LINES: off})
     content = sample_content(sample_project(tmp_path).with_absolute(found))
     document = undrawn_document(content, {}, ReportOptions())

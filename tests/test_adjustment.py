@@ -1,3 +1,5 @@
+"""Tests of the adjustment: Jacobians, reduction, simulated surveys and refusals."""
+
 import json
 from dataclasses import replace
 from pathlib import Path
@@ -54,7 +56,7 @@ def changed(observations: Observations, name: str, k: int, step: float) -> Obser
 @pytest.mark.parametrize("spheres", [False, True])
 @pytest.mark.parametrize("block", ["mounting", "shape", "position", "attitude", "points_lidar"])
 def test_jacobians_against_central_differences(block: str, spheres: bool) -> None:
-    """With range and scan-angle offset and latency in the mounting, on planes and on spheres."""
+    """Planes and spheres; the mounting has a range offset, a scan-angle offset and a latency."""
     here = Mounting(LEVER_ARM, np.radians([0.5, -1.5, 2.0]), 0.12, np.radians(1.3), 0.02)
     observations = planar_survey(mounting(1.0, 2.0, -1.0), points=5)
     rate = np.random.default_rng(3).normal(0, 1, (len(observations), 6))
@@ -87,7 +89,7 @@ def test_jacobians_against_central_differences(block: str, spheres: bool) -> Non
 def dense_rows(
     observations: Observations, here: Mounting, knots: PosErrorKnots | None, effects: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Wide rows and variances of all points, written out without sums."""
+    """Rows of the dense design matrix and variances of all points, without summation."""
     kept = [0, 1, 2, 9, 10, 11, 12, 19]
     conditions = linearise(observations, here, PLANES)
     by_pose = conditions.rows[:, POSE_COLUMNS]
@@ -148,7 +150,7 @@ def test_knots_interpolate_and_have_the_gauss_markov_prior() -> None:
 
 
 def test_elimination_of_the_pos_error_equals_generalised_least_squares() -> None:
-    """The same sigmas from one dense covariance of all misclosures, without any knots."""
+    """The reference is one dense covariance of all misclosures, without knots."""
     observations = planar_survey(mounting(0.1, 0.2, 0.3), points=8)
     on_knots = replace(
         observations, time=np.round(observations.time / MAX_KNOT_INTERVAL) * MAX_KNOT_INTERVAL
@@ -216,8 +218,8 @@ def test_closed_loop_without_noise(
         ),
     ],
 )
-def test_sigmas_hold_when_the_errors_are_what_the_model_says(model: StochasticModel) -> None:
-    """Error over sigma is a unit normal variable: its squares over many surveys are chi-square."""
+def test_sigmas_agree_with_the_errors_when_the_model_is_correct(model: StochasticModel) -> None:
+    """The squared ratios of error to sigma over many surveys follow a chi-square distribution."""
     exact = planar_survey(mounting(0.2, -1.2, 0.15), points=40)
     times = (model.position_time, model.attitude_time)
     ratios = []
@@ -263,7 +265,7 @@ def test_order_of_the_points_does_not_matter(model: StochasticModel) -> None:
 
 @pytest.mark.parametrize("model", [INDEPENDENT, CORRELATED])
 def test_parallel_lines_on_one_vertical_board_are_refused(model: StochasticModel) -> None:
-    """Only roll is seen (thesis 4.4.1.1)."""
+    """Only roll is observable (thesis 4.4.1.1)."""
     level = planar_survey(mounting(), headings_deg=(0, 180), targets=("T1",), scatter=False)
     with pytest.raises(RankDeficient, check=has_code("adjustment.undetermined_because")):
         adjust(level, mounting(), model)
@@ -289,7 +291,7 @@ def test_fewer_than_three_points_are_refused() -> None:
         adjust(observations, mounting(), INDEPENDENT)
 
 
-def test_sigmas_that_make_no_sense_are_refused() -> None:
+def test_invalid_sigmas_are_refused() -> None:
     observations = planar_survey(mounting(), points=5)
     zero = replace(observations, sigma_lidar=np.zeros((len(observations), 3)))
     with pytest.raises(AdjustmentError, check=has_code("adjustment.sigma_lidar_zero")):

@@ -1,4 +1,4 @@
-"""The adjustment at its edges: what it refuses, gives up, or leaves alone."""
+"""Tests of the edge cases of the adjustment: refusals, no convergence and poor geometry."""
 
 from dataclasses import replace
 
@@ -56,7 +56,7 @@ LEVEL = Mounting(np.array([-0.2, 0.04, 2.4]), np.zeros(3))
 def _linearised(
     data: Observations, model: StochasticModel = MODEL, parameters: tuple[Parameter, ...] = ()
 ) -> LinearisedProblem:
-    """At the truth, where only the data can be wrong."""
+    """Linearise at the true mounting, so that only the data can be wrong."""
     problem = AdjustmentProblem.of(data, TRUTH, model, parameters)
     return problem.linearised(problem.start(TRUTH, fit_shapes(data, TRUTH)), Loss(model.loss))
 
@@ -66,7 +66,7 @@ def few() -> Observations:
     return survey(1, 0.3)
 
 
-def test_nothing_picked_is_refused(few: Observations) -> None:
+def test_observations_without_points_are_refused(few: Observations) -> None:
     none = few.where(np.zeros(len(few), dtype=bool))
     with pytest.raises(AdjustmentError, check=has_code("adjustment.no_targets")):
         adjust(none, PRIOR, MODEL)
@@ -82,7 +82,7 @@ def test_nothing_picked_is_refused(few: Observations) -> None:
         ("points_lidar", 0.0, "adjustment.point_in_scanner"),
     ],
 )
-def test_a_point_that_cannot_be_is_refused(
+def test_invalid_point_values_are_refused(
     few: Observations, name: str, value: float, code: str
 ) -> None:
     values = getattr(few, name).copy()
@@ -92,7 +92,7 @@ def test_a_point_that_cannot_be_is_refused(
     few.require_usable()
 
 
-def test_what_does_not_converge_says_how_far_it_was(
+def test_the_convergence_error_reports_the_remaining_change(
     few: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(iteration, "MAX_ITERATIONS", 2)
@@ -105,7 +105,7 @@ def test_what_does_not_converge_says_how_far_it_was(
     assert 0 < refused.value.message.params["rest"] < 1.0
 
 
-def test_a_step_that_cannot_be_solved_is_an_adjustment_that_ran_away(
+def test_a_singular_step_is_reported_as_divergence(
     few: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def singular(self: LinearisedProblem) -> None:
@@ -116,7 +116,7 @@ def test_a_step_that_cannot_be_solved_is_an_adjustment_that_ran_away(
         adjust(few, PRIOR, MODEL)
 
 
-def test_where_foreseeing_steps_fail_plain_ones_lead_to_the_same(
+def test_irls_steps_replace_failing_steps_with_updated_weights(
     few: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     usual, failed = adjust(few, PRIOR, ROBUST, diagnostics=False), []
@@ -134,8 +134,8 @@ def test_where_foreseeing_steps_fail_plain_ones_lead_to_the_same(
     assert np.degrees(np.abs(plain.boresight - usual.boresight)).max() < 1e-6
 
 
-def test_parallel_lines_past_two_inclinations_are_refused_for_their_course() -> None:
-    """The reason is the lines: the targets face different ways."""
+def test_parallel_lines_are_refused_with_two_inclinations() -> None:
+    """The message names the parallel lines: the targets face different directions."""
     level = planar_survey(LEVEL, headings_deg=(0, 180), scatter=False)
     level = replace(level, sigma_attitude=10.0 * level.sigma_attitude)
     problem = AdjustmentProblem.of(level, LEVEL, MODEL)
@@ -147,8 +147,8 @@ def test_parallel_lines_past_two_inclinations_are_refused_for_their_course() -> 
         require_determined(problem.linearised(state))
 
 
-def test_a_wrong_lever_arm_that_leaves_the_angles_open_is_named() -> None:
-    """Surfaces as different as they seem with it determine nothing, under attitudes that vague."""
+def test_a_wrong_lever_arm_that_makes_the_angles_undetermined_is_named() -> None:
+    """The lever arm makes the surfaces differ; with such vague attitudes no angle is determined."""
     wrong = replace(PRIOR, lever_arm=PRIOR.lever_arm + [1.0, 0.0, 0.0])
     with pytest.raises(RankDeficient) as refused:
         adjust(survey(1, 0.15).with_scaled_sigmas(1.0, 1.0, 50.0), wrong, MODEL)
@@ -158,14 +158,14 @@ def test_a_wrong_lever_arm_that_leaves_the_angles_open_is_named() -> None:
     assert refused.value.message.params["change"] == pytest.approx(-1.0, abs=0.05)
 
 
-def test_open_angles_that_no_given_value_explains_are_refused_as_such(few: Observations) -> None:
+def test_undetermined_angles_without_a_wrong_given_value_are_refused(few: Observations) -> None:
     vague = few.with_scaled_sigmas(1.0, 1.0, 1000.0)
     with pytest.raises(RankDeficient, check=has_code("adjustment.undetermined")):
         solver._require_still_determined(_linearised(vague))
 
 
-def test_points_that_no_weight_is_left_of_agree_with_nothing(few: Observations) -> None:
-    """A sighting metres off: it cannot be tested, so it is neither named nor taken back."""
+def test_a_sighting_without_weight_is_neither_a_blunder_nor_restored(few: Observations) -> None:
+    """A sighting metres off its surface cannot be tested: it is neither a blunder nor restored."""
     sighting = 4
     usual = fit_shapes(few, TRUTH)
     dirty = shifted(few, sighting, 30.0)
@@ -179,7 +179,7 @@ def test_points_that_no_weight_is_left_of_agree_with_nothing(few: Observations) 
 
 
 def _balls(metres: float) -> Observations:
-    """Three balls past which six lines go, the third sighting off by so much to the west."""
+    """Six lines past three balls; the third sighting is displaced to the west by ``metres``."""
     places = ((0.0, 15.0, 5.0), (1.5, 12.0, 3.0), (-1.5, 20.0, 7.0))
     balls = [Ball(f"S{k + 1}", place, 0.3, True) for k, place in enumerate(places)]
     generator = np.random.default_rng(3)
@@ -190,8 +190,8 @@ def _balls(metres: float) -> Observations:
     return replace(clean, position=position)
 
 
-def test_a_ball_metres_off_stays_out_as_shifted() -> None:
-    """A ball has no tilt that could agree or not."""
+def test_a_displaced_ball_is_confirmed_as_shifted() -> None:
+    """A sphere has no tilt to test."""
     dirty, usual = _balls(0.4), fit_shapes(_balls(0.0), TRUTH)
     problem = AdjustmentProblem.of(dirty, TRUTH, MODEL)
     here = problem.linearised(problem.start(TRUTH, usual))
@@ -200,7 +200,7 @@ def test_a_ball_metres_off_stays_out_as_shifted() -> None:
 
 
 @pytest.mark.parametrize("metres", [0.5, 3.0])
-def test_a_ball_far_off_on_a_line_is_named_and_does_no_harm(metres: float) -> None:
+def test_a_displaced_ball_is_rejected_and_does_not_bias_the_result(metres: float) -> None:
     near = TRUTH.with_boresight(TRUTH.boresight + np.radians([0.2, -0.2, 0.2]))
     clean, dirty = (adjust(_balls(off), near, ROBUST) for off in (0.0, metres))
     assert clean.rejected_sightings == ()
@@ -208,8 +208,8 @@ def test_a_ball_far_off_on_a_line_is_named_and_does_no_harm(metres: float) -> No
     assert (np.abs(dirty.boresight - clean.boresight) < 0.1 * clean.sigma).all()
 
 
-def test_with_every_value_estimated_none_is_contradicted(few: Observations) -> None:
-    """A latency cannot be without the rates of the trajectory, so it is not asked for then."""
+def test_estimated_values_are_not_contradicted(few: Observations) -> None:
+    """Without the rates of the trajectory there is no latency to estimate."""
     wrong = replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.3, 0.0, 0.0])
     data, start = replace(few, pose_rate=None), fit_shapes(few, wrong)
     stated = AdjustmentProblem.of(data, wrong, MODEL)
@@ -225,10 +225,10 @@ def test_with_every_value_estimated_none_is_contradicted(few: Observations) -> N
     ("one", "other"),
     [((), (Parameter("lever_x", 1e-6),)), ((Parameter("lever_x"),), (Parameter("lever_x", 1e4),))],
 )
-def test_a_given_value_weighs_in_the_likelihood_of_the_sigmas(
+def test_the_sigma_of_a_given_value_enters_the_likelihood(
     few: Observations, one: tuple[Parameter, ...], other: tuple[Parameter, ...]
 ) -> None:
-    """One held by a tiny sigma is as good as one not estimated, by a huge one as a free one."""
+    """A tiny sigma acts like a fixed value, a huge sigma like a free parameter."""
     likelihoods = [
         _RestrictedLikelihood(_linearised(few, parameters=each)) for each in (one, other)
     ]
@@ -239,8 +239,10 @@ def test_a_given_value_weighs_in_the_likelihood_of_the_sigmas(
     assert free(factors) - free(np.zeros(4)) != pytest.approx(rises[0], rel=1e-4)
 
 
-def test_one_round_of_the_sigmas_is_reported_and_used(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Positions stated five times too small; the sigmas could settle in more rounds only."""
+def test_variance_factors_of_a_single_round_are_reported_and_used(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The sigmas of the position are five times too small; one round is not enough to converge."""
     monkeypatch.setattr(solver, "MAX_COMPONENT_ROUNDS", 1)
     stated = survey(1, 0.3).with_scaled_sigmas(1.0, 0.2, 1.0)
     found = adjust(stated, PRIOR, MODEL, components=True, diagnostics=False)
@@ -250,7 +252,7 @@ def test_one_round_of_the_sigmas_is_reported_and_used(monkeypatch: pytest.Monkey
     assert position.used == pytest.approx(position.factor, rel=0.2)
 
 
-def test_a_pass_over_no_points_calls_nothing() -> None:
+def test_chunks_cover_all_points_and_no_chunk_is_empty() -> None:
     called: list[tuple[int, int]] = []
     run_in_chunks(lambda first, last: called.append((first, last)), np.zeros(0, np.int64))
     assert called == []
@@ -264,7 +266,7 @@ def test_a_pass_over_no_points_calls_nothing() -> None:
     assert np.ptp(last - first) <= 2
 
 
-def test_the_scatter_of_two_targets_or_halves_of_lines_is_not_reported(
+def test_the_scatter_of_only_two_parts_is_not_reported(
     few: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Two parts of a kind are too few for a jackknife."""
@@ -275,7 +277,7 @@ def test_the_scatter_of_two_targets_or_halves_of_lines_is_not_reported(
     np.testing.assert_array_equal(excess_variance(solved.linearised, solved.origins), np.zeros(3))
 
 
-BESIDE_EACH_OTHER = (
+ADJACENT_BOARDS = (
     Board("T1", (0.0, 15.0, 5.0), (0.0, -1.0, 0.0)),
     Board("T2", (3.0, 14.0, 3.0), (0.0, -1.0, 1.0)),
     Board("T3", (-3.0, 16.0, 6.0), (1.0, -2.0, 0.0)),
@@ -283,15 +285,15 @@ BESIDE_EACH_OTHER = (
 )
 
 
-def test_the_remainder_is_that_of_adjustments_without_each_place(
+def test_the_excess_variance_agrees_with_adjustments_without_each_target(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Two sightings displaced; the jackknife, less what the sigmas foresee (Tukey, Hausman)."""
+    """Two sightings displaced; the jackknife minus the predicted variances (Tukey, Hausman)."""
     monkeypatch.setattr(
         excess_scatter, "PARTS_PER_LINE", 2
-    )  # too few to tell anything of the lines
+    )  # too few parts for a scatter of the lines
     generator = np.random.default_rng(5)
-    exact = error_free_survey(TRUTH, BESIDE_EACH_OTHER, six_courses(), 0.5, generator)
+    exact = error_free_survey(TRUTH, ADJACENT_BOARDS, six_courses(), 0.5, generator)
     data = shifted(add_errors(exact, HYDROGRAPHIC_INS, generator), 2, 0.02)
     model = replace(MODEL, surface=0.001)
     whole = adjust(data, TRUTH, model, diagnostics=False)
@@ -313,10 +315,10 @@ def test_the_remainder_is_that_of_adjustments_without_each_place(
 
 
 @pytest.mark.parametrize("loss", ["huber", "tukey"])
-def test_the_equations_at_an_answer_say_how_its_weights_follow(
+def test_the_tangent_equations_include_the_change_of_the_weights(
     few: Observations, loss: str
 ) -> None:
-    """By difference quotients of the right-hand side; with weights held they are a tenth off."""
+    """Reference: difference quotients; with constant weights the matrix is wrong by a tenth."""
     outliers, _ = with_outliers(few, 3)
     model = StochasticModel(loss=loss, surface=0.001)
     solved = SolvedEquations.of(adjust(outliers, PRIOR, model, diagnostics=False), outliers, PRIOR)
@@ -334,13 +336,13 @@ def test_the_equations_at_an_answer_say_how_its_weights_follow(
         assert here.normal.matrix[k, k] == pytest.approx(change, rel=0.01)
 
 
-def test_what_is_still_to_come_is_a_geometric_series() -> None:
+def test_the_remaining_change_is_the_sum_of_a_geometric_series() -> None:
     last, change = np.array([8.0, 10.0, 0.0, 4.0]), np.array([4.0, 1.0, 1.0, 4.0])
-    # 2 + 1 + ..., 0.1 + 0.01 + ..., and never slower than by halves
+    # 2 + 1 + ..., 0.1 + 0.01 + ..., with a ratio of at most one half
     np.testing.assert_allclose(iteration._remaining_change(change, last), [4.0, 1 / 9, 1.0, 4.0])
 
 
-def test_products_are_made_by_the_thread_that_asks_for_them() -> None:
+def test_matrix_products_use_a_single_blas_thread() -> None:
     with threadpool_limits(limits=3), single_blas_thread():
         inside = [each for each in threadpool_info() if each["user_api"] == "blas"]
     assert inside
@@ -348,10 +350,10 @@ def test_products_are_made_by_the_thread_that_asks_for_them() -> None:
 
 
 @pytest.mark.parametrize(("lines", "named"), [(("L1", "L3"), False), (("L1", "L3", "L5"), True)])
-def test_of_two_sightings_of_a_target_neither_is_rejected(
+def test_neither_of_two_sightings_of_a_target_is_rejected(
     lines: tuple[str, ...], named: bool
 ) -> None:
-    """What would be left of the target nothing could contradict."""
+    """A target with a single remaining sighting could not be checked."""
     whole = survey(1, 0.3)
     data = whole.of_sightings(np.array([each.line in lines for each in whole.sightings]))
     problem = AdjustmentProblem.of(shifted(data, 1, 0.3), TRUTH, replace(MODEL, surface=0.001))
@@ -359,8 +361,8 @@ def test_of_two_sightings_of_a_target_neither_is_rejected(
     assert worst_blunder(here, ()) == (Blunder("shift", (1,)) if named else None)
 
 
-def test_the_statistic_is_the_quadratic_form_of_the_equations(few: Observations) -> None:
-    """Points, POS errors, surfaces and a stated value that is off, each over its sigma."""
+def test_the_chi_square_statistic_is_the_quadratic_form_of_the_equations(few: Observations) -> None:
+    """Contributions: points, POS errors, surfaces and a given value, each over its sigma."""
     data, off = shifted(few, 2, 0.02), replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.02, 0.0, 0.0])
     stated = (Parameter("lever_x", 0.01),)
     result = adjust(data, off, MODEL, parameters=stated, diagnostics=False)
@@ -372,7 +374,7 @@ def test_the_statistic_is_the_quadratic_form_of_the_equations(few: Observations)
     )
 
 
-def test_a_contradiction_is_reported_above_a_number_of_sigmas_of_an_angle(
+def test_a_contradiction_needs_a_minimum_effect_on_the_angles(
     few: Observations,
 ) -> None:
     wrong = replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.04, 0.0, 0.0])
@@ -380,14 +382,14 @@ def test_a_contradiction_is_reported_above_a_number_of_sigmas_of_an_angle(
     first = problem.linearised(problem.start(wrong, fit_shapes(few, wrong)))
     here = problem.linearised(first.next_state()[0])
     (found,) = find_contradicted_parameters(here, min_angle_change=1.0)
-    assert 3.5 < abs(found.w) < 5.5  # beyond 6 it would be told whatever it does
+    assert 3.5 < abs(found.w) < 5.5  # above 6 it is reported whatever its effect on the angles
     sigmas = np.abs(found.angle_change / np.sqrt(np.diag(here.normal.covariance)[:3])).max()
     assert sigmas > 1.0
     assert find_contradicted_parameters(here, min_angle_change=1.01 * sigmas) == ()
 
 
-def test_the_sigma_of_the_surfaces_is_the_likeliest(few: Observations) -> None:
-    """Restricted likelihood (Patterson and Thompson 1971) from equations made for each sigma."""
+def test_the_surface_sigma_maximises_the_restricted_likelihood(few: Observations) -> None:
+    """Reference: restricted likelihood (Patterson and Thompson 1971) with new equations."""
     data = shifted(shifted(few, 2, 0.004), 7, -0.003)
     problem = AdjustmentProblem.of(data, TRUTH, MODEL)
     state = problem.start(TRUTH, fit_shapes(data, TRUTH))
@@ -409,7 +411,7 @@ def test_the_sigma_of_the_surfaces_is_the_likeliest(few: Observations) -> None:
 
 
 def test_a_target_without_weight_is_excluded_and_the_rest_is_estimated() -> None:
-    """As when no point of it agrees with the other targets; the cross-checks leave it out too."""
+    """As when none of its points agrees with the other targets; cross-checks exclude it too."""
     prior, model = coverage_of_errors.PRIOR, coverage_of_errors.MODEL
     data = coverage_of_errors.survey("none", 3)
     own = data.target_of_sighting[data.sighting] == data.targets.index("T5")
@@ -423,7 +425,7 @@ def test_a_target_without_weight_is_excluded_and_the_rest_is_estimated() -> None
     assert "adjustment.target_excluded" in {
         message.code for message in result_warnings(result, checks)
     }
-    # Where only two targets would be left to compare, the reason is given instead.
+    # With too few targets for a comparison, the adjustment is refused with the reason.
     two = weightless.without_targets([name for name in data.targets if name not in ("T1", "T5")])
     with pytest.raises(TargetDisagrees) as caught:
         adjust(two, prior, model)

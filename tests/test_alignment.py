@@ -1,4 +1,4 @@
-"""Lines laid roughly onto each other before anything has been picked."""
+"""Tests of the coarse alignment of lines before any target is picked."""
 
 import json
 from pathlib import Path
@@ -22,7 +22,7 @@ OFF_DEG = [(0, 0, 0), (2, 2, 2), (-2, 2, -2), (2, -2, 2), (-2, -2, -2), (1, -2, 
 
 
 def lines_of(folder: Path) -> tuple[dict[str, Cloud], np.ndarray, np.ndarray]:
-    """The lines of a reference survey as its user has them, lever arm, and the right angles."""
+    """Clouds of a reference survey without boresight, its lever arm and the true angles."""
     survey = SharedSurvey(folder)
     answer = folder / ("truth.json" if (folder / "truth.json").exists() else "reference.json")
     mounting = Mounting(np.array(survey.site["lever_arm_m"]), np.zeros(3))
@@ -38,7 +38,7 @@ def off_deg(alignment: Alignment, truth: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("offs", [OFF_DEG[1:3], pytest.param(OFF_DEG, marks=pytest.mark.long)])
-def test_six_lines_of_a_harbour_meet_from_wherever_the_prior_is(
+def test_six_harbour_lines_are_aligned_from_any_prior(
     shared_data: Path, offs: list[tuple[float, float, float]]
 ) -> None:
     clouds, arm, truth = lines_of(shared_data / "harbour")
@@ -49,11 +49,11 @@ def test_six_lines_of_a_harbour_meet_from_wherever_the_prior_is(
 
 
 @pytest.mark.parametrize(("name", "most"), [("lanl_truck", 0.1), ("lanl_tent", 0.3)])
-def test_two_lines_of_a_drone_meet(shared_data: Path, name: str, most: float) -> None:
-    """One vehicle, one tent, seen from opposite lines, half a metre apart and more.
+def test_two_drone_lines_are_aligned(shared_data: Path, name: str, most: float) -> None:
+    """A vehicle and a tent on opposite lines, displaced by half a metre and more.
 
-    The lines lie over each other so that one direction of the three angles moves the tent by three
-    centimetres for a quarter of a degree: there they cannot tell more.
+    In one direction of the three angles, a quarter of a degree moves the tent by only three
+    centimetres, which limits the accuracy.
     """
     clouds, _, truth = lines_of(shared_data / name)
     found = align_lines(clouds)
@@ -62,7 +62,7 @@ def test_two_lines_of_a_drone_meet(shared_data: Path, name: str, most: float) ->
     assert np.abs(off_deg(found, truth)).max() < most
 
 
-def test_the_demo_meets_and_a_click_moves_with_its_line(calibrated: tuple) -> None:
+def test_the_demo_is_aligned_and_a_click_moves_with_its_line(calibrated: tuple) -> None:
     project, survey = calibrated
     assert survey.alignment.is_aligned
     assert np.abs(off_deg(survey.alignment, project.truth_deg)).max() < 0.05
@@ -75,54 +75,58 @@ def test_the_demo_meets_and_a_click_moves_with_its_line(calibrated: tuple) -> No
         place = SearchPlace.of(survey.alignment, clicked, line, 2.0)
         assert place.line == sighting.line
         np.testing.assert_allclose(place.seed, moved, atol=1e-9)
-    # Coordinates that are no point of a line are where the target truly is.
+    # Coordinates that are not a point of a line are taken as the true place of the target.
     typed = SearchPlace.of(survey.alignment, clicked + [0.0, 0.0, 50.0], None, 2.0)
     assert typed.line is None
     np.testing.assert_array_equal(typed.seed, clicked + [0.0, 0.0, 50.0])
 
 
 def quay_wall(*more: Rectangle) -> Site:
-    """Two lines, there and back, along a wall that is all there is."""
+    """Two opposite lines along a wall without other surfaces."""
     return site(
         [upright_rectangle("wall", (0.0, WALL - 0.3), 0.0, 12.0, 30.0, 270), *more], lines=2
     )
 
 
-TWINS = [upright_rectangle(f"T{k + 1}", (k - 0.5, WALL), 7.4, 8.2, 0.6, 270) for k in range(2)]
+SIMILAR_BOARDS = [
+    upright_rectangle(f"T{k + 1}", (k - 0.5, WALL), 7.4, 8.2, 0.6, 270) for k in range(2)
+]
 
 
 @pytest.mark.parametrize("off", [(0.0, 0.0, 2.0), (2.0, -2.0, 1.0), (-1.0, 2.0, -2.0)])
-def test_what_one_wall_leaves_open_stays_near_its_prior(off: tuple[float, float, float]) -> None:
-    seen = quay_wall(*TWINS)
+def test_angles_that_one_wall_does_not_determine_stay_near_the_prior(
+    off: tuple[float, float, float],
+) -> None:
+    seen = quay_wall(*SIMILAR_BOARDS)
     _, survey = seen.opened(off)
     found = survey.alignment
     assert found.matched_share > 0.9
     assert not found.determined
     assert not found.is_aligned
     moved = np.degrees(found.mounting.boresight - seen.boresight) - off
-    # Roll is what the wall tells; the others are not carried off by the noise.
+    # The wall determines roll; the noise does not move the other angles far.
     assert abs(moved[0] + off[0]) < 0.3
     assert np.abs(moved[1:]).max() < 1.0
 
 
 def test_a_second_solution_is_reported_where_the_scene_is_ambiguous() -> None:
-    seen = quay_wall(*TWINS)
+    seen = quay_wall(*SIMILAR_BOARDS)
     project, survey = seen.opened((0.0, 0.0, 2.0))
     clicked = survey.clouds["L1"][np.flatnonzero(seen.on("L1", "T1"))].mean(axis=0)
     judged = assess_target(project, survey, find_target(project, survey, clicked, name="T1"))
     for quality in judged.values():
         assert quality.rating == "doubtful"
-        # A metre apart, as a boresight off by two degrees lays them.
+        # A metre apart, as with a boresight that is off by two degrees.
         (mistakable,) = [r for r in quality.reasons if r.code == "quality.mistakable"]
         assert mistakable.params["distance"] == pytest.approx(1.0, abs=0.1)
-    alone = quay_wall(TWINS[0])
+    alone = quay_wall(SIMILAR_BOARDS[0])
     project, survey = alone.opened((0.0, 0.0, 2.0))
     clicked = survey.clouds["L1"][np.flatnonzero(alone.on("L1", "T1"))].mean(axis=0)
     judged = assess_target(project, survey, find_target(project, survey, clicked, name="T1"))
     assert [quality.rating for quality in judged.values()] == ["good", "good"]
 
 
-def test_lines_with_nothing_in_common_stay_where_they_are(calibrated: tuple) -> None:
+def test_lines_without_common_surfaces_are_not_moved(calibrated: tuple) -> None:
     _, survey = calibrated
     first, second = list(survey.clouds.values())[:2]
     assert isinstance(first, CloudInMemory)

@@ -1,4 +1,4 @@
-"""A scanner may be mounted in any direction: the rotation is estimated as well in all of them."""
+"""Tests that the estimated rotation does not depend on the direction of mounting."""
 
 import json
 from dataclasses import replace
@@ -24,14 +24,14 @@ NOISE = np.random.default_rng(8).normal(0, 0.003, (len(SURVEY), 3))
 
 
 def adjusted(turn: np.ndarray) -> AdjustmentResult:
-    """The survey with the axes of the scanner turned: what it reads is the same in other axes."""
+    """Adjust the survey with its scanner points in axes rotated by ``turn``."""
     observations = replace(SURVEY, points_lidar=(SURVEY.points_lidar + NOISE) @ turn)
     prior = Mounting.with_nearest_axes(LEVER, rotation_angles(turn))
     np.testing.assert_allclose(prior.rotation_body_lidar, turn, atol=1e-12)
     return adjust(observations, prior, StochasticModel("correlated"))
 
 
-USUAL = adjusted(np.eye(3))
+UNTURNED = adjusted(np.eye(3))
 
 
 def small_rotation(one: np.ndarray, other: np.ndarray) -> np.ndarray:
@@ -59,10 +59,10 @@ def test_all_mountings_along_the_axes_give_the_same_answer(number: int) -> None:
     turn = RIGHT_ANGLE_ROTATIONS[number]
     result = adjusted(turn)
     rotation = result.mounting.rotation_body_lidar
-    off = small_rotation(USUAL.mounting.rotation_body_lidar @ turn, rotation)
+    off = small_rotation(UNTURNED.mounting.rotation_body_lidar @ turn, rotation)
     assert np.degrees(np.abs(off)).max() < 1e-5
     assert np.degrees(np.abs(small_rotation(rotation_matrix(*TRUTH) @ turn, rotation))).max() < 0.05
-    np.testing.assert_allclose(body_covariance(result), body_covariance(USUAL), rtol=1e-3)
+    np.testing.assert_allclose(body_covariance(result), body_covariance(UNTURNED), rtol=1e-3)
     np.testing.assert_allclose(rotation_matrix(*result.angles), rotation, atol=1e-12)
     steep = bool(abs(turn[2, 0]) == 1)
     assert (result.mounting.axes is not None) is steep
@@ -70,7 +70,7 @@ def test_all_mountings_along_the_axes_give_the_same_answer(number: int) -> None:
 
 @settings(max_examples=12, deadline=None)
 @given(st.integers(0, 2**32 - 1))
-def test_mountings_in_between_give_the_same_answer(seed: int) -> None:
+def test_mountings_between_the_axes_give_the_same_answer(seed: int) -> None:
     quaternion = np.random.default_rng(seed).normal(size=4)
     w, x, y, z = quaternion / np.linalg.norm(quaternion)
     turn = np.array(
@@ -82,10 +82,10 @@ def test_mountings_in_between_give_the_same_answer(seed: int) -> None:
     )
     result = adjusted(turn)
     off = small_rotation(
-        USUAL.mounting.rotation_body_lidar @ turn, result.mounting.rotation_body_lidar
+        UNTURNED.mounting.rotation_body_lidar @ turn, result.mounting.rotation_body_lidar
     )
     assert np.degrees(np.abs(off)).max() < 1e-5
-    np.testing.assert_allclose(body_covariance(result), body_covariance(USUAL), rtol=2e-3)
+    np.testing.assert_allclose(body_covariance(result), body_covariance(UNTURNED), rtol=2e-3)
 
 
 @pytest.mark.parametrize("pitch", [-90.0, 90.0, -89.9, 88.0])
@@ -102,21 +102,21 @@ def test_jacobians_at_a_steep_pitch_agree_with_differences(pitch: float) -> None
             ).misclosure
             for sign in (1, -1)
         ]
-        if k == 8:  # the observations hold no rate of the poses
+        if k == 8:  # the observations have no rates of the poses
             continue
         np.testing.assert_allclose(
             rows[:, k], (ends[0] - ends[1]) / (2 * step), rtol=1e-5, atol=1e-6
         )
 
 
-def test_ordinary_mountings_are_as_before() -> None:
+def test_ordinary_mountings_need_no_axes() -> None:
     for angles in ([0.3, -0.4, 0.6], [90.0, 0.0, -90.0], [180.0, 0.0, 0.0], [10.0, 55.0, 200.0]):
         mounting = Mounting.with_nearest_axes(LEVER, np.radians(angles))
         assert mounting.axes is None
         np.testing.assert_array_equal(mounting.boresight, np.radians(angles))
 
 
-def test_a_mounting_with_turned_axes_is_kept_in_a_project() -> None:
+def test_a_mounting_with_turned_axes_is_stored_in_a_project() -> None:
     mounting = Mounting.with_nearest_axes(LEVER, np.radians([5.0, -89.0, 10.0]), 0.01, 0.002, 0.0)
     again = decode_value(json.loads(json.dumps(encode_value(mounting))), Mounting)
     assert again.axes is not None

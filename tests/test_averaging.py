@@ -1,4 +1,4 @@
-"""Points averaged over a surface say what all of them say."""
+"""Tests of averaging points over a surface: no loss of information, no outliers."""
 
 from dataclasses import replace
 
@@ -43,7 +43,7 @@ def test_averages_keep_the_mean_place_and_the_information(survey, distance) -> N
 
 
 def test_averages_keep_the_sigmas_of_the_pos_and_the_mean_time(survey) -> None:
-    """Its error is shared by the points of an average, which makes it no smaller."""
+    """The points of an average share the POS error, so that averaging does not reduce it."""
     fewer = average_points_in_cells(survey, PRIOR, 0.2)
     counts = (survey.sigma_lidar[0, 0] / fewer.sigma_lidar[:, 0]) ** 2
     for name in ("sigma_position", "sigma_attitude"):
@@ -54,8 +54,8 @@ def test_averages_keep_the_sigmas_of_the_pos_and_the_mean_time(survey) -> None:
     assert np.average(fewer.time, weights=counts) == pytest.approx(survey.time.mean(), abs=1e-9)
 
 
-def test_averages_reach_over_a_short_time_only(survey) -> None:
-    """Points of one square seen at other times have POS errors of their own."""
+def test_averages_span_a_short_time_only(survey) -> None:
+    """Points of one cell measured at other times have different POS errors."""
     fewer = [
         len(average_points_in_cells(survey, PRIOR, 0.1, longest=seconds))
         for seconds in (0.05, 0.25, 100.0)
@@ -64,7 +64,7 @@ def test_averages_reach_over_a_short_time_only(survey) -> None:
 
 
 def test_sigmas_do_not_depend_on_the_distance() -> None:
-    """From 4 to 20 cm: on average less than a tenth, where a selection would double them."""
+    """From 4 to 20 cm the change is below a tenth; a selection of points would double them."""
     model, distances, sigmas = StochasticModel(loss="tukey"), (0.0, 0.05, 0.1, 0.2), []
     for seed in range(5):
         generator = np.random.default_rng([13, seed])
@@ -100,8 +100,8 @@ def with_outliers(observations, share: float, generator):
 
 
 @pytest.mark.parametrize("spacing", [0.02, 0.04])
-def test_outliers_do_not_hide_in_averages(spacing) -> None:
-    """One stray in twenty of dense points: one or more in every average, were they let in."""
+def test_outliers_are_excluded_from_averages(spacing) -> None:
+    """Of dense points one in twenty is an outlier: without a test, at least one in each average."""
     model = StochasticModel(loss="tukey")
     for seed in range(2):
         generator = np.random.default_rng([14, seed])
@@ -122,19 +122,19 @@ def test_outliers_do_not_hide_in_averages(spacing) -> None:
         np.testing.assert_allclose(found.sigma, expected.sigma, rtol=1e-3)
 
 
-def test_nothing_stands_out_of_a_clean_survey(survey) -> None:
-    """Of normal errors three in a million lie beyond the limit."""
+def test_a_clean_survey_has_no_outliers(survey) -> None:
+    """Three in a million normal errors lie beyond the limit."""
     assert average_points_in_cells(survey, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1
 
 
-def test_nothing_stands_out_where_the_scanner_is_worse_than_given(survey) -> None:
-    """The spread of the points themselves is what they are judged by."""
+def test_larger_lidar_noise_than_given_makes_no_outliers(survey) -> None:
+    """The limit follows from the spread of the points, not from the given sigma."""
     told = survey.with_scaled_sigmas(0.2, 1.0, 1.0)
     assert average_points_in_cells(told, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1
 
 
-def test_two_surfaces_among_the_points_of_one_sighting(survey) -> None:
-    """The smaller part of them stands out, a third of the points as well as one."""
+def test_the_smaller_of_two_surfaces_in_a_sighting_is_excluded(survey) -> None:
+    """The points of the smaller surface are excluded, even a third of all points."""
     third = (np.arange(len(survey)) % 3 == 0) & (survey.sighting == 0)
     points = survey.points_lidar.copy()
     points[third] *= 1 + 0.2 / np.linalg.norm(points[third], axis=1)[:, None]
@@ -144,18 +144,18 @@ def test_two_surfaces_among_the_points_of_one_sighting(survey) -> None:
     assert fewer.excluded_outliers == third.sum()
 
 
-def test_a_sample_has_its_share_of_the_points_whatever_their_order(survey) -> None:
+def test_a_sample_does_not_depend_on_the_order_of_the_points(survey) -> None:
     assert np.bincount(survey.sighting).min() > 600
     chosen = survey.sample(0.5)
     assert chosen.mean() == pytest.approx(0.5, abs=0.02)
     order = np.random.default_rng(2).permutation(len(survey))
     np.testing.assert_array_equal(survey.reordered(order).sample(0.5), chosen[order])
-    # A tenth would be too few of any sighting
+    # A tenth would leave too few points in every sighting
     assert survey.sample(0.1).all()
 
 
-def test_two_points_of_a_sighting_stay_two(survey) -> None:
-    """They lie on a straight line, which has no plane to average over."""
+def test_two_points_of_a_sighting_are_not_averaged(survey) -> None:
+    """Two points lie on a straight line, which determines no plane to average over."""
     two = np.flatnonzero(survey.sighting == 3)[:2]
     kept = (survey.sighting != 3) | np.isin(range(len(survey)), two)
     fewer = average_points_in_cells(survey.where(kept), TRUTH, 0.5, longest=100.0)

@@ -1,4 +1,4 @@
-"""The manual's table of bad input: each row happens, and the program says that sentence."""
+"""Tests that each row of the manual's table of bad input gives the documented message."""
 
 import re
 from collections.abc import Callable, Iterator, Sequence
@@ -25,22 +25,22 @@ ACTION = (
 
 @pytest.fixture
 def scene(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Scene]:
-    """A sound survey."""
+    """A valid survey."""
     with ExitStack() as stack:
         yield Scene(tmp_path, monkeypatch, stack)
 
 
-def held(scene: Scene) -> dict[str, bytes | None]:
-    """Every file and folder, what the case itself changes left out."""
+def content_of_folder(scene: Scene) -> dict[str, bytes | None]:
+    """Content of each file and folder, without those that the case itself changes."""
     return {
         str(path.relative_to(scene.folder)): path.read_bytes() if path.is_file() else None
         for path in sorted(scene.folder.rglob("*"))
-        if path.name not in scene.spoilt
+        if path.name not in scene.changed_files
     }
 
 
 def rows(language: str = "en") -> dict[str, tuple[str, str, str]]:
-    """Rows of the table: what is wrong to what is said, what to do and what is kept."""
+    """Rows of the table by their problem: message, action and remaining data."""
     found: dict[str, tuple[str, str, str]] = {}
     heads = ("Problem", "Problème")
     for line in (MANUAL / language / "bad-input.md").read_text(encoding="utf-8").splitlines():
@@ -57,7 +57,7 @@ def test_the_table_has_a_row_for_every_case_and_no_other() -> None:
     assert all(all(cells) for cells in rows().values())
 
 
-def test_the_french_table_says_what_a_french_window_says() -> None:
+def test_the_french_actions_have_the_same_commands_as_the_english_ones() -> None:
     english = list(rows().values())
     page = list(rows("fr").values())
     for (_, do, _), (_, action, _) in zip(page, english, strict=True):
@@ -66,11 +66,11 @@ def test_the_french_table_says_what_a_french_window_says() -> None:
 
 
 @pytest.mark.parametrize("name", REFUSED)
-def test_refused(
+def test_bad_input_is_refused_with_the_documented_message(
     scene: Scene, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
     words = REFUSED[name](scene)
-    before = held(scene)
+    before = content_of_folder(scene)
     capsys.readouterr()
     errors: list[LispacError] = []
 
@@ -88,10 +88,10 @@ def test_refused(
     line, rest = err.split("\n")
     assert rest == ""
     assert line.startswith("lispac: ")
-    line = re.sub(r"(?<=\.) \([^()]*\)$", "", line)  # an option that helps
+    line = re.sub(r"(?<=\.) \([^()]*\)$", "", line)  # a suggested option
     assert line.endswith(".")
     assert re.search(ACTION, line, re.IGNORECASE)
-    assert held(scene) == before, "something was changed or left"
+    assert content_of_folder(scene) == before, "something was changed or left"
     told = line.removeprefix("lispac: ").replace(f"{scene.folder}/", "")
     assert told == rows()[name][0]
     (failure,) = errors
@@ -102,7 +102,7 @@ def test_refused(
 
 
 def french_heads() -> dict[str, str]:
-    """What is wrong in the French table, by what is wrong in the English one."""
+    """Problem in the French table, by the problem in the English one."""
     return dict(zip(rows(), rows("fr"), strict=True))
 
 
@@ -112,26 +112,26 @@ def shown_messages(shown: str) -> list[str]:
 
 
 def plain(text: str) -> str:
-    """The text with simple blanks, as a terminal shows it."""
+    """The text with plain spaces, as a terminal shows it."""
     return re.sub("[\u00a0\u202f]", " ", text)
 
 
 @pytest.mark.parametrize("language", ["en", "fr"])
 @pytest.mark.parametrize("name", WITH_WARNING)
-def test_warnings(
+def test_bad_input_gives_the_documented_warning(
     scene: Scene, capsys: pytest.CaptureFixture[str], name: str, language: str
 ) -> None:
     words = WITH_WARNING[name](scene)
     row = rows(language)[name if language == "en" else french_heads()[name]]
     expected = {plain(row[0]), plain(console_text(row[0]))}
-    before = held(scene)
+    before = content_of_folder(scene)
     capsys.readouterr()
     with in_language(language):
         assert main(words) == 0
     out, err = capsys.readouterr()
     shown = out if words[0] == "inspect" else err
     assert expected & set(shown_messages(shown))
-    after = held(scene)
+    after = content_of_folder(scene)
     assert before.items() <= after.items()
     if words[0] == "inspect":
         assert after == before
@@ -141,7 +141,9 @@ def test_warnings(
 
 
 @pytest.mark.parametrize("name", ACTIONS)
-def test_action(scene: Scene, capsys: pytest.CaptureFixture[str], name: str) -> None:
+def test_the_documented_action_works(
+    scene: Scene, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
     assert f"`{ACTIONS[name]}`" in rows()[name][1]
     words = REFUSED[name](scene)
     assert main([*words, *ACTIONS[name].split()]) == 0, capsys.readouterr().err

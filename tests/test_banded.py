@@ -1,4 +1,4 @@
-"""Triangular systems of a banded matrix, against SciPy's."""
+"""Tests of triangular systems of a banded matrix against SciPy."""
 
 import hypothesis.strategies as st
 import numpy as np
@@ -14,7 +14,7 @@ from lispac.adjustment.solve.banded_cholesky import (
 
 
 def banded(n: int, width: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """A positive definite matrix and its lower diagonals."""
+    """Positive definite matrix and its lower diagonals."""
     random = np.random.default_rng(seed)
     lower = np.tril(np.triu(random.normal(size=(n, n)), 1 - width), -1)
     lower += np.diag(random.uniform(1, 3, n))
@@ -28,7 +28,9 @@ def banded(n: int, width: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
 @given(
     n=st.integers(1, 40), width=st.integers(1, 13), many=st.integers(0, 5), seed=st.integers(0, 999)
 )
-def test_the_same_as_of_the_whole_matrix(n: int, width: int, many: int, seed: int) -> None:
+def test_solutions_agree_with_those_of_the_dense_matrix(
+    n: int, width: int, many: int, seed: int
+) -> None:
     whole, band = banded(n, width, seed)
     right = np.random.default_rng(seed + 1).normal(size=(n, many))
     given_right = right.copy()
@@ -43,7 +45,7 @@ def test_the_same_as_of_the_whole_matrix(n: int, width: int, many: int, seed: in
     assert np.array_equal(right, given_right)
 
 
-def test_one_right_hand_side_and_any_order_in_memory() -> None:
+def test_one_right_hand_side_and_any_memory_order_are_accepted() -> None:
     whole, band = banded(30, 12, seed=5)
     factor = cholesky_factor(band)
     right = np.random.default_rng(6).normal(size=(4, 30))
@@ -54,7 +56,7 @@ def test_one_right_hand_side_and_any_order_in_memory() -> None:
     assert whole @ one == pytest.approx(right[2])
 
 
-def test_what_is_not_positive_definite_is_refused() -> None:
+def test_a_matrix_that_is_not_positive_definite_is_refused() -> None:
     _, band = banded(10, 3, seed=7)
     band[0, 4] = -1.0
     with pytest.raises(np.linalg.LinAlgError):

@@ -1,4 +1,4 @@
-"""Many projects in one go: each has a row, and a refused one does not stop the others."""
+"""Tests of the batch command: each project has a row; a refused one does not stop the others."""
 
 import csv
 import json
@@ -23,7 +23,7 @@ TRUTH = (0.27, -1.14, 0.36)
 
 @pytest.fixture(scope="module")
 def projects(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """One that is picked, one that is not, one that is broken, one whose lines are gone."""
+    """Four projects: with targets, without targets, damaged, and with missing lines."""
     folder = tmp_path_factory.mktemp("projects")
     quay = lispac.open(demo_project.folder)
     for name in ("T1", "T2", "V1", "V2"):
@@ -107,7 +107,7 @@ def test_every_project_has_a_row(
 
 
 @pytest.mark.long
-def test_what_is_found_is_saved_on_request(
+def test_results_are_saved_on_request(
     projects: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = tmp_path / "one"
@@ -119,7 +119,7 @@ def test_what_is_found_is_saved_on_request(
     assert [plane.name for plane in saved.project.validation] == ["V1", "V2"]
 
 
-def test_a_table_holds_what_was_typed(tmp_path: Path) -> None:
+def test_table_cells_keep_commas_quotes_and_newlines(tmp_path: Path) -> None:
     row = BatchRow(
         Path("a,b"), 'the "first"', "refused", ("one\ntwo", "three"), vessel="Léonie, II"
     )
@@ -130,7 +130,7 @@ def test_a_table_holds_what_was_typed(tmp_path: Path) -> None:
     assert read["vessel"] == "Léonie, II"
 
 
-def test_what_cannot_be_done_is_reported_at_once(
+def test_wrong_folders_and_formats_are_refused_before_the_work(
     projects: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(ProjectError) as raised:

@@ -1,4 +1,4 @@
-"""Bins of distances: round, shared, and the same points however many are drawn as one."""
+"""Tests of the bins of distance histograms: round edges, shared by both states, merged."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,9 @@ SCALES = st.floats(1e-5, 10.0)
 
 
 @given(SCALES, SCALES, st.integers(0, 2**32 - 1))
-def test_bins_are_round_and_show_both_states(before: float, after: float, seed: int) -> None:
+def test_bins_have_round_edges_and_cover_both_states(
+    before: float, after: float, seed: int
+) -> None:
     rng = np.random.default_rng(seed)
     distances = [scale * np.abs(rng.normal(size=500)) for scale in (before, after)]
     edges = shared_bin_edges(*distances)
@@ -29,7 +31,8 @@ def test_bins_are_round_and_show_both_states(before: float, after: float, seed: 
     mantissa = width / 10.0 ** np.floor(np.log10(width) + 1e-9)
     assert min(abs(mantissa - digit) for digit in (1, 2, 5, 10)) < 1e-6
     finest = width <= min(tops) / MIN_BINS * (1 + 1e-6)
-    assert finest or len(edges) - 1 > MAX_BINS / 2.5 - 1  # as fine as the most bins let them be
+    # as fine as the largest number of bins allows
+    assert finest or len(edges) - 1 > MAX_BINS / 2.5 - 1
     for each in distances:
         assert histogram_counts(each, edges).sum() == len(each)
 
@@ -39,7 +42,7 @@ def test_bins_are_round_and_show_both_states(before: float, after: float, seed: 
     st.floats(0.001, 3.0),
     st.integers(1, 80),
 )
-def test_merged_bins_hold_the_same_points(counts: list[int], share: float, most: int) -> None:
+def test_merged_bins_contain_the_same_points(counts: list[int], share: float, most: int) -> None:
     fine = 0.002 * np.arange(len(counts) + 1)
     shown = share * fine[-1]
     edges, grouped = merge_bins(fine, counts, shown, most)
@@ -51,6 +54,6 @@ def test_merged_bins_hold_the_same_points(counts: list[int], share: float, most:
         assert number == np.asarray(counts)[inside].sum()
 
 
-def test_points_that_lie_on_each_other_have_a_histogram() -> None:
+def test_zero_distances_have_a_histogram() -> None:
     edges = shared_bin_edges(np.zeros(10), np.zeros(10))
     assert histogram_counts(np.zeros(10), edges)[0] == 10

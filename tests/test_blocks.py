@@ -1,4 +1,4 @@
-"""Columns worked through in blocks: nothing is lost at the edges, and no block is too large."""
+"""Tests of processing columns in blocks: no point is lost, and no block is too large."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from lispac.survey.crs import run_in_blocks
 
 
 @pytest.mark.parametrize("count", [0, 1, 6, 7, 8, 14, 23])
-def test_blocks_are_put_together_as_they_were(count: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_blocks_are_reassembled_in_order(count: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(crs, "BLOCK_POINTS", 7)
     sizes: list[int] = []
 
@@ -17,7 +17,7 @@ def test_blocks_are_put_together_as_they_were(count: int, monkeypatch: pytest.Mo
         sizes.append(len(x))
         return x + y, 2 * y, z - 1
 
-    # Every other column of a table is not contiguous
+    # Columns of a table are not contiguous
     x, y, z = np.random.default_rng(count).normal(size=(count, 6)).T[::2]
     for found, wanted in zip(run_in_blocks(run, x, y, z), (x + y, 2 * y, z - 1), strict=True):
         np.testing.assert_array_equal(found, wanted)

@@ -1,4 +1,4 @@
-"""What a sighting that disagrees is called: shifted as a whole, or of another surface."""
+"""Tests of the classification of blunders: shifted sighting or other surface."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ from tests.test_robustness import PRIOR, TRUTH, shifted, survey
 
 
 def turned(clean: Observations, sighting: int, degrees: float) -> Observations:
-    """One sighting turned about an axis of its target's plane through its middle."""
+    """Rotate one sighting about an axis in the plane of its target, through its centre."""
     own = clean.sighting == sighting
     normal = fit_shapes(clean, TRUTH)[clean.target_of_sighting[sighting], :3]
     level = plane_axes(normal)[0]
@@ -30,7 +30,7 @@ def turned(clean: Observations, sighting: int, degrees: float) -> Observations:
 
 
 @pytest.mark.parametrize(("change", "kind"), [(turned, "surface"), (shifted, "shift")])
-def test_it_is_called_what_it_is(change, kind, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_blunder_has_the_right_kind(change, kind, monkeypatch: pytest.MonkeyPatch) -> None:
     said: list[Blunder | None] = []
     worst = sighting_rejection.worst_blunder
 
@@ -47,8 +47,8 @@ def test_it_is_called_what_it_is(change, kind, monkeypatch: pytest.MonkeyPatch) 
     assert survey(24, 0.1).sightings[4] in found.rejected_sightings
 
 
-def test_sigmas_are_taken_again_from_what_is_left() -> None:
-    """Positions stated two and a half times too small, and one sighting 10 cm aside."""
+def test_variance_factors_follow_from_the_remaining_sightings() -> None:
+    """Position sigmas two and a half times too small, and one sighting displaced by 10 cm."""
     stated = shifted(survey(24, 0.1), 4, 0.1).with_scaled_sigmas(1.0, 0.4, 1.0)
     model = StochasticModel(loss="tukey")
     found = adjust(stated, PRIOR, model, components=True)

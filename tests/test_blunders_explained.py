@@ -1,4 +1,4 @@
-"""What a wrong value of the mounting explains is not called a blunder, and what is taken back."""
+"""Tests of rejecting and restoring sightings when a wrong mounting value may explain them."""
 
 from dataclasses import dataclass, field, replace
 from types import SimpleNamespace
@@ -18,18 +18,18 @@ from lispac.messages import error
 from lispac.progress import no_progress
 from tests.test_robustness import PRIOR, survey
 
-STATED = np.full(4, 0.001)
+GIVEN_SIGMAS = np.full(4, 0.001)
 REJECTED = np.array([False, True, False, True])
 
 
 @dataclass(frozen=True)
 class Case:
-    """What `_reject_unexplained_sightings` looks at of a problem."""
+    """Stand-in for a problem, with the attributes `_reject_unexplained_sightings` uses."""
 
     parameters: tuple[Parameter, ...] = ()
     rejected: np.ndarray = field(default_factory=lambda: np.zeros(4, dtype=bool))
-    surface_sigma: np.ndarray = field(default_factory=lambda: STATED)
-    default_surface_sigmas: np.ndarray = field(default_factory=lambda: STATED)
+    surface_sigma: np.ndarray = field(default_factory=lambda: GIVEN_SIGMAS)
+    default_surface_sigmas: np.ndarray = field(default_factory=lambda: GIVEN_SIGMAS)
 
     def with_parameters(self, parameters: tuple[Parameter, ...]) -> "Case":
         return replace(self, parameters=parameters)
@@ -40,7 +40,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Found:
-    """And of a solution."""
+    """Stand-in for a solution, with the attributes `_reject_unexplained_sightings` uses."""
 
     problem: Case
     let_go: int
@@ -63,11 +63,11 @@ class Found:
         ([(), ()], {}, False),
     ],
 )
-def test_values_are_rejected_where_fewer_sightings_remain(
+def test_given_values_are_freed_if_that_rejects_fewer_sightings(
     judged: list[tuple[str, ...]], remain: dict[tuple[str, ...], int], taken: bool,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
-    """Four sightings without them; each value counts as one. What is hidden is passed over."""
+    """Four sightings are rejected with the given values; each freed value counts as one."""
     start, rejected = Found(Case(), 0), Found(Case(rejected=REJECTED), 4)
     names = dict(zip((id(start), id(rejected)), judged, strict=True))
 
@@ -94,14 +94,14 @@ def test_values_are_rejected_where_fewer_sightings_remain(
         monkeypatch.setattr(sighting_rejection, name, stand_in)
     found = sighting_rejection._reject_unexplained_sightings(start, [], no_progress)  # type: ignore[arg-type]
     assert (found is not rejected) == taken
-    if taken:  # the values themselves stay as they were stated
+    if taken:  # the given values themselves do not change
         problem = found.linearised.problem
         assert problem.parameters == ()
         assert problem.rejected.tolist() == REJECTED.tolist()
         assert problem.surface_sigma.tolist() == [0.001, np.inf, 0.001, np.inf]
 
 
-def test_what_was_restored_is_not_rejected_again(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_restored_sighting_is_not_rejected_again(monkeypatch: pytest.MonkeyPatch) -> None:
     found, spared = Blunder("shift", (3,)), []
     todo, back = [found], [found]
 
@@ -121,7 +121,7 @@ def test_what_was_restored_is_not_rejected_again(monkeypatch: pytest.MonkeyPatch
     assert spared[:2] == [set(), {found}]
 
 
-def test_a_part_without_an_answer_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_cross_check_without_a_result_has_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     points, model = survey(2, 0.3), StochasticModel()
     refused = error("adjustment.parallel_planes")
     whole = adjust(points, PRIOR, model, diagnostics=False)

@@ -1,4 +1,4 @@
-"""The setup script: what it decides, without installing anything."""
+"""Tests of the decisions of the setup script, without installing anything."""
 
 import ast
 import json
@@ -12,17 +12,17 @@ import pytest
 import system_packages
 from system_packages import MissingComponent, PackagesMissingError
 
-WANTED = {
+REQUIRED = {
     "checkout": "/checkout",
     "python": "3.12",
     "locks": {"run": "a", "test": "b"},
     "project": "p",
 }
-EVERYTHING = ["environment", "dependencies", "project"]
+ALL_STEPS = ["environment", "dependencies", "project"]
 
 
 @pytest.mark.parametrize("version", [(3, 11), (3, 14)])
-def test_supported_python_is_not_complained_about(version: tuple[int, int]) -> None:
+def test_supported_python_is_accepted(version: tuple[int, int]) -> None:
     assert bootstrap.unsupported_python_text(version) is None
 
 
@@ -40,44 +40,44 @@ def test_an_old_python_can_read_the_script_that_refuses_it(module: object) -> No
     ast.parse(source, feature_version=(3, 7))
 
 
-# What is installed and what has to be
+# Installed state and required state
 
 
-def test_nothing_is_done_twice() -> None:
-    assert environment.steps_needed(WANTED, WANTED, "run") == []
-    assert environment.steps_needed(WANTED, WANTED, "test") == []
+def test_a_complete_installation_needs_no_step() -> None:
+    assert environment.steps_needed(REQUIRED, REQUIRED, "run") == []
+    assert environment.steps_needed(REQUIRED, REQUIRED, "test") == []
 
 
-def test_first_start_makes_everything() -> None:
-    assert environment.steps_needed(None, WANTED, "run") == EVERYTHING
+def test_the_first_start_runs_every_step() -> None:
+    assert environment.steps_needed(None, REQUIRED, "run") == ALL_STEPS
 
 
 @pytest.mark.parametrize("key", ["checkout", "python"])
 def test_moved_checkout_or_other_python_needs_a_new_environment(key: str) -> None:
-    assert environment.steps_needed({**WANTED, key: "other"}, WANTED, "run") == EVERYTHING
+    assert environment.steps_needed({**REQUIRED, key: "other"}, REQUIRED, "run") == ALL_STEPS
 
 
-def test_environment_for_running_lacks_what_tests_need() -> None:
-    installed = {**WANTED, "locks": {"run": "a"}}
-    assert environment.steps_needed(installed, WANTED, "run") == []
-    assert environment.steps_needed(installed, WANTED, "test") == ["dependencies"]
+def test_an_environment_for_running_lacks_the_test_dependencies() -> None:
+    installed = {**REQUIRED, "locks": {"run": "a"}}
+    assert environment.steps_needed(installed, REQUIRED, "run") == []
+    assert environment.steps_needed(installed, REQUIRED, "test") == ["dependencies"]
 
 
 def test_changed_lock_and_changed_project_are_distinguished() -> None:
-    changed_lock = {**WANTED, "locks": {"run": "old", "test": "old"}}
-    assert environment.steps_needed(changed_lock, WANTED, "run") == ["dependencies"]
-    assert environment.steps_needed({**WANTED, "project": "old"}, WANTED, "run") == ["project"]
+    changed_lock = {**REQUIRED, "locks": {"run": "old", "test": "old"}}
+    assert environment.steps_needed(changed_lock, REQUIRED, "run") == ["dependencies"]
+    assert environment.steps_needed({**REQUIRED, "project": "old"}, REQUIRED, "run") == ["project"]
 
 
 def test_stamp_survives_a_round_trip(tmp_path: Path) -> None:
     stamp = tmp_path / "stamp.json"
-    environment.write_stamp(WANTED, stamp)
-    assert environment.read_stamp(stamp) == WANTED
+    environment.write_stamp(REQUIRED, stamp)
+    assert environment.read_stamp(stamp) == REQUIRED
     assert [path.name for path in tmp_path.iterdir()] == ["stamp.json"]
 
 
 @pytest.mark.parametrize("text", [None, "", "{", "[]", '{"state": "unfinished"}'])
-def test_interrupted_install_counts_as_none(tmp_path: Path, text: str | None) -> None:
+def test_an_interrupted_installation_is_repeated(tmp_path: Path, text: str | None) -> None:
     stamp = tmp_path / "stamp.json"
     if text is not None:
         stamp.write_text(text)
@@ -100,7 +100,7 @@ def test_the_required_state_follows_the_lock_files_and_the_version(tmp_path: Pat
 
 @pytest.fixture
 def scratch_environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder that takes the place of .venv."""
+    """A folder in place of .venv."""
     folder = tmp_path / ".venv"
     monkeypatch.setattr(environment, "ENVIRONMENT", folder)
     monkeypatch.setattr(environment, "STAMP", folder / "stamp.json")
@@ -153,10 +153,10 @@ def test_pip_output_becomes_a_few_lines() -> None:
     assert said == ["  25 of 40 packages", "  downloading vtk-9.7.2 (139 MB)", "  unpacking"]
 
 
-# Places
+# Folders
 
 
-def test_user_cache_is_the_one_of_the_platform() -> None:
+def test_the_user_cache_follows_the_platform() -> None:
     home = Path("/home/me")
     assert environment.user_cache("linux", {}, home) == home / ".cache" / "lispac"
     assert environment.user_cache("linux", {"XDG_CACHE_HOME": "/c"}, home) == Path("/c/lispac")
@@ -165,7 +165,7 @@ def test_user_cache_is_the_one_of_the_platform() -> None:
     assert environment.user_cache("win32", local, home) == Path("/local/lispac/Cache")
 
 
-def test_children_write_caches_only_where_they_may(scratch_environment: Path) -> None:
+def test_child_processes_write_caches_in_allowed_folders_only(scratch_environment: Path) -> None:
     cache = Path("/cache/lispac")
     theirs = {"PYTHONPATH": "/other", "PYTHONDONTWRITEBYTECODE": "1", "PATH": "/bin"}
     variables = environment.child_variables(theirs, cache)
@@ -196,7 +196,7 @@ def test_no_display_is_recognised() -> None:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="X11 is asked on Linux only")
-def test_display_that_does_not_answer_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_display_that_does_not_answer_does_not_count(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DISPLAY", ":987")
     assert not bootstrap.has_display("linux", {"DISPLAY": ":987"})
 
@@ -205,7 +205,7 @@ def test_display_that_does_not_answer_is_none(monkeypatch: pytest.MonkeyPatch) -
 
 
 def missing(**answers: object) -> list[MissingComponent]:
-    """`missing_packages` of a system that has everything except what the answers take away."""
+    """`missing_packages` of a complete system, except for the answers given by name."""
     system = {
         "loads": lambda _soname: True,
         "has_fonts": lambda: True,
@@ -230,7 +230,7 @@ def test_missing_fonts_screen_and_venv_are_noticed() -> None:
     assert packages == ["fonts-dejavu-core", "xvfb", "poppler-utils", "python3-venv"]
 
 
-def test_virtual_screen_is_only_asked_for_tests() -> None:
+def test_the_virtual_screen_is_required_for_tests_only() -> None:
     found = system_packages.missing_packages(
         for_tests=False,
         loads=lambda _soname: True,
@@ -241,7 +241,7 @@ def test_virtual_screen_is_only_asked_for_tests() -> None:
     assert found == []
 
 
-def test_renamed_package_is_called_as_this_system_calls_it() -> None:
+def test_a_renamed_package_has_the_name_of_this_system() -> None:
     needs = [
         MissingComponent("glib", ("libglib2.0-0t64", "libglib2.0-0")),
         MissingComponent("GL", ("libgl1",)),

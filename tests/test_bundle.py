@@ -1,4 +1,4 @@
-"""What goes into a bundle, what stays out, and what its three systems share."""
+"""Tests of the contents of a bundle, and of the names shared by the three systems."""
 
 import ast
 import configparser
@@ -25,12 +25,12 @@ MACOS = (CHECKOUT / "installer" / "macos" / "make-dmg.sh").read_text(encoding="u
 
 
 def scripts() -> dict[str, str]:
-    """What pyproject.toml says that the programs are."""
+    """Entry points of the programs in pyproject.toml."""
     project = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     return project["scripts"] | project["gui-scripts"]
 
 
-# One place for every name
+# Names, defined in one place
 
 
 def test_names_are_those_of_the_package() -> None:
@@ -41,7 +41,7 @@ def test_names_are_those_of_the_package() -> None:
     assert build.bundle_name().startswith(f"lispac-{lispac.__version__}-")
 
 
-def test_both_programs_start_what_pip_would_install() -> None:
+def test_both_programs_start_the_entry_points_of_the_package() -> None:
     start = (CHECKOUT / "installer" / "bundling" / "start.py").read_text(encoding="utf-8")
     (line,) = re.findall(r"^MAIN = (.*)", start, re.MULTILINE)
     assert {name: f"{module}:main" for name, module in ast.literal_eval(line).items()} == scripts()
@@ -52,7 +52,7 @@ def test_both_programs_start_what_pip_would_install() -> None:
     [(WINDOWS, r"\{#(\w+)\}"), (MACOS, r"\$(?:\{)?([A-Z][a-z]\w+)")],
     ids=["windows", "macos"],
 )
-def test_other_systems_take_every_name_from_the_one_place(script: str, used: str) -> None:
+def test_installer_scripts_define_no_names_themselves(script: str, used: str) -> None:
     known = {*names.shared(), "BundleFolder", "BundleName"}
     assert set(re.findall(used, script)) <= known
     assert {"AppName", "AppVersion", "BundleName", "CommandLine", "Window"} <= set(
@@ -73,7 +73,7 @@ def test_names_reach_inno_setup_and_the_shell() -> None:
     assert done.stdout == f"{lispac.__version__}|{names.SUMMARY}"
 
 
-def test_windows_and_macos_tie_the_same_files_to_the_window() -> None:
+def test_windows_and_macos_open_the_same_files_with_the_window() -> None:
     opened = [line for line in WINDOWS.splitlines() if r"shell\open\command" in line]
     assert len(opened) == 1
     assert "{#Window}.exe" in opened[0]
@@ -90,7 +90,7 @@ def test_windows_and_macos_tie_the_same_files_to_the_window() -> None:
         assert f"{language}.Document=" in WINDOWS
 
 
-def test_the_hardened_runtime_of_macos_comes_with_what_numba_needs() -> None:
+def test_the_hardened_runtime_of_macos_has_the_entitlements_for_numba() -> None:
     (signed, sealed) = re.findall(r"codesign (?:[^\\\n]|\\\n)*", MACOS)
     assert "--options runtime" in signed
     assert '--sign "$CODESIGN_IDENTITY"' in signed
@@ -98,21 +98,21 @@ def test_the_hardened_runtime_of_macos_comes_with_what_numba_needs() -> None:
     granted = plistlib.loads((CHECKOUT / file).read_bytes())
     wanted = ("allow-jit", "allow-unsigned-executable-memory")
     assert granted == {f"com.apple.security.cs.{name}": True for name in wanted}
-    # Without a certificate no library would be of the same maker
+    # Without a certificate the libraries would not have the same developer ID
     assert "--sign -" in sealed
     assert "runtime" not in sealed
 
 
-def test_shell_scripts_can_be_read() -> None:
+def test_shell_scripts_have_valid_syntax() -> None:
     for script in (MACOS, desktop.INSTALL_SCRIPT, desktop.UNINSTALL_SCRIPT):
         done = subprocess.run(["sh", "-n"], input=script, text=True, check=False)
         assert done.returncode == 0
 
 
-# The desktop
+# Desktop integration
 
 
-def test_icon_is_there_as_drawing_and_as_picture() -> None:
+def test_the_icon_exists_as_svg_and_png() -> None:
     assert ElementTree.parse(names.ICON_SVG).getroot().get("viewBox") == "0 0 256 256"
     data = names.ICON_PNG.read_bytes()
     assert data.startswith(b"\x89PNG")
@@ -120,7 +120,7 @@ def test_icon_is_there_as_drawing_and_as_picture() -> None:
 
 
 def made_bundle(folder: Path) -> Path:
-    """A bundle with programs that do nothing."""
+    """Make a bundle with programs that do nothing."""
     folder.mkdir(parents=True)
     for program in names.PROGRAMS:
         (folder / program).write_text("#!/bin/sh\n")
@@ -145,7 +145,7 @@ def test_desktop_entry_and_file_type_agree() -> None:
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="these scripts are for Linux")
-def test_what_is_installed_is_taken_away_again(tmp_path: Path) -> None:
+def test_uninstalling_removes_all_installed_files(tmp_path: Path) -> None:
     bundle, prefix = made_bundle(tmp_path / "unpacked here"), tmp_path / "a prefix"
     (prefix / "bin").mkdir(parents=True)
     (prefix / "bin" / "other").touch()
@@ -169,7 +169,7 @@ def test_what_is_installed_is_taken_away_again(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="these scripts are for Linux")
-def test_a_strange_folder_of_that_name_is_left_alone(tmp_path: Path) -> None:
+def test_a_foreign_folder_of_that_name_is_not_changed(tmp_path: Path) -> None:
     bundle, prefix = made_bundle(tmp_path / "unpacked"), tmp_path / "prefix"
     (prefix / "lib" / "lispac").mkdir(parents=True)
     (prefix / "lib" / "lispac" / "mine").touch()
@@ -182,10 +182,10 @@ def test_a_strange_folder_of_that_name_is_left_alone(tmp_path: Path) -> None:
     assert (prefix / "lib" / "lispac" / "mine").exists()
 
 
-# What stays out
+# Excluded files
 
 
-def test_libraries_come_along_only_where_something_needs_them() -> None:
+def test_only_needed_libraries_are_bundled() -> None:
     entries = [
         ("vtkmodules/vtkCommonCore.cpython-311.so", "/s/core", "EXTENSION"),
         ("vtkmodules/vtkWebCore.cpython-311.so", "/s/web", "EXTENSION"),
@@ -230,7 +230,7 @@ def test_libraries_come_along_only_where_something_needs_them() -> None:
     ],
     ids=["linux", "macos", "windows"],
 )
-def test_what_is_never_asked_for_stays_out_on_every_system(
+def test_unused_files_are_excluded_on_every_system(
     plugins: str, translations: str, file: str
 ) -> None:
     apart = "\\" if "\\" in plugins else "/"
@@ -265,7 +265,7 @@ def test_what_is_never_asked_for_stays_out_on_every_system(
         "_internal/pip/__init__.py",
     ],
 )
-def test_what_must_not_be_in_a_bundle_is_found(place: str) -> None:
+def test_unwanted_files_in_a_bundle_are_found(place: str) -> None:
     assert trimming.unwanted(["_internal/lispac/cli/main.py", place]) == [place]
 
 
@@ -284,12 +284,12 @@ def test_a_bundle_of_another_version_is_refused(
         build.require_fit(tmp_path)
 
 
-def test_modules_of_lispac_are_no_test_data() -> None:
+def test_modules_of_lispac_are_not_excluded_as_test_data() -> None:
     places = [path.relative_to(CHECKOUT).as_posix() for path in (CHECKOUT / "lispac").rglob("*.py")]
     assert trimming.unwanted(f"_internal/{place}" for place in places) == []
 
 
-def test_what_the_program_imports_is_not_excluded() -> None:
+def test_modules_that_the_program_imports_are_not_excluded() -> None:
     """Campaigns on a cluster and building the manual need the installation with Python."""
     imported = set()
     for path in (CHECKOUT / "lispac").rglob("*.py"):
@@ -337,7 +337,7 @@ def test_vtk_modules_of_the_view_are_kept() -> None:
     assert used <= set(trimming.VTK_MODULES)
 
 
-def test_bytecode_lies_in_the_bundle(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_bundle_contains_bytecode(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "pycache_prefix", str(tmp_path / "elsewhere"))
     (tmp_path / "package").mkdir()
     (tmp_path / "package" / "module.py").write_text("answer = 42\n")
@@ -358,7 +358,7 @@ def test_the_app_of_macos_has_licences_and_bytecode_too(tmp_path: Path) -> None:
     assert len(list((package / "__pycache__").glob("module.*.pyc"))) == 1
 
 
-def test_sizes_count_a_file_of_two_names_once(tmp_path: Path) -> None:
+def test_hard_links_count_once_in_sizes(tmp_path: Path) -> None:
     inside = tmp_path / "_internal" / "numpy.libs"
     inside.mkdir(parents=True)
     (inside / "a.so").write_bytes(b"0" * 3_000_000)
@@ -373,7 +373,7 @@ def test_sizes_count_a_file_of_two_names_once(tmp_path: Path) -> None:
     assert rows[-1].split() == ["whole", "4.0", "MB"]
 
 
-def test_a_clean_root_can_write_nothing_of_this_machine(tmp_path: Path) -> None:
+def test_a_clean_root_cannot_write_to_this_machine(tmp_path: Path) -> None:
     (tmp_path / "given").write_text("ours")
     root = Root(tmp_path / "root", [str(tmp_path / "given")])
     root.give()

@@ -1,4 +1,4 @@
-"""The licences of everything in a bundle stand in one file, and nothing goes without."""
+"""Tests that one file contains the licences of everything in a bundle."""
 
 import re
 import sys
@@ -12,7 +12,7 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 
 
 def made_distribution(site: Path, name: str, licence: str | None) -> Path:
-    """A package as pip installs it; returns its module."""
+    """Make a package as pip installs it and return its module."""
     info = site / f"{name}-1.0.dist-info"
     info.mkdir(parents=True)
     (site / f"{name}.py").touch()
@@ -26,7 +26,7 @@ def made_distribution(site: Path, name: str, licence: str | None) -> Path:
     return site / f"{name}.py"
 
 
-def test_licences_of_what_is_bundled_stand_in_one_file(tmp_path: Path) -> None:
+def test_licences_of_bundled_packages_are_in_one_file(tmp_path: Path) -> None:
     site = tmp_path / "site-packages"
     used = made_distribution(site, "used", "Do as you like.")
     made_distribution(site, "unused", "Never.")
@@ -40,7 +40,7 @@ def test_licences_of_what_is_bundled_stand_in_one_file(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("place", ["DLLs/libssl-3.dll", "vcruntime140.dll", "Lib/json/__init__.py"])
-def test_python_of_windows_answers_for_its_own_libraries(
+def test_libraries_of_windows_python_are_covered_by_its_licence(
     place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     python = tmp_path / "Python311"
@@ -68,7 +68,7 @@ def test_python_of_windows_answers_for_its_own_libraries(
         ("open3d/tbb12.dll", "Threading Building Blocks"),
     ],
 )
-def test_libraries_within_wheels_are_known_by_their_names_elsewhere(place: str, name: str) -> None:
+def test_libraries_within_wheels_are_recognised_by_name(place: str, name: str) -> None:
     path = Path("/site-packages") / place
     assert licences.is_foreign(path)
     notice = licences.library_notice(path.name, licences.read_notices())
@@ -76,12 +76,12 @@ def test_libraries_within_wheels_are_known_by_their_names_elsewhere(place: str, 
     assert name in notice["name"]
 
 
-def test_libraries_of_the_wheels_authors_are_theirs() -> None:
+def test_libraries_of_the_authors_of_a_wheel_are_not_foreign() -> None:
     for name in ("vtkCommonCore-9.5.dll", "libvtkCommonCore-9.5.dylib", "Open3D.dll", "vtk.py"):
         assert not licences.is_foreign(Path("/site-packages/vtkmodules") / name)
 
 
-def test_only_files_are_asked_for_their_licence() -> None:
+def test_only_files_need_a_licence() -> None:
     listed = [
         ("libz.so", "vtkmodules/libz.so", "SYMLINK"),
         ("mpl_toolkits", "-", "PYMODULE"),
@@ -99,7 +99,7 @@ def test_a_part_without_licence_text_stops_the_build(tmp_path: Path) -> None:
         licences.collected([used], tmp_path, CHECKOUT, licences.read_notices())
 
 
-def test_a_library_that_nobody_knows_stops_the_build(tmp_path: Path) -> None:
+def test_an_unknown_library_stops_the_build(tmp_path: Path) -> None:
     folder = tmp_path / "numpy.libs"
     folder.mkdir()
     (folder / "libstrange-12ab.so.1").touch()
@@ -115,7 +115,7 @@ def test_a_file_of_no_package_stops_the_build(tmp_path: Path) -> None:
         licences.collected([tmp_path / "loose.py"], tmp_path, CHECKOUT, licences.read_notices())
 
 
-def test_notices_refer_to_texts_that_are_there() -> None:
+def test_notices_refer_to_existing_texts() -> None:
     notices = licences.read_notices()
     texts = [*notices["shared_texts"]]
     for row in notices["distribution"].values():
@@ -126,7 +126,7 @@ def test_notices_refer_to_texts_that_are_there() -> None:
         assert row["licence"]
 
 
-def test_what_the_pages_of_the_manual_hold_is_named() -> None:
+def test_the_licences_name_all_parts_of_the_manual_theme() -> None:
     notices = licences.read_notices()
     texts = {
         name: "\n".join(licences.texts_of(distribution(name), notices))
@@ -147,7 +147,7 @@ def test_what_the_pages_of_the_manual_hold_is_named() -> None:
     assert all(name in texts["furo"] for name in others)
 
 
-def test_qt_comes_with_the_lgpl() -> None:
+def test_the_licence_of_qt_is_the_lgpl() -> None:
     row = licences.read_notices()["distribution"]["pyside6-essentials"]
     assert "LGPL-3.txt" in row["texts"]
     assert "LESSER GENERAL PUBLIC LICENSE" in (licences.TEXT_FOLDER / "LGPL-3.txt").read_text()

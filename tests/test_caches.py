@@ -1,4 +1,4 @@
-"""The place of the cache: chosen once for window and command line, and emptied of ours alone."""
+"""Tests of the cache folder: choosing it, emptying it, and work without a writable home."""
 
 import os
 import shutil
@@ -21,7 +21,7 @@ def config(tmp_path: Path) -> Path:
 
 
 def filled(place: Path) -> Path:
-    """A cache with 35 bytes of ours among what is not."""
+    """Make a cache with 35 bytes of the program among foreign files."""
     for name, size in (("demo/raw/demo", 5), ("demo/raw/L1.laz", 10), ("numba/a/k.nbc", 20)):
         (place / name).parent.mkdir(parents=True, exist_ok=True)
         (place / name).write_bytes(bytes(size))
@@ -31,19 +31,19 @@ def filled(place: Path) -> Path:
     return place
 
 
-def test_the_choice_is_kept_and_taken_back(config: Path, tmp_path: Path) -> None:
+def test_the_chosen_folder_is_stored_and_can_be_reset(config: Path, tmp_path: Path) -> None:
     assert caches.chosen_folder(config) is None
     assert caches.usable_cache_folder(config) == caches.default_folder() / "lispac"
     caches.choose_folder(tmp_path / "élan disk", config)
-    assert not (tmp_path / "élan disk").exists()  # nothing is left of the trial
+    assert not (
+        tmp_path / "élan disk"
+    ).exists()  # the check that the folder is writable leaves no file
     assert caches.usable_cache_folder(config) == tmp_path / "élan disk" / "lispac"
     caches.choose_folder(None, config)
     assert caches.chosen_folder(config) is None
 
 
-def test_a_place_that_cannot_be_written_is_refused_in_a_sentence(
-    config: Path, tmp_path: Path
-) -> None:
+def test_a_folder_that_is_not_writable_is_refused(config: Path, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError) as refused:
         caches.choose_folder(tmp_path / "file", config)
@@ -55,7 +55,7 @@ def test_a_place_that_cannot_be_written_is_refused_in_a_sentence(
     assert caches.chosen_folder(config) is None
 
 
-def test_only_what_is_ours_is_counted_and_removed(tmp_path: Path) -> None:
+def test_only_files_of_the_program_are_counted_and_removed(tmp_path: Path) -> None:
     place = filled(tmp_path / "lispac")
     assert caches.cache_size(place) == 35
     caches.empty_cache(place)
@@ -63,7 +63,7 @@ def test_only_what_is_ours_is_counted_and_removed(tmp_path: Path) -> None:
     assert sorted(each.name for each in place.iterdir()) == ["thesis", "window.ini"]
 
 
-def test_a_folder_called_demo_that_is_not_ours_stays(tmp_path: Path) -> None:
+def test_a_foreign_folder_called_demo_is_not_removed(tmp_path: Path) -> None:
     place = tmp_path / "lispac"
     (place / "demo").mkdir(parents=True)
     (place / "demo" / "tape.mp3").write_bytes(bytes(3))
@@ -78,7 +78,7 @@ def test_a_folder_called_demo_that_is_not_ours_stays(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the variables are those of Linux")
-def test_the_command_line_follows_the_choice_unless_an_option_is_given(tmp_path: Path) -> None:
+def test_the_command_line_uses_the_chosen_folder_unless_an_option_is_given(tmp_path: Path) -> None:
     config = tmp_path / "config"
     caches.choose_folder(tmp_path / "fast", config / "lispac")
     told = (
@@ -103,7 +103,7 @@ def test_the_command_line_follows_the_choice_unless_an_option_is_given(tmp_path:
         ("linux", "", ("home", ".cache")),
     ],
 )
-def test_the_usual_folder_is_that_of_the_system(
+def test_the_default_folder_is_that_of_the_system(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
     system: str, variable: str, expected: tuple[str, ...],
 ) -> None:  # fmt: skip
@@ -116,10 +116,10 @@ def test_the_usual_folder_is_that_of_the_system(
     assert caches.default_folder() == tmp_path.joinpath(*expected)
 
 
-def test_choosing_the_same_again_writes_nothing(config: Path, tmp_path: Path) -> None:
+def test_choosing_the_same_folder_again_writes_nothing(config: Path, tmp_path: Path) -> None:
     (tmp_path / "fast").mkdir()
     caches.choose_folder(tmp_path / "fast", config)
-    assert (tmp_path / "fast").is_dir()  # it was there before
+    assert (tmp_path / "fast").is_dir()  # this place was already set before
     (config / caches.CHOSEN_FOLDER_FILE).chmod(0o444)
     before = (config / caches.CHOSEN_FOLDER_FILE).stat().st_ino
     caches.choose_folder(tmp_path / "fast", config)
@@ -127,7 +127,7 @@ def test_choosing_the_same_again_writes_nothing(config: Path, tmp_path: Path) ->
     (config / caches.CHOSEN_FOLDER_FILE).chmod(0o644)
 
 
-def test_a_manual_that_we_made_is_ours(tmp_path: Path) -> None:
+def test_a_manual_made_by_the_program_belongs_to_the_cache(tmp_path: Path) -> None:
     place = tmp_path / "lispac"
     (place / "manual").mkdir(parents=True)
     (place / "manual" / "index.html").write_bytes(bytes(9))
@@ -138,7 +138,9 @@ def test_a_manual_that_we_made_is_ours(tmp_path: Path) -> None:
     assert not (place / "manual").exists()
 
 
-def test_what_cannot_be_removed_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_that_cannot_be_removed_are_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     place = filled(tmp_path / "lispac")
 
     def busy(part: Path) -> None:
@@ -153,17 +155,17 @@ def test_what_cannot_be_removed_is_named(tmp_path: Path, monkeypatch: pytest.Mon
 
 
 def environment_of(home: Path | str | None) -> dict[str, str]:
-    """Variables of a process with this home directory and no other folders of the user's."""
+    """Variables of a process with this home directory and no other user folders."""
     own = (*caches.CACHE_VARIABLES, "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "HOME")
     variables = {name: value for name, value in os.environ.items() if name not in own}
-    variables["PYTHONWARNINGS"] = "default"  # these folders are warned of
+    variables["PYTHONWARNINGS"] = "default"  # the program warns about these folders
     return variables if home is None else variables | {"HOME": str(home)}
 
 
 def ran(words: list[str], home: Path | str | None) -> subprocess.CompletedProcess[str]:
-    """``python -c ...`` with that home directory."""
+    """Run ``python -c ...`` with that home directory."""
     program = [sys.executable, *words]
-    if os.geteuid() == 0 and shutil.which("setpriv"):  # so that root minds permissions
+    if os.geteuid() == 0 and shutil.which("setpriv"):  # permissions apply to root too
         own = "-dac_override"
         program = ["setpriv", "--bounding-set", own, "--inh-caps", own, *program]
     return subprocess.run(
@@ -180,12 +182,12 @@ def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
-NO_HOMES = ["a file", "missing", "below /proc", "read-only"]
+UNWRITABLE_HOMES = ["a file", "missing", "below /proc", "read-only"]
 
 
 @pytest.fixture
 def no_home(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
-    """A home directory that nothing can be written to, of the kind that is asked for."""
+    """A home directory that is not writable, of the requested kind."""
     kind = request.param
     if kind == "a file":
         (tmp_path / "file").write_text("")
@@ -209,8 +211,8 @@ MAKE_A_SURVEY = (
 
 
 @linux
-@pytest.mark.parametrize("no_home", NO_HOMES, indirect=True)
-def test_without_a_home_the_command_line_works_and_says_so_once(
+@pytest.mark.parametrize("no_home", UNWRITABLE_HOMES, indirect=True)
+def test_without_a_home_the_command_line_works_and_warns_once(
     no_home: Path, temporary: Path
 ) -> None:
     done = ran(["-c", MAKE_A_SURVEY, "sensors", "--json"], no_home)
@@ -226,7 +228,7 @@ def test_without_a_home_the_command_line_works_and_says_so_once(
 
 
 @linux
-def test_compiled_code_is_kept_from_run_to_run_without_a_home(
+def test_compiled_code_is_reused_by_the_next_run_without_a_home(
     tmp_path: Path, temporary: Path
 ) -> None:
     words = ["-c", "import lispac; lispac.open; import lispac.survey.kernels as k; "
@@ -250,7 +252,7 @@ def test_a_folder_that_others_can_write_to_is_not_used(tmp_path: Path, temporary
 
 
 @linux
-def test_a_home_that_can_be_written_gives_no_note(tmp_path: Path, temporary: Path) -> None:
+def test_a_writable_home_gives_no_note(tmp_path: Path, temporary: Path) -> None:
     done = ran(["-c", MAKE_A_SURVEY, "sensors"], tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.split()[-1] == str(tmp_path / ".cache" / "lispac" / "matplotlib")
@@ -274,7 +276,7 @@ def test_a_numba_folder_that_cannot_be_written_is_replaced(
     }
 
 
-def test_an_account_without_a_home_has_a_temporary_one(
+def test_an_account_without_a_home_has_a_temporary_folder(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def none() -> Path:

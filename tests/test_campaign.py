@@ -1,4 +1,4 @@
-"""Campaigns here, in a pool of processes and on a cluster: the same answers, and none is lost."""
+"""Tests of campaigns in one process, in a process pool and on a cluster."""
 
 import json
 import os
@@ -58,11 +58,11 @@ def cluster(clusters: Clusters) -> distributed.LocalCluster:
 
 
 def same(one: MonteCarloResult, other: MonteCarloResult) -> bool:
-    """To the last bit."""
+    """Whether two results are equal to the last bit."""
     return np.array_equal(one.errors, other.errors) and np.array_equal(one.sigmas, other.sigmas)
 
 
-def test_monte_carlo_is_the_same_everywhere(cluster: distributed.LocalCluster) -> None:
+def test_monte_carlo_results_do_not_depend_on_the_mapper(cluster: distributed.LocalCluster) -> None:
     here = run_monte_carlo(SMALL, 12)
     with process_pool_mapper(2) as mapper:
         assert same(run_monte_carlo(SMALL, 12, mapper=mapper), here)
@@ -73,7 +73,7 @@ def test_monte_carlo_is_the_same_everywhere(cluster: distributed.LocalCluster) -
 
 
 @pytest.mark.long
-def test_a_search_is_the_same_everywhere(cluster: distributed.LocalCluster) -> None:
+def test_search_results_do_not_depend_on_the_mapper(cluster: distributed.LocalCluster) -> None:
     _, site = read_site(QUAY)
     site = replace(
         site, lines=3, along=(-4.0, 1.0, 4.0), heights=(2.0, 8.0), headings_deg=(0.0, 45.0, 135.0)
@@ -106,8 +106,8 @@ def test_at_the_command_line(
     assert "predicted" in out
 
 
-def once(marker: Path, number: int) -> int:
-    """The square; the first to get here with 7 takes its process with it."""
+def kill_process_once(marker: Path, number: int) -> int:
+    """Square of a number; the first call with 7 kills its process."""
     if number == 7:
         with suppress(FileExistsError):
             os.close(os.open(marker, os.O_CREAT | os.O_EXCL))
@@ -115,29 +115,31 @@ def once(marker: Path, number: int) -> int:
     return number**2
 
 
-def never(number: int) -> int:
-    """What no process survives."""
+def kill_process_always(number: int) -> int:
+    """Square of a number; each call with 7 ends its process."""
     if number == 7:
         os._exit(1)
     return number**2
 
 
-def refuses(number: int) -> int:
-    """An error that the user can act on."""
+def raise_correctable_error(number: int) -> int:
+    """Raise an error that the user can correct."""
     raise LispacError(f"number {number} is too large")
 
 
 def test_a_lost_worker_loses_no_result(cluster: distributed.LocalCluster, tmp_path: Path) -> None:
     marker = tmp_path / "killed"
     with cluster_mapper(cluster.scheduler_address) as mapper:
-        assert list(mapper(partial(once, marker), range(100))) == [k**2 for k in range(100)]
+        assert list(mapper(partial(kill_process_once, marker), range(100))) == [
+            k**2 for k in range(100)
+        ]
     assert marker.exists()
 
 
 def test_a_worker_killed_from_outside_loses_no_result(
     cluster: distributed.LocalCluster,
 ) -> None:
-    """In the middle of a campaign, by the operating system."""
+    """The operating system kills the worker during the campaign."""
     here = run_monte_carlo(SMALL, 20)
     killed: list[int] = []
     with (
@@ -157,31 +159,31 @@ def test_a_worker_killed_from_outside_loses_no_result(
 
 
 @pytest.mark.long
-def test_what_ends_every_worker_ends_the_campaign(cluster: distributed.LocalCluster) -> None:
+def test_a_task_that_ends_every_worker_ends_the_campaign(cluster: distributed.LocalCluster) -> None:
     with (
         cluster_mapper(cluster.scheduler_address) as mapper,
         pytest.raises(LispacError) as raised,
     ):
-        list(mapper(never, range(20)))
+        list(mapper(kill_process_always, range(20)))
     assert raised.value.code == "cluster.worker_lost_repeatedly"
     with process_pool_mapper(2) as mapper, pytest.raises(LispacError) as raised:
-        list(mapper(never, range(20)))
+        list(mapper(kill_process_always, range(20)))
     assert raised.value.code == "plan_survey.process_ended"
 
 
-def test_an_error_comes_back_as_it_is(cluster: distributed.LocalCluster) -> None:
+def test_an_error_in_a_worker_is_raised_unchanged(cluster: distributed.LocalCluster) -> None:
     for where in (
         process_pool_mapper(1),
         process_pool_mapper(2),
         cluster_mapper(cluster.scheduler_address),
     ):
         with where as mapper, pytest.raises(LispacError, match=r"^number 3 is too large$"):
-            list(mapper(refuses, [3]))
+            list(mapper(raise_correctable_error, [3]))
 
 
 @dataclass
 class Slow:
-    """Takes its time and leaves a mark."""
+    """A slow task that creates a file for each call."""
 
     folder: Path
 
@@ -192,13 +194,13 @@ class Slow:
 
 
 def stopped_at_once(answers: Iterable[int]) -> None:
-    """As a search is stopped by its progress, after the first answer."""
+    """Cancel after the first result, like the progress of a search."""
     for _ in answers:
         raise Cancelled
 
 
 @pytest.mark.parametrize("place", ["pool", "cluster"])
-def test_what_is_cancelled_stops(
+def test_a_cancelled_campaign_stops(
     place: str, cluster: distributed.LocalCluster, tmp_path: Path
 ) -> None:
     address = cluster.scheduler_address
@@ -209,17 +211,17 @@ def test_what_is_cancelled_stops(
     before = set(active_children())
     with pytest.raises(Cancelled), where() as mapper:
         stopped_at_once(mapper(Slow(tmp_path), range(2000)))
-    # None of the pool's; one of another test's cluster may have ended meanwhile
+    # No process of the pool; a process of another test's cluster may have ended meanwhile
     assert set(active_children()) <= before
     with distributed.Client(address, set_as_default=False) as client:
         until = time.monotonic() + 20
-        while any(client.processing().values()):  # what was begun is finished
+        while any(client.processing().values()):  # tasks that have begun are finished
             assert time.monotonic() < until
             time.sleep(0.1)
     assert 0 < len(list(tmp_path.iterdir())) < 200
 
 
-def test_addresses_that_lead_nowhere_are_refused(
+def test_addresses_without_a_scheduler_are_refused(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(cluster_module, "CONNECT_TIMEOUT", 1.0)
@@ -232,7 +234,7 @@ def test_addresses_that_lead_nowhere_are_refused(
         refusal = command_error(*words, nobody)
         assert refusal.code == "cluster.no_scheduler"
         assert nobody in str(refusal)
-    with socket.create_server(("127.0.0.1", 0)) as mute:  # something else, which never answers
+    with socket.create_server(("127.0.0.1", 0)) as mute:  # another service, which does not answer
         silent = f"127.0.0.1:{mute.getsockname()[1]}"
         refusal = command_error("design", QUAY, "--cluster", silent)
         assert refusal.code == "cluster.no_scheduler"
@@ -265,7 +267,9 @@ def test_workers_of_another_version_are_refused(
     assert raised.value.code == "cluster.late_worker_version"
 
 
-def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_cluster_without_workers_is_refused_without_waiting(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(cluster_module, "START_TIMEOUT", 1.0)
     with distributed.LocalCluster(n_workers=0, dashboard_address=":0") as empty:
         address = empty.scheduler_address
@@ -282,7 +286,7 @@ def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) 
             tasks = empty.scheduler.tasks
             while sum(task.state == "memory" for task in list(tasks.values())) < 2:
                 time.sleep(0.05)
-            empty.scale(0)  # it takes along what it has found already
+            empty.scale(0)  # its results are lost with it
             while empty.scheduler.workers:
                 time.sleep(0.05)
             with pytest.raises(LispacError) as raised:
@@ -296,7 +300,7 @@ def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) 
 def test_a_lost_scheduler_is_reported(
     tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As a process of its own, which is killed."""
+    """The scheduler is a separate process, which is killed."""
     monkeypatch.setattr(cluster_module, "START_TIMEOUT", 1.0)
     words = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--no-dashboard"]
     words += ["--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(tmp_path / "where")]
@@ -326,7 +330,7 @@ def test_a_lost_scheduler_is_reported(
         scheduler.wait()
 
 
-def test_without_the_package_it_is_named(
+def test_a_missing_package_is_named(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
@@ -350,8 +354,8 @@ def test_plans_that_cannot_be_adjusted_are_refused() -> None:
     assert run_monte_carlo(own, 2).sigmas.shape == (2, 3)
 
 
-def test_balls_are_surveyed_too() -> None:
-    """On a calm sea and without errors the points lie on the ball, as many as the scanner has."""
+def test_balls_are_simulated() -> None:
+    """Without errors on a calm sea, all points lie on the ball, as many as the scanner measures."""
     ball = Ball("S1", (0.0, -13.0, 6.0), 0.2)
     found = run_monte_carlo(SMALL.with_targets((*SMALL.targets, ball)), 3)
     assert found.failed == 0
@@ -368,7 +372,7 @@ def test_balls_are_surveyed_too() -> None:
     assert exact.radii == {"S1": 0.2}
 
 
-def test_the_words_say_which_sigma_is_too_small() -> None:
+def test_the_summary_names_the_sigma_that_is_too_small() -> None:
     generator = np.random.default_rng(3)
     sigmas, alone = np.full((400, 3), 1e-4), np.eye(3)
     found = MonteCarloResult(
@@ -387,8 +391,8 @@ def test_the_words_say_which_sigma_is_too_small() -> None:
     assert any("are smaller than predicted" in said for said in small.summary_texts)
 
 
-def test_chi_square_knows_that_angles_go_together() -> None:
-    """Errors drawn with a covariance, against scipy's distribution of so many."""
+def test_chi_square_uses_the_correlation_of_the_angles() -> None:
+    """Errors drawn with a known covariance, against the chi-square distribution of SciPy."""
     covariance = 1e-8 * np.array([[4.0, -1.9, 0.3], [-1.9, 1.0, 0.2], [0.3, 0.2, 2.0]])
     sigma = np.sqrt(np.diag(covariance))
     correlation = covariance / np.outer(sigma, sigma)
@@ -401,7 +405,7 @@ def test_chi_square_knows_that_angles_go_together() -> None:
     assert found.chi_square == pytest.approx(sum(each), rel=1e-9)
 
 
-def test_a_cancelled_campaign_reports_what_was_finished_if_that_is_enough() -> None:
+def test_a_cancelled_campaign_reports_its_finished_surveys_if_enough() -> None:
     def cancelled_after(count: int) -> Callable[[float, str], None]:
         def progress(fraction: float, step: Step | None = None) -> None:
             if fraction >= count / 14:
@@ -423,7 +427,7 @@ def test_a_cancelled_campaign_reports_what_was_finished_if_that_is_enough() -> N
 
 @pytest.fixture(scope="module")
 def certificates(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path, Path]:
-    """An authority, a certificate that it has signed for this computer, and its key."""
+    """Certificate authority, a certificate signed by it for this computer, and its key."""
     openssl = shutil.which("openssl")
     if openssl is None:
         pytest.skip("openssl is not installed")
@@ -472,10 +476,10 @@ def test_a_cluster_is_reached_by_tls(
         assert raised.value.code == "cluster.unusable_certificates"
 
 
-def test_a_scheduler_without_the_certificate_is_not_spoken_to(
+def test_a_scheduler_without_the_certificate_is_refused(
     certificates: tuple[Path, Path, Path], cluster: distributed.LocalCluster
 ) -> None:
-    """One who answers on the address in the place of the scheduler."""
+    """Another server answers at the address of the scheduler."""
     address = cluster.scheduler_address.replace("tcp://", "tls://")
     with (
         pytest.raises(LispacError) as raised,
@@ -503,7 +507,7 @@ def test_tls_is_the_protocol_to_other_computers(address: str, url: str) -> None:
 @pytest.mark.parametrize(
     "address", ["tcp://192.168.1.20:8786", "tcp://office-7:8786", "tcp://localhost.evil.org:1"]
 )
-def test_plain_tcp_to_other_computers_has_to_be_accepted(
+def test_plain_tcp_to_other_computers_requires_an_option(
     address: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(cluster_module, "CONNECT_TIMEOUT", 0.2)

@@ -1,4 +1,4 @@
-"""What a user chooses of the finder: used, kept with the target, and used again."""
+"""Tests of the finder choices of the user: use, storage with the target, and reselection."""
 
 import json
 import shutil
@@ -34,7 +34,7 @@ def survey(demo_project: Project) -> Survey:
     return load_survey(demo_project)
 
 
-def test_the_usual_choices_are_those_of_the_finder() -> None:
+def test_the_default_choices_are_those_of_the_finder() -> None:
     assert DEFAULT_CHOICES.settings() == FinderSettings()
     assert CHOSEN.settings(radius=3.0) == FinderSettings(
         radius=3.0, min_points=50, max_tilt=radians(8.0), stop=0.9, seed=7
@@ -48,12 +48,12 @@ def test_the_usual_choices_are_those_of_the_finder() -> None:
         {"stop": 0.0}, {"stop": inf}, {"seed": -1},
     ],
 )  # fmt: skip
-def test_what_cannot_be_worked_with_is_refused(wrong: dict[str, Any]) -> None:
+def test_invalid_choices_are_refused(wrong: dict[str, Any]) -> None:
     with pytest.raises(InputError, match=next(iter(wrong))):
         FinderChoices(**wrong)
 
 
-def test_choices_decide_what_is_found(demo_project: Project, survey: Survey) -> None:
+def test_choices_determine_which_points_are_found(demo_project: Project, survey: Survey) -> None:
     usual = find_target(demo_project, survey, SEED, name="T1")
     assert usual.choices == DEFAULT_CHOICES
     sizes = sorted(len(sighting.indices) for sighting in usual.sightings)
@@ -79,7 +79,7 @@ def test_choices_decide_what_is_found(demo_project: Project, survey: Survey) -> 
         np.testing.assert_array_equal(one.indices, other.indices)
 
 
-def test_points_are_selected_again_with_them(
+def test_reselection_uses_the_choices_of_the_target(
     demo_project: Project, survey: Survey, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     target = find_target(demo_project, survey, SEED, name="T1", choices=CHOSEN)
@@ -100,12 +100,12 @@ def test_points_are_selected_again_with_them(
         )
     ]  # fmt: skip
     assert again.choices == CHOSEN
-    # With more points wanted than there are, none is found again and all stay as they were.
+    # If more points are required than exist, nothing is found and the target does not change.
     many = replace(target, choices=FinderChoices(min_points=1_000_000))
     assert reselection.reselect_target(many, clouds, clouds) is many
 
 
-def test_kept_in_the_project_where_they_are_not_the_usual_ones(tmp_path: Path) -> None:
+def test_the_project_stores_choices_other_than_the_default(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     first = replace(project.targets[0], choices=CHOSEN)
     project = replace(project, targets=(first, *project.targets[1:]))
@@ -131,14 +131,14 @@ def test_kept_in_the_project_where_they_are_not_the_usual_ones(tmp_path: Path) -
         assert code in codes_of(refused.value)
 
 
-def test_a_project_from_before_has_the_usual_ones(tmp_path: Path) -> None:
+def test_a_project_of_an_earlier_version_has_the_default_choices(tmp_path: Path) -> None:
     old = Path(__file__).parent / "data" / "project-3"
     read = read_project(Path(shutil.copytree(old, tmp_path / "old")))
     assert read.result is not None
     assert {target.choices for target in read.targets} == {DEFAULT_CHOICES}
 
 
-def test_chosen_at_the_command_line(
+def test_choices_can_be_given_at_the_command_line(
     capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
 ) -> None:
     folder = shutil.copytree(demo_project.folder, tmp_path / "demo")
@@ -159,7 +159,7 @@ def test_chosen_at_the_command_line(
             code = int(stop.code or 0)
         assert code == 2, wrong
     capsys.readouterr()
-    # A list takes them too.
+    # The choices apply to a list of seeds too.
     path = tmp_path / "targets.txt"
     path.write_text("T9 " + " ".join(str(value) for value in SEED))
     assert main(["pick", str(folder), "--seeds", str(path), *chosen]) == 0

@@ -1,4 +1,4 @@
-"""The survey of a real vessel, from its binary points alone: their states are the trajectory."""
+"""Tests of CIDCO point files whose states are used as the trajectory, on a real survey."""
 
 import json
 from pathlib import Path
@@ -25,7 +25,7 @@ BALLS = {
 
 @pytest.fixture(scope="module")
 def files(shared_data: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    """The objects of each line one after the other, and those of both, as by a copy command."""
+    """Concatenated object files of each line, and of both lines."""
     folder = tmp_path_factory.mktemp("vessel")
     both = b""
     for line in (1, 2):
@@ -38,7 +38,7 @@ def files(shared_data: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[s
 
 
 @pytest.mark.parametrize("origin", ["0 0 0", "46.8 -71.2 20", "-33.9, 151.2, -5"])
-def test_states_and_points_come_back_wherever_the_frame_stands(
+def test_states_and_points_do_not_depend_on_the_origin_of_the_frame(
     files: dict[str, Path], origin: str
 ) -> None:
     rows = np.fromfile(files["states"], "<f8").reshape(-1, 22)
@@ -75,7 +75,7 @@ def test_assumptions_are_reported(files: dict[str, Path]) -> None:
     assert found.facts["Records"] == note("fact.states", count=983)
 
 
-def test_what_is_no_trajectory_is_refused(tmp_path: Path) -> None:
+def test_invalid_origins_and_contradictory_states_are_refused(tmp_path: Path) -> None:
     path = point_files.cidco(tmp_path / "a")
     rows = np.fromfile(path, "<f8").reshape(-1, 22)
     for origin in ("here", "1 2", "95 0 0", "nan 0 0"):
@@ -119,7 +119,7 @@ def test_impossible_states_are_refused(
     assert refused.value.code == code
 
 
-def test_standard_deviations_are_warned_about_as_in_other_formats(tmp_path: Path) -> None:
+def test_standard_deviations_of_zero_give_a_warning(tmp_path: Path) -> None:
     path = point_files.cidco(tmp_path / "a")
     rows = np.fromfile(path, "<f8").reshape(-1, 22)
     rows[:, [13, 14, 15, 19, 20, 21]] = 0.0
@@ -130,7 +130,7 @@ def test_standard_deviations_are_warned_about_as_in_other_formats(tmp_path: Path
 def test_the_vessel_is_calibrated_from_the_command_line(
     files: dict[str, Path], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """As the manual says; the balls of the two lines come nearer to each other."""
+    """The commands of the manual; the calibration brings the balls of the two lines together."""
 
     def run(*words: object) -> str:
         assert main([str(word) for word in words]) == 0
@@ -145,13 +145,13 @@ def test_the_vessel_is_calibrated_from_the_command_line(
         run("pick", project, "--name", name, "--seed", *seed, "--shape", "sphere",
             "--sphere-radius", 0.1, "--radius", 0.6)  # fmt: skip
     found = json.loads(run("estimate", project, "--json"))
-    # 35 and 22 mm: two opposite lines see yaw badly, so the angles themselves are not asked for.
+    # 35 and 22 mm: two opposite lines determine yaw badly, so the angles are not tested.
     assert found["rms_after_m"] < 0.7 * found["rms_before_m"]
     moved = np.array(list(found["boresight_deg"].values())) - STORED
     assert np.abs(moved).max() < 2.0
 
 
-def test_a_point_at_a_state_has_its_pose_beside_a_gap_too() -> None:
+def test_a_point_at_a_state_next_to_a_gap_has_a_pose() -> None:
     time = np.array([0.0, 1.0, 2.0, 100.0, 101.0, 200.0])
     still = np.zeros((6, 3))
     track = LocalTrajectory(LocalFrame(0.8, 0.1, 0.0), time, still, still, 1.5)

@@ -1,4 +1,4 @@
-"""The command line from raw files to report, and what it says when it refuses."""
+"""Tests of the command line from raw files to the report, and of its refusals."""
 
 import json
 import pkgutil
@@ -34,7 +34,7 @@ def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, s
 
 
 def import_workflow() -> None:
-    """Import what the commands import when they run, before a test replaces a part of it.
+    """Import the modules that commands import at run time, before a test replaces a function.
 
     A module that is imported while a function is replaced keeps the replacement.
     """
@@ -69,7 +69,9 @@ def new_words(project: Path, raw: Path, *lines: Path) -> list[object]:
     ]  # fmt: skip
 
 
-def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path) -> None:
+def test_all_commands_from_raw_files_to_the_report(
+    capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
+) -> None:
     project = tmp_path / "quay"
     made = answer(capsys, *new_words(project, raw))
     assert len(made["points"]) == 6
@@ -134,7 +136,9 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
     assert "ÉTALONNÉ" in french.read_text(encoding="utf-8")
 
 
-def test_demo_prints_answer_truth_and_report(printed_demo: tuple[Path, int, str, str]) -> None:
+def test_demo_prints_the_result_the_truth_and_the_report(
+    printed_demo: tuple[Path, int, str, str],
+) -> None:
     folder, code, out, err = printed_demo
     assert code == 0, err
     assert laspy.read(folder / "raw" / "L1_000.laz").header.point_count > 10_000
@@ -202,7 +206,7 @@ def test_wrong_usage(capsys: pytest.CaptureFixture[str], words: list[str]) -> No
     assert err
 
 
-def test_numbers_with_an_exponent_are_numbers(capsys: pytest.CaptureFixture[str]) -> None:
+def test_numbers_with_an_exponent_are_accepted(capsys: pytest.CaptureFixture[str]) -> None:
     missing = command_error(
         "estimate", "--planes", "none.txt", "--lever-arm", "-1e-3", "-.5E-2", "1e-3"
     )
@@ -215,7 +219,9 @@ def test_a_plane_file_given_twice_is_wrong_usage(capsys: pytest.CaptureFixture[s
     assert "given twice" in err
 
 
-def test_no_project_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_a_folder_without_a_project_is_refused(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
     for command in ("estimate", "validate"):
         assert command_error(command, tmp_path / "none").code == "project.not_found"
 
@@ -291,7 +297,7 @@ def test_text_line_with_named_columns(
     refused_with("text.columns_missing", *other, "--columns", "time,x,y", missing=("z",))
 
 
-def test_a_refused_pick_leaves_the_project_as_it_was(
+def test_a_refused_pick_does_not_change_the_project(
     capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path
 ) -> None:
     project = tmp_path / "project"
@@ -300,7 +306,7 @@ def test_a_refused_pick_leaves_the_project_as_it_was(
     refused(capsys, "pick", project, "--seed", 900, 900, 900, "--name", "T1")
     refused(capsys, "pick", project, "--seed", 1, 1, 1, "--name", "T1", "--line", "L77")
     assert (project / "project.json").read_bytes() == before
-    # One line only: the target is found, but nothing compares it.
+    # With one line the target is found, but there is nothing to compare it with.
     answer(capsys, "pick", project, "--seed", 1.15, -14.7, 8.1, "--name", "T1")
     picked = (project / "project.json").read_bytes()
     assert "estimate.one_line" in codes_of(command_error("estimate", project))

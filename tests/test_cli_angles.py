@@ -1,4 +1,4 @@
-"""``lispac angles``: what it prints, that it cannot be misread, and what it refuses."""
+"""Tests of ``lispac angles``: its output, its notes and its refusals."""
 
 import json
 from pathlib import Path
@@ -51,7 +51,7 @@ def refused(capsys: pytest.CaptureFixture[str], *words: object, code: int = 1) -
 
 
 def row(text: str, label: str) -> list[float]:
-    """The numbers of the row that begins with a label."""
+    """Numbers of the row that begins with a label."""
     line = next(line for line in text.splitlines() if line.startswith(label))
     return [float(word) for word in line[12:].split("(")[0].split()]
 
@@ -76,7 +76,7 @@ def test_to_applanix(capsys) -> None:
     assert "yawed 0.399 deg to starboard" in text
 
 
-def test_names_go_with_numbers_where_the_order_differs(capsys) -> None:
+def test_angles_have_names_if_their_order_differs(capsys) -> None:
     text = printed_by(capsys, 0.1, 0.2, 0.3, "--to", "novatel")
     heads = next(line for line in text.splitlines() if "X rotation    Y rotation" in line)
     assert heads.split() == ["degrees", "X", "rotation", "Y", "rotation", "Z", "rotation"]
@@ -88,14 +88,14 @@ def test_names_go_with_numbers_where_the_order_differs(capsys) -> None:
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS if each.status != "verified"])
-def test_nothing_that_is_assumed_is_called_type_in(capsys, key: str) -> None:
+def test_unverified_systems_are_marked_as_assumed(capsys, key: str) -> None:
     text = printed_by(capsys, 0.1, -0.2, 0.3, "--to", key)
     assert "ENTER" not in text
     assert "ASSUMED:" in text.split("\nTO ")[1]
     assert answer(capsys, 0.1, -0.2, 0.3, "--to", key)["to"]["assumption"]
 
 
-def test_there_and_back_by_the_command_line(capsys) -> None:
+def test_conversion_there_and_back_gives_the_same_angles(capsys) -> None:
     for key in ("applanix", "novatel", "hypack", "opals", "phoenix", "terrascan"):
         there = answer(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
         back = answer(capsys, *there["angles_deg"].values(), "--lever-arm", *there["lever_arm_m"],
@@ -104,7 +104,7 @@ def test_there_and_back_by_the_command_line(capsys) -> None:
         assert back["lever_arm_m"] == pytest.approx([1, -2, 3], abs=1e-9)
 
 
-def test_negative_and_tiny_numbers_are_numbers(capsys) -> None:
+def test_negative_and_tiny_numbers_are_accepted(capsys) -> None:
     content = answer(capsys, "--to", "lispac", "-1e-3", "-.5", "-2")
     assert list(content["to"]["angles_deg"].values()) == pytest.approx([-0.001, -0.5, -2])
 
@@ -126,13 +126,13 @@ def test_correction_to_present_settings(capsys) -> None:
     np.testing.assert_allclose(found["matrix"], turns["correction_deg"].as_matrix(), atol=1e-12)
 
 
-def test_a_sum_that_is_good_enough_is_reported_as_such(capsys) -> None:
+def test_a_sum_of_angles_that_is_accurate_enough_is_reported(capsys) -> None:
     text = printed_by(capsys, 0.01, -0.02, 0.01, "--to", "applanix", "--current", 0.01, 0.01, 0)
     assert "less than 1 mm at 100 m" in text
     assert "Do not add" not in text
 
 
-def test_lines_already_turned(capsys) -> None:
+def test_the_current_angles_may_already_be_applied(capsys) -> None:
     words = ("--to", "applanix", "--current", 10, 20, 30)
     nothing = answer(capsys, 0, 0, 0, *words, "--current-applied")["correction"]
     assert list(nothing["new_deg"].values()) == pytest.approx([10, 20, 30])
@@ -160,7 +160,7 @@ def test_the_matrix_for_pdal_and_back(capsys, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("key", ["applanix", "opals", "phoenix", "hypack"])
-def test_a_matrix_is_read_as_it_is_printed(capsys, tmp_path: Path, key: str) -> None:
+def test_a_printed_matrix_can_be_read_again(capsys, tmp_path: Path, key: str) -> None:
     there = answer(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
     file = tmp_path / "matrix.txt"
     file.write_text(json.dumps(there["transform"]))
@@ -190,7 +190,7 @@ def test_a_project_gives_its_estimated_boresight_with_sigmas(
     np.testing.assert_allclose(list(own["sigma_deg"].values()), np.degrees(project.result.sigma))
     roll, pitch, yaw = own["sigma_deg"].values()
     theirs = content["to"]["sigma_deg"]
-    # Small angles: X is the pitch, Y the roll.
+    # For small angles X is the pitch and Y is the roll.
     assert list(theirs.values()) == pytest.approx([pitch, roll, yaw], rel=0.05)
     assert content["from"]["lever_arm_m"] == pytest.approx(list(project.settings.lever_arm))
     text = printed_by(capsys, project.folder, "--to", "applanix")
@@ -200,7 +200,7 @@ def test_a_project_gives_its_estimated_boresight_with_sigmas(
     assert "lever arm   X forward" in alone
 
 
-def test_at_the_pole_one_sentence_says_what_is_done(capsys) -> None:
+def test_gimbal_lock_is_reported(capsys) -> None:
     text = printed_by(capsys, 20, 90, 50, "--to", "applanix")
     assert "The pitch is -90 deg" in text
     assert row(text, "given") == [20.0, 90.0, 50.0]
@@ -242,13 +242,15 @@ def test_an_uncalibrated_project_is_refused(capsys, demo_project: Project) -> No
 
 
 def given_matrix(capsys, angles, *words) -> list[float]:
-    """Scanner to body of some angles as the command prints it."""
+    """Numbers of the matrix from scanner to body, as the command prints them."""
     found = answer(capsys, *angles, "--lever-arm", 0, 0, 0, *words)["from"]["transform"]
     return np.round(np.array(found)[:3, :3], 12).ravel().tolist()
 
 
 @pytest.mark.parametrize("key", ["applanix", "novatel", "opals", "terrascan", "hypack"])
-def test_a_present_matrix_does_what_present_angles_do(capsys, tmp_path: Path, key: str) -> None:
+def test_a_present_matrix_has_the_same_effect_as_present_angles(
+    capsys, tmp_path: Path, key: str
+) -> None:
     now = (0.1, 1.0, -3.0)
     words = (0.125, -1.192, 0.276, "--to", key)
     numbers = given_matrix(capsys, now, "--from", key)
@@ -268,7 +270,7 @@ def test_a_present_matrix_does_what_present_angles_do(capsys, tmp_path: Path, ke
     )
 
 
-def test_correction_of_a_program_that_takes_a_matrix_only(capsys) -> None:
+def test_the_correction_of_a_program_that_accepts_only_a_matrix(capsys) -> None:
     now = Rotation.from_euler("ZYX", [3.0, -1.0, 0.5], degrees=True).as_matrix()
     words = (0.4395, -1.8681, 0.3992, "--to", "pdal")
     numbers = np.round(now, 12).ravel().tolist()
@@ -281,13 +283,13 @@ def test_correction_of_a_program_that_takes_a_matrix_only(capsys) -> None:
     assert "replaces the current matrix" in text
 
 
-def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path) -> None:
+def test_the_lever_arm_of_a_present_4x4_matrix_is_kept_or_replaced(capsys, tmp_path: Path) -> None:
     now = np.eye(4)
     now[:3, :3] = Rotation.from_euler("ZYX", [3.0, -1.0, 0.5], degrees=True).as_matrix()
     now[:3, 3] = 0.12, -0.34, 2.5
     numbers = np.round(now, 12).ravel().tolist()
     words = (0.4395, -1.8681, 0.3992, "--to", "applanix", "--current-matrix", *numbers)
-    # None given: taken over
+    # Without a given lever arm the present one is kept
     found = answer(capsys, *words)
     assert found["to"]["lever_arm_m"] == pytest.approx([0.12, -0.34, 2.5], abs=1e-12)
     assert found["correction"]["lever_arm"] == "taken over"
@@ -300,7 +302,7 @@ def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path)
     assert message_text(note("convention.lever_arm_kept")) in " ".join(text.split())
     printed = text.splitlines()[-4:]
     np.testing.assert_allclose(np.loadtxt(printed), new, atol=1e-10)
-    # Given: replaces the present one
+    # A given lever arm replaces the present one
     found = answer(capsys, *words, "--lever-arm", 0.1, 0.3, -2.4)
     assert found["to"]["lever_arm_m"] == pytest.approx([0.1, -0.3, 2.4], abs=1e-12)
     np.testing.assert_allclose(
@@ -313,7 +315,7 @@ def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path)
     assert message_text(note("convention.lever_arm_turned")) in applied
 
 
-def test_a_present_matrix_that_is_none_is_refused(capsys, tmp_path: Path) -> None:
+def test_an_invalid_present_matrix_is_refused(capsys, tmp_path: Path) -> None:
     words = (1, 2, 3, "--to", "applanix", "--current-matrix")
     assert "Give 9 numbers" in refused(capsys, *words, 1, 0, 0)
     assert "not a rotation" in refused(capsys, *words, *[1, 0, 0, 0, 2, 0, 0, 0, 1])

@@ -1,4 +1,4 @@
-"""``lispac compare`` on projects: the answer, the words, and what is refused."""
+"""Tests of ``lispac compare`` on projects: its result, its notes and its refusals."""
 
 import shutil
 from dataclasses import replace
@@ -19,7 +19,7 @@ from tests.test_cli import answer, run
 
 
 def surveyed_again(folder: Path, off_deg: tuple[float, float, float]) -> Project:
-    """Another survey with the same mounting, its answer off by so much."""
+    """Another survey with the same mounting; its boresight is off by ``off_deg``."""
     project = with_lines_of_its_own(sample_project(folder))
     result = project.result
     assert result is not None
@@ -29,7 +29,7 @@ def surveyed_again(folder: Path, off_deg: tuple[float, float, float]) -> Project
     return project
 
 
-def test_three_surveys(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_three_surveys_are_compared(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     first = surveyed_again(tmp_path / "july", (0.0, 0.0, 0.0))
     surveyed_again(tmp_path / "august", (0.01, -0.01, 0.02))
     surveyed_again(tmp_path / "october", (0.0, 0.2, 0.0))
@@ -57,7 +57,9 @@ def test_three_surveys(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> No
     assert "DIFFER (p < 0.001)" in out
 
 
-def test_what_the_two_share_is_reported(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_shared_lines_and_lever_arms_are_reported(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
     first = surveyed_again(tmp_path / "a", (0.0, 0.0, 0.0))
     other = replace(
         first, folder=tmp_path / "b", settings=replace(first.settings, lever_arm=(0.0, 0.0, 2.0))
@@ -114,7 +116,9 @@ def test_copies_of_lines_are_the_same_lines(tmp_path: Path) -> None:
     assert len(shared_lines(first, copied)) == len(first.lines) - 2
 
 
-def test_what_cannot_be_compared(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_projects_that_cannot_be_compared_are_refused(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
     project = surveyed_again(tmp_path / "a", (0.0, 0.0, 0.0))
     assert command_error("compare", project.folder, project.folder).code == "repeat.given_twice"
     write_project(replace(project, folder=tmp_path / "bare", result=None, validation=()))
@@ -123,7 +127,7 @@ def test_what_cannot_be_compared(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert "bare" in str(refusal)
 
 
-def test_the_nearest_point_knows_no_radius(
+def test_the_nearest_point_accepts_no_radius(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     code, _, error = run(capsys, "validate", tmp_path, "--distance-to", "point", "--radius", "1")
@@ -131,9 +135,11 @@ def test_the_nearest_point_knows_no_radius(
     assert "do not apply to --distance-to point" in error
 
 
-def test_what_makes_two_answers_hard_to_compare_is_reported(tmp_path: Path) -> None:
+def test_differences_that_limit_a_comparison_are_reported(tmp_path: Path) -> None:
     first, second = (sample_project(tmp_path / name) for name in ("a", "b"))
-    assert comparability_notes(("a", "b"), (first, second)) == []  # the same lines: told elsewhere
+    assert (
+        comparability_notes(("a", "b"), (first, second)) == []
+    )  # the same lines are reported elsewhere
     settings = replace(first.settings, pos_errors="independent", lever_arm=(0.0, 0.0, 1.0))
     other = replace(second, settings=settings, lines=second.lines[:2])
     first.lines[0].path.unlink()

@@ -1,4 +1,4 @@
-"""How the command line shows progress, and how it ends when something stops it."""
+"""Tests of the progress line of commands and of their end after errors and interrupts."""
 
 import io
 import runpy
@@ -16,13 +16,13 @@ from tests.command_errors import command_error
 
 
 class Terminal(io.StringIO):
-    """What is written to a screen."""
+    """Text stream that claims to be a terminal."""
 
     def isatty(self) -> bool:
         return True
 
 
-def test_progress_is_one_line_that_is_taken_away(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_is_one_line_that_is_cleared(monkeypatch: pytest.MonkeyPatch) -> None:
     screen = Terminal()
     monkeypatch.setattr(sys, "stderr", screen)
     now = 100.0
@@ -33,12 +33,12 @@ def test_progress_is_one_line_that_is_taken_away(monkeypatch: pytest.MonkeyPatch
         now += 0.2
         progress(0.5, "Done")
     first = "  5% Reading the lines"
-    # The shorter text covers the longer one, and the end leaves an empty line.
+    # The shorter text is padded to cover the longer one, and the line is blank at the end.
     second = " 50% Done"
     assert screen.getvalue() == (f"\r{first}\r{second.ljust(len(first))}\r{' ' * len(second)}\r")
 
 
-def test_progress_leaves_a_file_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_is_not_written_to_a_file(monkeypatch: pytest.MonkeyPatch) -> None:
     log = io.StringIO()
     monkeypatch.setattr(sys, "stderr", log)
     with ConsoleProgress() as progress:
@@ -67,7 +67,7 @@ def test_a_window_needs_a_display_on_linux_only(
     assert has_display() is there
 
 
-CHECK = "Check the path, the disk and the permissions."
+SUGGESTED_CHECK = "Check the path, the disk and the permissions."
 
 
 @pytest.mark.parametrize(
@@ -77,12 +77,12 @@ CHECK = "Check the path, the disk and the permissions."
         (KeyboardInterrupt(), "lispac: interrupted.\n"),
         (Cancelled(), "lispac: interrupted.\n"),
         (OSError(28, "No space left on device", "/d/a.laz"),
-         f"lispac: /d/a.laz: No space left on device. {CHECK}\n"),
-        (OSError("gone"), f"lispac: a file: gone. {CHECK}\n"),
-        (BrokenPipeError(), ""),  # the reader of the output has gone: nobody is left to be told
+         f"lispac: /d/a.laz: No space left on device. {SUGGESTED_CHECK}\n"),
+        (OSError("gone"), f"lispac: a file: gone. {SUGGESTED_CHECK}\n"),
+        (BrokenPipeError(), ""),  # the reader of the output has closed it
     ],
 )  # fmt: skip
-def test_what_stops_a_command_is_one_plain_line(
+def test_an_error_or_interrupt_is_printed_as_one_line(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
     error: BaseException, said: str,
 ) -> None:  # fmt: skip
@@ -94,7 +94,7 @@ def test_what_stops_a_command_is_one_plain_line(
     assert capsys.readouterr() == ("", said)
 
 
-def test_the_module_is_a_program(
+def test_the_module_can_be_run(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     none = tmp_path / "none"

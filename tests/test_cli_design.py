@@ -1,4 +1,4 @@
-"""The design of a site at the command line: predict, scenarios, design, compare-plan."""
+"""Tests of the commands for the design of a site: predict, scenarios, design, compare-plan."""
 
 import csv
 import shutil
@@ -27,7 +27,7 @@ QUAY = Path(__file__).parents[1] / "resources" / "sites" / "quay.toml"
 
 
 def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> str:
-    """What a command that goes well prints."""
+    """Output of a command that succeeds."""
     code, out, err = run(capsys, *words)
     assert code == 0, err
     return out
@@ -44,7 +44,7 @@ def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
     assert "correlation roll-pitch" in said
 
 
-def test_what_is_not_determined_is_reported(
+def test_undetermined_plans_are_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     text = PORT.read_text()
@@ -73,7 +73,7 @@ def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
         rows = list(csv.DictReader(file))
     assert len(rows) == 2 * (11 + 4)
     assert {path.name for path in folder.iterdir()} == {"scenarios.csv", "lines.svg", "size.svg"}
-    # The thesis's scenarios have its own boards, wherever the plan's wall is
+    # The scenarios of the thesis have their own boards, wherever the wall of the plan is
     assert run(capsys, "scenarios", PORT, "--only", "size")[1].count("not determined") == 0
     found = answer(capsys, "scenarios", PORT, "--only", "distance")
     assert {each["scenario"] for each in found["outcomes"]} == {"distance"}
@@ -112,9 +112,7 @@ def test_names_in_the_table_of_a_design_are_text(tmp_path: Path) -> None:
     assert [each.name for each in read_plan(tmp_path / "plan.toml").plan.targets] == [name, "T2"]
 
 
-def test_limits_that_make_no_sense_are_refused(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+def test_invalid_limits_are_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     site = tmp_path / "site.toml"
     site.write_text(QUAY.read_text().replace("on_site_min = 60", "on_site_min = 5"))
     assert "longer than the 5.0 minutes available" in refused(capsys, "design", site)
@@ -123,7 +121,7 @@ def test_limits_that_make_no_sense_are_refused(
 def test_replay_of_the_built_in_survey(
     calibrated: tuple[Project, Survey], capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    """All its points, its rolling vessel, its helmsman: the sigmas stated are those foretold."""
+    """With the surveyed points and motion, the estimated sigmas agree with the predicted ones."""
     folder = tmp_path / "port"
     shutil.copytree(calibrated[0].folder, folder)
     found = answer(capsys, "compare-plan", folder, "--plan", PORT)

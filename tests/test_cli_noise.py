@@ -1,4 +1,4 @@
-"""LiDAR noise and prior offsets at the command line do what the same settings of a project do."""
+"""Tests of the options for LiDAR noise and prior offsets, of projects and of plane files."""
 
 import math
 from pathlib import Path
@@ -12,7 +12,7 @@ from lispac.workflow.project import projects
 from tests.test_cli import answer, new_words, run
 
 SEEDS = {"T1": (1.15, -14.7, 8.1), "T2": (-1.1, -14.38, 7.7)}
-ONLY_THESE = ("--no-cross-checks", "--surface", 0.0, "--loss", "none")
+WITHOUT_DIAGNOSTICS = ("--no-cross-checks", "--surface", 0.0, "--loss", "none")
 
 
 @pytest.fixture(scope="module")
@@ -42,14 +42,14 @@ def test_noise_and_offsets_of_a_project(
     assert stated.longest_gap == 2.5
 
     def estimated(*words: object) -> dict[str, Any]:
-        return answer(capsys, "estimate", project, *ONLY_THESE, *words)
+        return answer(capsys, "estimate", project, *WITHOUT_DIAGNOSTICS, *words)
 
     axis = estimated("--lidar-sigma", 0.004)
     settings = projects.open_project(project).settings
     assert (settings.lidar_sigma, settings.lidar_sigma_xyz) == (0.004, None)
     alike = estimated("--lidar-sigma-xyz", 0.004, 0.004, 0.004)
     np.testing.assert_allclose(angles(alike), angles(axis), rtol=0, atol=1e-9)
-    # The boards tell pitch by ranges, and these are stated fifteen times worse.
+    # Pitch is determined by the ranges, whose given sigma is now fifteen times larger.
     beam = estimated("--lidar-beam-sigma", 0.06, 0.02)
     settings = projects.open_project(project).settings
     assert (settings.lidar_sigma_xyz, settings.lidar_beam_sigma) == (None, (0.06, 0.02))
@@ -57,7 +57,7 @@ def test_noise_and_offsets_of_a_project(
     estimated("--lidar-sigma", 0.004)
     assert projects.open_project(project).settings.lidar_beam_sigma is None
 
-    # A turn of the beams about the scanner's x axis is a roll: the boresight takes it back.
+    # A rotation of the beams about the x axis of the scanner is a roll; the boresight absorbs it.
     turned = estimated("--scan-angle-offset", 0.3)
     assert turned["boresight_deg"]["roll"] == pytest.approx(
         axis["boresight_deg"]["roll"] - 0.3, abs=0.01
@@ -67,7 +67,7 @@ def test_noise_and_offsets_of_a_project(
     assert (settings.range_offset, settings.latency) == (0.05, -0.02)
     assert settings.scan_angle_offset_deg == 0
     assert np.abs(angles(longer) - angles(axis)).max() > 0.01
-    # Estimated besides, the wrong prior is found to be wrong.
+    # If the latency is estimated too, its wrong prior is detected.
     found = estimated("--estimate", "latency")["parameters"][0]
     assert found["prior"] == -0.02
     assert abs(found["value"]) < 4 * found["sigma"] < 0.02
@@ -103,7 +103,7 @@ def test_noise_and_offsets_of_plane_files(
         ("--latency", "soon"),
     ],
 )
-def test_noise_that_cannot_be_meant(capsys: pytest.CaptureFixture[str], words: Any) -> None:
+def test_invalid_noise_options_are_refused(capsys: pytest.CaptureFixture[str], words: Any) -> None:
     code, out, err = run(capsys, "estimate", "p", *words)
     assert (code, out) == (2, "")
     assert err

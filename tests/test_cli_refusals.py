@@ -1,4 +1,4 @@
-"""What the command line refuses before anything is read, and exit code 2 with it."""
+"""Tests of refused options, which end a command with exit code 2, and of `lispac inspect`."""
 
 from pathlib import Path
 
@@ -7,7 +7,7 @@ import pytest
 
 from tests.test_cli import run
 
-PLANES = ["estimate", "--planes", "a.txt", "--lever-arm", "0", "0", "0"]
+ESTIMATE_PLANES = ["estimate", "--planes", "a.txt", "--lever-arm", "0", "0", "0"]
 
 
 @pytest.mark.parametrize(
@@ -19,25 +19,25 @@ PLANES = ["estimate", "--planes", "a.txt", "--lever-arm", "0", "0", "0"]
          "patchtest: give objects with --object, or detect some with --count."),
         (["patchtest", "p", "--object", "pole=here"],
          "patchtest: pole=here is not NAME=N,W,U,A,L,H or NAME=N,W,U,A,L,H,TURN."),
-        ([*PLANES, "--latency", "0.01"],
+        ([*ESTIMATE_PLANES, "--latency", "0.01"],
          "estimate: --latency requires a project; plane files already contain interpolated "
          "positions."),
-        ([*PLANES, "--estimate", "latency=soon"],
+        ([*ESTIMATE_PLANES, "--estimate", "latency=soon"],
          "estimate: 'soon' in latency=soon is not a number."),
         (["angles", "1", "two", "3"], "angles: 1 two 3 are not three numbers."),
         (["angles", "1", "2", "inf"], "angles: an angle is not a finite number."),
     ],
 )  # fmt: skip
-def test_options_that_make_no_sense_together(
+def test_incompatible_options_are_refused(
     capsys: pytest.CaptureFixture[str], words: list[str], said: str
 ) -> None:
     assert run(capsys, *words) == (2, "", f"lispac: {said}\n")
 
 
-def test_a_parameter_nobody_knows_is_answered_with_those_there_are(
+def test_an_unknown_parameter_is_refused_with_a_list_of_the_known_ones(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    code, out, err = run(capsys, *PLANES, "--estimate", "none", "--estimate", "wobble")
+    code, out, err = run(capsys, *ESTIMATE_PLANES, "--estimate", "none", "--estimate", "wobble")
     assert (code, out) == (2, "")
     assert err.startswith("lispac: estimate: there is no parameter wobble; ")
     assert "give one of " in err
@@ -52,7 +52,7 @@ def test_a_parameter_nobody_knows_is_answered_with_those_there_are(
         (["quality", "p", "--map", "map.bmp"], "'map.bmp' does not end in .png, .svg or .pdf"),
     ],
 )  # fmt: skip
-def test_words_that_are_no_value(
+def test_invalid_option_values_are_refused(
     capsys: pytest.CaptureFixture[str], words: list[str], said: str
 ) -> None:
     code, out, err = run(capsys, *words)
@@ -60,7 +60,7 @@ def test_words_that_are_no_value(
     assert err.endswith(f"{said}\n")
 
 
-def test_a_matrix_that_holds_the_lever_arm_leaves_no_room_for_another(
+def test_a_lever_arm_beside_a_matrix_that_contains_one_is_refused(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     matrix = tmp_path / "m.txt"
@@ -72,10 +72,10 @@ def test_a_matrix_that_holds_the_lever_arm_leaves_no_room_for_another(
     assert run(capsys, *words)[0] == 0
 
 
-def test_a_file_that_is_cut_short_is_known_and_the_reason_reported(
+def test_a_file_that_is_cut_short_is_recognised_and_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    """`lispac inspect` says what it would be, and why nobody can read it."""
+    """`lispac inspect` prints the format of the file and why it cannot be read."""
     path = tmp_path / "line.las"
     path.write_bytes(b"LASF" + bytes(40))
     code, out, _ = run(capsys, "inspect", path)
@@ -84,10 +84,10 @@ def test_a_file_that_is_cut_short_is_known_and_the_reason_reported(
     assert "\n  cannot be read: " in out
 
 
-def test_a_trajectory_is_not_also_refused_as_points(
+def test_a_trajectory_is_not_reported_as_unreadable_points(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    """North and south as letters are no numbers of points; rows before the first fix are zeros."""
+    """Latitudes with letters are not coordinates of points; rows before the first fix are zero."""
     path = tmp_path / "track.txt"
     rows = [
         f"{t:.1f},0.0,0.0,0.0,0.1,0.1,0.1" if t < 2 else

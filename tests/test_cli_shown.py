@@ -1,4 +1,4 @@
-"""What commands say of answers that are there already: tables, notes and what is left out."""
+"""Tests of the tables and notes that commands print about given results."""
 
 import subprocess
 from dataclasses import replace
@@ -34,7 +34,7 @@ import_workflow()
 
 
 def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
-    """What a command that goes well prints, and what it notes."""
+    """Output and notes of a command that succeeds."""
     code, out, err = run(capsys, *words)
     assert code == 0, err
     return out, err
@@ -46,7 +46,7 @@ def quality(light: str, *reasons: Message) -> SightingQuality:
     )  # fmt: skip
 
 
-def test_only_what_is_less_than_good_is_listed_the_poor_first(
+def test_only_weak_sightings_are_listed_the_poor_ones_first(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     few, sparse = note("quality.few_points", count=48), note("quality.sparse", share=0.4)
@@ -94,13 +94,13 @@ def test_a_wider_search_for_a_target_is_noted(
 
 
 def one_line(path: Path) -> Path:
-    """A plan of one line only, which determines nothing."""
+    """Make a plan with only one line, which does not determine the angles."""
     text = (Path(__file__).parent / "data" / "port-plan.toml").read_text()
     path.write_text(text[: text.index("[[lines]]", text.index("[[lines]]") + 1)])
     return path
 
 
-def test_what_a_plan_leaves_open_has_no_number(
+def test_undetermined_angles_of_a_plan_have_no_sigma(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     plan = one_line(tmp_path / "plan.toml")
@@ -111,9 +111,7 @@ def test_what_a_plan_leaves_open_has_no_number(
     assert "without" in out
 
 
-def test_the_first_days_of_a_project_have_no_identity(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+def test_a_new_project_has_no_identity(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_project(project)
     before = (project.folder / "project.json").read_bytes()
@@ -143,7 +141,7 @@ def test_files_found_beside_a_project_that_was_moved_are_reported(
     assert printed_by(capsys, "locate", project.folder, tmp_path)[0] == "No file is missing.\n"
 
 
-def test_a_sensor_of_ones_own_that_cannot_be_read_is_noted(
+def test_an_unreadable_user_defined_sensor_is_noted(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sensors, "user_folder", lambda: tmp_path)
@@ -162,7 +160,7 @@ def test_plane_files_are_adjusted_and_reported(
     true = Mounting(np.array([0.1, -0.2, 0.3]), np.radians([0.27, -1.14, 0.36]))
     observations = planar_survey(true, points=40)
     files = [tmp_path / f"{name}.txt" for name in ("T1", "T2")]
-    nowhere = np.zeros_like(observations.points_lidar)  # what was georeferenced is not read
+    nowhere = np.zeros_like(observations.points_lidar)  # georeferenced points are not read
     for path in files:
         centre, normal = TARGETS[path.stem]
         plane = np.append(normal, -normal @ centre)
@@ -220,7 +218,7 @@ def test_the_visibility_study_is_reported_beside_the_thesis(
     assert printed_by(capsys, *words, "--hit-beams")[0] == f"1 files in {tmp_path}\n"
 
 
-def test_what_goes_with_the_angles_of_a_project_is_reported(
+def test_offsets_and_warnings_are_printed_with_the_angles_of_a_project(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     project = sample_project(tmp_path, model="independent")
@@ -240,7 +238,9 @@ def test_what_goes_with_the_angles_of_a_project_is_reported(
     assert "range offset" not in words
 
 
-def test_a_matrix_has_no_angles_to_show(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_a_system_with_a_matrix_only_shows_no_angles(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
     matrix = tmp_path / "matrix.txt"
     np.savetxt(matrix, np.eye(3))
     words = ("angles", "--from-matrix", matrix, "--from", "pdal", "--to", "lispac")
@@ -252,7 +252,7 @@ def test_a_matrix_has_no_angles_to_show(capsys: pytest.CaptureFixture[str], tmp_
     assert "lever arm" not in out, "none was given"
 
 
-def test_a_budget_shows_what_nobody_knows(
+def test_a_budget_shows_sources_of_unknown_size(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     known = ErrorSource("POS position", (PointError(0.012, 0.02, 0.01, 0.03),))
@@ -271,7 +271,7 @@ def test_a_budget_shows_what_nobody_knows(
     assert rows[-1] == english_text(note("budget.no_latency"))
 
 
-def test_a_row_for_each_distance_and_one_for_all_points(
+def test_the_table_has_a_row_for_each_distance_and_one_for_all_points(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     angles, sigma = np.radians([0.27, -1.14, 0.36]), np.radians([0.01, 0.02, 0.03])
@@ -293,7 +293,7 @@ def test_a_row_for_each_distance_and_one_for_all_points(
     assert some == ["0.10", "2,345", *of_all, "0.25"]
 
 
-def test_a_design_is_reported_beside_a_usual_plan_that_leaves_an_angle_open(
+def test_a_design_is_compared_with_a_usual_plan_that_is_undetermined(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     site, folder = tmp_path / "site.toml", tmp_path / "out"

@@ -1,6 +1,6 @@
-"""What commands print, keep and note on a small survey, and their answers as JSON beside it.
+"""Tests of the text and JSON output of commands on a small survey.
 
-Where an answer takes long and is tested elsewhere, the command is given a small one.
+Computations that take long and are tested elsewhere are replaced by small given results.
 """
 
 import json
@@ -33,13 +33,13 @@ from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
 from lispac.workflow.calibration.targetless import TargetlessResult
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.report_sample import sample_project
-from tests.sharing import once
+from tests.sharing import make_once
 from tests.test_absolute_warnings import check as against_reference
 from tests.test_cli import answer, import_workflow, refused, run
 
 import_workflow()
 
-SQUARE = ObjectBox(np.array([0.0, -15.0, 5.0]), np.array([2.0, 2.0, 2.0]))
+TWO_METRE_BOX = ObjectBox(np.array([0.0, -15.0, 5.0]), np.array([2.0, 2.0, 2.0]))
 
 
 def _made(folder: Path) -> Project:
@@ -48,13 +48,13 @@ def _made(folder: Path) -> Project:
 
 @pytest.fixture(scope="module")
 def small(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The built-in survey with few points; not to be changed on disk."""
-    return once(tmp_path_factory, "small", _made)
+    """The built-in survey with few points; tests must not change it on disk."""
+    return make_once(tmp_path_factory, "small", _made)
 
 
 @pytest.fixture
 def project(small: Project, tmp_path: Path) -> Project:
-    """A project of the same files, in a folder of its own."""
+    """A project of the same files in a separate folder."""
     mine = replace(small, folder=tmp_path / "mine")
     write_project(mine)
     return mine
@@ -62,24 +62,24 @@ def project(small: Project, tmp_path: Path) -> Project:
 
 @pytest.fixture(scope="module")
 def survey(small: Project) -> Survey:
-    """Its lines, laid onto each other once."""
+    """Its lines, aligned once."""
     return load_survey(small)
 
 
 @pytest.fixture
 def loaded(survey: Survey, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let a command have the survey that is loaded."""
+    """Make commands use the survey that is already loaded."""
     monkeypatch.setattr("lispac.workflow.project.survey.load_survey", lambda *_, **__: survey)
 
 
 def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
-    """What a command that goes well prints, and what it notes."""
+    """Output and notes of a command that succeeds."""
     code, out, err = run(capsys, *words)
     assert code == 0, err
     return out, err
 
 
-def test_a_script_makes_the_survey_and_changes_it(small: Project, project: Project) -> None:
+def test_a_script_creates_and_changes_a_project(small: Project, project: Project) -> None:
     assert small.targets == ()
     assert read_project(small.folder).lines == small.lines
     opened = lispac.open(project.folder)
@@ -106,15 +106,15 @@ def test_a_script_makes_the_survey_and_changes_it(small: Project, project: Proje
         assert (added.first_time, added.last_time) == (usual.first_time, usual.last_time)
 
 
-class Bench:
-    """A patch test that notes what it is asked for, and answers at once."""
+class FakePatchTest:
+    """Stand-in for the patch test that records its pairs and returns a given result."""
 
     def __init__(self) -> None:
         self.pairs: tuple[LinePair, ...] = ()
         self.line_pairs = patch_test.line_pairs
 
     def propose_objects(self, *_: object, count: int, **__: object) -> SimpleNamespace:
-        found = tuple(PatchObject(f"A0{k + 1}", SQUARE) for k in range(count))
+        found = tuple(PatchObject(f"A0{k + 1}", TWO_METRE_BOX) for k in range(count))
         return self.place_objects(None, None, found, np.radians([0.2, -1.0, 0.3]))
 
     def place_objects(
@@ -139,11 +139,11 @@ def answered(angles: np.ndarray, objects: tuple[ObjectAgreement, ...]) -> PatchT
     )  # fmt: skip
 
 
-def test_objects_and_pairs_of_a_patch_test_are_those_asked_for(
+def test_a_patch_test_uses_the_given_objects_and_pairs(
     capsys: pytest.CaptureFixture[str], project: Project, survey: Survey,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
-    bench = Bench()
+    bench = FakePatchTest()
     monkeypatch.setattr("lispac.workflow.calibration.patch_test", bench)
     placed = SimpleNamespace(mounting=project.mounting("prior"))
     shown = SimpleNamespace(heading=survey.heading, clouds=survey.clouds, alignment=placed)
@@ -190,7 +190,7 @@ def _target(name: str, role: str, north: float, one_in: int = 1) -> Target:
     return Target(name, role, (north, -15.0, 5.0), 0.01, 1.5, sightings)  # type: ignore[arg-type]
 
 
-def test_a_proposal_is_shown_with_its_reasons_and_added_on_request(
+def test_proposed_targets_are_shown_with_reasons_and_added_on_request(
     capsys: pytest.CaptureFixture[str], project: Project, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     targets = (_target("T1", "target", 1.25), _target("V1", "validation", -4.0, one_in=3))
@@ -223,11 +223,11 @@ def test_a_proposal_is_shown_with_its_reasons_and_added_on_request(
     assert [(each.name, each.role) for each in kept] == [("T1", "target"), ("V1", "validation")]
 
 
-def test_the_result_of_the_scene_is_printed_and_kept_on_request(
+def test_the_result_of_the_scene_is_printed_and_saved_on_request(
     capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
-    """The project has a target, so the result is saved beside that of the targets."""
+    """The project has a target, so the result of the scene is saved as an alternative method."""
     sighting = PickedSighting("L1_000", np.arange(50), 0.003)
     project = replace(
         project, targets=(Target("A", "target", (1.25, -15.0, 5.0), 0.015, 1.0, (sighting,)),)
@@ -254,7 +254,7 @@ def test_the_result_of_the_scene_is_printed_and_kept_on_request(
 
 
 @pytest.mark.usefixtures("loaded")
-def test_lines_that_share_nothing_are_noted_by_their_names(
+def test_lines_without_common_surfaces_are_noted_by_name(
     capsys: pytest.CaptureFixture[str], project: Project
 ) -> None:
     out, err = printed_by(capsys, "quality", project.folder)
@@ -267,7 +267,7 @@ def test_lines_that_share_nothing_are_noted_by_their_names(
 
 
 @pytest.mark.usefixtures("loaded")
-def test_surveyed_points_stand_in_a_table_of_their_own(
+def test_surveyed_points_have_a_separate_table(
     capsys: pytest.CaptureFixture[str], project: Project,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
@@ -288,7 +288,7 @@ def test_surveyed_points_stand_in_a_table_of_their_own(
     assert read_project(project.folder).absolute == found
 
 
-def test_a_script_that_cannot_find_a_file_says_so(
+def test_a_script_reports_a_missing_file(
     capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path
 ) -> None:
     line = Path(shutil.copy(project.lines[0].path, tmp_path / "L1_000.laz"))
@@ -303,7 +303,7 @@ def test_a_script_that_cannot_find_a_file_says_so(
     assert numbers == {"script": out, "messages": [err.removeprefix("note: ").rstrip("\n")]}
 
 
-def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(
+def test_a_line_with_a_damaged_store_is_imported_again(
     capsys: pytest.CaptureFixture[str], project: Project
 ) -> None:
     words = ("import", project.folder, "--lines", "L1_000")
@@ -320,7 +320,7 @@ def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(
 
 
 @pytest.mark.usefixtures("loaded")
-def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
+def test_a_seed_without_a_target_has_a_reason_in_json(
     capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
@@ -358,7 +358,7 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
 
 
 @pytest.mark.usefixtures("loaded")
-def test_nothing_to_warn_of_is_reported(
+def test_the_absence_of_warnings_is_reported(
     capsys: pytest.CaptureFixture[str], project: Project,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
@@ -370,10 +370,10 @@ def test_nothing_to_warn_of_is_reported(
     assert answer(capsys, "warnings", project.folder) == {"warnings": []}
 
 
-def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
+def test_methods_without_a_result_are_noted_with_the_reason(
     capsys: pytest.CaptureFixture[str], small: Project, tmp_path: Path
 ) -> None:
-    """One line meets nothing: no method but that of the targets has an answer."""
+    """With one line, only the method of targets has a result."""
     sample = sample_project(tmp_path / "sample")
     project = replace(small, folder=tmp_path / "p", result=sample.result, lines=small.lines[:1])
     write_project(project)
@@ -391,7 +391,7 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     assert "or --compute" in refused(capsys, "compare", project.folder)
 
 
-def test_the_trajectory_goes_out_as_text(
+def test_the_trajectory_is_exported_as_text(
     capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path
 ) -> None:
     path = tmp_path / "track.txt"

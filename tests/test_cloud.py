@@ -1,4 +1,4 @@
-"""A line on disk answers as the same line in memory does."""
+"""Tests that lines on disk and lines in memory give the same results."""
 
 import shutil
 from collections.abc import Sequence
@@ -32,7 +32,7 @@ from lispac.workflow.project.survey import Survey, load_survey
 
 
 def copied(lines: Sequence[LineSource], folder: Path) -> tuple[LineSource, ...]:
-    """Lines with copies of their files, which a test may move; other processes read the files."""
+    """Lines with copies of their files, which a test may move while others read the originals."""
     return tuple(replace(line, path=Path(shutil.copy(line.path, folder))) for line in lines)
 
 
@@ -40,7 +40,7 @@ def copied(lines: Sequence[LineSource], folder: Path) -> tuple[LineSource, ...]:
 def project(
     calibrated: tuple[Project, Survey], tmp_path_factory: pytest.TempPathFactory
 ) -> Project:
-    """The built-in survey once more, with its picks, all lines imported."""
+    """Another copy of the built-in survey with its targets; all lines are imported."""
     source, folder = calibrated[0], tmp_path_factory.mktemp("disk")
     created = create_project(
         folder / "project", trajectory=source.trajectory, lines=copied(source.lines, folder),
@@ -52,13 +52,13 @@ def project(
 
 @pytest.fixture(scope="module")
 def stored(project: Project) -> Survey:
-    """Opened from the store."""
+    """Survey of the imported lines, opened from the store."""
     return load_survey(project)
 
 
-def test_imported_lines_are_opened_where_they_lie(project: Project, stored: Survey) -> None:
+def test_imported_lines_are_opened_from_the_store(project: Project, stored: Survey) -> None:
     assert all(isinstance(cloud, CloudOnDisk) for cloud in stored.clouds.values())
-    # Without their files, too, and that is said.
+    # A missing source file does not matter, but gives a note.
     line = project.lines[0]
     moved = line.path.with_suffix(".moved")
     line.path.rename(moved)
@@ -75,7 +75,7 @@ def test_imported_lines_are_opened_where_they_lie(project: Project, stored: Surv
 
 
 @pytest.mark.parametrize("turned", [False, True])
-def test_regions_and_points_agree(
+def test_regions_and_points_on_disk_and_in_memory_agree(
     calibrated: tuple[Project, Survey], stored: Survey, turned: bool
 ) -> None:
     project, memory = calibrated
@@ -93,7 +93,7 @@ def test_regions_and_points_agree(
             found, placed = beside.numbers, beside.points
             assert region.one_in == beside.one_in == 1
             assert (np.diff(found) > 0).all()
-            # What lies on the rim to the rounding of the stored coordinates may fall either way.
+            # Points within the rounding of stored coordinates from the sphere may be in or out.
             away = np.linalg.norm(points - centre, axis=1)
             assert np.isin(numbers[away < 1.5 - 2e-5], found).all()
             assert len(np.setdiff1d(found, own.within(centre, 1.5 + 2e-5).numbers)) == 0
@@ -104,7 +104,7 @@ def test_regions_and_points_agree(
         assert len(own.within(sample[7], 1e-3).numbers), "what is shown are points of the line"
 
 
-def test_crowded_region_is_sampled_fairly(
+def test_a_crowded_region_is_sampled_evenly(
     calibrated: tuple[Project, Survey], stored: Survey, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     name = stored.lines[0]
@@ -119,12 +119,12 @@ def test_crowded_region_is_sampled_fairly(
         assert np.isin(some.numbers, whole.numbers).all()
         for of in (np.mean, np.std):
             np.testing.assert_allclose(of(some.points, axis=0), of(whole.points, axis=0), atol=0.1)
-    # On disk a point is stored to its 32-bit place, so one on the sphere may be in or out.
+    # On disk coordinates have 32 bits, so a point on the sphere may be in or out.
     apart = np.setxor1d(regions[0].numbers, regions[1].numbers)
     assert len(apart) <= 2
 
 
-def test_a_thinned_sighting_says_so_and_keeps_saying_it(
+def test_a_thinned_sighting_has_a_note_and_stores_its_factor(
     calibrated: tuple[Project, Survey], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     project, survey = calibrated
@@ -159,7 +159,7 @@ def test_one_seed_finds_the_same_points(
             assert shared > 0.995 * max(len(one.indices), len(two.indices))
 
 
-def test_same_boresight_validation_and_exports(
+def test_boresight_validation_and_exports_agree(
     calibrated: tuple[Project, Survey], project: Project, stored: Survey, tmp_path: Path
 ) -> None:
     own = calibrated[0].result
@@ -175,7 +175,7 @@ def test_same_boresight_validation_and_exports(
     assert report_content_of(validated, stored).warnings is not None
 
 
-def test_large_line_is_imported_when_the_project_is_opened(
+def test_a_large_line_is_imported_when_the_project_is_opened(
     calibrated: tuple[Project, Survey], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     source = calibrated[0]
@@ -189,7 +189,7 @@ def test_large_line_is_imported_when_the_project_is_opened(
     opened = load_survey(project)
     kinds = {name: type(cloud) for name, cloud in opened.clouds.items()}
     assert CloudOnDisk in kinds.values()
-    # What was imported stays on disk; a change of what it was made with has it made again.
+    # An imported line stays on disk; a change of its import settings imports it again.
     monkeypatch.setattr(survey_module, "MAX_POINTS_IN_MEMORY", 10**12)
     assert {n: type(c) for n, c in load_survey(project).clouds.items()} == kinds
     name = next(name for name, kind in kinds.items() if kind is CloudOnDisk)
@@ -206,7 +206,7 @@ def test_large_line_is_imported_when_the_project_is_opened(
     assert line_folder(project, line).is_dir()
 
 
-def test_new_project_of_large_lines_is_whole_or_leaves_nothing(
+def test_a_cancelled_new_project_of_large_lines_leaves_no_folder(
     calibrated: tuple[Project, Survey], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     source, folder = calibrated[0], tmp_path / "p"
@@ -230,7 +230,7 @@ def test_new_project_of_large_lines_is_whole_or_leaves_nothing(
     assert [item.seconds for item in import_lines(made)] == [0, 0]
 
 
-def test_file_mended_in_place_is_imported_again(
+def test_a_repaired_file_is_imported_again(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     source, path = calibrated[0], tmp_path / "own.las"
@@ -251,7 +251,7 @@ def test_file_mended_in_place_is_imported_again(
     np.testing.assert_allclose(found, points[changed], atol=1e-3)
 
 
-def test_folder_of_another_purpose_is_left_alone(
+def test_a_foreign_folder_in_place_of_a_store_is_not_changed(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     source = calibrated[0]

@@ -1,4 +1,4 @@
-"""Cloud-to-cloud distance: against a brute-force reference and against CloudCompare itself."""
+"""Tests of cloud-to-cloud distances against a brute-force reference and CloudCompare."""
 
 import os
 import shutil
@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 
 def brute_force(compared: Array, reference: Array, model: LocalModel = SIX_POINT_PLANE) -> Array:
-    """The definition, point by point and without any search structure."""
+    """Distances by their definition, point by point and without a search structure."""
     distances = np.empty(len(compared))
     for i, point in enumerate(compared):
         to_point = np.linalg.norm(reference - point, axis=1)
@@ -60,7 +60,7 @@ def tower(n: int, seed: int, offset: float = 0.0) -> Array:
     return np.column_stack((x, y, height))
 
 
-def test_agrees_with_brute_force_on_a_surface_and_in_a_volume() -> None:
+def test_distances_agree_with_brute_force_on_a_surface_and_in_a_volume() -> None:
     rng = np.random.default_rng(5)
     for compared, reference in (
         (tower(1500, 1, 0.02), tower(3000, 2)),
@@ -79,7 +79,7 @@ MODELS = [
 
 
 @pytest.mark.parametrize("model", MODELS, ids=lambda model: english_text(model.name))
-def test_other_models_agree_with_brute_force(model: LocalModel) -> None:
+def test_distances_of_other_models_agree_with_brute_force(model: LocalModel) -> None:
     compared, reference = tower(700, 1, 0.02), tower(3000, 2)
     np.testing.assert_allclose(
         cloud_to_cloud(compared, reference, model=model),
@@ -88,8 +88,8 @@ def test_other_models_agree_with_brute_force(model: LocalModel) -> None:
     )
 
 
-def test_a_quadric_follows_a_bend_that_a_plane_cuts() -> None:
-    """A cylinder of 0.5 m radius, points on it sparse points on it: planes lie inside."""
+def test_a_quadric_is_more_accurate_than_a_plane_on_a_curved_surface() -> None:
+    """On a cylinder of 0.5 m radius, planes through sparse points lie inside the surface."""
     rng = np.random.default_rng(4)
 
     def pole(n: int, radius: float) -> Array:
@@ -108,7 +108,7 @@ def test_a_model_survives_json() -> None:
         assert decode_value(encode_value(model), LocalModel) == model
 
 
-def test_agrees_with_brute_force_with_duplicates() -> None:
+def test_distances_agree_with_brute_force_for_duplicate_points() -> None:
     reference = tower(1000, 2)
     reference = np.vstack((reference, reference[:400], reference[:100], reference[:3].repeat(8, 0)))
     compared = np.vstack((tower(500, 1), reference[:50]))
@@ -118,7 +118,7 @@ def test_agrees_with_brute_force_with_duplicates() -> None:
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 4, 5])
-def test_agrees_with_brute_force_with_few_reference_points(count: int) -> None:
+def test_distances_agree_with_brute_force_for_few_reference_points(count: int) -> None:
     reference, compared = tower(count, 2), tower(100, 1)
     np.testing.assert_allclose(
         cloud_to_cloud(compared, reference), brute_force(compared, reference), atol=1e-9
@@ -135,7 +135,7 @@ def test_more_points_than_one_chunk_keep_their_order() -> None:
     )
 
 
-def test_nearest_point_alone() -> None:
+def test_the_nearest_point_model_gives_point_distances() -> None:
     compared, reference = tower(300, 1, 0.05), tower(500, 2)
     nearest = np.linalg.norm(compared[:, None] - reference[None], axis=2).min(axis=1)
     alone = cloud_to_cloud(compared, reference, model=NEAREST_POINT_MODEL)
@@ -144,16 +144,16 @@ def test_nearest_point_alone() -> None:
     assert np.mean(cloud_to_cloud(compared, reference)) < 0.9 * np.mean(alone)
 
 
-def test_points_in_one_row_define_no_plane() -> None:
+def test_points_on_one_straight_line_determine_no_plane() -> None:
     row = np.column_stack((np.linspace(0, 1, 50), np.zeros(50), np.zeros(50)))
     distances = cloud_to_cloud(row + np.array([0.0, 0.3, 0.4]), row)
     np.testing.assert_allclose(distances, 0.5, atol=1e-12)
 
 
-def test_big_coordinates_lose_nothing() -> None:
+def test_large_coordinates_lose_no_precision() -> None:
     compared, reference = tower(500, 1, 0.01), tower(2000, 2)
     shift = np.array([500_000.0, 5_040_000.0, 100.0])
-    # What the shifted numbers can hold at all is a nanometre; the distances must be as good.
+    # Shifted coordinates have a precision of a nanometre; the distances must be as precise.
     held, held_reference = (compared + shift) - shift, (reference + shift) - shift
     np.testing.assert_allclose(
         cloud_to_cloud(compared + shift, reference + shift),
@@ -162,7 +162,7 @@ def test_big_coordinates_lose_nothing() -> None:
     )
 
 
-def test_beyond_the_maximum_distance_is_not_measured() -> None:
+def test_points_beyond_the_maximum_distance_have_no_distance() -> None:
     reference = tower(2000, 2)
     near, far = tower(50, 1), tower(50, 3) + np.array([100.0, 0.0, 0.0])
     distances = cloud_to_cloud(np.vstack((near, far)), reference, max_distance=2.0)
@@ -170,13 +170,13 @@ def test_beyond_the_maximum_distance_is_not_measured() -> None:
     assert np.isnan(distances[50:]).all()
 
 
-def test_no_compared_points_no_distances() -> None:
+def test_without_compared_points_there_are_no_distances() -> None:
     assert cloud_to_cloud(np.empty((0, 3)), tower(10, 1)).shape == (0,)
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 @pytest.mark.parametrize("which", ["compared", "reference"])
-def test_refuses_what_is_not_finite(bad: float, which: str) -> None:
+def test_points_that_are_not_finite_are_refused(bad: float, which: str) -> None:
     clouds = {"compared": tower(20, 1), "reference": tower(20, 2)}
     clouds[which][7, 1] = bad
     with pytest.raises(
@@ -185,7 +185,7 @@ def test_refuses_what_is_not_finite(bad: float, which: str) -> None:
         cloud_to_cloud(clouds["compared"], clouds["reference"])
 
 
-def test_refuses_what_cannot_be_measured() -> None:
+def test_invalid_arrays_and_settings_are_refused() -> None:
     cloud = tower(20, 1)
     with pytest.raises(InputError, check=has_code("validation.empty_reference")):
         cloud_to_cloud(cloud, np.empty((0, 3)))
@@ -205,7 +205,7 @@ def test_refuses_what_cannot_be_measured() -> None:
         cloud_to_cloud(cloud, cloud, max_distance=0.0)
 
 
-def test_reports_progress_and_can_be_cancelled() -> None:
+def test_the_computation_reports_progress_and_can_be_cancelled() -> None:
     seen: list[float] = []
 
     def listen(fraction: float, step: Step | None = None) -> None:
@@ -227,7 +227,7 @@ def test_reports_progress_and_can_be_cancelled() -> None:
 
 @pytest.fixture
 def cloudcompare() -> str:
-    """The program's path; the test is skipped where it is not installed."""
+    """Path of CloudCompare; the test is skipped where it is not installed."""
     program = shutil.which("CloudCompare") or shutil.which("cloudcompare.CloudCompare")
     if program is None:
         pytest.skip("CloudCompare is not installed")
@@ -268,14 +268,16 @@ COMMANDS = {
 
 
 @pytest.mark.parametrize("model", COMMANDS, ids=lambda model: english_text(model.name))
-def test_agrees_with_cloudcompare(model: LocalModel, cloudcompare: str, tmp_path: Path) -> None:
+def test_distances_agree_with_cloudcompare(
+    model: LocalModel, cloudcompare: str, tmp_path: Path
+) -> None:
     clouds = single(compared=tower(20_000, 1, 0.01), reference=tower(20_000, 2))
     theirs = by_cloudcompare(cloudcompare, tmp_path, clouds, *COMMANDS[model])
     ours = cloud_to_cloud(clouds["compared"], clouds["reference"], model=model)
     np.testing.assert_allclose(ours.mean(), theirs.mean(), atol=1e-6)
     np.testing.assert_allclose(ours.std(), theirs.std(), atol=1e-6)
     difference = np.abs(ours - theirs)
-    # Two neighbours equally far to single precision may swap, and a few planes with them.
+    # Neighbours at the same distance in single precision may swap, which changes a few planes.
     assert np.quantile(difference, 0.999) < 1e-5
     assert difference.max() < 0.02
 

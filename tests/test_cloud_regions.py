@@ -1,4 +1,4 @@
-"""Lines in memory and on disk, placed anew: what they have in a sphere, and how far they moved."""
+"""Tests of regions and samples of lines after a change of the mounting, and of displacements."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -32,7 +32,7 @@ TRACK = LocalTrajectory(
 
 @pytest.fixture
 def clouds(tmp_path: Path) -> dict[str, Cloud]:
-    """The same line twice; its coordinates are those that a store has."""
+    """The same line in memory and on disk, with the coordinates of the store."""
     line = Line(COUNT)
     line.xyz = line.xyz.astype(np.float32).astype(float)
     scan = Scan(line.xyz, line.time, line.extra["intensity"].astype(float))
@@ -54,13 +54,13 @@ def reference(cloud: Cloud, mounting: Mounting) -> np.ndarray:
 
 @pytest.mark.parametrize("mounting", [PRIOR, OTHER], ids=["as placed", "placed anew"])
 @pytest.mark.parametrize("kind", ["memory", "disk"])
-def test_a_region_is_what_brute_force_finds(
+def test_a_region_agrees_with_brute_force(
     clouds: dict[str, Cloud], kind: str, mounting: Mounting
 ) -> None:
     cloud = place_clouds(clouds, mounting)[kind]
     every = reference(cloud, mounting)
     assert len(cloud) == COUNT
-    # Among many points, about a single one, where there is none, and all of them
+    # Many points, a single point, no point and all points
     for centre, radius in ((every[100], 3.0), (every[7], 1e-3), ([900, 0, 0], 5), ([0, 0, 0], 99)):
         region = cloud.within(np.array(centre, dtype=float), radius)
         off = np.linalg.norm(every - centre, axis=1)
@@ -109,7 +109,7 @@ def test_a_crowded_region_is_the_same_sample_in_memory_and_on_disk(
         one.numbers, whole.numbers[is_number_in_sample(whole.numbers, halvings)]
     )
     np.testing.assert_allclose(one.points, other.points, rtol=0, atol=1e-9)
-    # As few halvings as leave no more than are wanted
+    # The smallest number of halvings that gives few enough points
     assert (
         len(one.numbers) <= 300 < np.count_nonzero(is_number_in_sample(whole.numbers, halvings - 1))
     )
@@ -118,7 +118,7 @@ def test_a_crowded_region_is_the_same_sample_in_memory_and_on_disk(
         np.testing.assert_array_equal(cloud.within(centre, 12.0).numbers, one.numbers)
 
 
-def test_samples_are_halves_of_each_other() -> None:
+def test_each_sample_is_half_of_the_previous_one() -> None:
     numbers, before = np.arange(40_000), np.ones(40_000, bool)
     for halvings in range(1, 6):
         kept = is_number_in_sample(numbers, halvings)
@@ -142,7 +142,7 @@ ZERO = Mounting(np.zeros(3), np.zeros(3))
     ],
 )
 def test_the_reported_largest_displacement_is_a_tight_bound(other: Mounting, loose: float) -> None:
-    """On a platform that turns by a radian in two seconds, in one place and on its way."""
+    """The platform turns by one radian in two seconds, at rest and under way."""
     time = np.linspace(0.0, 2.0, 21)
     for speed in (0.0, 5.0):
         position = np.column_stack([speed * time, 0 * time, 0 * time])
@@ -159,8 +159,8 @@ def test_the_reported_largest_displacement_is_a_tight_bound(other: Mounting, loo
     assert Georeferencer.of(track, other).largest_displacement(other, 40.0) == 0
 
 
-def test_points_about_a_place_show_how_far_it_moved() -> None:
-    """Those within 3 m of it by half a metre, the others by more."""
+def test_the_displacement_of_a_place_follows_from_the_points_near_it() -> None:
+    """Points near the place move by half a metre, the others by more."""
     centre = np.array([10.0, 20.0, 30.0])
     after = centre + np.random.default_rng(1).uniform(-5, 5, (4000, 3))
     far = np.linalg.norm(after - centre, axis=1) > 2.0 + cloud_module.PROBE_SEARCH_MARGIN_M
@@ -169,7 +169,7 @@ def test_points_about_a_place_show_how_far_it_moved() -> None:
     found = cloud_module._largest_move_near(before, after, centre, 2.0, 9.0)
     assert found == pytest.approx(near)
     assert cloud_module._largest_move_near(before, after, centre, 2.0, 0.25) == 0.25
-    # Where fewer than 50 lie about it, nothing but the most that any can have moved is known
+    # With fewer than 50 points near it, only the bound for all points is known
     chosen = np.flatnonzero(~far)
     for count, margin in ((49, 9.0), (50, near)):
         some = chosen[:count]

@@ -1,4 +1,4 @@
-"""Georeferenced clouds as LAS and LAZ: attributes, coordinate systems, counts, what is left."""
+"""Tests of georeferenced clouds as LAS and LAZ: attributes, coordinate systems, progress."""
 
 import re
 from pathlib import Path
@@ -22,7 +22,7 @@ from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_scanner_
 from lispac.workflow.output.cloud_export import write_cloud
 from tests.cloud_files import (
     MOUNTING,
-    TIMED,
+    TIMED_FORMATS,
     folded_geoid,
     one_by_one,
     sweep,
@@ -48,8 +48,8 @@ def to_las(
 
 
 @pytest.mark.parametrize("ending", ["las", "laz"])
-@pytest.mark.parametrize("number", TIMED)
-def test_every_attribute_of_every_point_format_stays(
+@pytest.mark.parametrize("number", TIMED_FORMATS)
+def test_all_attributes_of_all_point_formats_are_kept(
     tmp_path: Path, number: int, ending: str
 ) -> None:
     points, time = sweep(track(), SMALL)
@@ -68,7 +68,7 @@ def test_every_attribute_of_every_point_format_stays(
     names = list(before.point_format.dimension_names)
     assert list(after.point_format.dimension_names) == names
     assert after.header.point_format == before.header.point_format
-    # Byte by byte: nothing but the coordinates has moved.
+    # All bytes are equal except for the coordinates.
     for name in before.points.array.dtype.names:
         if name not in ("X", "Y", "Z"):
             np.testing.assert_array_equal(after.points.array[name], before.points.array[name])
@@ -96,9 +96,9 @@ def test_every_attribute_of_every_point_format_stays(
     assert any(record.record_id == 34735 for record in header.vlrs) == (number < 6)
 
 
-@pytest.mark.parametrize("number", TIMED)
-def test_attributes_that_were_unpacked_come_to_the_same(tmp_path: Path, number: int) -> None:
-    """As a store or another reader hands them over: columns by name, some points left out."""
+@pytest.mark.parametrize("number", TIMED_FORMATS)
+def test_unpacked_attributes_are_written_unchanged(tmp_path: Path, number: int) -> None:
+    """A store or another reader gives columns by name; some points are outside the trajectory."""
     points, time = sweep(track(), SMALL)
     source, path = tmp_path / "raw.las", tmp_path / "map.las"
     before = written_las(source, number, points, time)
@@ -128,7 +128,7 @@ def test_point_formats_without_time_are_refused(tmp_path: Path) -> None:
         )
 
 
-def test_the_old_point_formats_in_version_14(tmp_path: Path) -> None:
+def test_old_point_formats_in_version_14_have_geotiff_keys(tmp_path: Path) -> None:
     points, time = sweep(track(), SMALL)
     source = tmp_path / "raw.las"
     written_las(source, 3, points, time, version="1.4")
@@ -151,8 +151,10 @@ def test_the_old_point_formats_in_version_14(tmp_path: Path) -> None:
         ("+proj=tmerc +lat_0=46 +lon_0=-71 +datum=WGS84", ""),
     ],
 )
-def test_what_is_written_is_read_back(tmp_path: Path, code: str, height: str, number: int) -> None:
-    """By its header alone (and the geoid grid, which a header cannot name)."""
+def test_written_clouds_can_be_read_back(
+    tmp_path: Path, code: str, height: str, number: int
+) -> None:
+    """The header is sufficient, except for the geoid grid, which a header cannot name."""
     points, time = sweep(track(), SMALL)
     source = tmp_path / "raw.las"
     before = written_las(source, number, points, time)
@@ -199,7 +201,7 @@ def test_heights_with_a_code_are_in_the_header(tmp_path: Path) -> None:
 
 
 def test_other_columns_become_extra_bytes(tmp_path: Path) -> None:
-    """Whatever a source has, of whatever type, comes back bit by bit."""
+    """Columns of every type are read back bit by bit."""
     points, time = sweep(track(), 500)
     rng = np.random.default_rng(4)
     extra = {
@@ -237,7 +239,7 @@ def test_other_columns_become_extra_bytes(tmp_path: Path) -> None:
     np.testing.assert_array_equal(after["source_gps_time"], time + 1)
 
 
-def test_a_column_that_outgrows_its_dimension_is_refused(tmp_path: Path) -> None:
+def test_values_too_large_for_their_dimension_are_refused(tmp_path: Path) -> None:
     points, time = sweep(track(), 200)
     returns = np.ones(200, np.uint8)
     first = PointChunk(points[:100], time[:100], {"return_number": returns[:100]}, 200)
@@ -273,7 +275,7 @@ def test_progress_shows_the_rate_and_the_time_remaining(
     assert re.search(r"map\.laz: .* points, .* M points/s, .* left", said[5][1])
 
 
-def test_waveforms_stay_behind_and_that_is_reported(tmp_path: Path) -> None:
+def test_waveforms_are_not_written_and_reported(tmp_path: Path) -> None:
     points, time = sweep(track(), SMALL)
     source = tmp_path / "raw.las"
     las = written_las(source, 9, points, time)
@@ -297,7 +299,7 @@ def test_a_line_without_points_is_refused(tmp_path: Path) -> None:
     assert not path.exists()
 
 
-def test_chunks_before_the_trajectory_write_nothing_and_are_counted(tmp_path: Path) -> None:
+def test_points_before_the_trajectory_are_counted_and_not_written(tmp_path: Path) -> None:
     points, time = sweep(track(), 600)
     early = PointChunk(points[:200], time[:200] - 7200.0, {}, 800)
     inside = PointChunk(points, time, {}, 800)

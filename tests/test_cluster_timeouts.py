@@ -1,4 +1,4 @@
-"""Campaigns on a cluster that is slow or loses workers, with simulated answers."""
+"""Tests of campaigns on a slow or unreliable cluster, with simulated results."""
 
 from collections.abc import Callable, Iterator
 from threading import Timer
@@ -14,7 +14,7 @@ distributed = pytest.importorskip("distributed")
 
 
 class Future:
-    """Done at once or never; asked for its answer it may first run out of time."""
+    """Future that is done at once; its first ``slow`` queries run into the timeout."""
 
     def __init__(self, answer: list[int] | Exception, slow: int) -> None:
         self._answer, self._slow = answer, slow
@@ -36,7 +36,7 @@ class Future:
 
 
 class Late(Future):
-    """Comes back after a while, in a thread of its own, as a client's do."""
+    """Future that calls back after a delay in a separate thread, like those of a client."""
 
     def __init__(self, answer: list[int]) -> None:
         super().__init__(answer, slow=0)
@@ -46,7 +46,7 @@ class Late(Future):
 
 
 class Client:
-    """Two threads, and the answers of one chunk after the other."""
+    """Client with two threads that returns one given future for each submitted chunk."""
 
     def __init__(self, answers: Iterator[Future]) -> None:
         self.sent, self._answers = 0, answers
@@ -63,14 +63,14 @@ def lost() -> Exception:
     return distributed.scheduler.KilledWorker("task", "worker", 0)
 
 
-def test_an_answer_that_takes_long_is_waited_for_while_there_are_workers() -> None:
+def test_a_slow_result_is_awaited_while_there_are_workers() -> None:
     client = Client(iter([Future([1], slow=3)]))
     assert list(_Cluster(client, "tcp://here:1").map(abs, [-1])) == [1]
     assert client.sent == 1
 
 
 @pytest.mark.parametrize("losses", range(MAX_SENDS_PER_CHUNK + 1))
-def test_what_lost_its_worker_is_sent_again_and_not_for_ever(losses: int) -> None:
+def test_chunks_of_lost_workers_are_sent_again_a_limited_number_of_times(losses: int) -> None:
     futures = [*(Future(lost(), slow=0) for _ in range(losses)), Future([7], slow=0)]
     client = Client(iter(futures))
     cluster = _Cluster(client, "tcp://here:1")
@@ -86,10 +86,10 @@ def test_what_lost_its_worker_is_sent_again_and_not_for_ever(losses: int) -> Non
     assert not cluster.in_progress
 
 
-def test_a_calculation_that_takes_long_does_not_end_the_campaign(
+def test_a_long_computation_does_not_end_the_campaign(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Nothing comes back for several looks, but the workers are there."""
+    """Several polls find no result, but the workers are alive."""
     monkeypatch.setattr(cluster_module, "POLL_INTERVAL", 0.01)
     monkeypatch.setattr(cluster_module, "WORKER_TIMEOUT", 0.0)
     client = Client(iter([Late([5])]))

@@ -1,4 +1,4 @@
-"""Structure of the code: locked dependencies, one version, a command line that starts at once."""
+"""Tests of the structure of the code: locked dependencies, one version, light imports."""
 
 import os
 import re
@@ -14,7 +14,7 @@ import lispac
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 LOCKS = ["installer/lock-run.txt", "installer/lock-test.txt", "installer/lock-bundle.txt"]
-HEAVY = {
+HEAVY_MODULES = {
     "PySide6",
     "laspy",
     "matplotlib",
@@ -27,7 +27,7 @@ HEAVY = {
     "vtk",
     "vtkmodules",
 }
-NOT_YET = {
+LATE_MODULES = {
     "dask",
     "distributed",
     "fontTools",
@@ -43,11 +43,11 @@ NOT_YET = {
     "scipy.stats",
     "vtkmodules",
 }
-"""What the window imports with the work that needs it, and once it is drawn."""
+"""Modules that the window imports when it needs them or after it has been drawn."""
 
 
 def requirements(lock: str) -> dict[str, list[str]]:
-    """Hashes of each requirement of a lock file; the key is name, version and marker."""
+    """Hashes of the requirements of a lock file, by name, version and marker."""
     text = (CHECKOUT / lock).read_text(encoding="utf-8").replace("\\\n", " ")
     found: dict[str, list[str]] = {}
     for line in text.splitlines():
@@ -58,12 +58,12 @@ def requirements(lock: str) -> dict[str, list[str]]:
 
 
 def pyproject() -> dict:
-    """The project's own description."""
+    """Content of ``pyproject.toml``."""
     return tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))
 
 
 def normalised(requirement: str) -> str:
-    """Name of a requirement as lock files write it."""
+    """Name of a requirement as written in lock files."""
     return re.sub(r"[-_.]+", "-", re.match(r"[\w.-]+", requirement).group()).lower()
 
 
@@ -78,14 +78,14 @@ def test_every_locked_package_has_a_version_and_hashes(lock: str) -> None:
 
 
 @pytest.mark.parametrize("lock", LOCKS)
-def test_lock_names_no_address(lock: str) -> None:
+def test_lock_files_contain_no_address(lock: str) -> None:
     text = (CHECKOUT / lock).read_text(encoding="utf-8")
     assert not re.search(r"://|--index|--extra-index|--find-links|file:", text)
 
 
 @pytest.mark.parametrize("lock", LOCKS[1:])
-def test_other_locks_hold_all_that_runs(lock: str) -> None:
-    """With the same marker, or with none: what is wanted on some systems may be on all."""
+def test_other_lock_files_contain_the_run_dependencies(lock: str) -> None:
+    """The marker may be missing in the other lock: the package is then installed on all systems."""
     run, test = (requirements(name) for name in (LOCKS[0], lock))
     anywhere = {name: name if name in test else name.partition(" ")[0] for name in run}
     assert {test_name: run[name] for name, test_name in anywhere.items()}.items() <= test.items()
@@ -100,7 +100,7 @@ def test_every_dependency_is_locked() -> None:
     assert {normalised(name) for name in extras["bundle"]} <= bundle
 
 
-def test_every_dependency_has_its_reason() -> None:
+def test_every_dependency_has_a_documented_reason() -> None:
     table = "resources/developers/dependencies.md"
     reasons = (CHECKOUT / table).read_text(encoding="utf-8").lower()
     project = pyproject()["project"]
@@ -110,21 +110,21 @@ def test_every_dependency_has_its_reason() -> None:
         assert f"`{name}`" in reasons, f"{table} gives no reason for {name}"
 
 
-def test_version_is_written_in_one_place() -> None:
+def test_the_version_is_defined_in_one_place() -> None:
     settings = pyproject()
     assert "version" not in settings["project"]
     assert settings["tool"]["hatch"]["version"]["path"] == "lispac/__init__.py"
     assert re.fullmatch(r"\d+\.\d+\.\d+", lispac.__version__)
 
 
-def test_changelog_and_citation_name_this_version() -> None:
+def test_changelog_and_citation_name_the_current_version() -> None:
     assert f"## {lispac.__version__}" in (CHECKOUT / "CHANGELOG.md").read_text(encoding="utf-8")
     cited = (CHECKOUT / "CITATION.cff").read_text(encoding="utf-8")
     assert f"\nversion: {lispac.__version__}\n" in cited
 
 
 def run_python(code: str) -> subprocess.CompletedProcess[str]:
-    """Runs code in a fresh interpreter at the checkout."""
+    """Run code in a new interpreter in the checkout."""
     variables = {**os.environ, "PYTHONPATH": str(CHECKOUT)}
     command = [sys.executable, "-c", code]
     return subprocess.run(
@@ -148,7 +148,7 @@ sys.exit(code)
     assert done.returncode == 0, done.stderr
     if argument == "--version":
         assert lispac.__version__ in done.stdout
-    assert not HEAVY & set(done.stderr.split())
+    assert not HEAVY_MODULES & set(done.stderr.split())
 
 
 def test_no_command_imports_heavy_modules_before_it_runs() -> None:
@@ -156,28 +156,28 @@ def test_no_command_imports_heavy_modules_before_it_runs() -> None:
         "import sys; from lispac.cli.parser import build_parser; build_parser();print(*sys.modules)"
     )
     assert done.returncode == 0, done.stderr
-    assert not HEAVY & set(done.stdout.split())
+    assert not HEAVY_MODULES & set(done.stdout.split())
 
 
-def test_importing_the_package_imports_nothing_heavy() -> None:
+def test_importing_the_package_imports_no_heavy_module() -> None:
     done = run_python("import lispac, sys; print(*sys.modules)")
     assert done.returncode == 0, done.stderr
     loaded = set(done.stdout.split())
-    assert not HEAVY & loaded
+    assert not HEAVY_MODULES & loaded
     assert {name for name in loaded if name.startswith("lispac")} == {"lispac"}
 
 
-def test_window_starts_without_what_it_does_not_need_yet() -> None:
+def test_the_window_starts_without_modules_that_it_needs_later() -> None:
     done = run_python(
         "import lispac.gui.window.program, lispac.gui.window.session, sys;"
         "import lispac.gui.viewport.lazy_viewport;"
         "print(*sys.modules)"
     )
     assert done.returncode == 0, done.stderr
-    assert not NOT_YET & set(done.stdout.split())
+    assert not LATE_MODULES & set(done.stdout.split())
 
 
-def test_core_loads_no_qt() -> None:
+def test_the_core_does_not_import_qt() -> None:
     code = """
 import sys
 import lispac.workflow, lispac.io, lispac.report, lispac.design, lispac.simulation

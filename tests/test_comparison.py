@@ -1,4 +1,4 @@
-"""Comparison of lines on a validation plane: known offsets must come back."""
+"""Tests of the comparison of lines on a validation plane with known offsets."""
 
 import json
 
@@ -39,45 +39,45 @@ def wall(
 
 
 @pytest.mark.parametrize("offset", [0.0, 0.002, 0.005, 0.020])
-def test_known_offset_comes_back(offset: float) -> None:
+def test_a_known_offset_is_measured(offset: float) -> None:
     before = {"L1": wall(1), "L2": wall(2, offset=0.1)}
     after = {"L1": wall(1), "L2": wall(2, offset=offset)}
     result = compare_plane("V1", before, after, OPPOSITE)
     assert result.after.median == pytest.approx(offset, abs=1e-9)
-    # Where a point meets another nearly head-on, the nearest point may be as near as the plane.
+    # Where a point is opposite another one, the nearest point may be as near as the plane.
     assert result.after.rms == pytest.approx(offset, abs=1e-9)
     assert result.before.median == pytest.approx(0.1, abs=1e-9)
 
 
 @pytest.mark.parametrize("offset", [0.005, 0.020])
-def test_known_offset_comes_back_through_noise(offset: float) -> None:
+def test_a_known_offset_is_measured_despite_noise(offset: float) -> None:
     clouds = {"L1": wall(1, noise=0.001), "L2": wall(2, offset=offset, noise=0.001)}
     result = compare_plane("V1", clouds, clouds, OPPOSITE)
     assert result.after.median == pytest.approx(offset, abs=0.0002)
     assert result.after.rms == pytest.approx(offset, abs=0.0006)
 
 
-def test_noise_alone_stays_at_the_level_of_the_noise() -> None:
+def test_distances_without_offset_have_the_size_of_the_noise() -> None:
     clouds = {"L1": wall(1, noise=0.003), "L2": wall(2, noise=0.003)}
     result = compare_plane("V1", clouds, clouds, OPPOSITE)
-    # A point (3 mm) against a plane through six points: 3 mm x sqrt(1 + 1/6 and more).
+    # Noise of a point (3 mm) and of a plane through six points: at least 3 mm x sqrt(1 + 1/6).
     assert 0.003 < result.after.rms < 0.0055
 
 
-def test_tilt_comes_back_as_distances_that_grow() -> None:
+def test_a_tilt_gives_distances_that_grow() -> None:
     tilt = np.radians(0.5)
     tilted = wall(2)
     tilted[:, 1] += np.tan(tilt) * (tilted[:, 2] - 10.0)
     clouds = {"L1": wall(1), "L2": tilted}
     result = compare_plane("V1", clouds, clouds, OPPOSITE)
-    # Evenly spread heights up to 3 m: the mean is half, the RMS 1/sqrt(3) of the largest.
+    # For uniform heights up to 3 m the mean is 1/2 and the RMS 1/sqrt(3) of the largest.
     largest = 3.0 * np.sin(tilt)
     assert result.after.mean == pytest.approx(largest / 2, rel=0.03)
     assert result.after.rms == pytest.approx(largest / np.sqrt(3), rel=0.03)
     assert result.after.p95 == pytest.approx(0.95 * largest, rel=0.03)
 
 
-def test_edges_that_one_line_did_not_see_are_not_distances() -> None:
+def test_parts_that_one_line_does_not_show_are_not_compared() -> None:
     left = wall(1, high=(1.2, 3.0))
     right = wall(2, offset=0.01, low=(0.8, 0.0))
     clouds = {"L1": left, "L2": right}
@@ -107,7 +107,7 @@ def test_a_shift_within_the_plane_before_does_not_count_as_distance() -> None:
     assert result.after.maximum == pytest.approx(0.002, abs=1e-6)
 
 
-def test_profiles_sparse_across_and_dense_along_overlap_whole() -> None:
+def test_profiles_with_different_spacings_overlap_completely() -> None:
     along, height = np.meshgrid(np.arange(0, 2, 0.12), np.arange(0, 3, 0.008), indexing="ij")
     rng = np.random.default_rng(3)
     flat = np.column_stack((along.ravel(), height.ravel())) + rng.normal(0, 0.001, (along.size, 2))
@@ -162,7 +162,7 @@ def test_without_reciprocal_pairs_all_pairs_make_the_pool() -> None:
     ],
 )
 def test_reciprocal_through_north(a_deg: float, b_deg: float, expected: bool) -> None:
-    nudge = 1e-9 if expected else 0.0  # keeps a pair of exactly 20 degrees on its side
+    nudge = 1e-9 if expected else 0.0  # avoids rounding at exactly 20 degrees
     assert are_reciprocal(np.radians(a_deg) + nudge, np.radians(b_deg)) is expected
     assert are_reciprocal(np.radians(b_deg), np.radians(a_deg) + nudge) is expected
 
@@ -173,13 +173,15 @@ def test_histograms_share_edges_and_count_every_distance() -> None:
     result = compare_plane("V1", before, after, OPPOSITE)
     assert result.bin_edges[0] == 0.0
     assert result.bin_edges[-1] >= result.before.p99
-    assert result.bin_edges[1] < result.after.p95 / 20  # what came after is more than two bars
+    assert (
+        result.bin_edges[1] < result.after.p95 / 20
+    )  # the distances after fill more than two bars
     assert result.counts_before.sum() == result.before.n == result.after.n
     assert result.counts_after.sum() == result.after.n
-    assert result.counts_before[-1] > 0  # what lies beyond the last edge is in the last bin
+    assert result.counts_before[-1] > 0  # distances beyond the last edge are in the last bin
 
 
-def test_many_points_are_thinned_alike_in_both_states() -> None:
+def test_many_points_are_thinned_equally_in_both_states() -> None:
     a, b = wall(1, n=MAX_POINTS_PER_LINE + 5000), wall(2, n=2000)
     clouds = {"L1": a, "L2": b}
     moved = {"L1": a, "L2": b + np.array([0.0, 0.006, 0.0])}
@@ -190,14 +192,14 @@ def test_many_points_are_thinned_alike_in_both_states() -> None:
     assert encode_value(again) == encode_value(result)
 
 
-def test_lines_that_saw_different_parts_are_named() -> None:
+def test_lines_that_show_different_parts_are_named() -> None:
     clouds = {"L1": wall(1), "L2": wall(2), "L3": wall(3, low=(5.0, 0.0), high=(6.0, 3.0))}
     result = compare_plane("V1", clouds, clouds, {"L1": 0.0, "L2": np.pi, "L3": 1.0})
     assert len(result.pairs) == 1
     assert result.not_compared == (("L1", "L3"), ("L2", "L3"))
 
 
-def test_plane_on_one_line_is_refused() -> None:
+def test_a_plane_on_one_line_is_refused() -> None:
     nothing = np.empty((0, 3))
     with pytest.raises(
         NotComparable, check=has_code("validation.plane_in_one_line", plane="V4", line="L1")
@@ -217,8 +219,8 @@ def test_lines_without_overlap_are_refused() -> None:
 
 
 @pytest.mark.parametrize(("step", "count"), [(0.0, 3), (0.9, 3), (1.2, 2), (1.9, 2), (2.1, 0)])
-def test_comparable_pairs_are_those_that_are_compared(step: float, count: int) -> None:
-    """Lines that are moved along the wall by so much before, and not after."""
+def test_comparable_pairs_agree_with_the_compared_pairs(step: float, count: int) -> None:
+    """Lines that are moved along the wall by ``step`` metres before, and not after."""
     after = {line: wall(seed=k, noise=0.002) for k, line in enumerate("ABC")}
     before = {
         line: each + np.array([k * step, 0.0, 0.0]) for k, (line, each) in enumerate(after.items())
@@ -234,7 +236,7 @@ def test_comparable_pairs_are_those_that_are_compared(step: float, count: int) -
     assert len(pairs) == count
 
 
-def test_points_in_one_row_overlap_nothing() -> None:
+def test_points_on_one_straight_line_do_not_overlap() -> None:
     row = np.column_stack((np.linspace(0, 1, 100), np.zeros(100), np.zeros(100)))
     clouds = {"L1": row, "L2": row}
     with pytest.raises(NotComparable, check=has_code("validation.no_overlap")):
@@ -285,7 +287,7 @@ def test_round_trip_through_json() -> None:
 
 
 def test_signed_distances_and_planes_of_a_pair() -> None:
-    """L2 stands 20 mm behind L1 before, 5 mm before it after; seen from the south."""
+    """L2 is 20 mm behind L1 before and 5 mm in front of it after, seen from the south."""
     a, b = wall(1, noise=0.001), wall(2, noise=0.001)
     before = {"L1": a, "L2": b + [0.0, 0.020, 0.0]}
     after = {"L1": a, "L2": b - [0.0, 0.005, 0.0]}
@@ -304,7 +306,7 @@ def test_signed_distances_and_planes_of_a_pair() -> None:
 
 
 def test_profiles_show_where_the_distances_grow() -> None:
-    """A line leaning by 0.5 degrees about the foot of the wall: none below, 26 mm 3 m up."""
+    """A line tilted by 0.5 degrees about the foot of the wall: 0 there, 26 mm at 3 m height."""
     leaning = wall(2)
     leaning[:, 1] += np.tan(np.radians(0.5)) * (leaning[:, 2] - 10.0)
     a, b = wall(1), wall(2)
@@ -323,17 +325,17 @@ def test_profiles_show_where_the_distances_grow() -> None:
     assert height.median_before == pytest.approx(expected, abs=0.0003)
 
 
-def test_another_model_is_used_and_kept() -> None:
+def test_another_model_is_used_and_stored() -> None:
     clouds = {"L1": wall(1, noise=0.002), "L2": wall(2, noise=0.002)}
     points, plane = (
         compare_plane("V1", clouds, clouds, OPPOSITE, model=model)
         for model in (NEAREST_POINT_MODEL, SIX_POINT_PLANE)
     )
     assert points.model == NEAREST_POINT_MODEL
-    assert points.after.median > 3 * plane.after.median  # the spacing of the points is in it
+    assert points.after.median > 3 * plane.after.median  # includes the spacing of the points
 
 
-def test_outliers_are_counted_and_stay() -> None:
+def test_outliers_are_counted_and_kept() -> None:
     statistics = DistanceStatistics.of(np.r_[np.linspace(0.001, 0.005, 401), np.full(9, 0.1)])
     assert statistics.outliers == 9
     assert statistics.maximum == 0.1

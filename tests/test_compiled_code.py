@@ -1,4 +1,4 @@
-"""Machine code in the cache is never older than the source files that it was made from."""
+"""Tests that cached machine code is compiled again after a change of its source files."""
 
 import ast
 import os
@@ -31,7 +31,7 @@ def compiled_files() -> dict[Path, ast.Module]:
     return found
 
 
-def test_all_compiled_functions_are_in_files_that_are_watched() -> None:
+def test_all_compiled_functions_are_in_watched_files() -> None:
     files = compiled_files()
     assert {path.relative_to(CHECKOUT / "lispac").parts[0] for path in files} <= set(
         COMPILED_PACKAGES
@@ -43,8 +43,8 @@ def test_all_compiled_functions_are_in_files_that_are_watched() -> None:
     assert [path.stem for path in others] == ["compiled_code"]
 
 
-def test_compiled_functions_use_only_what_is_watched() -> None:
-    """Also constants become part of the machine code."""
+def test_compiled_functions_use_only_names_of_watched_files() -> None:
+    """Constants become part of the machine code too."""
     files = compiled_files()
     modules = {".".join(path.relative_to(CHECKOUT).with_suffix("").parts) for path in files}
     for path, tree in files.items():
@@ -65,10 +65,8 @@ def test_compiled_functions_use_only_what_is_watched() -> None:
 
 
 @pytest.mark.parametrize("what", ["function", "constant"])
-def test_code_is_compiled_again_when_what_it_uses_changes_in_another_file(
-    tmp_path: Path, what: str
-) -> None:
-    """The file of the caller stays as it is; by itself Numba would go on with its old code."""
+def test_code_is_compiled_again_after_a_change_in_another_file(tmp_path: Path, what: str) -> None:
+    """Numba checks only the file of the caller, which does not change."""
     copy = tmp_path / "lispac"
     for name in ("__init__.py", "compiled_code.py", "geometry/__init__.py"):
         (copy / name).parent.mkdir(exist_ok=True)
@@ -110,7 +108,7 @@ def test_only_folders_unused_for_a_month_are_removed(tmp_path: Path) -> None:
     assert other.is_dir()
 
 
-def test_the_state_is_that_of_the_contents_of_compiled_files(tmp_path: Path) -> None:
+def test_the_source_state_depends_on_compiled_files_only(tmp_path: Path) -> None:
     kernels, others = tmp_path / "survey" / "kernels.py", tmp_path / "survey" / "others.py"
     kernels.parent.mkdir()
     kernels.write_text("from lispac.compiled_code import njit")
@@ -121,8 +119,8 @@ def test_the_state_is_that_of_the_contents_of_compiled_files(tmp_path: Path) -> 
     assert source_state(tmp_path) != first
 
 
-def test_numba_keeps_the_folder_of_this_state() -> None:
-    """Numba reads its variables again when one has changed, and other processes inherit them."""
+def test_numba_uses_the_cache_folder_of_the_source_state() -> None:
+    """Numba reads its variables again after a change, and child processes inherit them."""
     program = (
         "import os; from lispac.compiled_code import config; "
         "os.environ['NUMBA_NUM_THREADS'] = '1'; config.reload_config(); print(config.CACHE_DIR)"

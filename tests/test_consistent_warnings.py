@@ -1,4 +1,4 @@
-"""The same warnings on the command line, in the window and in the report."""
+"""Tests that the command line, the window and the report give the same warnings."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -41,7 +41,7 @@ def _steep(project: Project) -> Project:
 
 
 def _wide(project: Project) -> Project:
-    """Roll is known to half a degree."""
+    """Roll has a standard deviation of half a degree."""
     assert project.result is not None
     covariance = project.result.covariance_all.copy()
     covariance[0] *= 30.0
@@ -254,7 +254,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 @pytest.mark.parametrize(
     ("code", "serious", "change", "words"), CASES, ids=[f"{c[0]}-{k}" for k, c in enumerate(CASES)]
 )
-def test_a_warning_is_reported_alike_everywhere(
+def test_each_warning_is_the_same_everywhere(
     capsys: pytest.CaptureFixture[str], project: Project, code: str, serious: bool,
     change: Callable[[Project], Project], words: str,
 ) -> None:  # fmt: skip
@@ -278,7 +278,7 @@ def test_a_warning_is_reported_alike_everywhere(
 
 
 @pytest.mark.parametrize("case", CASES, ids=[f"{c[0]}-{k}" for k, c in enumerate(CASES)])
-def test_numbers_are_parameters_and_texts_are_made_in_the_language_in_use(
+def test_warning_texts_are_in_the_current_language(
     project: Project, case: tuple[str, bool, Callable[[Project], Project], str]
 ) -> None:
     code, _, change, _ = case
@@ -295,7 +295,7 @@ def message_text_in(language: str, message: Message) -> str:
         return message_text(message)
 
 
-def test_every_rule_has_been_heard(project: Project) -> None:
+def test_the_cases_trigger_every_rule(project: Project) -> None:
     told = set()
     results = [change(project) for _, _, change, _ in CASES]
     assert project.result is not None
@@ -308,7 +308,7 @@ def test_every_rule_has_been_heard(project: Project) -> None:
     assert told == set(WARNING_RULES)
 
 
-def test_a_sound_answer_leaves_no_warning(
+def test_a_good_result_has_no_warning(
     capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path
 ) -> None:
     result, checks = project.result, project.cross_checks
@@ -319,7 +319,7 @@ def test_a_sound_answer_leaves_no_warning(
     assert "Warnings and notes:" not in capsys.readouterr().out
 
 
-def test_a_value_that_was_given_and_found_does_not_go_into_a_large_sigma(project: Project) -> None:
+def test_a_given_and_estimated_value_does_not_explain_a_large_sigma(project: Project) -> None:
     seen = ParameterEstimate("lever_x", 0.0, 0.01, value=0.004, sigma=0.006, significance=0.5)
     wide = _wide(project).result
     assert wide is not None
@@ -334,7 +334,7 @@ def test_serious_warnings_come_first(project: Project) -> None:
     assert told == [Level.WARNING, Level.NOTE]
 
 
-def test_a_warning_outlives_saving(project: Project, tmp_path: Path) -> None:
+def test_warnings_are_the_same_after_saving(project: Project, tmp_path: Path) -> None:
     saved = replace(_contradicted(project), folder=tmp_path)
     write_project(saved)
     opened = read_project(tmp_path)
@@ -348,5 +348,5 @@ def test_a_warning_outlives_saving(project: Project, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("points", [1, 2, 50, 999, 2_215, 1_000_000])
-def test_outliers_by_chance_are_those_of_the_binomial_distribution(points: int) -> None:
+def test_the_limit_of_random_outliers_follows_the_binomial_distribution(points: int) -> None:
     assert exceedance_limit(points, 0.001) == stats.binom.isf(0.001, points, 0.001)

@@ -1,4 +1,4 @@
-"""The history of a system: a mounting that moves is found, one that does not is left alone."""
+"""Tests of the history of a system: detection of a moved mounting, and the chart."""
 
 import shutil
 from dataclasses import replace
@@ -25,7 +25,7 @@ SIGMA = np.radians([0.008, 0.010, 0.025])
 
 
 def calibrations(rng: np.random.Generator, truth: np.ndarray) -> list[Calibration]:
-    """One of each row of ``truth`` (n, 3), not all equally good."""
+    """One calibration for each row of ``truth`` (n, 3), with different standard deviations."""
     made = []
     for k, angles in enumerate(truth):
         turned = np.linalg.qr(rng.normal(size=(3, 3)))[0]
@@ -34,24 +34,24 @@ def calibrations(rng: np.random.Generator, truth: np.ndarray) -> list[Calibratio
     return made
 
 
-def test_alarms_without_a_reason_come_as_often_as_given() -> None:
+def test_false_alarms_have_the_given_probability() -> None:
     rng = np.random.default_rng(4)
     alarms = total = 0
     for _ in range(700):
         chart = control_chart(calibrations(rng, np.zeros((6, 3))))
-        # After an alarm the series is short, and the next difference is no sample of the first.
+        # After an alarm the new series is short, and further differences are not comparable.
         for each in chart[1:]:
             total += 1
             if each.has_moved:
                 alarms += 1
                 break
-    # At least as often as one angle alone goes beyond, at most as often as any of four tests does.
+    # At least the probability of one test, at most the sum for the four tests.
     least, most = FALSE_ALARM_PROBABILITY * total, 4 * FALSE_ALARM_PROBABILITY * total
     assert least - 3.5 * np.sqrt(least) < alarms < most + 3.5 * np.sqrt(most), (alarms, total)
 
 
-def test_what_lies_outside_its_band_has_moved() -> None:
-    """The verdict is what the chart shows, also where the three together are not so rare."""
+def test_an_angle_outside_its_limits_has_moved() -> None:
+    """One angle outside its limits is sufficient, even if the joint test is not significant."""
     steady = np.diag(np.radians([0.01, 0.01, 0.03]) ** 2)
     first, second = (
         Calibration(name, np.radians([0.0, pitch, 0.0]), steady)
@@ -72,7 +72,7 @@ def test_a_mounting_that_moved_begins_a_new_series() -> None:
     moved = chart[4]
     assert moved.change is not None
     assert np.degrees(moved.change.angles[1]) == pytest.approx(0.2, abs=4 * 0.022)
-    # The mean after it knows nothing of those before.
+    # The mean of the new series does not depend on the old one.
     assert chart[6].before is not None
     assert np.degrees(chart[6].before.boresight[1]) == pytest.approx(0.2, abs=4 * 0.022)
     reach = control_limits(moved)
@@ -113,7 +113,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert first["calibrations"][2]["difference_deg"][1] == pytest.approx(0.2995, abs=1e-6)
     assert [each["name"] for each in other["calibrations"]] == ["other"]
     assert any("undated: its survey dates (last summer)" in remark for remark in found["messages"])
-    # A copy of a survey, estimated again, is no further survey.
+    # A copy of a survey does not count as another survey.
     copy = tmp_path / "a copy"
     shutil.copytree(tmp_path / "autumn", copy)
     again = answer(capsys, "history", tmp_path)
@@ -127,13 +127,15 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert code == 0
     assert "Aurora, VZ-400i S1" in out
     assert "spring" not in out
-    assert "undated" not in error  # it is of the other vessel
+    assert "undated" not in error  # that survey is of the other vessel
     code, out, _ = run(capsys, "history", tmp_path, "--vessel", "Nordlys")
     assert "autumn differs significantly from" in out
     assert "+0.300 deg" in out
 
 
-def test_what_is_no_history_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_folders_without_a_history_are_refused(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
     assert command_error("history", tmp_path / "gone").code == "history.no_folder"
     (tmp_path / "empty").mkdir()
     assert command_error("history", tmp_path / "empty").code == "history.no_project"
@@ -146,7 +148,7 @@ def test_what_is_no_history_is_refused(capsys: pytest.CaptureFixture[str], tmp_p
     assert any("b" in remark and remark.startswith(beginning) for remark in found["messages"])
 
 
-def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:
+def test_an_open_project_replaces_its_saved_version(tmp_path: Path) -> None:
     surveyed(tmp_path / "a", "2024-05-02")
     surveyed(tmp_path / "b", "2025-05-02")
     from lispac.io.project.project_file import read_project
@@ -159,7 +161,7 @@ def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("days", [(20, 22), (20, 20), (20,), (1, 2, 28)])
-def test_the_axis_of_days_ends_a_little_beyond_the_calibrations(days: tuple[int, ...]) -> None:
+def test_the_time_axis_has_a_small_margin(days: tuple[int, ...]) -> None:
     chart = control_chart(calibrations(np.random.default_rng(5), np.zeros((len(days), 3))))
     at = [date(2025, 11, day) for day in days]
     axes = control_chart_figure(at, chart).axes[-1]
@@ -169,13 +171,13 @@ def test_the_axis_of_days_ends_a_little_beyond_the_calibrations(days: tuple[int,
     assert first < date2num(at[0])
     assert max(dots) < last
     assert all(first <= x.min() and x.max() <= last for x in bands)
-    # No more empty days on either side than lie between two calibrations, or two
+    # The margin is at most the mean interval between calibrations, or two days
     beyond = max((days[-1] - days[0]) / max(len(days) - 1, 1), 2.0)
     assert date2num(at[0]) - first < beyond
     assert last - date2num(at[-1]) < beyond
 
 
-def test_what_is_not_estimated_or_not_named_is_reported(tmp_path: Path) -> None:
+def test_projects_without_result_or_system_name_are_reported(tmp_path: Path) -> None:
     surveyed(tmp_path / "a", "2024-05-02", vessel="")
     dated = sample_project(tmp_path / "b")
     write_project(
@@ -186,5 +188,5 @@ def test_what_is_not_estimated_or_not_named_is_reported(tmp_path: Path) -> None:
     found, remarks = read_histories([tmp_path])
     assert remarks == (note("history.excluded", reason=note("history.no_result", project="b")),)
     told = {history.entries[0].project.name: history.messages for history in found}
-    assert note("history.unnamed_system") not in told["a"]  # its scanner is named
+    assert note("history.unnamed_system") not in told["a"]  # the scanner is named
     assert note("history.unnamed_system") in told["c"]

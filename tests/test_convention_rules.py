@@ -1,4 +1,4 @@
-"""Conventions there and back, corrections, sigmas, poles, and what is refused."""
+"""Tests of conventions: round trips, corrections, sigmas, gimbal lock and refusals."""
 
 from dataclasses import replace
 
@@ -39,10 +39,10 @@ from tests.error_codes import has_code
 WITH_ANGLES = [each for each in SYSTEMS if each.has_angles]
 LEVER_ARM = np.array([-0.185596, 0.037658, 2.419063])
 
-# -- there and back --------------------------------------------------------------------------------
+# -- round trips -----------------------------------------------------------------------------------
 
 turn = st.floats(-np.pi, np.pi)
-# Beyond, another axis may be the nearest one, which a scanner that is not stated is taken to have
+# Beyond, another axis may be nearest, which is assumed for a scanner without given axes
 small = st.floats(-0.55, 0.55)
 every_system = st.sampled_from(SYSTEMS)
 every_direction = st.sampled_from(["lidar_to_body", "body_to_lidar"])
@@ -60,7 +60,9 @@ def test_angles_of_a_product_give_the_product(convention, a, b, c) -> None:
 @example(convention_of_key("phoenix-1-5"), "lidar_to_body", 0.0, 0.0, 1e-10, False)
 @given(every_system, every_direction, small, small, small, st.booleans())
 @settings(max_examples=300, deadline=None)
-def test_there_and_back(convention, direction, roll, pitch, yaw, kept) -> None:
+def test_conversion_there_and_back_gives_the_same_mounting(
+    convention, direction, roll, pitch, yaw, kept
+) -> None:
     scanner = "kept" if kept and convention.key != "hypack" else None
     setup = ConventionSetup(replace(convention, direction=direction), scanner=scanner)
     mounting = Mounting(LEVER_ARM, np.array([roll, pitch, yaw]))
@@ -70,7 +72,7 @@ def test_there_and_back(convention, direction, roll, pitch, yaw, kept) -> None:
     np.testing.assert_allclose(back.lever_arm, LEVER_ARM, rtol=0, atol=1e-15)
     if stated.angles is not None:
         again = mounting_of_angles(setup, stated.angles, stated.lever_arm)
-        # At the pole three angles cannot say more than two turns do; the note says so.
+        # At the pole the third angle is redundant, which the note reports.
         exact = (
             GIMBAL_LOCK_COSINE
             if stated.note is not None and stated.note.code == "convention.gimbal_lock"
@@ -90,7 +92,7 @@ def test_jacobian_against_central_differences(convention, direction, roll, pitch
     middle = abs(
         convert_to_system(Mounting(np.zeros(3), boresight), setup).angles[convention.order[1]]
     )
-    if middle > 1.4:  # kept axes may lie near the pole, where differences say nothing
+    if middle > 1.4:  # kept axes may be near the pole, where difference quotients are inaccurate
         return
     for k in range(3):
         change = step * np.eye(3)[k]
@@ -122,12 +124,12 @@ def test_direction_is_the_transpose() -> None:
     other = convert_to_system(Mounting(LEVER_ARM, boresight), to_lidar)
     np.testing.assert_allclose(one.rotation, other.rotation.T, atol=1e-15)
     np.testing.assert_allclose(one.transform, other.transform, atol=1e-15)
-    # Not the negative of the angles: that would be 0.1 deg off here.
+    # The transpose is not the negative of the angles, which would differ by 0.1 deg here.
     assert np.degrees(np.abs(one.angles + other.angles).max()) > 0.05
 
 
 @pytest.mark.parametrize("axes", [("up", "aft", "starboard"), ("port", "aft", "up")])
-def test_a_mounting_takes_up_the_quarter_turns(axes) -> None:
+def test_a_mounting_contains_the_quarter_turns(axes) -> None:
     """A scanner mounted on its side has small OPALS angles, and its raw points still fit."""
     rotation = rotation_matrix(*np.radians([0.3, -0.5, 0.8])) @ axes_matrix(axes).T
     boresight, _ = angles_of_rotation(LISPAC_CONVENTION, rotation)
@@ -144,7 +146,7 @@ def test_a_mounting_takes_up_the_quarter_turns(axes) -> None:
 # -- corrections -----------------------------------------------------------------------------------
 
 
-def test_a_sum_of_angles_misses_by_the_reported_error() -> None:
+def test_a_sum_of_angles_has_the_reported_error() -> None:
     convention = convention_of_key("applanix")
     current, wanted = np.radians([5.0, -4.0, 10.0]), np.radians([-2.0, 3.0, 1.0])
     found = correct_boresight(convention, current, rotation_of_angles(convention, wanted))
@@ -159,8 +161,10 @@ def test_a_sum_of_angles_misses_by_the_reported_error() -> None:
 
 @pytest.mark.parametrize("direction", ["lidar_to_body", "body_to_lidar"])
 @pytest.mark.parametrize("exported", [("forward", "port", "up"), ("forward", "starboard", "down")])
-def test_what_is_found_on_turned_lines_comes_on_top(direction, exported) -> None:
-    """Raw points turned by old settings and given to this program as they then are."""
+def test_angles_estimated_on_rotated_lines_are_combined_with_the_old_ones(
+    direction, exported
+) -> None:
+    """The raw points were rotated by old settings before their export to this program."""
     truth = Mounting(LEVER_ARM, np.radians([1.3, -1.1, 2.4]))
     setup = ConventionSetup(replace(convention_of_key("applanix"), direction=direction))
     current = np.radians([1.0, 1.5, 2.0])
@@ -173,7 +177,7 @@ def test_what_is_found_on_turned_lines_comes_on_top(direction, exported) -> None
     )
 
 
-def test_covariance_of_the_whole_follows_a_sample() -> None:
+def test_the_covariance_of_the_combination_agrees_with_a_sample() -> None:
     rng = np.random.default_rng(5)
     setup, current = ConventionSetup(convention_of_key("applanix")), np.radians([20.0, 35.0, 60.0])
     remainder = np.array([0.01, -0.02, 0.005])
@@ -183,7 +187,7 @@ def test_covariance_of_the_whole_follows_a_sample() -> None:
     )
     drawn = rng.normal(size=(400, 3))
     drawn -= drawn.mean(axis=0)
-    # Without chance in its own covariance, a small sample shows what happens to it.
+    # The sample has exactly the given covariance, so that a small one is sufficient.
     drawn = drawn @ np.linalg.inv(np.linalg.cholesky(drawn.T @ drawn / len(drawn))).T
     sample = remainder + drawn @ root.T
     angles = [
@@ -198,7 +202,7 @@ def test_covariance_of_the_whole_follows_a_sample() -> None:
 
 @pytest.mark.parametrize("convention", WITH_ANGLES, ids=lambda each: each.key)
 @pytest.mark.parametrize("pole", [90.0, -90.0])
-def test_at_the_pole_the_rotation_holds_and_a_sentence_says_so(convention, pole) -> None:
+def test_at_the_pole_the_rotation_is_right_and_a_note_says_so(convention, pole) -> None:
     angles = np.radians([10.0, 20.0, 30.0])
     angles[convention.order[1]] = np.radians(pole)
     rotation = rotation_of_angles(convention, angles)
@@ -207,7 +211,7 @@ def test_at_the_pole_the_rotation_holds_and_a_sentence_says_so(convention, pole)
     assert remark is not None
     assert remark.params["angle"] == pytest.approx(np.radians(pole))
     assert found[convention.order[2]] == 0.0
-    # With its mounting free, a system would rather lay the axes than go to the pole.
+    # With a free mounting, a system chooses other axes instead of the pole.
     setup = ConventionSetup(convention, mounting=FORWARD_PORT_UP)
     mounting = convert_from_system(setup, rotation, LEVER_ARM)
     stated = convert_to_system(mounting, setup, np.eye(3) * 1e-8)
@@ -216,7 +220,7 @@ def test_at_the_pole_the_rotation_holds_and_a_sentence_says_so(convention, pole)
     assert stated.note.code == "convention.gimbal_lock"
 
 
-def test_near_the_pole_all_digits_are_asked_for() -> None:
+def test_near_the_pole_a_note_requires_all_digits() -> None:
     convention = convention_of_key("applanix")
     rotation = rotation_of_angles(convention, np.radians([10.0, 85.0, 30.0]))
     note = angles_of_rotation(convention, rotation)[1]
@@ -225,7 +229,7 @@ def test_near_the_pole_all_digits_are_asked_for() -> None:
     assert angles_of_rotation(convention, np.eye(3))[1] is None
 
 
-def test_what_is_no_rotation_is_refused() -> None:
+def test_invalid_rotation_matrices_are_refused() -> None:
     good = rotation_matrix(0.1, 0.2, 0.3)
     np.testing.assert_allclose(require_rotation(np.round(good, 6)), good, atol=1e-6)
     with pytest.raises(InputError, check=has_code("survey.matrix_mirrors")):
@@ -238,7 +242,7 @@ def test_what_is_no_rotation_is_refused() -> None:
             require_rotation(bad)
 
 
-def test_systems_and_axes_that_cannot_be_are_refused() -> None:
+def test_invalid_systems_and_axes_are_refused() -> None:
     with pytest.raises(InputError, check=has_code("survey.unknown_program", name="posmv")):
         convention_of_key("posmv")
     with pytest.raises(InputError, check=has_code("survey.matrix_only")):
@@ -283,13 +287,13 @@ def test_halfway_between_two_axes_a_frame_points_forward() -> None:
         ConventionSetup(convention_of_key("kluster"), body_axes=("forward", "port", "up")),
     ],
 )
-def test_axes_that_no_documentation_knows_are_not_verified(setup) -> None:
+def test_axes_other_than_the_documented_ones_are_unverified(setup) -> None:
     assert setup.convention.status == "verified"
     assert setup.status == "unverified"
     assert "axes differ from the documentation" in str(setup.assumption)
 
 
-def test_signs_are_reported_for_the_axes_they_hold_for() -> None:
+def test_signs_are_reported_for_the_documented_axes_only() -> None:
     as_known = ConventionSetup(convention_of_key("kluster"))
     turned = ConventionSetup(convention_of_key("kluster"), body_axes=("forward", "port", "up"))
     assert as_known.signs == as_known.convention.signs

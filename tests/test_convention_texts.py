@@ -1,4 +1,4 @@
-"""Texts about a boresight, and the values labelled as not verified."""
+"""Tests of the texts about a boresight and of the assumptions about conventions."""
 
 import numpy as np
 import pytest
@@ -20,8 +20,8 @@ def arm(lever_arm: tuple[float, float, float]) -> str:
     return str(lever_arm_text(lever_arm))
 
 
-def test_a_steep_pitch_is_reported_by_the_axes() -> None:
-    """There roll and yaw are turns about the same axis and say little alone."""
+def test_at_a_steep_pitch_the_text_gives_the_axes() -> None:
+    """At a steep pitch, roll and yaw are rotations about almost the same axis."""
     assert text_of(np.radians([0.0, 90.0, 0.0])) == (
         "Directions of the scanner axes: X down, Y port, Z forward."
     )
@@ -34,7 +34,7 @@ def test_a_steep_pitch_is_reported_by_the_axes() -> None:
     )
 
 
-def test_a_boresight_in_a_sentence() -> None:
+def test_the_sentence_about_a_boresight() -> None:
     assert text_of(np.radians([0.13, -0.12, 0.28])) == (
         "The scanner is pitched 0.120 deg bow up, is yawed 0.280 deg to starboard and is rolled "
         "0.130 deg port side up."
@@ -48,7 +48,7 @@ def test_a_boresight_in_a_sentence() -> None:
     assert "(order of rotations: yaw, pitch, roll)" in text_of(np.radians([5, 0, 90]))
 
 
-def test_angles_are_reported_with_as_many_decimals_as_each_other() -> None:
+def test_angles_have_the_same_number_of_decimals() -> None:
     assert text_of(np.radians([0.2, 1.178, 0.3])) == (
         "The scanner is pitched 1.178 deg bow down, is yawed 0.300 deg to starboard and is rolled "
         "0.200 deg port side up."
@@ -63,8 +63,8 @@ def test_angles_are_reported_with_as_many_decimals_as_each_other() -> None:
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_the_words_say_what_the_matrix_does(sign: int) -> None:
-    """Where the scanner's own axes end up, in body coordinates forward, left, up."""
+def test_the_text_agrees_with_the_matrix(sign: int) -> None:
+    """Directions of the scanner axes in body coordinates forward, left, up."""
     angle = sign * np.radians(1.0)
     forward, left = (
         rotation_matrix(0, angle, 0) @ [1, 0, 0],
@@ -76,7 +76,7 @@ def test_the_words_say_what_the_matrix_does(sign: int) -> None:
     assert ("to port" in text_of(np.array([0, 0, angle]))) == (turned[1] > 0)
 
 
-def test_a_lever_arm_in_a_sentence() -> None:
+def test_the_sentence_about_a_lever_arm() -> None:
     assert arm((-0.185596, 0.037658, 2.419063)) == (
         "The scanner's optical centre is 0.186 m aft of, 0.0377 m to port of and 2.419 m above "
         "the POS centre."
@@ -104,7 +104,7 @@ def test_offsets_that_belong_to_the_boresight_are_named() -> None:
 
 
 @pytest.mark.parametrize("convention", SYSTEMS, ids=lambda each: each.key)
-def test_what_is_not_verified_says_what_is_assumed(convention) -> None:
+def test_unverified_conventions_state_their_assumption(convention) -> None:
     assert convention.source
     if convention.status != "verified":
         assert convention.assumption.endswith(".")
@@ -116,7 +116,7 @@ def test_what_is_not_verified_says_what_is_assumed(convention) -> None:
             assert turn.meaning in str(convention.signs)
 
 
-def test_what_is_taken_for_the_axes_of_the_scanner_is_reported() -> None:
+def test_the_assumed_axes_of_the_scanner_are_reported() -> None:
     opals = ConventionSetup(next(each for each in SYSTEMS if each.key == "opals"))
     assert str(opals.scanner_axes(rotation_matrix(0.01, 0.02, np.pi / 2))) == (
         "An axis permutation (mounting) first maps the raw scanner axes to the body axes; the "
@@ -127,7 +127,7 @@ def test_what_is_taken_for_the_axes_of_the_scanner_is_reported() -> None:
     assert str(kept.scanner_axes(np.eye(3))) == "The scanner axes are those of the raw points."
 
 
-def test_open_axes_say_what_was_taken() -> None:
+def test_assumed_axes_are_reported_and_given_axes_are_not() -> None:
     phoenix = next(each for each in SYSTEMS if each.open_axes)
     assert "X forward, Y port, Z up is assumed" in str(ConventionSetup(phoenix).assumption)
     stated = ConventionSetup(phoenix, ("down", "starboard", "aft")).assumption

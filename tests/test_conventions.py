@@ -1,4 +1,4 @@
-"""Proof of every convention: the same points, georeferenced by that program's own formula.
+"""Tests of all conventions against georeferencing with the formula of each program.
 
 The formulas below are written from each program's definition, in its own frames, and use nothing
 of the converters: matrices typed out, or turns made one after the other on vectors.
@@ -25,8 +25,8 @@ LEVER_ARM = np.array([-0.185596, 0.037658, 2.419063])
 cos, sin = np.cos, np.sin
 
 Formula = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], np.ndarray]
-"""Raw points, angles as typed (radians), lever arm as typed, attitude of this program (roll,
-pitch, heading of every point): points from the POS, in North, West, Up."""
+"""Maps raw points, typed angles (radians), a typed lever arm and the attitude of this program
+(roll, pitch, heading of every point) to points relative to the POS in North, West, Up."""
 
 
 def survey(count: int = 400, seed: int = 3) -> tuple[np.ndarray, Poses]:
@@ -84,7 +84,7 @@ def about(axis: str, angle: float, v: np.ndarray) -> np.ndarray:
 
 
 def lispac(x, angles, lever_arm, roll, pitch, heading):
-    """Thesis 4.3, turn by turn."""
+    """Thesis 4.3, one rotation after the other."""
     for r, p, h, shift in ((*angles, lever_arm), (roll, pitch, heading, np.zeros(3))):
         x = about("z", -h, about("y", p, about("x", r, x))) + shift
     return x
@@ -110,12 +110,12 @@ def starboard_forward_up(x, angles, lever_arm, roll, pitch, heading):
 
 
 def novatel(x, angles, lever_arm, roll, pitch, heading):
-    """The vehicle axes are carried onto the sensor's: intrinsic Z, X, Y.
+    """The vehicle axes are rotated to the sensor axes: intrinsic Z, X, Y.
 
     Written with moving axes: each next turn is about an axis the former ones have moved.
     """
     x_turn, y_turn, z_turn = angles
-    axes = np.eye(3)  # rows: the sensor's axes in the vehicle's frame
+    axes = np.eye(3)  # rows: sensor axes in the vehicle frame
     for which, angle in ((2, z_turn), (0, x_turn), (1, y_turn)):
         k = axes[which].copy()
         axes = np.array(
@@ -131,7 +131,7 @@ def novatel(x, angles, lever_arm, roll, pitch, heading):
 
 
 def opals(x, angles, lever_arm, roll, pitch, yaw):
-    """Body forward, starboard, down; the mounting lays the raw axes there, then misalignment."""
+    """Body forward, starboard, down; the mounting rotates the raw axes, then the misalignment."""
     mounting = np.array([[1, 0, 0], [0, -1, 0], [0, 0, -1]])
     body = down_frame(*angles) @ (mounting @ x) + lever_arm
     return north_west_up(down_frame(roll, -pitch, yaw) @ body)
@@ -155,7 +155,7 @@ def phoenix_old(x, angles, lever_arm, roll, pitch, heading):
 
 
 def hypack(x, angles, lever_arm, roll, pitch, heading):
-    """Offsets starboard, forward, down; the angles act as their words say, in NED."""
+    """Offsets starboard, forward, down; the angles have the documented directions, in NED."""
     turned = down_frame(*angles) @ np.array([x[0], -x[1], -x[2]])
     body = turned + np.array([lever_arm[1], lever_arm[0], lever_arm[2]])
     return north_west_up(down_frame(roll, -pitch, heading) @ body)
@@ -183,7 +183,7 @@ def setup_of(key: str) -> ConventionSetup:
 
 @pytest.mark.parametrize("key", [each.key for each in WITH_ANGLES])
 @pytest.mark.parametrize("boresight_deg", [(0.4395, -1.8681, 0.3992), (12.0, 7.0, -15.0)])
-def test_the_same_points_by_the_programs_own_formula(key: str, boresight_deg) -> None:
+def test_points_agree_with_the_formula_of_each_program(key: str, boresight_deg) -> None:
     points, poses = survey()
     mounting = Mounting(LEVER_ARM, np.radians(boresight_deg))
     stated = convert_to_system(mounting, setup_of(key))
@@ -193,8 +193,8 @@ def test_the_same_points_by_the_programs_own_formula(key: str, boresight_deg) ->
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS])
-def test_the_4x4_does_the_same(key: str) -> None:
-    """scan2imu of PDAL, and the matrix of every other system, by homogeneous coordinates."""
+def test_points_agree_with_the_4x4_matrix(key: str) -> None:
+    """The scan2imu matrix of PDAL and the matrices of all other systems."""
     points, poses = survey()
     mounting = Mounting(LEVER_ARM, np.radians([0.4, -1.9, 0.4]))
     setup = setup_of(key)
@@ -220,7 +220,7 @@ def test_the_4x4_does_the_same(key: str) -> None:
 
 
 def test_real_vessel_data_by_the_applanix_formula(shared_data: Path) -> None:
-    """Stored coordinates of another program, reached in NED with converted angles."""
+    """The converted angles give the coordinates stored by another program, in NED."""
     mounting = Mounting(LEVER_ARM, np.radians([0.4395, -1.8681, 0.3992]))
     stated = convert_to_system(mounting, ConventionSetup(convention_of_key("applanix")))
     np.testing.assert_allclose(np.degrees(stated.angles), [0.4395, 1.8681, 0.3992], atol=1e-12)
@@ -235,11 +235,11 @@ def test_real_vessel_data_by_the_applanix_formula(shared_data: Path) -> None:
         assert np.abs(local - rows[:, :3]).max() < 1e-9, path.name
 
 
-# -- examples out of manuals -----------------------------------------------------------------------
+# -- examples from manuals -------------------------------------------------------------------------
 
 
 def test_applanix_example_of_the_manual() -> None:
-    """An IMU turned 93 deg, with 2 deg about its y and -5 deg about its x axis (POS MV guide)."""
+    """An IMU rotated by 93 deg, 2 deg about its y and -5 deg about its x axis (POS MV guide)."""
     turned = rotation_of_angles(convention_of_key("applanix"), np.radians([-5.0, 2.0, 93.0]))
     x_axis, y_axis = turned[:, 0], turned[:, 1]
     assert x_axis[1] > 0.99, "x points to starboard"
@@ -281,8 +281,8 @@ def test_small_angles_differ_in_the_sign_of_the_pitch_only(key: str) -> None:
 
 
 @pytest.mark.parametrize("key", [each.key for each in WITH_ANGLES])
-def test_new_is_correction_times_current(key: str) -> None:
-    """The correction's own angles, applied on the left of the current ones, place the points."""
+def test_the_new_rotation_is_correction_times_current(key: str) -> None:
+    """The rotation of the correction times the current rotation is the new rotation."""
     setup = setup_of(key)
     mounting = Mounting(LEVER_ARM, np.radians([0.4, -1.9, 0.4]))
     stated = convert_to_system(mounting, setup)

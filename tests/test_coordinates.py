@@ -1,4 +1,4 @@
-"""Coordinates that are typed or listed: their names, and what is said of those that are a slip."""
+"""Tests of typed or listed coordinates: axis names, and messages about implausible ones."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ UTM, GEOGRAPHIC, GEOCENTRIC = "EPSG:32619", "EPSG:4326", "EPSG:4978"
 
 @pytest.fixture(scope="module")
 def circle() -> LocalTrajectory:
-    """800 m about a place in Quebec."""
+    """Trajectory on a circle of 800 m about a place in Quebec."""
     return track()
 
 
@@ -33,21 +33,21 @@ def circle() -> LocalTrajectory:
         (GEOCENTRIC, ("X", "Y", "Z")),
     ],
 )
-def test_coordinates_go_by_the_names_of_their_system(code: str, axes: tuple[str, ...]) -> None:
+def test_axis_names_are_those_of_the_coordinate_system(code: str, axes: tuple[str, ...]) -> None:
     assert axis_names(coordinate_system(code) if code else None) == axes
 
 
-def test_places_that_are_none_are_infinitely_far_away(circle: LocalTrajectory) -> None:
+def test_invalid_coordinates_have_an_infinite_distance(circle: LocalTrajectory) -> None:
     start = circle.position[0]
     places = np.array([start, [np.nan, 0.0, 0.0], start + [0.0, 0.0, 900.0]])
     found = distances_from_trajectory(places, circle)
     assert found[0] == pytest.approx(0.0, abs=1e-6)
     assert found[1] == np.inf
-    assert found[2] == pytest.approx(900.0, abs=2.0)  # the vessel heaves by a metre
+    assert found[2] == pytest.approx(900.0, abs=2.0)  # the vessel moves vertically by a metre
     assert (distances_from_trajectory(places[1:2], circle) == np.inf).all()
 
 
-def test_what_lies_in_reach_has_its_place(circle: LocalTrajectory) -> None:
+def test_coordinates_near_the_trajectory_are_converted(circle: LocalTrajectory) -> None:
     system = coordinate_system(GEOGRAPHIC)
     near = np.array([-71.2, 46.8, 5.0])
     assert too_far_message(near, system, circle, "P1") is None
@@ -74,7 +74,7 @@ def test_what_lies_in_reach_has_its_place(circle: LocalTrajectory) -> None:
         ),
     ],
 )  # fmt: skip
-def test_a_slip_is_reported_with_what_it_may_be(
+def test_implausible_coordinates_are_reported_with_a_possible_cause(
     circle: LocalTrajectory, code: str, point: tuple[float, ...], said: str
 ) -> None:
     system = coordinate_system(code) if code else None

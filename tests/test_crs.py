@@ -1,4 +1,4 @@
-"""Coordinate systems: known places, units, heights, headers, and what is refused."""
+"""Tests of coordinate systems: known places, units, heights, headers and refusals."""
 
 import struct
 import time
@@ -23,7 +23,7 @@ from tests.message_codes import codes
 def test_utm_points_and_the_same_points_in_ecef_agree(
     shared_data: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """A real airborne file, by the CRS its header names; both are stored to 10 mm."""
+    """A real airborne file with the CRS of its header; both files are stored to 10 mm."""
     points, clouds = [], []
     for name in ("points.las", "points_ecef.las"):
         path = shared_data / "leeward" / name
@@ -37,11 +37,11 @@ def test_utm_points_and_the_same_points_in_ecef_agree(
     with capsys.disabled():
         print(f"\nUTM against ECEF, {len(apart):,} points: at most {1000 * apart.max():.3f} mm")
     assert apart.max() < 0.005
-    np.testing.assert_allclose(points[1], clouds[1], rtol=0, atol=1e-6)  # ECEF is ECEF
+    np.testing.assert_allclose(points[1], clouds[1], rtol=0, atol=1e-6)  # no conversion is needed
 
 
 @pytest.mark.parametrize("code", [32619, 32755, 2949, 2193, 3857, 4326, 4979, 4978, 2229])
-def test_there_and_back(code: int) -> None:
+def test_conversion_there_and_back_gives_the_same_coordinates(code: int) -> None:
     system = coordinate_system(f"EPSG:{code}")
     place = system.crs.area_of_use or CRS(4326).area_of_use
     latitude = np.radians((place.south + place.north) / 2 + np.linspace(-0.01, 0.01, 50))
@@ -69,11 +69,11 @@ FOOT = 1200 / 3937
         ("EPSG:4978", {}, (1.0, 1.0, 1.0)),
     ],
 )
-def test_units_are_known_in_metres(text: str, options: dict[str, str], metres) -> None:
+def test_the_units_of_a_system_in_metres(text: str, options: dict[str, str], metres) -> None:
     assert coordinate_system(text, **options).metres == pytest.approx(metres, rel=1e-9)
 
 
-def test_grid_north_and_scale_are_not_ignored() -> None:
+def test_grid_north_and_scale_are_applied() -> None:
     """100 m along the grid's east axis, 2.9 deg off the central meridian: turned and scaled."""
     system = coordinate_system("EPSG:32619")
     start = system.from_geodetic(
@@ -89,7 +89,7 @@ def test_grid_north_and_scale_are_not_ignored() -> None:
     frame = LocalFrame(latitude[0], longitude[0], 0.0)
     local = system.to_local(np.array([start + [100.0, 0, 0]]), frame)[0]
     assert np.hypot(*local[:2]) == pytest.approx(distance, abs=1e-4)
-    assert abs(local[0]) > 3  # the shift that adding grid offsets would make
+    assert abs(local[0]) > 3  # the error of adding grid offsets instead
 
 
 def test_local_frame_agrees_with_proj() -> None:
@@ -110,7 +110,7 @@ def test_local_frame_agrees_with_proj() -> None:
     np.testing.assert_allclose(system.from_local(system.to_local(points, frame), frame), points)
 
 
-def test_feet_are_metres_after_all() -> None:
+def test_systems_in_feet_and_metres_agree() -> None:
     metres = coordinate_system("EPSG:26945")  # California zone 5
     feet = coordinate_system("EPSG:2229")
     points = np.array([[1_900_000.0, 560_000.0, 30.0]])
@@ -125,7 +125,7 @@ def test_feet_are_metres_after_all() -> None:
 
 
 def geoid(path: Path, undulation: float) -> Path:
-    """A constant geoid, 10 x 10 deg about Quebec, in NOAA's format (GTX)."""
+    """Write a constant geoid, 10 x 10 deg about Quebec, in the format of NOAA (GTX)."""
     head = struct.pack(">4d2i", 40.0, -80.0, 1.0, 1.0, 11, 11)
     path.write_bytes(head + np.full(121, undulation, ">f4").tobytes())
     return path
@@ -167,7 +167,7 @@ def test_heights_above_a_geoid_file(tmp_path: Path) -> None:
         ("EPSG:6347", {"trajectory_datum": "EPSG:32618"}, "crs.not_geographic"),
     ],
 )
-def test_what_is_refused(text: str, options: dict[str, str], code: str) -> None:
+def test_unusable_systems_are_refused(text: str, options: dict[str, str], code: str) -> None:
     with pytest.raises(InputError, check=has_code(code)) as refused:
         coordinate_system(text, **options)
     assert "\n" not in str(refused.value)
@@ -184,7 +184,7 @@ def test_a_missing_grid_is_named(text: str, datum: str, grid: str) -> None:
     assert grid in " ".join(refused.value.message.params["grids"])
 
 
-def test_a_system_out_of_joint_is_refused() -> None:
+def test_an_inconsistent_system_is_refused() -> None:
     wkt = CRS("EPSG:32619").to_wkt()
     damaged = wkt.replace('Mercator",ID["EPSG",9807]', 'Mercator"-ID["EPSG",9807]')
     assert damaged != wkt
@@ -192,7 +192,7 @@ def test_a_system_out_of_joint_is_refused() -> None:
         coordinate_system(damaged)
 
 
-def test_datums_are_shifted_only_when_asked() -> None:
+def test_datums_are_shifted_on_request_only() -> None:
     same = coordinate_system("EPSG:6347")
     shifted = coordinate_system("EPSG:6347", trajectory_datum="EPSG:7912", epoch=2024.5)
     point = np.array([[500_000.0, 4_500_000.0, 0.0]])
@@ -201,7 +201,7 @@ def test_datums_are_shifted_only_when_asked() -> None:
     assert "assumed.datum" in codes(same.assumptions)
 
 
-def test_points_off_the_map_are_refused() -> None:
+def test_points_outside_the_coordinate_system_are_refused() -> None:
     with pytest.raises(
         InputError,
         check=has_code("crs.points_outside", count=1, system="WGS 84 / UTM zone 19N (EPSG:32619)"),
@@ -212,7 +212,9 @@ def test_points_off_the_map_are_refused() -> None:
 @pytest.mark.parametrize(
     ("version", "point_format", "keep"), [("1.2", 1, False), ("1.4", 6, True), ("1.4", 6, False)]
 )
-def test_crs_of_a_header(tmp_path: Path, version: str, point_format: int, keep: bool) -> None:
+def test_the_system_of_a_las_header_is_read(
+    tmp_path: Path, version: str, point_format: int, keep: bool
+) -> None:
     """GeoTIFF keys and WKT as laspy writes them."""
     header = laspy.LasHeader(point_format=point_format, version=version)
     header.add_crs(CRS("EPSG:2949"), keep_compatibility=keep)
@@ -224,8 +226,10 @@ def test_crs_of_a_header(tmp_path: Path, version: str, point_format: int, keep: 
     assert (stated.text, stated.file_warnings) == ("EPSG:2949", ())
 
 
-def test_a_million_points_take_how_long(capsys: pytest.CaptureFixture[str]) -> None:
-    """Printed; asserted is that blocks on several threads give what one call gives."""
+def test_blocks_in_several_threads_give_the_same_coordinates(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Prints the times; checks that blocks in several threads give the result of one call."""
     system = coordinate_system("EPSG:32619")
     points = np.random.default_rng(0).uniform([3e5, 5e6, 0], [3.1e5, 5.01e6, 50], (1_000_000, 3))
     started = time.perf_counter()

@@ -1,4 +1,4 @@
-"""LAS headers with WKT and GeoTIFF keys: which applies, and what a contradiction says."""
+"""Tests of LAS headers with both WKT and GeoTIFF keys: the used system and contradictions."""
 
 from pathlib import Path
 
@@ -16,13 +16,13 @@ from tests import point_files as files
 
 LAS = format_of("las")
 ZONE_18, ZONE_19, MTM = "EPSG:32618", "EPSG:32619", "EPSG:2949"
-NONE = 32767
+UNUSABLE_CODE = 32767
 
 
 def header_of(
     wkt: str, keys: dict[int, int] | None, *, bit: bool, point_format: int = 6
 ) -> laspy.LasHeader:
-    """A header with WKT of a system, keys, and the bit."""
+    """A header with the WKT of a system, GeoTIFF keys and the WKT bit."""
     header = laspy.LasHeader(point_format=point_format, version="1.4")
     header.vlrs.clear()
     if wkt:
@@ -72,12 +72,12 @@ def test_the_bit_decides_between_two_systems(
         (ZONE_19, projected(32619), ZONE_19),
         (ZONE_19, {}, ZONE_19),
         (f"{MTM}+6647", projected(2949, heights=6647), f"{MTM}+6647"),
-        # The same place, and heights in one of the two alone
+        # The same horizontal system, with heights in only one of the two
         (f"{MTM}+6647", projected(2949), f"{MTM}+6647"),
         (MTM, projected(2949, heights=6647), f"{MTM}+6647"),
     ],
 )
-def test_one_system_is_read_whatever_the_bit(
+def test_a_single_system_is_read_with_either_bit(
     wkt: str, keys: dict[int, int] | None, text: str, bit: bool
 ) -> None:
     found = read_header_crs(header_of(wkt, keys, bit=bit))
@@ -92,14 +92,14 @@ def test_two_systems_of_heights_are_a_contradiction(bit: bool) -> None:
     assert codes(found) == [("file.two_systems", Level.WARNING)]
 
 
-def test_a_datum_makes_another_system() -> None:
+def test_systems_with_different_datums_are_different() -> None:
     """NAD83 and WGS 84 in the same zone."""
     found = read_header_crs(header_of("EPSG:26919", projected(32619), bit=True))
     assert (found.text, codes(found)) == ("EPSG:26919", [("file.two_systems", Level.WARNING)])
 
 
-def test_a_system_that_cannot_be_used_leaves_the_other() -> None:
-    found = read_header_crs(header_of(ZONE_19, projected(NONE), bit=False), "a.las")
+def test_the_other_system_is_used_if_one_is_unusable() -> None:
+    found = read_header_crs(header_of(ZONE_19, projected(UNUSABLE_CODE), bit=False), "a.las")
     assert (found.text, found.file_warnings) == (ZONE_19, ())
     assert codes(found) == [("file.unusable_system", Level.NOTE)]
     header = header_of("", projected(32619), bit=True)
@@ -110,7 +110,7 @@ def test_a_system_that_cannot_be_used_leaves_the_other() -> None:
 
 
 def conflicting(path: Path) -> Path:
-    """A file of which the keys apply, and the WKT is another zone."""
+    """Write a file whose keys apply; its WKT is another zone."""
     data = laspy.read(files.las(path, 7, "1.4"))
     data.header.vlrs.extend(header_of(ZONE_18, projected(32619), bit=False).vlrs)
     data.header.global_encoding.wkt = False
@@ -119,7 +119,7 @@ def conflicting(path: Path) -> Path:
 
 
 @pytest.mark.parametrize("ending", ["las", "laz"])
-def test_a_line_is_examined_with_the_contradiction(tmp_path: Path, ending: str) -> None:
+def test_the_preview_of_a_line_reports_the_contradiction(tmp_path: Path, ending: str) -> None:
     path = conflicting(tmp_path / f"a.{ending}")
     found = LAS.preview(path, {})
     assert found.choice["crs"] == ZONE_19
@@ -128,7 +128,7 @@ def test_a_line_is_examined_with_the_contradiction(tmp_path: Path, ending: str) 
     assert [message.code for message in settled.messages] == []
 
 
-def test_a_reference_has_the_contradiction_too(tmp_path: Path) -> None:
+def test_a_reference_reports_the_contradiction(tmp_path: Path) -> None:
     found = open_static_scan(conflicting(tmp_path / "a.las"))
     assert found.system == ZONE_19
     assert [message.code for message in found.messages] == ["file.two_systems"]
@@ -143,7 +143,7 @@ def test_a_reference_has_the_contradiction_too(tmp_path: Path) -> None:
 def test_written_systems_do_not_contradict_each_other(
     system: str, point_format: int, version: str
 ) -> None:
-    """Also where the pattern of the file stated another system before."""
+    """Also if the template of the file had another system."""
     header = laspy.LasHeader(point_format=point_format, version=version)
     header.vlrs.extend(header_of(ZONE_18, projected(32618), bit=True).vlrs)
     write_crs(header, CRS(system))

@@ -1,4 +1,4 @@
-"""Coordinate systems that LAS headers state by GeoTIFF keys, heights and units among them."""
+"""Tests of coordinate systems given by GeoTIFF keys in LAS headers."""
 
 import laspy
 import pytest
@@ -11,12 +11,12 @@ from tests.message_codes import codes
 
 MODEL, CITATION, GEOGRAPHIC, PROJECTED, PROJECTED_CITATION = 1024, 1026, 2048, 3072, 3073
 PROJECTION, LINEAR_UNIT, VERTICAL, VERTICAL_UNIT = 3074, 3076, 4096, 4099
-"""GeoTIFF's numbers of keys (OGC 19-008)."""
+"""Numbers of GeoTIFF keys (OGC 19-008)."""
 UTM = {MODEL: 1, PROJECTED: 32619}
 
 
 def header_crs(numbers: dict[int, int], texts: dict[int, str] | None = None) -> HeaderCrs:
-    """What a header of these keys states."""
+    """Coordinate system of a header with these keys."""
     header = laspy.LasHeader(point_format=1, version="1.2")
     directory, ascii_texts = GeoKeyDirectoryVlr(), GeoAsciiParamsVlr()
     keys = [GeoKeyEntryStruct(key, 0, 1, value) for key, value in numbers.items()]
@@ -30,8 +30,8 @@ def header_crs(numbers: dict[int, int], texts: dict[int, str] | None = None) -> 
     return read_header_crs(header, "a.las")
 
 
-def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
-    """California's zone 5 in US survey feet, with a key that says metres."""
+def test_a_contradictory_unit_key_leaves_the_system_unknown() -> None:
+    """California zone 5 in US survey feet, with a key for metres."""
     name = CRS(2229).name
     assert header_crs({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9003}).text == "EPSG:2229"
     found = header_crs({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9001})
@@ -49,12 +49,12 @@ def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
         (0, "EPSG:32619", ()),
         (5030, "EPSG:32619", ()),  # above the ellipsoid of WGS 84
         (6647, "EPSG:32619+6647", ()),
-        (32767, "EPSG:32619", ()),  # of the user's own
+        (32767, "EPSG:32619", ()),  # user-defined
         (1234, "EPSG:32619", ("1234",)),
         (4326, "EPSG:32619", ("4326",)),
     ],
 )
-def test_heights_of_the_keys(heights: int, text: str, unknown: tuple[str, ...]) -> None:
+def test_heights_are_read_from_the_keys(heights: int, text: str, unknown: tuple[str, ...]) -> None:
     found = header_crs(UTM | ({VERTICAL: heights} if heights else {}))
     assert found.text == text
     assert codes(found.file_warnings) == ["las.unknown_vertical"] * len(unknown)
@@ -62,14 +62,14 @@ def test_heights_of_the_keys(heights: int, text: str, unknown: tuple[str, ...]) 
     assert found.name == CRS(text).name
 
 
-def test_the_unit_of_heights_is_given_separately() -> None:
+def test_the_height_unit_has_a_separate_key() -> None:
     assert header_crs(UTM | {VERTICAL: 6360, VERTICAL_UNIT: 9003}).height_unit == "us-survey-foot"
     assert header_crs(UTM | {VERTICAL_UNIT: 9999}).height_unit == ""
 
 
 @pytest.mark.parametrize(("code", "text"), [(4978, "EPSG:4978"), (4326, "EPSG:4978")])
 def test_earth_centred_coordinates(code: int, text: str) -> None:
-    """By their own code, or by that of the geographic system of the same datum."""
+    """The code is that of the geocentric system or of the geographic system of its datum."""
     assert header_crs({MODEL: 3, GEOGRAPHIC: code}).text == text
 
 
@@ -92,8 +92,8 @@ def test_earth_centred_coordinates_of_another_datum_are_not_guessed(code: int) -
         ("Utm 19", None, None),
     ],
 )
-def test_a_name_without_a_code(name: str, code: int | None, projection: int | None) -> None:
-    """It counts where it is the very name and the zone of the projection is no other one."""
+def test_a_system_is_found_by_its_name(name: str, code: int | None, projection: int | None) -> None:
+    """The name is used if it is exactly an EPSG name and the projection is of the same zone."""
     numbers = {MODEL: 1, PROJECTED: 32767}
     found = header_crs(
         numbers | ({PROJECTION: projection} if projection else {}), {PROJECTED_CITATION: name}
@@ -111,8 +111,8 @@ def test_a_name_without_a_code(name: str, code: int | None, projection: int | No
     ("system", "unit"),
     [("EPSG:2949+6647", "metre"), ("EPSG:2229+6360", "us-survey-foot"), ("EPSG:2157+5754", "")],
 )
-def test_keys_that_are_written_are_read_as_written(system: str, unit: str) -> None:
-    """The feet of the heights above Poolbeg, EPSG:5754, have no key here: their code has them."""
+def test_written_keys_can_be_read_back(system: str, unit: str) -> None:
+    """The feet of the heights above Poolbeg, EPSG:5754, have no key: the code implies them."""
     header = laspy.LasHeader(point_format=1, version="1.2")
     write_crs(header, CRS(system))
     header.vlrs.extract("WktCoordinateSystemVlr")
@@ -122,7 +122,7 @@ def test_keys_that_are_written_are_read_as_written(system: str, unit: str) -> No
 
 
 def test_heights_without_a_code_are_written_as_wkt_alone() -> None:
-    """In version 1.4, which may have WKT with any point format."""
+    """The version is 1.4, which allows WKT with any point format."""
     wkt = CRS("EPSG:2949+6647").to_wkt("WKT1_GDAL")
     own = wkt.replace("CGVD2013(CGG2013) height", "tide gauge").replace("CGVD2013", "gauge")
     start = own.index("VERT_CS")

@@ -1,4 +1,4 @@
-"""The way between datums: where PROJ knows none, and where only a realization has one."""
+"""Tests of transformations between datums: none in PROJ, or only to a realization."""
 
 import re
 
@@ -22,7 +22,7 @@ def refusal(text: str) -> Message:
 
 
 @pytest.mark.parametrize("text", ["EPSG:2949", "EPSG:2959", "EPSG:2949+6647", "EPSG:4617"])
-def test_datum_that_stands_for_its_realizations(text: str) -> None:
+def test_a_datum_ensemble_is_refused_with_its_realizations(text: str) -> None:
     message = refusal(text)
     compound = "+" in text
     assert message.code == ("crs.datum_ensemble_heights" if compound else "crs.datum_ensemble")
@@ -33,11 +33,11 @@ def test_datum_that_stands_for_its_realizations(text: str) -> None:
     for code, name in codes:
         found = CRS.from_user_input(code)
         assert found.name == name
-        # With the code that the message names, and a date, it goes.
+        # With the code named in the message and a date, the system can be used.
         coordinate_system(code, trajectory_datum=ITRF, epoch=2023.5)
 
 
-def test_projection_is_the_same_on_the_realization_named() -> None:
+def test_the_projection_is_the_same_on_a_named_realization() -> None:
     plain = coordinate_system("EPSG:2949")
     code = re.findall(r"urn:\S+", message_text(refusal("EPSG:2949")))[1]
     realized = coordinate_system(code)
@@ -47,8 +47,8 @@ def test_projection_is_the_same_on_the_realization_named() -> None:
     )
 
 
-def test_shift_is_that_of_the_realization() -> None:
-    """By PROJ's own pipeline from ITRF2014 to NAD83(CSRS)v7, at another projection."""
+def test_the_shift_is_that_of_the_realization() -> None:
+    """Reference: the PROJ pipeline from ITRF2014 to NAD83(CSRS)v7, then the projection."""
     code = re.findall(r"urn:\S+", message_text(refusal("EPSG:2949")))[1]
     shifted = coordinate_system(code, trajectory_datum=ITRF, epoch=2023.5)
     place = shifted.from_geodetic(np.radians([46.8]), np.radians([-71.2]), np.array([10.0]))[0]
@@ -58,11 +58,11 @@ def test_shift_is_that_of_the_realization() -> None:
     np.testing.assert_allclose(place, [east, north, height], rtol=0, atol=1e-4)
 
 
-def test_no_way_at_all_names_no_grid() -> None:
+def test_without_a_transformation_no_grid_is_named() -> None:
     assert refusal("EPSG:2154").code == "crs.no_operation"
 
 
-def test_missing_date_names_the_option() -> None:
+def test_a_missing_epoch_names_the_option() -> None:
     message = refusal("EPSG:22718")
     assert message.code == "crs.epoch_missing"
     assert "epoch=2024.5" in message_text(message)

@@ -1,4 +1,4 @@
-"""A project file that cannot be read: said in words, with what a library said in the details."""
+"""Tests of project files that cannot be read: plain messages without the words of libraries."""
 
 import json
 from collections.abc import Callable
@@ -33,12 +33,12 @@ def refused(folder: Path) -> ProjectError:
     assert caught.value.code == "project.damaged"
     assert said.startswith(f"{folder / PROJECT_FILE_NAME}: ")
     assert not [word for word in JARGON if word in said]
-    assert caught.value.__cause__ is not None  # for the details
+    assert caught.value.__cause__ is not None  # shown in the details
     return caught.value
 
 
 def reason_of(refusal: ProjectError) -> Message:
-    """What is wrong with the content."""
+    """The reason that the error gives for the damage of the content."""
     return refusal.message.params["reason"]
 
 
@@ -81,14 +81,16 @@ def folder(tmp_path: Path) -> Path:
         ),
     ],
 )  # fmt: skip
-def test_a_value_that_does_not_fit(folder: Path, damage: Damage, reason: Message) -> None:
+def test_a_wrong_value_is_refused_with_the_reason(
+    folder: Path, damage: Damage, reason: Message
+) -> None:
     content = json.loads((folder / PROJECT_FILE_NAME).read_text())
     damage(content)
     (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
     assert reason_of(refused(folder)) == reason
 
 
-def test_a_file_cut_short(folder: Path) -> None:
+def test_a_file_that_is_cut_short_is_refused(folder: Path) -> None:
     text = (folder / PROJECT_FILE_NAME).read_text()
     (folder / PROJECT_FILE_NAME).write_text(text[: len(text) // 2])
     line = text[: len(text) // 2].count("\n") + 1
@@ -97,12 +99,14 @@ def test_a_file_cut_short(folder: Path) -> None:
     assert reason.params["line"] in (line - 1, line)
 
 
-def test_bytes_that_are_no_text(folder: Path) -> None:
+def test_a_file_that_is_not_text_is_refused(folder: Path) -> None:
     (folder / PROJECT_FILE_NAME).write_bytes(b"\xff\xfe\x00\xd8" * 10)
     assert reason_of(refused(folder)) == error("content.not_utf8")
 
 
-def test_a_drive_that_is_lost(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_read_error_of_the_drive_is_reported(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def lost(path: Path) -> bytes:
         raise OSError(5, "Input/output error", str(path))
 
@@ -121,7 +125,7 @@ def test_a_drive_that_is_lost(folder: Path, monkeypatch: pytest.MonkeyPatch) -> 
         (np.arange(10_000), "content.too_many_bytes"),
     ],
 )
-def test_points_that_are_no_numbers_of_points(folder: Path, numbers: np.ndarray, code: str) -> None:
+def test_invalid_point_numbers_are_refused(folder: Path, numbers: np.ndarray, code: str) -> None:
     (path,) = (folder / SIGHTINGS_FOLDER).glob("T1-*.npz")
     with np.load(path) as arrays:
         kept = dict(arrays)
@@ -134,7 +138,7 @@ def test_points_that_are_no_numbers_of_points(folder: Path, numbers: np.ndarray,
     assert params["reason"].code == code
 
 
-def test_what_is_kept_against_a_crash_and_says_the_same_is_nothing(folder: Path) -> None:
+def test_a_recovery_file_without_changes_is_ignored(folder: Path) -> None:
     project = read_project(folder)
     assert read_unsaved(folder) is None
     write_unsaved(project)
@@ -145,7 +149,7 @@ def test_what_is_kept_against_a_crash_and_says_the_same_is_nothing(folder: Path)
     assert [target.name for target in unsaved.targets] == ["T1"]
 
 
-def test_what_could_not_be_read_again_is_not_written(folder: Path) -> None:
+def test_values_that_could_not_be_read_again_are_not_written(folder: Path) -> None:
     project = read_project(folder)
     before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
     first = project.targets[0]
@@ -167,7 +171,7 @@ def test_what_could_not_be_read_again_is_not_written(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["targets", "lines"])
-def test_two_of_one_name_are_refused(folder: Path, kind: str) -> None:
+def test_duplicate_names_are_refused(folder: Path, kind: str) -> None:
     content = json.loads((folder / PROJECT_FILE_NAME).read_text())
     content[kind][1]["name"] = content[kind][0]["name"]
     (folder / PROJECT_FILE_NAME).write_text(json.dumps(content))
@@ -189,7 +193,7 @@ def test_two_of_one_name_are_refused(folder: Path, kind: str) -> None:
         ("schema_version", [True, 8.0, 0]),
     ],
 )  # fmt: skip
-def test_values_that_only_an_edit_can_have_brought_in(
+def test_values_that_only_a_manual_edit_can_cause_are_refused(
     folder: Path, place: str, values: list[object]
 ) -> None:
     sound = (folder / PROJECT_FILE_NAME).read_text()
@@ -203,7 +207,7 @@ def test_values_that_only_an_edit_can_have_brought_in(
         refused(folder)
 
 
-def test_messages_that_cannot_be_shown_are_not_read(folder: Path) -> None:
+def test_messages_that_cannot_be_shown_are_skipped(folder: Path) -> None:
     content = json.loads((folder / PROJECT_FILE_NAME).read_text())
     sound = encode_value(error("store.locked", folder="a"))
     content["data_messages"] = [

@@ -1,4 +1,4 @@
-"""The search for the best plan: what is best is known where all plans can be looked at."""
+"""Tests of the search for the best plan, against an exhaustive search of a small site."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -34,7 +34,7 @@ LARGE = Site((0.0, -15.0, 0.0), 270.0)
 
 @pytest.fixture(scope="module")
 def best():
-    """The best plan of a small site, by looking at all of them."""
+    """The best plan of a small site, found by evaluating all plans."""
     return search(SMALL)
 
 
@@ -59,7 +59,7 @@ def test_a_small_site_is_searched_exactly(best) -> None:
 def test_evolution_finds_what_an_exhaustive_search_finds(
     best, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """One seed in thirty ends with the second best, from which no single exchange leads away.
+    """One seed in thirty ends with the second best plan, which no single exchange improves.
 
     Which one it is depends on the last digit of the numbers, and so on the processor.
     """
@@ -71,7 +71,7 @@ def test_evolution_finds_what_an_exhaustive_search_finds(
     assert beyond.max() < 0.05
 
 
-def test_the_same_with_any_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_result_does_not_depend_on_the_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None:
     with ThreadPoolExecutor(2) as pool:
         assert search(SMALL, mapper=pool.map).plan.lines == best.plan.lines
         monkeypatch.setattr("lispac.design.plan_search.MAX_EXHAUSTIVE_PLANS", 10)
@@ -81,8 +81,8 @@ def test_the_same_with_any_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None
     assert one.value == other.value
 
 
-def test_the_search_beats_the_thesis_on_its_own_terms() -> None:
-    """Two boards and six lines, as the thesis recommends, hung and sailed elsewhere."""
+def test_the_search_finds_better_plans_than_the_thesis() -> None:
+    """Two boards and six lines, as the thesis recommends, but at other places."""
     for criterion, gain in (("largest", 1.5), ("A", 1.5)):
         objective = PlanObjective(criterion)
         usual = objective.of(thesis_plan(LARGE))
@@ -95,10 +95,10 @@ def test_the_search_beats_the_thesis_on_its_own_terms() -> None:
             found.plan.courses, found.plan.straight_extents, strict=True
         ):
             west = course.abeam[1] + np.array([start, stop]) * course.direction[1]
-            assert (west + 15.0 >= LARGE.closest - 1e-9).all()  # the wall's face is at -15
+            assert (west + 15.0 >= LARGE.closest - 1e-9).all()  # the face of the wall is at -15
 
 
-def test_the_search_never_ends_worse_than_it_began() -> None:
+def test_the_search_never_returns_a_worse_plan_than_the_start() -> None:
     site = replace(LARGE, along=(-0.8, 0.8), heights=(5.0,), distances=(15.0, 20.0))
     start = thesis_plan(site)
     found = search(site, plans=150, start=start)
@@ -123,11 +123,11 @@ def test_less_time_is_never_better(best) -> None:
     assert best.front[0].minutes == 3 * SMALL.minutes_per_line + 2 * SMALL.minutes_per_board
 
 
-def test_planes_that_are_there_anyway_are_used() -> None:
-    """Part of a tower 30 m behind the wall and 35 m up, and the quay: as good as any boards."""
+def test_existing_planes_are_used() -> None:
+    """Part of a tower 30 m behind the wall and 35 m up, and a roof: better than the thesis plan."""
     tower = Board("tower", (0.0, -45.0, 35.0), (0.0, 1.0, 0.0), 6.0, 6.0, 0.003)
     deck = Board("roof", (4.0, -25.0, -2.0), (0.0, 0.6, 0.8), 6.0, 6.0, 0.005)
-    # From 15 m an oblique line would be ashore before the tower is abeam
+    # At 15 m an oblique line would reach the shore before the tower is abeam
     headings = (0.0, 45.0, 135.0, 180.0)
     site = replace(LARGE, boards=0, lines=4, natural=(tower, deck), headings_deg=headings)
     with pytest.raises(RankDeficient, check=has_code("design.no_plan")):
@@ -141,14 +141,14 @@ def test_planes_that_are_there_anyway_are_used() -> None:
 
 
 @pytest.mark.long
-def test_every_criterion_is_the_smallest_for_its_own_search(best) -> None:
+def test_a_search_for_a_criterion_minimises_it(best) -> None:
     for criterion in CRITERION_TEXTS:
         objective = PlanObjective(criterion)
         own = search(SMALL, objective)
         assert own.value <= objective.of(best.plan) * (1 + 1e-12)
 
 
-def test_an_unsure_pos_counts_by_its_mean() -> None:
+def test_several_pos_factors_count_by_their_mean() -> None:
     plan = thesis_plan(LARGE)
     one, two, both = (PlanObjective(pos_factors=f).of(plan) for f in ((1.0,), (2.0,), (1.0, 2.0)))
     assert one < both < two
@@ -157,13 +157,13 @@ def test_an_unsure_pos_counts_by_its_mean() -> None:
     assert two == pytest.approx(float(predict(doubled).sigma.max()), rel=1e-3)
 
 
-def test_targets_that_face_one_way_are_no_plan() -> None:
+def test_targets_with_the_same_orientation_are_no_plan() -> None:
     site = replace(SMALL, inclinations_deg=(90.0,))
     with pytest.raises(RankDeficient, check=has_code("design.no_plan")):
         search(site)
 
 
-def test_a_search_is_cancelled() -> None:
+def test_a_search_can_be_cancelled() -> None:
     def stop(fraction: float, step: Step | None = None) -> None:
         raise Cancelled
 
@@ -171,7 +171,7 @@ def test_a_search_is_cancelled() -> None:
         search(SMALL, progress=stop)
 
 
-def test_limits_that_allow_nothing_are_refused() -> None:
+def test_limits_that_allow_no_plan_are_refused() -> None:
     with pytest.raises(InputError, check=has_code("design.site_too_small")):
         replace(SMALL, lines=1)
     with pytest.raises(InputError, check=has_code("design.too_long", lines=50)):
@@ -189,8 +189,8 @@ def test_limits_that_allow_nothing_are_refused() -> None:
     assert evenly_spaced(0.0, 1.0, 0.4) == pytest.approx((0.0, 0.4, 0.8, 1.0))
 
 
-def test_lines_keep_off_the_wall_where_they_are_straight() -> None:
-    """Targets far apart along the wall make a line long, and an oblique one nears the wall."""
+def test_straight_lines_keep_clear_of_the_wall() -> None:
+    """Targets far apart along the wall make lines long, so that an oblique line nears the wall."""
     boards = [LARGE.wall.board(f"T{k}", a, 5.0, 90.0, (1.0, 1.0)) for k, a in enumerate((-8, 8))]
     oblique = LARGE.plan(boards, [Line(45.0, 15.0, True)])
     assert not LARGE.keeps_clear_of_wall(oblique)
@@ -200,7 +200,7 @@ def test_lines_keep_off_the_wall_where_they_are_straight() -> None:
     )
 
 
-def test_boards_over_each_other_are_reported() -> None:
+def test_overlapping_boards_are_detected() -> None:
     def board(along: float, up: float) -> Board:
         return LARGE.wall.board("T", along, up, 90.0, (1.23, 1.22))
 
@@ -210,7 +210,7 @@ def test_boards_over_each_other_are_reported() -> None:
     assert are_boards_separate([board(0.0, 5.0)])
 
 
-def test_a_part_without_which_an_angle_is_open_has_all_the_gain(best) -> None:
+def test_an_indispensable_line_has_an_infinite_gain(best) -> None:
     two = best.plan.with_lines(best.plan.lines[:2])
     found = {each.name: each.without for each in information_gains(two, PlanObjective())}
     assert np.isinf(found["L1"])
@@ -218,9 +218,9 @@ def test_a_part_without_which_an_angle_is_open_has_all_the_gain(best) -> None:
 
 
 def test_a_board_is_at_the_given_place() -> None:
-    """To the right of one who looks at the wall, facing the water, leaning back."""
+    """The board is to the right as seen from the water, faces the water and leans back."""
     board = LARGE.wall.board("T1", 2.0, 6.0, 60.0, LARGE.sizes[0])
-    # The wall faces west; who looks at it looks east, and has south to the right.
+    # The wall faces west; for an observer looking east at it, south is to the right.
     assert board.centre == pytest.approx((-2.0, -15.0, 6.0))
     assert board.normal == pytest.approx((0.0, np.sin(np.radians(60)), 0.5))
     assert Line(0.0, 15.0, True).abeam((0.0, -15.0)) == pytest.approx((0.0, 0.0))

@@ -1,4 +1,4 @@
-"""How much less points say that share part of their noise: the design effect (Kish 1965)."""
+"""Tests of the design effect of points that share part of their noise (Kish 1965)."""
 
 import numpy as np
 import pytest
@@ -21,38 +21,38 @@ BLOCKS = np.repeat(np.arange(400), 25)
 
 
 @pytest.mark.parametrize("shared", [0.2, 0.5, 1.0])
-def test_what_blocks_share_makes_their_sums_vary_by_the_intraclass_correlation(shared) -> None:
-    """``1 + (m - 1) rho`` of m points with the correlation rho, whatever their size."""
+def test_the_design_effect_follows_from_the_intraclass_correlation(shared) -> None:
+    """``1 + (m - 1) rho`` for m points with correlation rho, whatever the size of the residuals."""
     rng = np.random.default_rng(4)
     rho = shared**2 / (1 + shared**2)
     residuals = shared * rng.normal(size=400)[BLOCKS] + rng.normal(size=len(BLOCKS))
     found = _design_effect(residuals, BLOCKS)
-    assert found == pytest.approx(1 + 24 * rho, rel=0.25)  # of 400 sums: 7 % each sigma
+    assert found == pytest.approx(1 + 24 * rho, rel=0.25)  # 7 % is one sigma for 400 sums
     assert _design_effect(7.0 * residuals, BLOCKS) == pytest.approx(found)
     assert _design_effect(residuals, 3 * BLOCKS) == pytest.approx(found), "numbers nobody has"
 
 
-def test_residuals_that_are_alike_in_a_block_count_once() -> None:
+def test_equal_residuals_in_a_block_count_once() -> None:
     signs = np.where(np.arange(400) % 2, 1.0, -1.0)
     assert _design_effect(signs[BLOCKS], BLOCKS) == pytest.approx(25.0)
 
 
-def test_no_more_than_chance_is_no_effect() -> None:
+def test_random_variation_is_no_design_effect() -> None:
     rng = np.random.default_rng(5)
     found = [_design_effect(rng.normal(size=len(BLOCKS)), BLOCKS) for _ in range(40)]
-    # Beyond two sigmas of a chi square of 400 by chance, one in forty
+    # By chance one in forty exceeds two sigmas of a chi square of 400
     assert found.count(1.0) >= 36
     assert _design_effect(np.zeros(len(BLOCKS)), BLOCKS) == 1.0
 
 
-def test_a_little_more_than_chance_is_reported() -> None:
-    """Half as much again is seven sigmas of 400 sums."""
+def test_a_small_excess_over_chance_is_measured() -> None:
+    """An excess of one half is seven sigmas for 400 sums."""
     rng = np.random.default_rng(6)
     residuals = rng.normal(size=400)[BLOCKS] * np.sqrt(0.5 / 24) + rng.normal(size=len(BLOCKS))
     assert _design_effect(residuals, BLOCKS) == pytest.approx(1.5, abs=0.3)
 
 
-def test_outliers_are_noise_unless_a_loss_takes_their_weight() -> None:
+def test_outliers_are_noise_unless_a_robust_loss_is_used() -> None:
     outliers, _ = with_outliers(survey(1, 0.3), 3)
     noise, scale = {}, {}
     for loss in LOSS_NAMES:
@@ -67,8 +67,8 @@ def test_outliers_are_noise_unless_a_loss_takes_their_weight() -> None:
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_only_what_lines_have_in_common_is_a_form_error(seed) -> None:
-    """A bend of the surfaces, then of the lines, of which half bend to the other side."""
+def test_only_a_bend_common_to_all_lines_is_a_form_error(seed) -> None:
+    """A bend of the surfaces, then a bend of the lines with opposite signs on half of them."""
     data, rng = survey(seed, 0.04), np.random.default_rng(seed)
     owner, line = data.target_of_sighting[data.sighting], data.sighting
     off = np.linalg.norm(points_local(data, TRUTH) - target_centroids(data, TRUTH)[owner], axis=1)

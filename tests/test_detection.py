@@ -1,4 +1,4 @@
-"""Planes found without a click, and what is proposed of them."""
+"""Tests of automatic target detection and of the proposed targets."""
 
 import json
 from pathlib import Path
@@ -21,8 +21,8 @@ from tests.test_finder import SharedSurvey
 from tests.test_finder_sites import scenery
 
 
-def test_flat_patches_are_those_of_the_scene():
-    """A board 5 cm before a wall is a patch of its own, of its own size."""
+def test_flat_patches_agree_with_the_scene():
+    """A board 5 cm before a wall is a separate patch of the size of the board."""
     seen = scenery("5 cm proud")
     cloud, board = seen.clouds()["L1"], seen.on("L1", "T1")
     found = find_flat_patches(cloud, 0.01)
@@ -34,7 +34,7 @@ def test_flat_patches_are_those_of_the_scene():
     assert np.degrees(large[1].plane.tilt_to(large[0].plane)) < 0.5
 
 
-def test_no_patch_where_nothing_is_flat():
+def test_points_without_flat_surface_have_no_patch():
     rng = np.random.default_rng(0)
     assert find_flat_patches(rng.uniform(0, 3, (20_000, 3)), 0.01).patches == ()
     assert find_flat_patches(np.empty((0, 3)), 0.01).patches == ()
@@ -59,8 +59,8 @@ def test_both_similar_targets_are_detected_on_every_line_and_kept_apart():
             assert min(precision_and_recall(patch.indices, seen.on(line, name))) > 0.95
 
 
-def test_pieces_of_one_surface_do_not_count_as_surfaces_followed():
-    """A tarpaulin in folds comes in pieces, larger than the board beside it."""
+def test_pieces_of_one_surface_count_once_for_the_limit_of_surfaces():
+    """A folded tarpaulin consists of pieces that are larger than the board beside it."""
     folds = rippled("sheet", (-0.6, WALL, 7.8), 3.2, 1.6, period=1.4, slope_deg=7.0)
     seen = site([tilted_rectangle("T1", (2.6, WALL, 7.5), 1.0, 0.7, 270, 40), *folds], lines=2)
     clouds, settings = seen.clouds(), FinderSettings(threshold=0.06)
@@ -69,7 +69,7 @@ def test_pieces_of_one_surface_do_not_count_as_surfaces_followed():
         patch
         for line in clouds
         for patch in find_flat_patches(clouds[line], settings.threshold, voxel=voxel).patches
-        if patch.area > 0.7  # of the board
+        if patch.area > 0.7  # area of the board
     ]
     assert len(pieces) > 2
     planes = detect_planes(clouds, settings, max_surfaces=2)
@@ -88,7 +88,9 @@ def test_pieces_of_one_surface_do_not_count_as_surfaces_followed():
 
 
 @pytest.mark.long
-def test_the_demo_is_calibrated_from_what_is_proposed(calibrated: tuple[Project, Survey]) -> None:
+def test_the_demo_is_calibrated_with_the_proposed_targets(
+    calibrated: tuple[Project, Survey],
+) -> None:
     project, survey = calibrated
     proposal = propose_targets(project, survey)
     targets = [target for target in proposal.targets if target.role == "target"]
@@ -123,7 +125,7 @@ def test_the_demo_is_calibrated_from_what_is_proposed(calibrated: tuple[Project,
 @pytest.mark.long
 @pytest.mark.parametrize(("name", "least"), [("lanl_truck", 2), ("lanl_tent", 2)])
 def test_natural_planes_are_detected(shared_data: Path, name: str, least: int) -> None:
-    """Before the calibration the drone's surfaces are smeared; after it, planes are planes."""
+    """With the reference boresight, the surfaces of the drone survey are sharp planes."""
     survey = SharedSurvey(shared_data / name)
     reference = json.loads((shared_data / name / "reference.json").read_text())["boresight_deg"]
     planes = detect_planes(survey.clouds(reference), FinderSettings(threshold=0.04))
@@ -134,7 +136,7 @@ def test_natural_planes_are_detected(shared_data: Path, name: str, least: int) -
             assert patch.rms < 3 * 0.02
 
 
-def test_a_proposal_is_not_added_to_targets_of_ones_own(
+def test_proposed_targets_are_not_added_to_existing_ones(
     copy: Project, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["propose", str(copy.folder), "--accept"]) == 1

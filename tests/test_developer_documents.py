@@ -1,4 +1,4 @@
-"""The documents for developers: links, files and names that they mention, and their size."""
+"""Tests of the developer documents: links, mentioned files and names, and size."""
 
 import ast
 import re
@@ -28,19 +28,19 @@ def links(text: str) -> list[str]:
 
 
 def mentioned_files(text: str) -> list[tuple[str, str]]:
-    """Files in backticks, with the name after ``::``, empty where there is none."""
+    """Files in backticks, with the name after ``::``, or an empty one."""
     found = re.findall(r"`([\w./-]+\.(?:py|md|toml|txt|typ|j2|po))(?:::([\w.]+))?`", text)
     return [each for each in found if not PLACEHOLDERS.search(each[0])]
 
 
 def located(path: str) -> Path | None:
-    """A file by its path in the repository or in the package."""
+    """Path of a file given relative to the repository or to the package."""
     return next((each for each in (ROOT / path, ROOT / "lispac" / path) if each.is_file()), None)
 
 
 @cache
 def names_in(path: Path) -> frozenset[str]:
-    """Names that a module defines, those of classes with the class before them."""
+    """Names defined by a module; names in classes are qualified by the class."""
     found: set[str] = set()
 
     def collect(body: list[ast.stmt], prefix: str) -> None:
@@ -61,13 +61,13 @@ def names_in(path: Path) -> frozenset[str]:
 
 
 @pytest.mark.parametrize("page", DOCUMENTS, ids=lambda page: page.name)
-def test_links_lead_to_files(page: Path) -> None:
+def test_links_lead_to_existing_files(page: Path) -> None:
     for link in links(page.read_text(encoding="utf-8")):
         assert (page.parent / link.partition("#")[0]).exists(), link
 
 
 @pytest.mark.parametrize("page", DOCUMENTS, ids=lambda page: page.name)
-def test_files_and_names_that_are_mentioned_exist(page: Path) -> None:
+def test_mentioned_files_and_names_exist(page: Path) -> None:
     for path, name in mentioned_files(page.read_text(encoding="utf-8")):
         file = located(path)
         assert file is not None, path
@@ -88,7 +88,7 @@ def test_missing_files_and_names_are_found() -> None:
 
 
 @pytest.mark.parametrize("page", DECISIONS, ids=lambda page: page.name)
-def test_a_decision_is_one_page_with_its_parts(page: Path) -> None:
+def test_a_decision_is_one_page_with_all_sections(page: Path) -> None:
     text = page.read_text(encoding="utf-8")
     assert title_of(page).startswith(f"{page.name[:3]}. ")
     headings = re.findall(r"^## (.+)$", text, re.MULTILINE)

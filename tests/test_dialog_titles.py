@@ -1,4 +1,4 @@
-"""A dialogue has the words of the menu entry that opens it as its title."""
+"""Tests that a dialogue has the text of its menu entry as its title."""
 
 import ast
 from collections import Counter
@@ -11,13 +11,13 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.window.actions import ALL_ACTIONS, MENUS
 from lispac.language import LANGUAGES, in_language
 
-OTHERWISE = {"lines", "targets", "trajectory", "add_lines", "section_picture", "design"}
-"""Actions whose dialogue takes its title from what is exported, from the project, from the view's
-picture or from the survey plan."""
+WITHOUT_OWN_TITLE = {"lines", "targets", "trajectory", "add_lines", "section_picture", "design"}
+"""Actions whose dialogue has another title: the exported data, the project, the picture of the view
+or the survey plan."""
 
 
 def titled() -> set[str]:
-    """Names of the actions that give a dialogue its title."""
+    """Names of the actions whose texts are used as dialogue titles."""
     names = set()
     for path in Path(lispac.gui.__file__).parent.rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
@@ -30,10 +30,10 @@ def titled() -> set[str]:
     return names
 
 
-def test_every_entry_with_an_ellipsis_gives_its_dialogue_the_title() -> None:
+def test_entries_with_an_ellipsis_are_dialogue_titles() -> None:
     asking = {name for name, each in ALL_ACTIONS.items() if each.texts[0].endswith("…")}
     assert len(asking) > 15
-    assert asking - titled() == OTHERWISE
+    assert asking - titled() == WITHOUT_OWN_TITLE
     assert titled() <= set(ALL_ACTIONS)
 
 
@@ -44,7 +44,7 @@ def test_a_title_has_neither_mnemonic_nor_ellipsis(code: str) -> None:
     assert not [title for title in titles if "&" in title or "…" in title or title != title.strip()]
 
 
-def test_every_place_in_a_menu_has_one_entry() -> None:
+def test_each_position_in_a_menu_has_one_entry() -> None:
     places = [each.menu for each in ALL_ACTIONS.values()]
     places += [(each.menu, each.group, each.position) for each in MENUS.values() if each.menu]
     assert [place for place, count in Counter(places).items() if count > 1] == []

@@ -1,4 +1,4 @@
-"""Targets that are displaced from line to line and not bent: offsets with a sigma of their own."""
+"""Tests of targets displaced from line to line: offsets with a separate sigma."""
 
 from dataclasses import replace
 
@@ -21,7 +21,7 @@ from lispac.simulation.closed_form_survey import (
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from tests.test_robustness import PRIOR, TRUTH, jumped, shifted
 
-FIVE = (
+FIVE_BOARDS = (
     *THESIS_BOARDS,
     Board("T3", (3.0, 25.0, 2.0), (-0.6, -1.0, 0.2)),
     Board("T4", (-5.0, 12.0, 0.5), (0.7, -1.0, 0.6)),
@@ -30,8 +30,10 @@ FIVE = (
 MODEL = StochasticModel(loss="tukey")
 
 
-def survey(seed: int, displaced: float = 0.0, boards: tuple[Board, ...] = FIVE) -> Observations:
-    """Each sighting displaced along the beams by a normal deviate of so many metres."""
+def survey(
+    seed: int, displaced: float = 0.0, boards: tuple[Board, ...] = FIVE_BOARDS
+) -> Observations:
+    """Survey whose sightings are displaced along the beams by normal deviates."""
     generator = np.random.default_rng([99, seed])
     exact = error_free_survey(TRUTH, boards, six_courses(), 0.12, generator)
     data = add_errors(exact, HYDROGRAPHIC_INS, generator)
@@ -41,7 +43,7 @@ def survey(seed: int, displaced: float = 0.0, boards: tuple[Board, ...] = FIVE) 
 
 
 def few_are_rejected(results: list[AdjustmentResult]) -> None:
-    """And errors are as large as their sigmas say, by chi-square at one in a thousand."""
+    """Check that few sightings are rejected and that errors agree with their sigmas."""
     let_go = [bool(result.rejected_sightings) for result in results]
     assert sum(let_go) <= len(results) / 3
     ratios = np.array([(result.boresight - TRUTH.boresight) / result.sigma for result in results])
@@ -50,8 +52,8 @@ def few_are_rejected(results: list[AdjustmentResult]) -> None:
     assert ((spread > lower) & (spread < upper)).all(), spread
 
 
-def test_good_sightings_of_displaced_boards_are_held() -> None:
-    """By one sigma shared with the tilts, sightings are let go of in four surveys of five."""
+def test_good_sightings_of_displaced_boards_are_not_rejected() -> None:
+    """With one sigma for offsets and tilts, four surveys of five would reject sightings."""
     results = [adjust(survey(400 + k, 0.005), PRIOR, MODEL) for k in (0, 2, 7, 8)]
     few_are_rejected(results)
     offsets = [result.offset for result in results if result.offset is not None]
@@ -61,12 +63,12 @@ def test_good_sightings_of_displaced_boards_are_held() -> None:
 
 
 @pytest.mark.long
-def test_good_sightings_of_displaced_boards_are_held_in_many_surveys() -> None:
+def test_good_sightings_of_displaced_boards_are_not_rejected_in_many_surveys() -> None:
     few_are_rejected([adjust(survey(400 + k, 0.005), PRIOR, MODEL) for k in range(24)])
 
 
-@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE])
-def test_boards_in_place_need_no_second_sigma(boards) -> None:
+@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE_BOARDS])
+def test_boards_without_displacement_have_no_offset_sigma(boards) -> None:
     for seed in range(5000, 5003):
         found = adjust(survey(seed, 0.0, boards), PRIOR, MODEL, diagnostics=False)
         assert found.offset is None
@@ -74,29 +76,29 @@ def test_boards_in_place_need_no_second_sigma(boards) -> None:
 
 @pytest.mark.long
 @pytest.mark.timeout(1800)
-@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE])
-def test_boards_in_place_need_no_second_sigma_in_many_surveys(boards) -> None:
+@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE_BOARDS])
+def test_boards_without_displacement_have_no_offset_sigma_in_many_surveys(boards) -> None:
     for seed in range(5000, 5060):
         assert adjust(survey(seed, 0.0, boards), PRIOR, MODEL).offset is None
 
 
-@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE])
-def test_one_sighting_that_is_off_is_a_blunder_and_no_matter_of_all(boards) -> None:
+@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE_BOARDS])
+def test_one_displaced_sighting_is_a_blunder_and_no_offset_sigma(boards) -> None:
     clean = survey(700, 0.0, boards)
     found = adjust(shifted(clean, 8, 0.05), PRIOR, MODEL)
     assert found.offset is None
     assert found.rejected_sightings == (clean.sightings[8],)
 
 
-def test_a_line_that_jumped_is_no_matter_of_all() -> None:
+def test_a_displaced_line_is_rejected_and_no_offset_sigma() -> None:
     clean = survey(700)
     found = adjust(jumped(clean, "L6", [0.0, 0.1, 0.05]), PRIOR, MODEL)
     assert found.offset is None
     assert found.rejected_lines == ("L6",)
 
 
-@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE])
-def test_a_wrong_lever_arm_is_not_taken_for_displaced_targets(boards) -> None:
+@pytest.mark.parametrize("boards", [THESIS_BOARDS, FIVE_BOARDS])
+def test_a_wrong_lever_arm_is_not_mistaken_for_displaced_targets(boards) -> None:
     stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
     found = adjust(survey(701, 0.0, boards), stated, MODEL)
     assert found.offset is None
@@ -104,7 +106,7 @@ def test_a_wrong_lever_arm_is_not_taken_for_displaced_targets(boards) -> None:
 
 
 @pytest.mark.long
-def test_a_wrong_lever_arm_and_a_blunder_are_named_among_displaced_targets() -> None:
+def test_a_wrong_lever_arm_and_a_blunder_are_detected_with_displaced_targets() -> None:
     clean = survey(407, 0.005)
     stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
     assert [each.name for each in adjust(clean, stated, MODEL).contradictions] == ["lever_x"]
@@ -112,14 +114,14 @@ def test_a_wrong_lever_arm_and_a_blunder_are_named_among_displaced_targets() -> 
 
 
 @pytest.mark.long
-def test_parts_are_judged_with_the_sigmas_of_the_whole() -> None:
-    """A part alone would hardly tell them; none disagrees with the whole."""
+def test_cross_checks_use_the_sigmas_of_the_whole_survey() -> None:
+    """A part alone hardly determines the sigmas; no part disagrees with the whole."""
     data = survey(407, 0.005)
     checks = cross_checks(data, PRIOR, adjust(data, PRIOR, MODEL))
     assert not checks.disagreements
 
 
-def test_what_was_found_can_be_held() -> None:
+def test_the_estimated_offset_sigma_can_be_given() -> None:
     data = survey(407, 0.005)
     whole = adjust(data, PRIOR, MODEL, diagnostics=False)
     assert whole.offset is not None

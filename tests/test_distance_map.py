@@ -1,4 +1,4 @@
-"""Maps of the distances between two lines on a plane: a known shape comes back in its place."""
+"""Tests of maps of the distances between two lines on a plane."""
 
 import csv
 import json
@@ -28,9 +28,10 @@ TO_VESSEL = np.array([0.0, 1.0, 0.0])
 
 
 def wall(seed: int, *, slope: float = 0.0, lift: float = 0.0, noise: float = 0.002) -> np.ndarray:
-    """A wall 6 m along north and 3 m high, the vessel to the west: seen from there north is left.
+    """Points of a wall 6 m long (north) and 3 m high, with the vessel to the west.
 
-    ``slope`` metres a metre to the right (south) and ``lift`` upward it comes nearer to the vessel.
+    The wall approaches the vessel by ``slope`` metres a metre to the right (south) and by ``lift``
+    metres a metre upwards.
     """
     rng = np.random.default_rng(seed)
     north, up = rng.uniform(0, 6, 6000), rng.uniform(2, 5, 6000)
@@ -38,7 +39,7 @@ def wall(seed: int, *, slope: float = 0.0, lift: float = 0.0, noise: float = 0.0
     return np.column_stack([north, -20.0 + off, up])
 
 
-def test_every_cell_has_the_distance_of_its_place() -> None:
+def test_each_cell_has_the_distance_at_its_place() -> None:
     before = wall(1, slope=0.01), wall(1, lift=0.004)
     found = distance_map(
         ("L1", "L2"), before, (wall(2), wall(2)), facing=TO_VESSEL, spacing=0.1, reach=(0.08, 0.03)
@@ -46,7 +47,7 @@ def test_every_cell_has_the_distance_of_its_place() -> None:
     assert found is not None
     assert found.cell == pytest.approx(0.4)
     assert len(found.before) > 0.9 * (6 / 0.4) * (3 / 0.4)
-    # A place is that of a point within its cell; means of 40 points of 2 mm noise each.
+    # The place of a cell is that of one of its points; 40 points with 2 mm noise are averaged.
     np.testing.assert_allclose(found.before, 0.01 * found.across, atol=0.01 * 0.2 + 0.0025)
     np.testing.assert_allclose(found.after, 0.004 * found.up, atol=0.004 * 0.2 + 0.0025)
     assert np.corrcoef(found.before, found.across)[0, 1] > 0.99
@@ -83,7 +84,7 @@ def test_the_picture_has_one_scale_for_before_and_after(tmp_path: Path, tall: bo
     assert len(found) == 3 * len(plane.maps)
     limits = {clim for *_, clim in found}
     assert all(low == -high for low, high in limits)
-    assert len(limits) == 2  # the common one, and that of after alone
+    assert len(limits) == 2  # the common scale and that of the state after
     first = plane.maps[0]
     cells = np.unique(np.ma.compressed(np.ma.masked_invalid(found[0][1])))
     np.testing.assert_allclose(cells, np.unique(1000 * first.before))
@@ -96,7 +97,7 @@ def test_the_picture_has_one_scale_for_before_and_after(tmp_path: Path, tall: bo
 )
 @pytest.mark.parametrize("sides", [(1.0, 1.0), (0.2, 1.0), (1.0, 0.1)])
 @pytest.mark.parametrize("language", ["en", "fr"])
-def test_no_text_meets_another_or_the_margin(
+def test_no_text_overlaps_another_or_the_margin(
     tmp_path: Path, lines: tuple[str, str], sides: tuple[float, float], language: str
 ) -> None:
     plane = ValidationPlane.of(sample_project(tmp_path).validation[0])
@@ -123,14 +124,14 @@ def test_no_text_meets_another_or_the_margin(
         assert not any(box.overlaps(other) for other in boxes[:k])
 
 
-def test_widths_are_those_of_the_drawing() -> None:
+def test_text_widths_agree_with_the_drawn_text() -> None:
     figure = Figure(dpi=72.0)
     for text in ("par rapport à L2_180", "Up (m)", "iiii\nWWWW"):
         drawn = figure.text(0, 0, text, fontsize=30).get_window_extent().width / 72
         assert text_width(text, 30) == pytest.approx(drawn, rel=0.05)
 
 
-def test_report_tables_and_file_hold_the_cells(tmp_path: Path) -> None:
+def test_the_tables_and_the_project_file_contain_the_cells(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_tables(sample_content(project), tmp_path / "r.zip")
     with zipfile.ZipFile(tmp_path / "r.zip") as archive:
@@ -145,7 +146,7 @@ def test_report_tables_and_file_hold_the_cells(tmp_path: Path) -> None:
     stored = json.loads(path.read_text())
     again = read_project(project.folder).validation[0].maps[0]
     np.testing.assert_array_equal(again.after, found.after)
-    # A file of before has no maps, and the picture says what to do.
+    # A file of an earlier version has no maps, and the picture suggests an action.
     for plane in stored["validation"]:
         del plane["maps"]
     path.write_text(json.dumps(stored))

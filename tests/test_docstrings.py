@@ -1,16 +1,16 @@
-"""Docstrings of the core say every array's shape, quantity's unit, place's frame, formula's source.
+"""Tests that docstrings of the core give shapes of arrays, units, frames and sources.
 
-Read from the syntax trees. What is looked at: attributes of public dataclasses, parameters and
-results of public functions and methods. An array is what is annotated as one. A quantity is a
+The syntax trees are searched for attributes of public dataclasses, and for parameters and results
+of public functions and methods. Arrays are recognised by their annotations. A quantity is a
 number or an array whose name says that it is a length, an angle, a time or a sigma (`QUANTITY`).
 A name that ends in its unit (``error_deg``, ``rms_m``) needs no more. Coordinates are arrays of
 three columns, or three numbers, in metres or with the name of a place or direction (`PLACE`); a
-name that ends in its frame (``points_lidar``) needs no more. What errors a function raises is
-ruff's affair; here it is looked whether there are such errors.
+name that ends in its frame (``points_lidar``) needs no more. Ruff checks that raised errors are
+documented; these tests check that documented errors exist.
 
-What is said of a parameter stands in the entry of its name, or in the words of the docstring, which
-then have to name it, whole or by its first word. A docstring may send to another one ("As
-`local_planes_kernel`"), which has to be there.
+A parameter is described in its entry, or in the text of the docstring, which then has to mention
+its name or the first word of it. A docstring may refer to another one ("As `local_planes_kernel`"),
+which has to exist.
 """
 
 import ast
@@ -45,7 +45,7 @@ PLACE = re.compile(
 THREE = re.compile(r"\((?!3, 3\))(?:[^()]*, )?3,?\)")
 LENGTH = re.compile(r"\b(metres|unit (vector|normal)s?)\b")
 NO_PLACE = re.compile(r"no unit|square metres|metres per radian|[Mm]etres in|tilts", re.I)
-"""Three numbers, but none of the coordinates of one place."""
+"""Words for three numbers that are not the coordinates of one place."""
 FRAMED = re.compile(r"_(lidar|body|local)$")
 FRAME = re.compile(
     r"\b(frame|local|LiDAR|body|earth-centred|map|north|axes of|coordinate system)\b",
@@ -60,15 +60,15 @@ MATHEMATICS = re.compile(
     r"np\.linalg\.(?!norm)|np\.(sin|cos|tan|arcsin|arccos|exp|log|cov|einsum)\b|@njit|"
     r"scipy\.(linalg|optimize|special|stats)"
 )
-ELSEWHERE = re.compile(
+REFERENCE = re.compile(
     r"\b(?:[Ss]ee|[Aa]s(?: for| in| of)?|[Ll]ike|inverse of|those of) `([\w.]+)`"
 )
-"""Words that send to another docstring."""
+"""References to another docstring."""
 
 
 @cache
 def arrays(module: str) -> re.Pattern[str]:
-    """Annotations of arrays in a module: NumPy's, and what it calls them, by itself or imported."""
+    """Pattern of the array annotations in a module: those of NumPy and aliases of the module."""
     names = {"NDArray", "ndarray"}
     for node in trees()[module].body:
         if isinstance(node, ast.Assign) and ast.unparse(node.value).startswith("NDArray"):
@@ -82,24 +82,24 @@ def arrays(module: str) -> re.Pattern[str]:
 
 
 def kinds(annotation: ast.expr | None) -> list[str]:
-    """What an annotation admits: ``float | Array`` is two."""
+    """Alternatives of an annotation: ``float | Array`` has two."""
     words = "" if annotation is None else ast.unparse(annotation).strip("'\"")
     return [kind.strip() for kind in words.split("|")]
 
 
 def is_array(module: str, annotation: ast.expr | None) -> bool:
-    """Whether it may be an array."""
+    """Whether the annotation allows an array."""
     return any(arrays(module).match(kind) for kind in kinds(annotation))
 
 
 def is_quantity(module: str, name: str, annotation: ast.expr | None) -> bool:
-    """Whether it is a number with a unit, by its name."""
+    """Whether a value is a number with a unit, by its name."""
     number = is_array(module, annotation) or "float" in kinds(annotation)
     return bool(number and QUANTITY.search(name) and not SUFFIXED.search(name))
 
 
 def is_place(module: str, name: str, annotation: ast.expr | None, said: str) -> bool:
-    """Whether it is coordinates or a direction, in a frame that its name does not say."""
+    """Whether a value is coordinates or a direction whose name does not give the frame."""
     triples = {"Triple", "tuple[float, float, float]"}
     array = is_array(module, annotation)
     if not (array or triples & set(kinds(annotation))) or "sigma" in name or FRAMED.search(name):
@@ -112,7 +112,7 @@ def is_place(module: str, name: str, annotation: ast.expr | None, said: str) -> 
 
 
 def fields(node: ast.ClassDef) -> dict[str, ast.expr]:
-    """Public attributes of a dataclass and their annotations; none of other classes."""
+    """Public attributes of a dataclass and their annotations; empty for other classes."""
     if not any("dataclass" in ast.unparse(decorator) for decorator in node.decorator_list):
         return {}
     return {
@@ -130,8 +130,8 @@ def parameters(node: ast.FunctionDef) -> dict[str, ast.expr | None]:
     return {each.arg: each.annotation for each in given if each.arg not in ("self", "cls")}
 
 
-def lacks(found: Name) -> Iterator[str]:
-    """What the docstring of a name does not say."""
+def missing_descriptions(found: Name) -> Iterator[str]:
+    """Shapes, units and frames that are missing in the docstring of a name."""
     of_class = isinstance(found.node, ast.ClassDef)
     entries = found.docstring.entries("Attributes" if of_class else "Parameters")
     words, module = found.docstring.words, found.module
@@ -139,7 +139,7 @@ def lacks(found: Name) -> Iterator[str]:
     for name, annotation in values.items():
         named = re.search(rf"\b({name}|{name.split('_')[0]})s?\b", words, re.IGNORECASE)
         said = entries.get(name, words if named else "")
-        if ELSEWHERE.search(said or words):
+        if REFERENCE.search(said or words):
             continue
         if is_array(module, annotation) and not SHAPE.search(said):
             yield f"{found.where}: shape of {name}"
@@ -151,7 +151,7 @@ def lacks(found: Name) -> Iterator[str]:
         return
     result = found.node.returns
     said = f"{found.docstring.sections.get('Returns')}\n{words}"
-    if ELSEWHERE.search(said):
+    if REFERENCE.search(said):
         return
     if is_array(module, result) and not SHAPE.search(said):
         yield f"{found.where}: shape of what it returns"
@@ -167,7 +167,7 @@ PACKAGES = sorted({path.relative_to(CORE).parts[0] for path in modules()} - {"__
 
 @cache
 def names() -> set[str]:
-    """All names that a docstring can send to, the builtin ones with them."""
+    """All names that a docstring can refer to, including builtin ones."""
     found = {Path(module).stem for module in trees()} | set(dir(builtins))
     for node in chain.from_iterable(map(ast.walk, trees().values())):
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
@@ -179,12 +179,12 @@ def names() -> set[str]:
     return found
 
 
-def test_docstrings_send_to_what_is_there() -> None:
+def test_docstrings_refer_to_existing_names() -> None:
     sent = [
         (name.where, to)
         for package in PACKAGES
         for name in public(package)
-        for to in ELSEWHERE.findall(ast.get_docstring(name.node) or "")
+        for to in REFERENCE.findall(ast.get_docstring(name.node) or "")
     ]
     assert len(sent) > 50
     assert [each for each in sent if each[1].rpartition(".")[2] not in names()] == []
@@ -192,7 +192,7 @@ def test_docstrings_send_to_what_is_there() -> None:
 
 @pytest.mark.parametrize("package", PACKAGES)
 def test_shapes_units_and_frames_are_documented(package: str) -> None:
-    assert [words for name in public(package) for words in lacks(name)] == []
+    assert [words for name in public(package) for words in missing_descriptions(name)] == []
 
 
 @pytest.mark.parametrize("package", PACKAGES)
@@ -205,7 +205,7 @@ def test_errors_in_raises_sections_exist(package: str) -> None:
     assert {each for each in said if each[1].rpartition(".")[2] not in names()} == set()
 
 
-OWN = {
+WITHOUT_SOURCE = {
     "adjustment": {
         "iteration",
         "observability",
@@ -244,11 +244,11 @@ OWN = {
         "plane_offset",
     },
 }
-"""Modules that compute and name no source: what they do is nobody else's, and told in their words,
-or anybody's (a rotation about an axis, a mean with its sigma)."""
+"""Modules that compute without naming a source: their methods are original and described in their
+docstrings, or common knowledge (a rotation about an axis, a mean with its sigma)."""
 
 
-@pytest.mark.parametrize("package", OWN)
+@pytest.mark.parametrize("package", WITHOUT_SOURCE)
 def test_modules_that_compute_name_their_sources(package: str) -> None:
     without = set()
     for module, tree in trees().items():
@@ -258,10 +258,10 @@ def test_modules_that_compute_name_their_sources(package: str) -> None:
         own = module.split("/")[1] == package and MATHEMATICS.search(source)
         if own and not SOURCE.search("\n".join(said)):
             without.add(Path(module).stem)
-    assert without == OWN[package]
+    assert without == WITHOUT_SOURCE[package]
 
 
-SAID = '''
+COMPLETE_EXAMPLE = '''
 def turned(points: Array, angle: float, sigma_deg: float) -> Array:
     """Points turned by an angle, radians.
 
@@ -288,9 +288,9 @@ def turned(points: Array, angle: float, sigma_deg: float) -> Array:
         ("_deg", ["unit of sigma"]),
     ],
 )
-def test_what_is_not_documented_is_found(left_out: str, found: list[str]) -> None:
-    (node,) = ast.parse(SAID.replace(left_out, "", 1)).body
+def test_missing_descriptions_are_found(left_out: str, found: list[str]) -> None:
+    (node,) = ast.parse(COMPLETE_EXAMPLE.replace(left_out, "", 1)).body
     assert isinstance(node, ast.FunctionDef)
     said = Documented.of(ast.get_docstring(node) or "")
     name = Name("lispac/geometry/planes.py", node.name, node, said)
-    assert [words.partition(": ")[2] for words in lacks(name)] == found
+    assert [words.partition(": ")[2] for words in missing_descriptions(name)] == found

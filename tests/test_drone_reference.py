@@ -1,8 +1,8 @@
-"""What the reference of the two drone surveys is worth, and what the scene alone says of them.
+"""Tests of the accuracy of the reference of two drone surveys, and of targetless results.
 
-The reference rests on labelled points. These lie within 4 to 5 cm of one plane a label through both
-lines; the surfaces go farther, up to 10 cm of cloth, grass and noise. So they were cut where the
-lines lay with a boresight that was known already, and what is cut there answers there.
+The reference was estimated from labelled points. These lie within 4 to 5 cm of one plane for each
+label through both lines; the surfaces are thicker, up to 10 cm of cloth, grass and noise. So the
+points were selected with a known boresight, and a selection reproduces its boresight.
 """
 
 import json
@@ -29,10 +29,10 @@ from lispac.workflow.project.survey import Survey, load_survey
 
 Labels = dict[str, np.ndarray]
 NAMES = ("lanl_truck", "lanl_tent")
-WIDE = 0.15
-"""Metres off a label's plane within which all of its surface lies."""
-LEAST = 10
-"""Points of a label on each line."""
+BAND = 0.15
+"""Half width in metres of a band about the plane of a label that contains its whole surface."""
+MIN_LABELLED_POINTS = 10
+"""Minimum number of points of a label on each line."""
 
 
 class Drone(NamedTuple):
@@ -40,7 +40,7 @@ class Drone(NamedTuple):
     found: TargetlessResult
     reference: np.ndarray  # degrees
     labels: Labels
-    inside: list[Labels]  # of each label, the points of each line that lie in its outline
+    inside: list[Labels]  # for each label, the points of each line within its outline
 
 
 @pytest.fixture(scope="module")
@@ -68,7 +68,7 @@ def drone(shared_data: Path, tmp_path_factory: pytest.TempPathFactory):  # type:
         inside = [
             outlined(placed, {line: labels[line] == k for line in placed})
             for k in range(int(labels["line1"].max()) + 1)
-            if min((labels[line] == k).sum() for line in placed) >= LEAST
+            if min((labels[line] == k).sum() for line in placed) >= MIN_LABELLED_POINTS
         ]
         return Drone(survey, targetless(project, survey), np.array(reference), labels, inside)
 
@@ -76,20 +76,20 @@ def drone(shared_data: Path, tmp_path_factory: pytest.TempPathFactory):  # type:
 
 
 def places(survey: Survey, boresight_deg: np.ndarray) -> Labels:
-    """All points of each line placed with a boresight."""
+    """All points of each line, georeferenced with a boresight."""
     one = next(iter(survey.clouds.values())).place.mounting
     clouds = place_clouds(survey.clouds, one.with_boresight(np.radians(boresight_deg)))
     return {line: cloud[np.arange(len(survey.scans[line].time))] for line, cloud in clouds.items()}
 
 
 def outlined(placed: Labels, own: Labels) -> Labels:
-    """Numbers of the points that labelled ones surround within their plane, however far off it."""
+    """Numbers of the points inside the outline of the labelled ones and near their plane."""
     labelled = np.concatenate([placed[line][own[line]] for line in placed])
     plane = fit_plane(labelled)
     axes = plane_axes(plane.normal).T
     tree, found = KDTree(labelled @ axes), {}
     for line, points in placed.items():
-        near = np.flatnonzero(np.abs(plane.distances(points)) < 2 * WIDE)
+        near = np.flatnonzero(np.abs(plane.distances(points)) < 2 * BAND)
         along = points[near] @ axes
         around = np.zeros((len(near), 4), dtype=bool)
         for i, beside in enumerate(tree.query_ball_point(along, 0.12)):
@@ -100,7 +100,7 @@ def outlined(placed: Labels, own: Labels) -> Labels:
 
 
 def cut(drone: Drone, boresight_deg: np.ndarray, band: float) -> list[Labels]:
-    """The points of each outline within a band about the densest plane of both lines."""
+    """Select the points of each outline in a band about the densest plane of both lines."""
     placed, found = places(drone.survey, boresight_deg), []
     for inside in drone.inside:
         points = np.concatenate([placed[line][own] for line, own in inside.items()])
@@ -136,11 +136,11 @@ def answer(drone: Drone, chosen: list[Labels], model: StochasticModel) -> Adjust
 
 
 THESIS = StochasticModel("independent", loss="huber")
-"""As the reference's own adjustments were."""
+"""Stochastic model of the adjustments that gave the reference."""
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_its_points_were_cut_to_a_band(drone, name: str) -> None:  # type: ignore[no-untyped-def]
+def test_labelled_points_were_selected_in_a_band(drone, name: str) -> None:  # type: ignore[no-untyped-def]
     here: Drone = drone(name)
     placed = places(here.survey, here.reference)
     beyond = 0
@@ -150,14 +150,14 @@ def test_its_points_were_cut_to_a_band(drone, name: str) -> None:  # type: ignor
         for line, numbers in inside.items():
             off = np.abs(plane.distances(placed[line]))
             assert off[own[line]].max() < 0.055
-            beyond += int((~own[line][numbers] & (off[numbers] < WIDE)).sum())
+            beyond += int((~own[line][numbers] & (off[numbers] < BAND)).sum())
     total = sum(len(own) for inside in here.inside for own in inside.values())
     assert beyond / total > 0.15, beyond / total
 
 
 @pytest.mark.parametrize(("name", "follows"), [("lanl_truck", 0.5), ("lanl_tent", 0.6)])
-def test_what_is_cut_elsewhere_answers_elsewhere(drone, name: str, follows: float) -> None:  # type: ignore[no-untyped-def]
-    """Cut with another boresight, the same surfaces give back most of the change."""
+def test_a_narrow_selection_reproduces_its_boresight(drone, name: str, follows: float) -> None:  # type: ignore[no-untyped-def]
+    """Points selected with another boresight reproduce most of its change."""
     here: Drone = drone(name)
     aside = np.array([0.0, 0.0, 0.1])
     ends = [
@@ -166,17 +166,16 @@ def test_what_is_cut_elsewhere_answers_elsewhere(drone, name: str, follows: floa
     ]
     assert np.degrees(ends[0] - ends[1])[2] / 0.2 > follows
     wide = [
-        answer(here, cut(here, here.reference + sign * aside, WIDE), THESIS).boresight
+        answer(here, cut(here, here.reference + sign * aside, BAND), THESIS).boresight
         for sign in (1, -1)
     ]
     assert abs(np.degrees(wide[0] - wide[1])[2]) / 0.2 < 0.2
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_scene_alone_agrees_with_the_whole_surfaces(drone, name: str) -> None:  # type: ignore[no-untyped-def]
-    """And with the reference within the sigmas in all that the cut does not decide."""
+def test_the_targetless_result_agrees_with_the_whole_surfaces(drone, name: str) -> None:  # type: ignore[no-untyped-def]
     here: Drone = drone(name)
-    whole = answer(here, cut(here, here.reference, WIDE), StochasticModel(loss="tukey"))
+    whole = answer(here, cut(here, here.reference, BAND), StochasticModel(loss="tukey"))
     result = here.found.result
     off = np.abs(result.boresight - whole.boresight) / np.hypot(result.sigma, whole.sigma)
     assert (off < 3).all(), off

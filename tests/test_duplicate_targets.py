@@ -1,4 +1,4 @@
-"""Duplicate targets are reported: when picked, with the result, and in the report."""
+"""Tests that duplicate targets are reported when picked, with the result and in the report."""
 
 import json
 import shutil
@@ -39,22 +39,22 @@ def picked(
 
 
 BOARD = picked("T2", {"L1": range(1000, 2000), "L2": range(5000, 6000)})
-AGAIN = picked("T6", {"L1": range(1110, 2110), "L2": range(5500, 6500)})
+DUPLICATE = picked("T6", {"L1": range(1110, 2110), "L2": range(5500, 6500)})
 WALL = picked("V1", {"L1": range(0, 40_000, 3), "L2": range(7000, 9000)}, "validation")
 
 
-def test_the_share_is_that_of_the_smaller_one_on_the_line_where_it_is_largest() -> None:
-    (found,) = find_overlaps([BOARD, AGAIN])
+def test_the_share_is_the_largest_over_lines_relative_to_the_smaller_target() -> None:
+    (found,) = find_overlaps([BOARD, DUPLICATE])
     assert (found.one, found.other, found.line) == ("T2", "T6", "L1")
     assert found.share == pytest.approx(0.89)
     small = picked("T7", {"L2": range(8500, 8600)})
     (found,) = find_overlaps([WALL, small])
     assert (found.smaller, found.share) == ("T7", 1.0)
-    assert find_overlap(small, [BOARD, WALL, AGAIN]) == replace(found, one="T7", other="V1")
+    assert find_overlap(small, [BOARD, WALL, DUPLICATE]) == replace(found, one="T7", other="V1")
 
 
 @pytest.mark.parametrize(("shared", "told"), [(0, False), (99, False), (100, True), (299, True)])
-def test_from_a_tenth_on_it_is_reported(shared: int, told: bool) -> None:
+def test_a_share_of_a_tenth_or_more_is_reported(shared: int, told: bool) -> None:
     other = picked("T3", {"L1": range(2000 - shared, 3000 - shared), "L9": range(10)})
     assert bool(find_overlaps([BOARD, other])) == told
     found = overlap_warning(other, [BOARD])
@@ -64,7 +64,7 @@ def test_from_a_tenth_on_it_is_reported(shared: int, told: bool) -> None:
         assert found.params["share"] == pytest.approx(shared / 1000)
 
 
-def test_a_sighting_without_points_shares_none() -> None:
+def test_a_sighting_without_points_shares_no_points() -> None:
     empty = picked("T8", {"L1": range(0)})
     assert find_overlaps([BOARD, empty]) == ()
     assert overlap_warning(empty, [BOARD]) is None
@@ -72,24 +72,24 @@ def test_a_sighting_without_points_shares_none() -> None:
 
 def test_order_of_the_numbers_does_not_matter() -> None:
     mixed = np.random.default_rng(1).permutation(np.arange(1110, 2110))
-    sighting = replace(AGAIN.sightings[0], indices=mixed)
-    (found,) = find_overlaps([BOARD, replace(AGAIN, sightings=(sighting,))])
+    sighting = replace(DUPLICATE.sightings[0], indices=mixed)
+    (found,) = find_overlaps([BOARD, replace(DUPLICATE, sightings=(sighting,))])
     assert found.share == pytest.approx(0.89)
 
 
 def test_the_warning_for_a_target_just_found() -> None:
-    found = overlap_warning(AGAIN, [BOARD])
+    found = overlap_warning(DUPLICATE, [BOARD])
     assert found is not None
     assert found.code == "overlap.same_surface_twice"
     assert found.params["share"] == pytest.approx(0.89)
-    larger = overlap_warning(picked("T8", {"L1": range(0, 5000)}), [AGAIN])
+    larger = overlap_warning(picked("T8", {"L1": range(0, 5000)}), [DUPLICATE])
     assert larger is not None
     assert larger.params["smaller"] == "T6"
-    assert overlap_warning(replace(AGAIN, name="T2"), [BOARD]) is None, "it takes its place"
-    checking = overlap_warning(replace(AGAIN, role="validation"), [BOARD])
+    assert overlap_warning(replace(DUPLICATE, name="T2"), [BOARD]) is None, "it takes its place"
+    checking = overlap_warning(replace(DUPLICATE, role="validation"), [BOARD])
     assert checking is not None
     assert checking.code == "overlap.same_surface_unchecked"
-    assert overlap_warning(AGAIN, []) is None
+    assert overlap_warning(DUPLICATE, []) is None
 
 
 @pytest.fixture(scope="module")
@@ -100,8 +100,8 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 @pytest.mark.parametrize(
     ("second", "code", "serious", "pair"),
     [
-        (AGAIN, "counted_twice", True, "T2 with T6 (89 % on L1)"),
-        (replace(AGAIN, role="validation"), "no_independent_check", False,
+        (DUPLICATE, "counted_twice", True, "T2 with T6 (89 % on L1)"),
+        (replace(DUPLICATE, role="validation"), "no_independent_check", False,
          "T6 with T2 (89 % on L1)"),
     ],
 )  # fmt: skip
@@ -127,17 +127,19 @@ def test_a_result_with_shared_points_has_a_warning_everywhere(
     assert ("with warnings" in step.sentence) == serious
 
 
-def test_what_takes_no_part_does_not_count(project: Project) -> None:
-    left_out = replace(AGAIN, used=False)
+def test_unused_targets_and_sightings_do_not_count(project: Project) -> None:
+    left_out = replace(DUPLICATE, used=False)
     assert duplicate_warnings(replace(project, targets=(BOARD, left_out))) == ()
-    no_lines = replace(AGAIN, sightings=tuple(replace(s, used=False) for s in AGAIN.sightings))
+    no_lines = replace(
+        DUPLICATE, sightings=tuple(replace(s, used=False) for s in DUPLICATE.sightings)
+    )
     assert duplicate_warnings(replace(project, targets=(BOARD, no_lines))) == ()
-    planes = tuple(replace(each, role="validation") for each in (BOARD, AGAIN))
+    planes = tuple(replace(each, role="validation") for each in (BOARD, DUPLICATE))
     assert duplicate_warnings(replace(project, targets=planes)) == ()
 
 
 def test_many_pairs_are_counted(project: Project) -> None:
-    targets = tuple(replace(AGAIN, name=f"T{k}") for k in range(4))
+    targets = tuple(replace(DUPLICATE, name=f"T{k}") for k in range(4))
     (message,) = duplicate_warnings(replace(project, targets=targets))
     text = message_text(message)
     assert "T0 with T1 (100 % on L1), " in text

@@ -1,4 +1,4 @@
-"""E57 points with Cartesian and spherical coordinates, each with its own state (ASTM E2807)."""
+"""Tests of E57 points with states of Cartesian and spherical coordinates (ASTM E2807)."""
 
 from pathlib import Path
 
@@ -12,9 +12,9 @@ from lispac.messages import Level
 from tests import point_files as files
 
 E57 = format_of("e57")
-N = files.COUNT
-VALID, INVALID = np.zeros(N, dtype=int), np.full(N, 2)
-SECOND_HALF = np.arange(N) >= N // 2
+POINT_COUNT = files.COUNT
+VALID, INVALID = np.zeros(POINT_COUNT, dtype=int), np.full(POINT_COUNT, 2)
+SECOND_HALF = np.arange(POINT_COUNT) >= POINT_COUNT // 2
 CARTESIAN = {f"cartesian{axis}": files.XYZ[:, k] for k, axis in enumerate("XYZ")}
 DISTANCE = np.linalg.norm(files.XYZ, axis=1)
 SPHERICAL = {
@@ -22,11 +22,11 @@ SPHERICAL = {
     "sphericalAzimuth": np.arctan2(files.XYZ[:, 1], files.XYZ[:, 0]),
     "sphericalElevation": np.arcsin(files.XYZ[:, 2] / DISTANCE),
 }
-EMPTY = {name: np.zeros(N) for name in SPHERICAL}
+EMPTY = {name: np.zeros(POINT_COUNT) for name in SPHERICAL}
 
 
 def file(folder: Path, **fields: np.ndarray) -> Path:
-    """A file of these fields beside the Cartesian coordinates and times."""
+    """Write a file with these fields in addition to Cartesian coordinates and times."""
     return files.e57(folder / "a.e57", more=fields)
 
 
@@ -39,7 +39,7 @@ def excluded(path: Path) -> int:
     """Number of points that the messages count as invalid."""
     found = E57.preview(path, {}).messages
     assert all((m.code, m.level) == ("file.invalid_points", Level.NOTE) for m in found)
-    assert all(m.params["total"] == N for m in found)
+    assert all(m.params["total"] == POINT_COUNT for m in found)
     return sum(int(str(m.params["count"])) for m in found)
 
 
@@ -67,14 +67,14 @@ def test_spherical_coordinates_are_used_where_cartesian_ones_are_invalid(tmp_pat
 
 
 def test_points_without_valid_coordinates_are_excluded_and_counted(tmp_path: Path) -> None:
-    """A direction without distance (state 1) is no point either."""
+    """A direction without distance (state 1) is not a valid point either."""
     state = np.where(SECOND_HALF, 2, 0)
     direction = np.where(SECOND_HALF, 1, 0)
     path = file(tmp_path, **SPHERICAL, cartesianInvalidState=state, sphericalInvalidState=direction)
     xyz, time = read(path)
     np.testing.assert_array_equal(xyz, files.XYZ[~SECOND_HALF])
-    assert len(time) == N // 2
-    assert excluded(path) == N // 2
+    assert len(time) == POINT_COUNT // 2
+    assert excluded(path) == POINT_COUNT // 2
     np.testing.assert_array_equal(
         np.concatenate(list(e57.read_coordinates(path))), files.XYZ[~SECOND_HALF]
     )
@@ -83,7 +83,7 @@ def test_points_without_valid_coordinates_are_excluded_and_counted(tmp_path: Pat
 def test_empty_spherical_columns_without_state_are_not_used(tmp_path: Path) -> None:
     path = file(tmp_path, **EMPTY, cartesianInvalidState=np.where(SECOND_HALF, 2, 0))
     np.testing.assert_array_equal(read(path)[0], files.XYZ[~SECOND_HALF])
-    assert excluded(path) == N // 2
+    assert excluded(path) == POINT_COUNT // 2
 
 
 def test_spherical_coordinates_alone_have_their_own_state(tmp_path: Path) -> None:
@@ -94,13 +94,13 @@ def test_spherical_coordinates_alone_have_their_own_state(tmp_path: Path) -> Non
         | {"sphericalInvalidState": np.where(SECOND_HALF, 2, 0), "cartesianInvalidState": INVALID},
     )
     np.testing.assert_allclose(read(path)[0], files.XYZ[~SECOND_HALF], atol=1e-9)
-    assert excluded(path) == N // 2
+    assert excluded(path) == POINT_COUNT // 2
 
 
 def test_an_invalid_time_excludes_a_point_of_a_line_but_not_of_a_reference(tmp_path: Path) -> None:
     path = file(tmp_path, isTimeStampInvalid=np.where(SECOND_HALF, 1, 0))
-    assert len(read(path)[0]) == excluded(path) == N // 2
-    assert sum(map(len, e57.read_coordinates(path))) == N
+    assert len(read(path)[0]) == excluded(path) == POINT_COUNT // 2
+    assert sum(map(len, e57.read_coordinates(path))) == POINT_COUNT
 
 
 def test_a_file_without_valid_points_is_refused(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Points of sightings added and taken away by hand."""
+"""Tests of manually adding and removing points of sightings."""
 
 from dataclasses import replace
 
@@ -22,7 +22,7 @@ from tests.few_lines import picked
 from tests.finder_scenes import WALL, site
 
 
-def test_points_are_taken_away_and_found_again(calibrated: tuple[Project, Survey]) -> None:
+def test_removed_points_can_be_added_again(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     clouds, whole = survey.placed(project, "estimated"), project.target("T1")
     line = whole.sightings[2].line
@@ -40,7 +40,7 @@ def test_points_are_taken_away_and_found_again(calibrated: tuple[Project, Survey
         centred = kept - kept.mean(axis=0)
         rms = np.linalg.svd(centred, compute_uv=False)[2] / np.sqrt(len(kept))
         assert after.rms == pytest.approx(rms, rel=1e-6)
-    # All that is near its plane comes back, and nothing of the wall behind, though it is outlined.
+    # All points near the plane are restored; points of the wall behind are not added.
     more, back = with_points(less, clouds, lambda points: np.ones(len(points), bool), line)
     sighting = more.sighting(line)
     assert sighting is not None
@@ -54,7 +54,7 @@ def test_points_are_taken_away_and_found_again(calibrated: tuple[Project, Survey
     assert np.linalg.norm(points - centre, axis=1).max() < 1.2 + EDIT_MARGIN
 
 
-def test_all_lines_are_edited_together_and_nothing_chosen_changes_nothing(
+def test_all_given_lines_are_edited_and_an_empty_selection_changes_nothing(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
@@ -73,7 +73,7 @@ def test_all_lines_are_edited_together_and_nothing_chosen_changes_nothing(
     assert [s.line for s in less.sightings if s.by_hand] == list(survey.lines[:2])
 
 
-def test_a_sighting_is_not_emptied(calibrated: tuple[Project, Survey]) -> None:
+def test_removing_all_points_of_a_sighting_is_refused(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     with pytest.raises(ProjectError) as raised:
         without_points(
@@ -84,7 +84,7 @@ def test_a_sighting_is_not_emptied(calibrated: tuple[Project, Survey]) -> None:
     assert raised.value.code == "edit.few_points_left"
 
 
-def test_what_was_edited_by_hand_is_not_selected_again_and_survives_the_file(
+def test_edited_sightings_are_not_reselected_and_are_stored(
     calibrated: tuple[Project, Survey], copy: Project
 ) -> None:
     project, survey = calibrated
@@ -103,8 +103,8 @@ def test_what_was_edited_by_hand_is_not_selected_again_and_survives_the_file(
     np.testing.assert_array_equal(read.sightings[0].indices, less.sightings[0].indices)
 
 
-def test_points_of_a_ball_are_those_near_its_surface() -> None:
-    """Half of it is cut off and comes back; the RMS is that to a sphere of the known radius."""
+def test_only_points_near_the_surface_of_a_ball_are_added() -> None:
+    """Half of the points are removed and restored; the RMS is that of a sphere of known radius."""
     centre, radius = np.array([0.0, WALL, 8.0]), 0.4
     ball = Sphere("T1", centre, radius, 200.0)
     seen = site([ball], lines=2, pulses_per_second=200_000.0)
@@ -131,7 +131,7 @@ def test_points_of_a_ball_are_those_near_its_surface() -> None:
         assert 0.001 < again.rms < 0.01
 
 
-def test_what_would_be_left_on_one_straight_line_is_no_surface() -> None:
+def test_remaining_points_on_one_straight_line_are_refused() -> None:
     project, survey = picked()
     target = project.target("T1")
     one = target.sightings[0]

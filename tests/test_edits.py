@@ -1,4 +1,4 @@
-"""Edits of targets: what takes part, names, roles, and which results each of them drops."""
+"""Tests of edits of targets: use, names, roles, and the results that each edit clears."""
 
 from pathlib import Path
 
@@ -25,7 +25,7 @@ def unused(project: Project) -> set[tuple[str, str]]:
     return {(t.name, s.line) for t in project.targets for s in t.sightings if not s.used}
 
 
-def test_a_line_is_excluded_from_all_targets_and_from_no_validation_plane(project: Project) -> None:
+def test_excluding_a_line_affects_all_targets_and_no_validation_plane(project: Project) -> None:
     without = with_use_of_line(project, "L3", False)
     assert unused(without) == {("T1", "L3"), ("T2", "L3")}
     assert without.result is None
@@ -34,7 +34,7 @@ def test_a_line_is_excluded_from_all_targets_and_from_no_validation_plane(projec
     assert [t.name for t in again.targets] == [t.name for t in project.targets]
 
 
-def test_what_is_so_already_keeps_the_answer(project: Project) -> None:
+def test_an_edit_without_change_keeps_the_result(project: Project) -> None:
     assert with_use_of_target(project, "T1", True) is project
     assert with_use_of_sighting(project, "T1", "L1", True) is project
     assert with_use_of_sighting(project, "T1", "no such line", False) is project
@@ -44,24 +44,24 @@ def test_what_is_so_already_keeps_the_answer(project: Project) -> None:
     assert left_out.result is None
 
 
-def test_a_new_name_stands_in_the_old_place(project: Project) -> None:
+def test_a_renamed_target_keeps_its_position(project: Project) -> None:
     renamed = with_renamed_target(project, "T1", "  north board ")
     assert [t.name for t in renamed.targets] == ["north board", "T2", "V1", "V2", "V3"]
     assert renamed.result is None
     plane = with_renamed_target(project, "V2", "tower")
     assert [t.name for t in plane.targets] == ["T1", "T2", "V1", "tower", "V3"]
-    assert plane.result is project.result  # no part in the adjustment
+    assert plane.result is project.result  # not used in the adjustment
     assert plane.validation == ()
 
 
 @pytest.mark.parametrize(("name", "code"), [(" ", "edit.no_name"), ("V2", "edit.name_taken")])
-def test_names_that_cannot_be_given_are_refused(project: Project, name: str, code: str) -> None:
+def test_empty_and_used_names_are_refused(project: Project, name: str, code: str) -> None:
     with pytest.raises(ProjectError) as caught:
         with_renamed_target(project, "T1", name)
     assert caught.value.code == code
 
 
-def test_a_role_is_changed_to_and_fro(project: Project) -> None:
+def test_a_role_can_be_changed_and_changed_back(project: Project) -> None:
     changed = with_switched_role(project, "T2")
     assert changed.target("T2").role == "validation"
     assert with_switched_role(changed, "T2").target("T2").role == "target"

@@ -1,4 +1,4 @@
-"""The error budget against drawn errors, and against the figures of thesis table 1.3."""
+"""Tests of the error budget against simulated errors and against thesis table 1.3."""
 
 import json
 from dataclasses import asdict, replace
@@ -28,7 +28,7 @@ from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.survey import load_survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
-from tests.few_lines import answered
+from tests.few_lines import picked_and_estimated
 from tests.report_sample import sample_content, sample_project
 from tests.test_cli import answer, run
 
@@ -36,7 +36,7 @@ DRAWS = 5_000
 
 
 def system(**changes: object) -> SystemErrors:
-    """A system with everything: of range and beam, a lever arm X and a latency estimated too."""
+    """Errors of a system with range and beam noise, an estimated lever arm X and latency."""
     estimated = ("roll", "pitch", "yaw", "lever_x", "latency")
     sigma = np.array([*np.radians([0.02, 0.03, 0.04]), 0.008, 0.002])
     mixed = np.eye(5)
@@ -63,7 +63,7 @@ def by_name(budget: ErrorBudget, beam: str) -> dict[str, SourceBudget]:
 
 
 def drawn(errors: np.ndarray, way: np.ndarray) -> PointSigma:
-    """The spread of drawn errors, shape (n, 3)."""
+    """Spread of simulated errors of shape (n, 3)."""
     across = errors - np.outer(errors @ way, way)
     squares = (errors[:, :2], errors[:, 2:], across, errors)
     return PointSigma(*(float(np.sqrt((part**2).sum(axis=1).mean())) for part in squares))
@@ -71,10 +71,10 @@ def drawn(errors: np.ndarray, way: np.ndarray) -> PointSigma:
 
 @pytest.mark.parametrize("beam", BEAM_DIRECTIONS)
 @pytest.mark.parametrize("distance", [10.0, pytest.param(100.0, marks=pytest.mark.long)])
-def test_every_source_agrees_with_drawn_errors(beam: str, distance: float) -> None:
+def test_every_source_agrees_with_simulated_errors(beam: str, distance: float) -> None:
     """X = P + R(attitude) (R(boresight) x + lever arm), each value drawn 5,000 times.
 
-    The spread of so many draws is known to 1 % (1 sigma); figures agree within 4 %.
+    The spread of 5,000 draws has a sigma of 1 %; the tolerance is 4 %.
     """
     own, rng, way = system(), np.random.default_rng(8), np.array(BEAM_DIRECTIONS[beam])
     mounting = own.mounting
@@ -108,7 +108,7 @@ def test_every_source_agrees_with_drawn_errors(beam: str, distance: float) -> No
     beside -= np.outer(beside @ along, along)
     of_beam = length * own.lidar[1] * beside
     position, attitude = normal * own.position, rng.normal(size=(DRAWS, 3)) * own.attitude
-    # Speed and turning of unknown sign each
+    # Speed and rates have random signs
     signs = rng.choice([-1.0, 1.0], (DRAWS, 4))
     moved = np.column_stack([late[:, 0] * own.speed * signs[:, 0], np.zeros((DRAWS, 2))])
     turned = late * own.rates * signs[:, 1:]
@@ -136,10 +136,10 @@ def test_every_source_agrees_with_drawn_errors(beam: str, distance: float) -> No
 
 
 def test_the_figures_of_thesis_table_1_3() -> None:
-    """At 50 m: 1.3 cm of the GNSS, 1.5 of the IMU, 0.9 of the range, 105 of 1.2 deg of boresight.
+    """At 50 m: GNSS 1.3 cm, IMU 1.5 cm, range 0.9 cm, 1.2 deg of boresight 105 cm.
 
-    The thesis lets all three angles of 0.01 deg count (50 m times 0.01 deg times the root of 3 is
-    1.51 cm); an error about the beam moves nothing, which leaves the root of 2: 1.23 cm.
+    The thesis counts three angles of 0.01 deg (50 m times 0.01 deg times the root of 3 is 1.51 cm);
+    a rotation about the beam does not move the point, which gives the root of 2: 1.23 cm.
     """
     one = np.sqrt(1 / 3)
     budget = error_budget(
@@ -165,7 +165,7 @@ def test_the_figures_of_thesis_table_1_3() -> None:
     assert np.sqrt(3 / 2) * imu == pytest.approx(0.015, abs=0.0002)
 
 
-def test_what_is_not_known_is_reported_and_not_counted() -> None:
+def test_unknown_errors_are_reported_and_not_counted() -> None:
     without = system(estimated=("roll", "pitch", "yaw"), covariance=1e-7 * np.eye(3), lidar=0.005)
     budget = error_budget(without)
     found = by_name(budget, "horizontal, to starboard")
@@ -183,7 +183,7 @@ def test_what_is_not_known_is_reported_and_not_counted() -> None:
             error_budget(without, distances)
 
 
-def test_the_command_and_the_report_say_the_same(
+def test_the_command_and_the_report_give_the_same_budget(
     capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
 ) -> None:
     from lispac.io.project.project_file import write_project
@@ -216,10 +216,10 @@ def test_the_command_and_the_report_say_the_same(
 
 
 @pytest.mark.parametrize("sigma", [(-0.01, 0.01, 0.01), (0.01, np.inf, 0.01), (0.0, 0.0, np.nan)])
-def test_sigmas_of_the_lever_arm_that_make_no_sense_are_refused(
+def test_invalid_sigmas_of_the_lever_arm_are_refused(
     sigma: tuple[float, float, float],
 ) -> None:
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     with pytest.raises(InputError) as caught:
         error_budget_of(project, survey, lever_sigma=sigma)
     assert caught.value.code == "estimate.lever_arm_sigma"

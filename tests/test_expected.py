@@ -1,4 +1,4 @@
-"""A target's expected size and inclination: stored with it, and compared with what is found."""
+"""Tests of the expected size and inclination of targets: storage and comparison."""
 
 import json
 from math import pi, radians
@@ -20,7 +20,7 @@ from tests.message_codes import codes
 BOARD = ExpectedTarget(1.23, 1.22, pi / 2)
 
 
-def test_a_usual_board_is_as_expected_and_a_larger_one_is_reported(
+def test_a_board_of_unexpected_size_is_reported(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
@@ -38,7 +38,7 @@ def test_a_usual_board_is_as_expected_and_a_larger_one_is_reported(
         assert {"quality.narrower", "quality.steeper"} <= set(codes(quality.reasons))
 
 
-def test_the_terminal_compares_and_keeps_it(
+def test_the_command_compares_and_stores_the_expected_size(
     copy: Project, capsys: pytest.CaptureFixture[str]
 ) -> None:
     _, seed = demo_seeds()["T1"]
@@ -55,7 +55,9 @@ def test_the_terminal_compares_and_keeps_it(
     assert "--expected applies to planes only" in capsys.readouterr().err
 
 
-def test_a_project_file_without_it_reads_and_a_wrong_one_is_refused(copy: Project) -> None:
+def test_a_project_file_may_omit_the_expected_size_and_a_wrong_one_is_refused(
+    copy: Project,
+) -> None:
     path = copy.folder / "project.json"
     write_project(copy)
     content = json.loads(path.read_text())

@@ -1,4 +1,4 @@
-"""Targets, plane files and trajectories for other programs, read back by independent readers."""
+"""Tests of exported targets, plane files and trajectories, read by independent readers."""
 
 import csv
 from dataclasses import replace
@@ -35,7 +35,7 @@ UTM = "EPSG:32619"
 
 
 def expected(project: Project, survey: Survey, name: str, which: str) -> dict[str, np.ndarray]:
-    """Points of a target line by line, by the reference formula."""
+    """Points of a target on each line by the reference formula."""
     mounting = project.mounting(which)
     parts = {}
     for sighting in project.target(name).used_sightings:
@@ -107,9 +107,9 @@ def test_targets_as_csv(
 
 @pytest.mark.parametrize("which", ["prior", "estimated"])
 def test_plane_files(calibrated: tuple[Project, Survey], tmp_path: Path, which: str) -> None:
-    """25 columns: lever arm and boresight alone bring the scanner's points to the coordinates."""
+    """25 columns: lever arm and boresight suffice to georeference the scanner points."""
     project, survey = calibrated
-    if which == "prior":  # with everything a mounting knows
+    if which == "prior":  # with all values of a mounting
         known = {"range_offset": 0.02, "scan_angle_offset_deg": 0.1, "latency": 0.003}
         project = replace(project, settings=replace(project.settings, **known))
     mounting = project.mounting(which)
@@ -132,9 +132,7 @@ def test_plane_files(calibrated: tuple[Project, Survey], tmp_path: Path, which: 
     assert len(observations.targets) == len(project.targets)
 
 
-def test_what_cannot_be_exported_is_refused(
-    calibrated: tuple[Project, Survey], tmp_path: Path
-) -> None:
+def test_impossible_exports_are_refused(calibrated: tuple[Project, Survey], tmp_path: Path) -> None:
     project, survey = calibrated
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.no_target"):
         export_targets(project, survey, tmp_path / "out", names=["X"])
@@ -154,7 +152,7 @@ def test_what_cannot_be_exported_is_refused(
 
 
 def test_points_without_intensity_are_written_without_it(tmp_path: Path) -> None:
-    """A column of zeros would be taken for dark points."""
+    """A column of zeros would be mistaken for dark points."""
     project, survey = picked()
     paths = export_targets(project, survey, tmp_path / "csv", "prior", ending="csv", names=["T2"])
     with paths[0].open(newline="") as file:
@@ -169,7 +167,7 @@ def test_points_without_intensity_are_written_without_it(tmp_path: Path) -> None
     assert not np.asarray(las.intensity).any()
 
 
-def test_spheres_alone_make_no_plane_file(tmp_path: Path) -> None:
+def test_spheres_alone_give_no_plane_file(tmp_path: Path) -> None:
     project, survey = picked()
     balls = tuple(replace(target, shape="sphere") for target in project.targets)
     with pytest.raises(ProjectError) as caught:
@@ -178,12 +176,12 @@ def test_spheres_alone_make_no_plane_file(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-def test_what_is_assumed_is_reported_with_what_is_written(tmp_path: Path) -> None:
+def test_assumptions_are_reported_with_the_written_files(tmp_path: Path) -> None:
     project, survey = picked()
     out = tmp_path / "out"
     paths, notes = export(project, survey, ExportRequest("targets", out, "prior", "las"))
     assert [path.name for path in paths] == ["T1_prior.las", "T2_prior.las"]
-    assert notes == ()  # metres from the survey's own origin
+    assert notes == ()  # metres from the origin of the survey
     request = ExportRequest("targets", tmp_path / "map", "prior", "las", "EPSG:32619")
     _, notes = export(project, survey, request)
     system = output_system_of(project, survey.trajectory, "EPSG:32619")
@@ -203,7 +201,7 @@ def test_what_is_assumed_is_reported_with_what_is_written(tmp_path: Path) -> Non
 
 
 def turning(folder: Path) -> Project:
-    """A project of which only the trajectory is asked."""
+    """Make a project with only a trajectory, of a turning vessel."""
     time = 400_000.123456 + np.arange(300) / 200
     raw = Trajectory(
         time, 0.8 + 1e-8 * np.arange(300), -1.3 + 2e-8 * np.arange(300), np.linspace(-20, 3, 300),
@@ -226,7 +224,7 @@ def test_trajectory_as_sbet_and_as_text(tmp_path: Path) -> None:
     np.testing.assert_allclose(rows[:, 5], -np.degrees(before.attitude[:, 1]), rtol=0, atol=1e-9)
     assert rows[:, 6].max() > 359
     assert rows[:, 6].min() < 1
-    # The program's own reader knows the columns by their names, and its defaults are right.
+    # The reader of the program recognises the columns by name, and its defaults are right.
     ((format, _), *_) = recognise_formats(path, "trajectory")
     assert format.key == "ascii-trajectory"
     again = format_of("ascii-trajectory").read(path, format.preview(path, {}).choice)
@@ -240,7 +238,7 @@ def test_trajectory_as_sbet_and_as_text(tmp_path: Path) -> None:
     np.testing.assert_allclose(again.height, before.height, rtol=0, atol=1e-5)
 
 
-def test_from_the_command_line(
+def test_exports_from_the_command_line(
     copy: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = str(copy.folder)

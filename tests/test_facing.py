@@ -1,4 +1,4 @@
-"""Targets that all face one way are told of before an estimate refuses them."""
+"""Tests of the warning about targets with the same orientation before an estimate."""
 
 from dataclasses import replace
 
@@ -15,12 +15,12 @@ from tests.few_lines import picked
 
 
 def only(project: Project, *names: str) -> Project:
-    """These as targets, nothing estimated."""
+    """The project with only these targets and without a result."""
     targets = tuple(replace(each, role="target") for each in project.targets if each.name in names)
     return replace(project, targets=targets, result=None, validation=())
 
 
-def test_it_is_reported_for_what_the_estimate_refuses_and_nothing_else(
+def test_the_warning_agrees_with_the_refusal_of_the_estimate(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
@@ -39,7 +39,7 @@ def test_it_is_reported_for_what_the_estimate_refuses_and_nothing_else(
     assert set(told.values()) == {True, False}
 
 
-def test_nothing_is_reported_for_one_target_and_where_it_is_accepted(
+def test_one_target_or_an_accepted_orientation_gives_no_warning(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
@@ -52,8 +52,8 @@ def test_nothing_is_reported_for_one_target_and_where_it_is_accepted(
     assert "project.one_facing" not in [each.code for each in warnings_of(project, survey)]
 
 
-def test_nothing_is_reported_where_a_ball_or_a_line_that_is_gone_leaves_it_open() -> None:
-    """Two boards that face alike are told of, until it cannot be told what a third does."""
+def test_balls_and_missing_lines_give_no_warning() -> None:
+    """Two parallel boards give a warning, except if other targets may have another orientation."""
     project, survey = picked()
     upright = project.target("T1")
     alike = replace(project, targets=(upright, replace(upright, name="parallel")))
@@ -66,7 +66,7 @@ def test_nothing_is_reported_where_a_ball_or_a_line_that_is_gone_leaves_it_open(
     assert not do_targets_face_one_way(alike, replace(survey, clouds=gone))
 
 
-def test_points_on_one_straight_line_determine_no_direction() -> None:
+def test_points_on_one_straight_line_have_no_orientation() -> None:
     project, survey = picked()
     upright = project.target("T1")
     row = PickedSighting("L1", np.repeat(upright.sightings[0].indices[:1], 9), 0.0)

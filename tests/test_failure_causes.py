@@ -1,4 +1,4 @@
-"""An adjustment that does not converge names the error without which it does."""
+"""Tests of the possible cause that is named when an adjustment does not converge."""
 
 from dataclasses import replace
 
@@ -18,8 +18,8 @@ PRIOR = TRUTH.with_boresight(np.zeros(3))
 
 
 @pytest.mark.parametrize("seed", [0, 1])
-def test_a_wrong_roll_sign_of_a_survey_of_balls_is_named(seed: int) -> None:
-    """The radii of the balls are unknown, and no other candidate fits."""
+def test_a_wrong_roll_sign_in_a_survey_of_balls_is_named(seed: int) -> None:
+    """The radii of the balls are unknown, and no other cause fits."""
     data = average_points_in_cells(changed(survey(seed), "roll_sign"), TRUTH, 0.02)
     with pytest.raises(NotConverged) as raised:
         adjust_or_explain(data, PRIOR, MODEL)
@@ -29,8 +29,8 @@ def test_a_wrong_roll_sign_of_a_survey_of_balls_is_named(seed: int) -> None:
     assert params["reason"].code == "adjustment.not_converged"
 
 
-def test_without_a_cause_that_fits_none_is_named() -> None:
-    """Roll has the wrong sign, and the points of one line are displaced besides."""
+def test_no_cause_is_named_if_none_fits() -> None:
+    """Roll has the wrong sign, and the points of three lines are distorted too."""
     data = changed(survey(1), "roll_sign")
     off = np.array([each.line in ("L1", "L2", "L3") for each in data.sightings])[data.sighting]
     points = np.where(off[:, None], data.points_lidar * [1.0, 1.3, 1.0], data.points_lidar)

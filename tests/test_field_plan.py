@@ -1,4 +1,4 @@
-"""The page for the field: what is drawn and listed is what the plan says."""
+"""Tests that the field plan shows the lines and targets of the survey plan."""
 
 from dataclasses import replace
 from io import BytesIO
@@ -19,7 +19,7 @@ from lispac.simulation.closed_form_survey import Ball
 
 
 def words(figure: Figure) -> list[str]:
-    """All that is written on a page."""
+    """All texts of a page."""
     return [text.get_text() for text in figure.findobj(lambda a: hasattr(a, "get_text"))]
 
 
@@ -36,13 +36,13 @@ def test_lines_are_drawn_along_their_headings(facing: float) -> None:
         east, north = end - begin
         drawn = np.degrees(np.arctan2(east, north)) % 360
         assert (drawn - line.heading_deg + 180) % 360 - 180 == pytest.approx(0, abs=1e-6)
-        # On the water, and the wall's middle to the side that is said
+        # The line is on the water, and the wall is on the given side
         azimuth = np.radians(facing)
         assert begin @ [np.sin(azimuth), np.cos(azimuth)] > 0
         assert (east * -begin[1] - north * -begin[0] < 0) == line.starboard
 
 
-def test_the_tables_say_what_the_plan_says() -> None:
+def test_the_tables_agree_with_the_plan() -> None:
     wall = Wall((0.0, 0.0, 0.0), 200.0)
     plan = replace(
         thesis_plan(Site(wall.middle, 200.0)),
@@ -68,7 +68,7 @@ def test_the_tables_say_what_the_plan_says() -> None:
     assert any("Ask the harbour master first." in text for text in said)
 
 
-def test_north_is_up_and_the_bar_is_as_long_as_it_says() -> None:
+def test_north_is_up_and_the_scale_bar_has_the_given_length() -> None:
     site = Site((0.0, 0.0, 0.0), 130.0)
     page = field_plan_figure(thesis_plan(site), site.wall, "Quay")
     page.draw_without_rendering()
@@ -85,7 +85,7 @@ def test_north_is_up_and_the_bar_is_as_long_as_it_says() -> None:
 
 
 @pytest.mark.parametrize(("lines", "balls"), [(6, 1), (24, 10)])
-def test_all_of_it_is_on_the_page(lines: int, balls: int) -> None:
+def test_all_texts_are_on_the_page(lines: int, balls: int) -> None:
     site = Site((0.0, 0.0, 0.0), 270.0)
     plan = thesis_plan(site)
     plan = plan.with_lines((plan.lines * 4)[:lines])
@@ -106,7 +106,7 @@ def test_all_of_it_is_on_the_page(lines: int, balls: int) -> None:
     assert all(one.y1 <= other.y0 + 0.5 for one, other in pairwise(boxes)), "no row over another"
 
 
-def test_a_plan_that_determines_nothing_says_so() -> None:
+def test_an_undetermined_plan_is_reported() -> None:
     site = Site((0.0, 0.0, 0.0), 270.0)
     plan = thesis_plan(site)
     said = words(field_plan_figure(plan.with_lines(plan.lines[:1]), site.wall, "One line"))

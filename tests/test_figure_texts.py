@@ -1,4 +1,4 @@
-"""No text of a figure of the report is cut at its edge, in either language."""
+"""Tests that no text of a figure of the report is cut at the edge, in either language."""
 
 from pathlib import Path
 
@@ -13,11 +13,11 @@ from lispac.report.document_blocks import UndrawnPictures
 from tests.report_sample import sample_content, sample_project
 
 DESCENT = 2.0
-"""Pixels, 100 to the inch: room for descenders below a text of 7 points, counted if it has none."""
+"""Pixels at 100 dpi: space for descenders below a text of 7 points, which is always included."""
 
 
 def cut_texts(figure: Figure) -> list[str]:
-    """Titles, labels and legends that reach beyond the figure.
+    """Titles, labels and legends that extend beyond the figure.
 
     Labels of ticks are left out: matplotlib keeps some outside the axes and does not draw them.
     """

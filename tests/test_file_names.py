@@ -1,4 +1,4 @@
-"""Files whose names are not UTF-8, and terminals that cannot print a name."""
+"""Tests of file names that are not UTF-8, and of terminals that cannot print a name."""
 
 import json
 import os
@@ -25,11 +25,13 @@ def lispac(*arguments: object, **environment: str) -> subprocess.CompletedProces
 def test_a_name_that_is_not_utf_8_is_shown_with_replacements() -> None:
     assert printable(os.fsdecode(b"l\xff1.laz")) == "l\ufffd1.laz"
     assert printable("Käi.laz") == "Käi.laz"
-    assert printable("a\ud800b\udfff.laz") == "a\ufffdb\ufffd.laz"  # halves of pairs, no bytes
+    assert (
+        printable("a\ud800b\udfff.laz") == "a\ufffdb\ufffd.laz"
+    )  # halves of surrogate pairs, not bytes
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "ascii"])
-def test_names_of_any_bytes_on_any_terminal(tmp_path: Path, encoding: str) -> None:
+def test_any_name_can_be_printed_on_any_terminal(tmp_path: Path, encoding: str) -> None:
     folder = write_survey(tmp_path)
     first = folder / os.fsdecode(b"l\xff\xe9.las")
     write_line(folder / "plain.las", START + np.linspace(2, 12, 2000), fan(2000)).rename(first)

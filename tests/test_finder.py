@@ -1,4 +1,4 @@
-"""Seed to plane, in one line and in all: boards before walls, wrong priors, real planes."""
+"""Tests of finding planes from a seed in one line and in all lines."""
 
 import json
 from dataclasses import replace
@@ -27,7 +27,7 @@ CENTRE = np.array([0.0, 20.0, 4.0])
 
 
 def sheet(rng, centre, normal, width, height, *, spacing=0.025, noise=0.002):
-    """Points of a flat board in scan lines: along them three times as dense as across."""
+    """Points of a flat board in scan lines, three times as dense along them as across."""
     u = np.arange(-width / 2, width / 2, spacing * 1.7)
     v = np.arange(-height / 2, height / 2, spacing / 1.7)
     placed = np.stack(np.meshgrid(u - u.mean(), v - v.mean()), axis=-1).reshape(-1, 2)
@@ -43,12 +43,14 @@ def sheet(rng, centre, normal, width, height, *, spacing=0.025, noise=0.002):
 def scene(rng, *, normal=(0, -1, 0), gap=0.3, noise=0.002, size=(1.23, 1.22)):
     """A board before a wall, with mixed pixels between their edges, as seen from the origin.
 
-    The labels are true on the board; what the board hides of the wall is left out.
+    The labels are true on the board; the occluded part of the wall is omitted.
     """
     unit = np.asarray(normal, float) / np.linalg.norm(normal)
     board = sheet(rng, CENTRE, unit, *size, noise=noise)
     wall = sheet(rng, CENTRE + [0, gap, -0.5], (0, -1, 0), 7.0, 5.0, noise=noise)
-    hit = wall * (CENTRE @ unit / (wall @ unit))[:, None]  # the ray to the wall, on the board
+    hit = (
+        wall * (CENTRE @ unit / (wall @ unit))[:, None]
+    )  # intersection of the ray to the wall with the plane of the board
     beside = np.abs((hit - CENTRE) @ plane_axes(unit).T) - np.array(size) / 2
     behind = np.linalg.norm(hit, axis=1) < np.linalg.norm(wall, axis=1)
     hidden = (beside < 0).all(axis=1) & behind
@@ -68,17 +70,17 @@ def precision_and_recall(indices, truth):
     [
         ((0, -1, 0), 0.3, 0.002),
         ((0, -1, 0), 0.3, 0.0),
-        ((0, -1, 0), 0.05, 0.002),  # bolted on, 5 cm proud
+        ((0, -1, 0), 0.05, 0.002),  # mounted 5 cm before the wall
         ((0, -1, 1), 0.8, 0.003),  # 45 degrees
         ((0.5, -1, 0.2), 0.8, 0.003),
         ((0.1, 0.1, 1), 1.0, 0.003),  # nearly level
     ],
 )
-def test_a_board_is_cut_from_the_wall_behind_it(normal, gap, noise):
+def test_a_board_is_separated_from_the_wall_behind_it(normal, gap, noise):
     points, truth = scene(np.random.default_rng(1), normal=normal, gap=gap, noise=noise)
     patch = find_plane(points, CENTRE + [0.2, -0.05, 0.1], SETTINGS)
     precision, recall = precision_and_recall(patch.indices, truth)
-    # So near to the wall every sixth mixed pixel is within the noise of the board.
+    # At this distance every sixth mixed pixel is within the noise of the board.
     assert precision > (0.99 if gap > 0.1 else 0.985), (precision, recall)
     assert recall > 0.95, (precision, recall)
     assert np.abs(patch.plane.distances(CENTRE)) < 0.001
@@ -88,7 +90,7 @@ def test_a_board_is_cut_from_the_wall_behind_it(normal, gap, noise):
     np.testing.assert_array_equal(patch.indices, np.unique(patch.indices))
 
 
-def test_a_wall_is_cut_at_the_radius_and_not_taken_for_the_board():
+def test_a_wall_is_cut_at_the_radius_and_contains_no_point_of_the_board():
     points, truth = scene(np.random.default_rng(2))
     seed = CENTRE + [2.0, 0.3, -1.0]
     patch = find_plane(points, seed, FinderSettings(radius=1.0))
@@ -102,7 +104,7 @@ def test_noise_wider_than_the_threshold_needs_a_wider_threshold():
     points, truth = scene(np.random.default_rng(3), noise=0.02, gap=0.5)
     patch = find_plane(points, CENTRE, FinderSettings(threshold=0.06))
     precision, recall = precision_and_recall(patch.indices, truth)
-    # Mixed pixels within 6 cm of the board cannot be told from its noise.
+    # Mixed pixels within 6 cm of the board cannot be distinguished from its noise.
     assert precision > 0.97
     assert recall > 0.95
 
@@ -118,7 +120,7 @@ def test_the_same_input_gives_the_same_answer_and_order_does_not_matter():
     shuffled = find_plane(points[order], CENTRE, SETTINGS)
     np.testing.assert_array_equal(np.sort(order[shuffled.indices]), first.indices)
     np.testing.assert_array_equal(first.plane.normal, shuffled.plane.normal)
-    for seed in (1, 2, 3):  # of the random draws: the refit leads to the same plane
+    for seed in (1, 2, 3):  # the random draws differ, but the refit gives the same plane
         drawn = find_plane(points, CENTRE, replace(SETTINGS, seed=seed))
         np.testing.assert_array_equal(first.indices, drawn.indices)
 
@@ -170,13 +172,13 @@ def test_without_a_plane_the_reason_is_given(points, seed, code, params):
 @pytest.mark.parametrize(
     "wrong", [{"radius": 0}, {"threshold": np.nan}, {"stop": 1.0}, {"min_points": 2}]
 )
-def test_settings_that_cannot_work_are_refused(wrong):
+def test_invalid_settings_are_refused(wrong):
     with pytest.raises(InputError, check=has_code("finder.setting", name=next(iter(wrong)))):
         FinderSettings(**wrong)
 
 
 def moved_lines(count=4, *, seed=6, tilt_deg=3.0, shift=1.2, make=scene):
-    """The same scene as each line would see it with a wrong boresight."""
+    """The same scene as displaced on each line by a wrong boresight."""
     rng = np.random.default_rng(seed)
     clouds, truths = {}, {}
     for k in range(count):
@@ -190,7 +192,7 @@ def moved_lines(count=4, *, seed=6, tilt_deg=3.0, shift=1.2, make=scene):
 
 
 @pytest.mark.parametrize("first_line", ["L1", None])
-def test_a_target_is_found_where_each_line_puts_it(first_line):
+def test_a_target_is_found_at_its_displaced_place_in_each_line(first_line):
     clouds, truths = moved_lines()
     found, missing = find_in_lines(clouds, CENTRE, SETTINGS, first_line=first_line)
     assert missing == {}
@@ -201,7 +203,7 @@ def test_a_target_is_found_where_each_line_puts_it(first_line):
         assert patch.plane.normal @ found["L1"].plane.normal > 0.99
 
 
-def test_two_equal_targets_near_each_other_are_not_swapped():
+def test_two_equal_neighbouring_targets_are_not_swapped():
     def equal_boards(rng):
         boards = [sheet(rng, CENTRE + [x, 0, 0], (0, -1, 0), 0.6, 0.8) for x in (0, 1.0)]
         wall = sheet(rng, CENTRE + [0, 0.5, -2.2], (0, -1, 0), 7, 3)
@@ -215,7 +217,7 @@ def test_two_equal_targets_near_each_other_are_not_swapped():
         assert min(precision_and_recall(patch.indices, truths[name])) > 0.95, name
 
 
-def test_a_line_without_the_target_says_so():
+def test_a_line_without_the_target_has_a_reason():
     clouds, _ = moved_lines(2)
     clouds["away"] = clouds["L1"] + [50.0, 0, 0]
     clouds["empty"] = np.empty((0, 3))
@@ -278,7 +280,7 @@ def harbour(shared_data):
     truth = json.loads((shared_data / "harbour" / "truth.json").read_text())["boresight_deg"]
     places = {**survey.site["targets_nwu"], **survey.site["validation_nwu"]}
     clouds = survey.clouds(truth)
-    for name, scan in survey.scans.items():  # what is far from everything only takes time
+    for name, scan in survey.scans.items():  # points far from all targets only take time
         near = np.zeros(len(scan.points_lidar), dtype=bool)
         for key, place in places.items():
             reach = 22.0 if key == "V5" else 7.5
@@ -308,7 +310,7 @@ def test_harbour_targets_are_found_in_every_line(harbour, offset_deg, seed_off):
         assert missing == {}
         half = np.array([target["width"], target["height"]]) / 2
         for name, patch in found.items():
-            # Where the points truly are: the POS puts them up to some centimetres off.
+            # True places of the points; the POS displaces them by some centimetres.
             off = true_clouds[name] - centre
             beside = np.abs(off @ plane_axes(normal).T) - half
             on = (np.abs(off @ normal) < 0.05) & (beside < 0.03).all(axis=1)
@@ -330,7 +332,7 @@ def test_harbour_validation_planes_are_found_on_two_lines_or_more(harbour, name,
     )
     assert len(found) >= 2, missing
     for patch in found.values():
-        # V5 is said to face south and faces eight degrees beside it.
+        # V5 faces eight degrees away from south, its documented direction.
         assert abs(patch.plane.normal @ plane["normal"]) > np.cos(radians(10))
         assert patch.rms < 0.006
 
@@ -345,7 +347,7 @@ def test_real_natural_planes_are_found_in_both_lines(shared_data, name):
     prior, after = survey.clouds(np.zeros(3)), survey.clouds(reference)
     found_prior = {key: find_in_lines(prior, seed, settings)[0] for key, seed in seeds.items()}
     assert sum(len(found) == 2 for found in found_prior.values()) >= len(seeds) - 2
-    # The clicked points move with the boresight; then the lines lie on one another.
+    # The clicked points move with the boresight, after which the lines agree.
     right = total = 0
     for key, seed in seeds.items():
         clicked = int(np.argmin(np.linalg.norm(prior["line1"] - seed, axis=1)))

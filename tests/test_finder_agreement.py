@@ -1,6 +1,6 @@
-"""A target that one line does not show: no other surface is taken for it.
+"""Tests that no other surface is mistaken for a target on a line that does not show it.
 
-On sites of the simulator of the project, with a wall, a deck or a similar board near the target.
+The simulated sites have a wall, a deck or a similar board near the target.
 The prior boresight is off by 0, 0.1, 1 or 2 degrees on every axis.
 """
 
@@ -20,7 +20,7 @@ from lispac.workflow.project.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 from tests.test_finder_sites import board, wall
 
-LOST = "L4"
+LINE_WITHOUT_TARGET = "L4"
 SCENES: dict[str, list[Surface]] = {
     "wall 0.3 m behind": [board(), wall(0.3)],
     "wall askew": [board(250), wall(0.5)],
@@ -45,7 +45,7 @@ SCENES: dict[str, list[Surface]] = {
         wall(1.2),
     ],
 }
-SHORT = {
+SHORT_SELECTION = {
     ("wall across", (0.0, 0.0, 0.0)), ("deck at a wall", (0.1, -0.1, 0.1)),
     ("deck below", (1.0, -1.0, 1.0)), ("similar board beside", (2.0, -2.0, 2.0)),
     ("similar board behind", (0.1, -0.1, 0.1)),
@@ -55,7 +55,7 @@ OFF_DEG = [(0.0, 0.0, 0.0), (0.1, -0.1, 0.1), (1.0, -1.0, 1.0), (2.0, -2.0, 2.0)
 
 @cache
 def scenery(name: str) -> Site:
-    return site(SCENES[name], absent_from=LOST)
+    return site(SCENES[name], absent_from=LINE_WITHOUT_TARGET)
 
 
 def clicked(seen: Site, survey: Survey, line: str) -> np.ndarray:
@@ -71,12 +71,12 @@ def typed(seen: Site) -> np.ndarray:
 
 
 def require_right(seen: Site, target: Target) -> None:
-    """Every sighting holds the target's points, where its plane truly is."""
+    """Require that every sighting contains points on the true plane of the target."""
     truth = next(s for s in seen.scene.surfaces if s.name == "T1")
     for sighting in target.sightings:
         points = seen.echoes[sighting.line].true_points_local[sighting.indices]
         plane = patch_of(points, np.arange(len(points)), truth.normal).plane
-        assert sighting.line != LOST, target.missing
+        assert sighting.line != LINE_WITHOUT_TARGET, target.missing
         assert np.degrees(np.arccos(min(1.0, plane.normal @ truth.normal))) < 2.0, sighting.line
         assert abs(plane.distances(truth.centre)) < 0.05, sighting.line
     assert len(target.sightings) >= 3
@@ -85,15 +85,15 @@ def require_right(seen: Site, target: Target) -> None:
 @pytest.mark.parametrize(
     ("name", "off_deg"),
     [
-        pytest.param(name, off, marks=() if (name, off) in SHORT else pytest.mark.long)
+        pytest.param(name, off, marks=() if (name, off) in SHORT_SELECTION else pytest.mark.long)
         for name in SCENES
         for off in OFF_DEG
     ],
 )
-def test_a_line_without_the_target_gives_no_other_surface(
+def test_a_line_without_the_target_has_no_sighting(
     name: str, off_deg: tuple[float, float, float]
 ) -> None:
-    """From a click on one line, and from coordinates that belong to none."""
+    """The seed is a click on one line, or coordinates that belong to no line."""
     seen = scenery(name)
     project, survey = seen.opened(off_deg)
     require_right(
@@ -112,12 +112,12 @@ def two_boards() -> tuple[Site, Project, Survey, Target]:
 def test_a_click_on_another_surface_adds_no_sighting() -> None:
     """The user clicks the similar board on the line that lacks the target."""
     seen, project, survey, target = two_boards()
-    on = np.flatnonzero(seen.on(LOST, "T2"))
-    seed = survey.clouds[LOST][on[[len(on) // 2]]][0]
+    on = np.flatnonzero(seen.on(LINE_WITHOUT_TARGET, "T2"))
+    seed = survey.clouds[LINE_WITHOUT_TARGET][on[[len(on) // 2]]][0]
     with pytest.raises(TargetNotFound):
-        find_target(project.with_target(target), survey, seed, name="T1", line=LOST)
-    alone = find_target(project, survey, seed, name="T2", line=LOST)
-    assert [s.line for s in alone.sightings] == [LOST]
+        find_target(project.with_target(target), survey, seed, name="T1", line=LINE_WITHOUT_TARGET)
+    alone = find_target(project, survey, seed, name="T2", line=LINE_WITHOUT_TARGET)
+    assert [s.line for s in alone.sightings] == [LINE_WITHOUT_TARGET]
 
 
 def test_a_click_on_the_same_surface_adds_a_sighting() -> None:
@@ -130,7 +130,7 @@ def test_a_click_on_the_same_surface_adds_a_sighting() -> None:
 
 
 @pytest.mark.parametrize(("off_deg", "agrees"), [(0.3, True), (2.0, False)])
-def test_the_accuracy_of_the_placement_is_the_limit(off_deg: float, agrees: bool) -> None:
+def test_the_limit_follows_from_the_accuracy_of_the_placement(off_deg: float, agrees: bool) -> None:
     """Lines displaced by an error of the boresight, judged as accurate to 0.2 deg."""
     seen = scenery("wall 0.3 m behind")
     _, survey = seen.opened((off_deg, -off_deg, off_deg))

@@ -1,4 +1,4 @@
-"""Values and texts of files that others wrote: checked in one place, and shown as text."""
+"""Tests of the checks of values and texts from files, and of their display as text."""
 
 import json
 import os
@@ -42,7 +42,7 @@ from lispac.workflow.project.survey import load_survey
         '{"a": [{"b\\u0000": 1}]}', "{", b"\xff\xfe",
     ],
 )  # fmt: skip
-def test_json_that_cannot_be_used_is_refused(text: str | bytes) -> None:
+def test_unusable_json_is_refused(text: str | bytes) -> None:
     with pytest.raises(InvalidContentError):
         json_values(text)
 
@@ -51,12 +51,12 @@ def test_json_that_cannot_be_used_is_refused(text: str | bytes) -> None:
     "text",
     [b"a = " + b"[" * 3000, b"a = " + b"9" * 5000, b'a = "\\u0000"', b"a = 1\na = 2", b"a = \xff"],
 )
-def test_toml_that_cannot_be_used_is_refused(text: bytes) -> None:
+def test_unusable_toml_is_refused(text: bytes) -> None:
     with pytest.raises(InvalidContentError):
         toml_values(text)
 
 
-def test_usable_values_come_back_as_they_are() -> None:
+def test_usable_values_are_returned_unchanged() -> None:
     values = {"a": [1, 2.5, None, True, {"b": "L\u00e9v\u00e9"}], "path": "x\udcff", "n": -(2**62)}
     assert json_values(json.dumps(values)) == values
     assert toml_values(b'a = [1, "b"]\n') == {"a": [1, "b"]}
@@ -70,11 +70,11 @@ def test_usable_values_come_back_as_they_are() -> None:
         ("-1e-5", "-1e-5"),
     ],
 )  # fmt: skip
-def test_cells_that_spreadsheets_take_for_formulas(value: object, cell: str) -> None:
+def test_cells_that_look_like_formulas_are_escaped(value: object, cell: str) -> None:
     assert as_csv_cell(value) == cell
 
 
-def test_a_message_stays_one_line_of_text() -> None:
+def test_a_message_is_one_line_of_text() -> None:
     told = str(LispacError("a\nb\x1b[31m\r\x00\x9bc: wrong."))
     assert told.isprintable()
     assert "wrong." in told
@@ -95,7 +95,7 @@ def test_settings_beyond_what_is_possible_are_refused(given: dict[str, object]) 
     Settings((0.0, 0.0, 0.0)).require_sound()
 
 
-def test_impossible_standard_deviations_draw_a_warning(copy: Project) -> None:
+def test_implausible_standard_deviations_give_a_warning(copy: Project) -> None:
     def codes() -> list[str]:
         return [message.code for message in load_survey(copy).messages]
 
@@ -107,7 +107,7 @@ def test_impossible_standard_deviations_draw_a_warning(copy: Project) -> None:
     assert "accuracy.too_large" in codes()
 
 
-def test_the_folder_of_the_copy_is_its_own(copy: Project) -> None:
+def test_a_copy_has_a_separate_folder(copy: Project) -> None:
     assert copy.accuracy is not None
     assert Path(copy.accuracy).is_relative_to(copy.folder), "the test above changes it"
 
@@ -141,13 +141,11 @@ WRONG_VALUES = [
     ("truth_deg", "abc"),
     ("truth_deg", [1, 2]),
 ]
-"""Places in a project file, and values that do not fit there."""
+"""Places in a project file, and invalid values for them."""
 
 
 @pytest.mark.parametrize(("place", "value"), WRONG_VALUES)
-def test_values_of_a_project_that_do_not_fit_are_refused(
-    copy: Project, place: str, value: object
-) -> None:
+def test_invalid_values_of_a_project_are_refused(copy: Project, place: str, value: object) -> None:
     path = copy.folder / PROJECT_FILE_NAME
     content = json.loads(path.read_text())
     *folders, last = place.split("/")
@@ -161,7 +159,7 @@ def test_values_of_a_project_that_do_not_fit_are_refused(
 
 
 @pytest.mark.parametrize("name", ["a\0b.csv", "a\ud800b.csv"])
-def test_names_that_no_file_can_have_are_refused(tmp_path: Path, name: str) -> None:
+def test_impossible_file_names_are_refused(tmp_path: Path, name: str) -> None:
     with pytest.raises(InputError) as refused, atomic_write(tmp_path / name):
         pass
     assert refused.value.code == "file.bad_name"
@@ -169,9 +167,7 @@ def test_names_that_no_file_can_have_are_refused(tmp_path: Path, name: str) -> N
 
 
 @pytest.mark.parametrize("name", ["a\0b", "a\ud800b"])
-def test_names_that_no_folder_can_have_are_refused(
-    copy: Project, tmp_path: Path, name: str
-) -> None:
+def test_impossible_folder_names_are_refused(copy: Project, tmp_path: Path, name: str) -> None:
     folder = tmp_path / "empty" / name
     folder.parent.mkdir()
     with pytest.raises(InputError) as refused:
@@ -187,7 +183,7 @@ def test_names_that_no_folder_can_have_are_refused(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no named pipes in folders")
-def test_nothing_is_written_in_the_place_of_a_pipe_or_folder(tmp_path: Path) -> None:
+def test_a_pipe_or_folder_is_not_overwritten(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.csv")
     (tmp_path / "folder.csv").mkdir()
     for name, code in (("pipe.csv", "file.is_device"), ("folder.csv", "file.is_folder")):
@@ -197,7 +193,7 @@ def test_nothing_is_written_in_the_place_of_a_pipe_or_folder(tmp_path: Path) -> 
     assert (tmp_path / "pipe.csv").is_fifo()
 
 
-def test_files_that_look_like_unfinished_ones_stay(tmp_path: Path) -> None:
+def test_files_that_look_like_temporary_files_are_kept(tmp_path: Path) -> None:
     mine = tmp_path / ".report-20260101.pdf"
     mine.write_text("mine")
     os.utime(mine, (0, 0))
@@ -207,20 +203,20 @@ def test_files_that_look_like_unfinished_ones_stay(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("text", ["9" * 5000, "-1", "", "1.5", "1_0", str(2**63)])
-def test_counts_in_text_that_are_none(text: str) -> None:
+def test_invalid_counts_in_text_are_recognised(text: str) -> None:
     assert not is_whole_number(text, 1 << 48)
     assert is_whole_number("12", 1 << 48)
 
 
 @pytest.mark.parametrize("text", ["1e-320", "1e31", "-1e300", "inf", "nan"])
-def test_amounts_that_no_option_can_have(text: str) -> None:
+def test_impossible_numbers_of_options_are_refused(text: str) -> None:
     for kind in (finite_number, number_within(1e-6, 100.0)):
         with pytest.raises(ArgumentTypeError):
             kind(text)
 
 
 @pytest.mark.parametrize("text", ["a\nb", "a\tb", "\x1b[31m", "a\x7fb", "a\u2028b", '"\\', "é 😀"])
-def test_texts_of_a_file_of_settings_have_one_line(tmp_path: Path, text: str) -> None:
+def test_texts_of_a_settings_file_must_have_one_line(tmp_path: Path, text: str) -> None:
     path = tmp_path / "plan.toml"
     path.write_text(f"title = {toml_string(text)}\n", encoding="utf-8")
     assert toml_values(path.read_bytes()) == {"title": text}
@@ -234,7 +230,7 @@ def test_texts_of_a_file_of_settings_have_one_line(tmp_path: Path, text: str) ->
 
 
 @pytest.mark.parametrize("value", ["1e-320", "1e300", "-1e300"])
-def test_amounts_that_no_file_of_settings_can_have(tmp_path: Path, value: str) -> None:
+def test_impossible_numbers_of_a_settings_file_are_refused(tmp_path: Path, value: str) -> None:
     path = tmp_path / "made.toml"
     path.write_text(f"a = {value}\n")
     with pytest.raises(InputError), TomlTable.read(path, "scene") as table:
@@ -260,7 +256,7 @@ def test_a_ply_header_with_thousands_of_digits_is_refused(tmp_path: Path) -> Non
         format_of("ply").preview(path, {})
 
 
-def test_records_with_denormal_times_draw_no_conclusion(tmp_path: Path) -> None:
+def test_records_with_denormal_times_raise_no_other_error(tmp_path: Path) -> None:
     path = tmp_path / "a.sbet"
     records = np.random.default_rng(0).uniform(-1.0, 1.0, (200, 17))
     records[:, 0] = np.arange(200) * 5e-324
@@ -271,7 +267,7 @@ def test_records_with_denormal_times_draw_no_conclusion(tmp_path: Path) -> None:
         return
 
 
-def test_stored_points_beyond_the_range_of_the_scanner_draw_a_warning(copy: Project) -> None:
+def test_stored_points_beyond_the_range_of_the_scanner_give_a_warning(copy: Project) -> None:
     import_lines(copy)
     line = copy.lines[0]
 

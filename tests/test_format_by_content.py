@@ -1,4 +1,4 @@
-"""Files under any name: the format follows from the content; what is no data file is refused."""
+"""Tests that the format of a file follows from its content, and that special files are refused."""
 
 import bz2
 import gzip
@@ -40,14 +40,14 @@ ENDINGS = (".las", ".txt", ".e57", ".ply", ".csv", ".sbet", "")
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """Trajectory, accuracies and lines of a small survey."""
+    """Folder with trajectory, accuracies and lines of a small survey."""
     return write_survey(tmp_path)
 
 
 def new(
     capsys: pytest.CaptureFixture[str], folder: Path, *lines: Path, more: tuple[object, ...] = ()
 ):
-    """Points of each line of a new project."""
+    """Number of points of each line of a new project."""
     out = run(
         capsys, "new", folder / "project", *lines, "--trajectory", folder / "pos.sbet",
         "--lever-arm", 0.2, -0.1, 1.5, "--json", *more,
@@ -57,7 +57,7 @@ def new(
 
 
 @pytest.mark.parametrize("ending", [".txt", ".csv", ".e57", ""])
-def test_las_of_another_ending_is_a_line(
+def test_a_las_file_with_another_ending_is_a_line(
     folder: Path, capsys: pytest.CaptureFixture[str], ending: str
 ) -> None:
     for name in ("L1.laz", "L2.las"):
@@ -67,10 +67,10 @@ def test_las_of_another_ending_is_a_line(
 
 
 @pytest.mark.parametrize("ending", [".las", ".laz", ".ply"])
-def test_text_of_another_ending_is_a_line(
+def test_a_text_file_with_another_ending_is_a_line(
     folder: Path, capsys: pytest.CaptureFixture[str], ending: str
 ) -> None:
-    """With the columns named by the file, and by the user."""
+    """The columns are named in the file or by the user."""
     las = laspy.read(folder / "L2.las")
     rows = np.column_stack([las.gps_time, las.xyz])
     named, bare = folder / f"L3{ending}", folder / f"L4{ending}"
@@ -82,7 +82,7 @@ def test_text_of_another_ending_is_a_line(
     assert new(capsys, folder, bare, more=columns) == {"L4": 3000}
 
 
-def test_a_trajectory_and_accuracies_of_another_ending(
+def test_a_trajectory_and_accuracies_with_other_endings_are_recognised(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (folder / "pos.sbet").rename(folder / "pos.las")
@@ -96,19 +96,19 @@ def test_a_trajectory_and_accuracies_of_another_ending(
 
 
 @pytest.mark.parametrize("ending", ENDINGS)
-@pytest.mark.parametrize("name", files.VALID)
-def test_every_format_of_points_is_known_under_any_ending(
+@pytest.mark.parametrize("name", files.VALID_FILES)
+def test_every_point_format_is_recognised_with_any_ending(
     tmp_path: Path, name: str, ending: str
 ) -> None:
-    key, write = files.VALID[name]
+    key, write = files.VALID_FILES[name]
     path = write(tmp_path / name).rename(tmp_path / f"line{ending}")
     assert recognise_formats(path, "points")[0][0].key == key
     assert check_file(path)[0].format.key == key
     assert is_las(path) == (key == "las")
 
 
-def test_a_line_without_a_given_format(tmp_path: Path) -> None:
-    """LAS or text by the content; by the ending where the file is away or damaged."""
+def test_the_format_of_a_line_is_recognised(tmp_path: Path) -> None:
+    """LAS or text by the content, or by the ending if the file is missing or damaged."""
     las = LineSource("a", files.las(tmp_path / "a.las").rename(tmp_path / "a.txt"), ())
     text = LineSource("b", files.text(tmp_path / "b.las", head=files.CSV_HEAD), ())
     for line, key in ((las, "las"), (text, "text")):
@@ -124,7 +124,7 @@ def places(path: Path) -> np.ndarray:
 
 
 @pytest.mark.parametrize("ending", [".pts", ".ply", ".txt", ".las", ".ptx"])
-def test_references_are_known_by_their_content(tmp_path: Path, ending: str) -> None:
+def test_references_are_recognised_by_their_content(tmp_path: Path, ending: str) -> None:
     for write in (files.las, files.e57, lambda path: write_pts(path, [files.XYZ], more=4)):
         path = tmp_path / "as-written.laz"
         write(path)
@@ -146,7 +146,7 @@ def ptx(path: Path) -> Path:
 
 @pytest.mark.parametrize("ending", [".txt", ".pts", ".las"])
 @pytest.mark.parametrize("write", [ptx, files.padded_pcd, files.big_endian_ply])
-def test_references_of_other_formats_are_refused_under_any_ending(
+def test_references_of_other_formats_are_refused_with_any_ending(
     tmp_path: Path, write: Callable[[Path], Path], ending: str
 ) -> None:
     with pytest.raises(InputError, match="scan") as refused:
@@ -154,7 +154,7 @@ def test_references_of_other_formats_are_refused_under_any_ending(
     assert refused.value.code == "static_scan.other_format"
 
 
-def test_lists_and_plane_files_of_other_endings(tmp_path: Path) -> None:
+def test_lists_and_plane_files_with_other_endings_are_recognised(tmp_path: Path) -> None:
     path = tmp_path / "seeds.las"
     path.write_text("T1,1.0,2.0,3.0\nT2,4.0,5.0,6.0\n")
     assert [point.name for point in read_point_list(path).points] == ["T1", "T2"]
@@ -168,7 +168,7 @@ def test_lists_and_plane_files_of_other_endings(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("ending", [".ply", ".obj", ".stl", ".txt"])
 @pytest.mark.parametrize("kind", ["ply", "obj", "stl"])
-def test_meshes_are_known_by_their_content(tmp_path: Path, kind: str, ending: str) -> None:
+def test_meshes_are_recognised_by_their_content(tmp_path: Path, kind: str, ending: str) -> None:
     import open3d as o3d
 
     box = o3d.geometry.TriangleMesh.create_box()
@@ -206,10 +206,10 @@ PACKINGS: dict[str, Callable[[bytes], bytes]] = {
 
 
 @pytest.mark.parametrize("packing", PACKINGS)
-def test_packed_files_get_a_hint(
+def test_compressed_files_are_refused_with_a_suggestion(
     folder: Path, capsys: pytest.CaptureFixture[str], packing: str
 ) -> None:
-    """Lines, trajectories and lists, whatever they are called."""
+    """Compressed lines, trajectories and lists with any name."""
     pack = PACKINGS[packing]
     lines, trajectory = folder / "L1.laz", folder / "pos.sbet"
     packed = folder / "packed.laz"
@@ -230,7 +230,7 @@ def test_packed_files_get_a_hint(
         assert raised.value.message.params == {"file": str(packed), "format": packing}
 
 
-def test_text_by_gzip_is_read_and_other_text_in_it_is_not(tmp_path: Path) -> None:
+def test_gzip_compressed_points_are_read_and_other_text_is_refused(tmp_path: Path) -> None:
     path = files.text(tmp_path / "a.csv.gz", head=files.CSV_HEAD)
     assert check_file(path.rename(tmp_path / "line.txt"))[0].format.key == "text"
     path.write_bytes(gzip.compress(b"T1,1.0,2.0,3.0\n"))
@@ -239,7 +239,7 @@ def test_text_by_gzip_is_read_and_other_text_in_it_is_not(tmp_path: Path) -> Non
     assert raised.value.message == error("file.compressed", file=str(path), format="gzip")
 
 
-def test_a_workbook_is_to_be_saved_as_text(tmp_path: Path) -> None:
+def test_a_workbook_is_refused_with_a_suggestion(tmp_path: Path) -> None:
     path = tmp_path / "seeds.csv"
     path.write_bytes(zipped(b"<Types/>", "[Content_Types].xml"))
     with pytest.raises(InputError) as raised:
@@ -247,8 +247,8 @@ def test_a_workbook_is_to_be_saved_as_text(tmp_path: Path) -> None:
     assert raised.value.code == "file.office_document"
 
 
-def test_records_that_begin_like_gzip_are_records(tmp_path: Path) -> None:
-    """Times whose first bytes are by chance those of gzip."""
+def test_records_that_begin_like_gzip_are_read(tmp_path: Path) -> None:
+    """The first bytes of the times are by chance those of gzip."""
     records = np.frombuffer((write_survey(tmp_path) / "pos.sbet").read_bytes(), np.uint8).copy()
     records[:3] = (0x1F, 0x8B, 0x08)
     path = tmp_path / "pos.out"
@@ -259,7 +259,7 @@ def test_records_that_begin_like_gzip_are_records(tmp_path: Path) -> None:
 
 @pytest.fixture(params=["fifo", "socket", "device", "folder"])
 def special(request: pytest.FixtureRequest, tmp_path: Path):
-    """A path that is no file, and what it is called."""
+    """A path that is not a regular file, and the name of its kind."""
     path = tmp_path / "special.las"
     name = {"fifo": "named pipe", "socket": "socket", "device": "device", "folder": "folder"}
     listening = None
@@ -270,7 +270,7 @@ def special(request: pytest.FixtureRequest, tmp_path: Path):
     elif request.param == "socket":
         listening = socket.socket(socket.AF_UNIX)
         here = os.getcwd()
-        os.chdir(tmp_path)  # names of sockets are short
+        os.chdir(tmp_path)  # socket paths have a maximum length
         listening.bind(path.name)
         os.chdir(here)
     elif request.param == "device":
@@ -283,7 +283,7 @@ def special(request: pytest.FixtureRequest, tmp_path: Path):
 
 
 def ends_within(seconds: float, task: Callable[[], object]) -> str:
-    """What a task refuses with; it fails where it does not end."""
+    """Error text of a task; the test fails if the task does not end in time."""
     said: list[str] = []
 
     def run_it() -> None:
@@ -309,7 +309,7 @@ def ends_within(seconds: float, task: Callable[[], object]) -> str:
         lambda path: read_mesh(path, "a", 0.5),
     ],
 )
-def test_what_is_no_file_is_refused_by_its_kind(
+def test_special_files_are_refused_with_their_kind(
     special: tuple[Path, str], task: Callable[[Path], object]
 ) -> None:
     path, name = special
@@ -318,7 +318,7 @@ def test_what_is_no_file_is_refused_by_its_kind(
     assert str(path) in said
 
 
-def test_what_is_no_file_is_not_opened_to_recognise_it(special: tuple[Path, str]) -> None:
+def test_special_files_are_not_opened_for_recognition(special: tuple[Path, str]) -> None:
     path, _ = special
     kinds: tuple[Kind, ...] = ("points", "trajectory", "accuracy")
     for kind in kinds:

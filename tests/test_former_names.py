@@ -1,4 +1,4 @@
-"""Former names are accepted for one version: commands, options, keys, scripts, stored lines."""
+"""Tests that former names of commands, options, keys and fields are accepted for one version."""
 
 import json
 from argparse import ArgumentParser

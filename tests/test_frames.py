@@ -1,3 +1,5 @@
+"""Tests of geodetic and local coordinates against PROJ."""
+
 import numpy as np
 import pyproj
 import pytest
@@ -50,7 +52,7 @@ def test_local_coordinates_agree_with_proj_topocentric() -> None:
     np.testing.assert_allclose(back[:, 2], expected[:, 2], rtol=0, atol=1e-8)
 
 
-def test_north_turns_with_the_meridian() -> None:
+def test_level_north_rotates_with_the_meridian() -> None:
     frame = LocalFrame(np.radians(45.0), 0.0, 0.0)
     east = np.array([1000 / (6378137 * np.cos(np.radians(45)))])
     rotation = frame.rotation_local_level(np.array([frame.latitude]), east)[0]

@@ -1,4 +1,4 @@
-"""Every reader before made and damaged files: only the program's own errors come out."""
+"""Tests that readers raise only errors of the program on generated and damaged files."""
 
 import json
 import re
@@ -55,14 +55,14 @@ ROOT = Path(__file__).parents[1]
 FORMATS = {
     format.key: format for format in (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS, *POINT_FORMATS)
 }
-SHORT = 15
+EXAMPLES_PER_SOURCE = 15
 
 Sources = list[st.SearchStrategy[bytes]]
 Subject = Callable[[Path], tuple[Sources, Attempt]]
 
 
 def refusal_of(task: Callable[[], object]) -> str | None:
-    """What a task refuses with; None where it ends well. All other errors come through."""
+    """Error text of a refused task, or None if it succeeds; other errors are raised."""
     told = None
     try:
         with warnings.catch_warnings():
@@ -75,9 +75,9 @@ def refusal_of(task: Callable[[], object]) -> str | None:
 
 
 def read_wholly(key: str, path: Path, choice: Any) -> None:
-    """Read a file to its end; what is given is made of numbers.
+    """Read a file to its end and check that all values are finite.
 
-    Readers of points may leave those that are not numbers to the screening of a line.
+    Readers of points may leave invalid points to the screening of a line.
     """
     result = FORMATS[key].read(path, choice)
     if FORMATS[key].kind != "points":
@@ -95,7 +95,7 @@ def of_format(key: str) -> Subject:
         if FORMATS[key].kind == "points":
             sound = [
                 write(folder / name)
-                for name, (format, write) in point_files.VALID.items()
+                for name, (format, write) in point_files.VALID_FILES.items()
                 if format == key
             ]
         else:
@@ -126,7 +126,7 @@ EXTREMES = [5e-324, 1e-320, -1e-320, 1e300, -1e308, 1e31, 2.0**63, np.nan, np.in
 
 
 def extreme(content: bytes) -> st.SearchStrategy[bytes]:
-    """The bytes of a file with long runs of digits in its text and extreme binary numbers."""
+    """Bytes of a file with long runs of digits in its text and extreme binary numbers."""
     digits = [found.span() for found in re.finditer(rb"[0-9]+", content[:4096])] or [(0, 0)]
     run = st.builds(
         lambda at, length, digit: content[: at[0]] + digit * length + content[at[1] :],
@@ -159,11 +159,11 @@ def extreme(content: bytes) -> st.SearchStrategy[bytes]:
     return st.one_of(run, numbers, times)
 
 
-ORDER = ["time", "latitude", "longitude", "height", "roll", "pitch", "heading"]
+TRAJECTORY_ROLES = ["time", "latitude", "longitude", "height", "roll", "pitch", "heading"]
 
 
 def columns_of(key: str) -> Subject:
-    """The column mapping of a sound file, as the user or the project file has it."""
+    """Column mappings of a valid file, as given by the user or the project file."""
 
     def subject(folder: Path) -> tuple[Sources, Attempt]:
         named = key == "text"
@@ -172,7 +172,7 @@ def columns_of(key: str) -> Subject:
             "time", "date", "x", "y", "z", "latitude", "longitude", "easting", "height",
             "sea_height", "roll", "pitch", "heading", "sroll", "-", "", "intensity",
         ]  # fmt: skip
-        whole = ["time", "x", "y", "z", "-"] if named else ORDER
+        whole = ["time", "x", "y", "z", "-"] if named else TRAJECTORY_ROLES
         words = st.one_of(
             st.lists(st.sampled_from(roles) | st.text(max_size=5), max_size=9),
             st.permutations(whole),
@@ -191,7 +191,7 @@ def columns_of(key: str) -> Subject:
 
 
 def remembered(folder: Path) -> tuple[Sources, Attempt]:
-    """What the window remembers, column mappings among it."""
+    """Stored settings of the window, including column mappings."""
     path = folder / "window.ini"
     sound = AppSettings(path)
     sound.save_column_mappings({"text/5/": "time x y z -", "ascii-trajectory/9/": "time roll"})
@@ -230,7 +230,7 @@ def project(folder: Path) -> tuple[Sources, Attempt]:
 
 
 def sightings(folder: Path) -> tuple[Sources, Attempt]:
-    """The picked points beside a project file."""
+    """Files of picked points beside a project file."""
     write_project(sample_project(folder / "p"))
     path = next((folder / "p" / "sightings").glob("*.npz"))
 
@@ -272,7 +272,7 @@ def coordinate_list(folder: Path) -> tuple[Sources, Attempt]:
 
 
 def static_scans(folder: Path) -> tuple[Sources, Attempt]:
-    """PTS, which is read without time and so is in no list of formats."""
+    """PTS files, which have no time and so are in no list of formats."""
     path = write_pts(folder / "scan.pts", [point_files.XYZ[:4], point_files.XYZ[4:9]])
 
     def attempt(content: bytes) -> bool:
@@ -294,15 +294,15 @@ def static_scans(folder: Path) -> tuple[Sources, Attempt]:
     return [damaged(path.read_bytes()), made, anything], attempt
 
 
-LINE = Line(2_500)
+SMALL_LINE = Line(2_500)
 
 
 def stored(folder: Path) -> None:
-    write_store(folder, RECIPE, LINE.pieces(200), place)
+    write_store(folder, RECIPE, SMALL_LINE.pieces(200), place)
 
 
 def used(folder: Path) -> None:
-    """Open a store and take all of it."""
+    """Open a store and read all of it."""
     found = open_store(folder, "L1")
     for points in (found.take(np.arange(0, len(found), 7))[0], found.coarse.points_local):
         assert (np.abs(points) < 1e6).all()
@@ -310,14 +310,14 @@ def used(folder: Path) -> None:
         np.asarray(values).tobytes()
     assert found.numbers(np.arange(3)).shape == (3,)
     with warnings.catch_warnings():
-        # Only the checksum of the whole tells of other numbers; any may be in there.
+        # Only the checksum of the whole store detects changed numbers, so any may occur here.
         warnings.simplefilter("ignore", RuntimeWarning)
         found.within(np.zeros(3), 5.0, place)
     found.require_sound()
 
 
 def manifest(folder: Path) -> tuple[Sources, Attempt]:
-    """Damaged, or changed by somebody who also puts the checksum right."""
+    """Manifests that are damaged, or changed with a correct checksum."""
     stored(folder / "L1")
     path = folder / "L1" / layout.MANIFEST_FILE
 
@@ -338,7 +338,7 @@ def manifest(folder: Path) -> tuple[Sources, Attempt]:
 
 
 def columns(folder: Path) -> tuple[Sources, Attempt]:
-    """Column files of the right size; another one is seen at once."""
+    """Damaged column files of the right size; a wrong size is detected immediately."""
     stored(folder / "L1")
     paths = sorted((folder / "L1").glob("columns-*/*.npy"))
     sound = [path.read_bytes() for path in paths]
@@ -361,7 +361,7 @@ def columns(folder: Path) -> tuple[Sources, Attempt]:
 
 
 def resealed_columns(folder: Path) -> tuple[Sources, Attempt]:
-    """Column files changed by somebody who also puts checksums and times right."""
+    """Column files that are changed with correct checksums and times."""
     stored(folder / "L1")
     whole = layout.read_manifest(folder / "L1")
     assert whole is not None
@@ -401,7 +401,7 @@ def resealed_columns(folder: Path) -> tuple[Sources, Attempt]:
 
 
 def reseal(folder: Path, manifest: layout.Manifest) -> None:
-    """Write checksums and times of the column files as they are now."""
+    """Update the checksums and times of the column files in the manifest."""
 
     def sealed(column: layout.StoredColumn) -> layout.StoredColumn:
         if not column.file:
@@ -423,11 +423,11 @@ def reseal(folder: Path, manifest: layout.Manifest) -> None:
 
 
 def spool(folder: Path) -> tuple[Sources, Attempt]:
-    """What an interrupted import has left: used where it is whole, else read again."""
+    """Files of an interrupted import: used if complete, otherwise read again."""
     stored(folder / "whole")
     expected = files_of(open_store(folder / "whole", "L1").manifest)
     with pytest.raises(Cancelled):
-        write_store(folder / "half", RECIPE, LINE.pieces(200), place, progress=stop_at(15))
+        write_store(folder / "half", RECIPE, SMALL_LINE.pieces(200), place, progress=stop_at(15))
     files = sorted((folder / "half" / layout.SPOOL_FOLDER).iterdir())
     assert {"block-00002.json", "complete.json", "recipe.json"} <= {file.name for file in files}
 
@@ -451,7 +451,7 @@ def spool(folder: Path) -> tuple[Sources, Attempt]:
 
 
 def toml(pattern: str, read: Callable[[Path], object]) -> Subject:
-    """Files of the program, and a reader of such files."""
+    """TOML files of the program that match a pattern, and a reader of such files."""
 
     def made(folder: Path) -> tuple[Sources, Attempt]:
         path = folder / "made.toml"
@@ -484,7 +484,7 @@ def report_template(folder: Path) -> tuple[Sources, Attempt]:
 
 
 def meshes(folder: Path) -> tuple[Sources, Attempt]:
-    """Read in one process that is made anew where a file ends it."""
+    """Meshes, read in one process that is restarted if a file ends it."""
     corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.5]], dtype=float)
     mesh = Mesh("m", corners, np.array([[0, 1, 2], [0, 2, 3]]))
     sources = []
@@ -510,7 +510,7 @@ def meshes(folder: Path) -> tuple[Sources, Attempt]:
 
 
 def option_values(folder: Path) -> tuple[Sources, Attempt]:
-    """Options of the command line with extreme numbers, which a project then keeps."""
+    """Options of the command line with extreme numbers, which a project then stores."""
     project = sample_project(folder / "p")
     write_project(project)
     value = st.sampled_from([repr(each) for each in EXTREMES]) | st.floats().map(repr)
@@ -585,8 +585,8 @@ SUBJECTS: dict[str, Subject] = {
 }
 
 
-def test_every_registered_format_has_sound_files(tmp_path: Path) -> None:
-    """So that none is fuzzed with what it never reads."""
+def test_every_registered_format_has_valid_files(tmp_path: Path) -> None:
+    """Every format is tested with files that its reader accepts."""
     for key in FORMATS:
         folder = tmp_path / key
         folder.mkdir()
@@ -600,17 +600,17 @@ def test_every_registered_format_has_sound_files(tmp_path: Path) -> None:
 
 @pytest.mark.usefixtures("small")
 @pytest.mark.parametrize("name", SUBJECTS)
-def test_only_own_errors(tmp_path: Path, name: str) -> None:
+def test_readers_raise_only_own_errors(tmp_path: Path, name: str) -> None:
     sources, attempt = SUBJECTS[name](tmp_path)
     for source in sources:
-        fuzz(source, attempt, SHORT)
+        fuzz(source, attempt, EXAMPLES_PER_SOURCE)
 
 
 @pytest.mark.long
 @pytest.mark.timeout(600)
 @pytest.mark.usefixtures("small")
 @pytest.mark.parametrize("name", SUBJECTS)
-def test_only_own_errors_at_length(tmp_path: Path, name: str) -> None:
-    """Each for a minute or 100,000 inputs; -s shows how many."""
+def test_readers_raise_only_own_errors_in_long_runs(tmp_path: Path, name: str) -> None:
+    """Each reader for a minute or 100,000 inputs; -s prints the number."""
     sources, attempt = SUBJECTS[name](tmp_path)
     assert fuzz_long(name, sources, attempt) >= 2_500

@@ -26,9 +26,9 @@ from tests.input_file_samples import (
     START,
     codes_about,
     fan,
+    import_files,
     message_texts,
     named,
-    taken_in,
     write_line,
 )
 from tests.message_codes import is_shown
@@ -67,8 +67,8 @@ def test_map_coordinates_given_as_scanner_frame_are_refused(track, tmp_path) -> 
     too_far = has_code("survey.not_scanner_frame", limit=5000.0)
     with pytest.raises(InputError, check=too_far):
         made(tmp_path / "p", track, line, options(frame="scanner"))
-    input_files = taken_in(
-        taken_in(InputFiles(), track, line).with_option(line, "frame", "scanner")
+    input_files = import_files(
+        import_files(InputFiles(), track, line).with_option(line, "frame", "scanner")
     )
     problem = input_files.files_problem_text() + message_texts(input_files, "utm.las")
     assert is_shown("survey.not_scanner_frame", problem)
@@ -112,9 +112,9 @@ def test_a_given_system_ends_the_request_for_one(track, tmp_path, capsys) -> Non
     assert "crs.none_given" in codes_of(command_error(*command))
     assert main([*command, "--line-option", f"crs={UTM}"]) == 0
     capsys.readouterr()
-    input_files = taken_in(InputFiles(), track, line)
+    input_files = import_files(InputFiles(), track, line)
     assert "points.no_system" in codes_about(input_files, "utm.las")
-    input_files = taken_in(input_files.with_option(line, "crs", UTM))
+    input_files = import_files(input_files.with_option(line, "crs", UTM))
     assert input_files.state_of_file(named(input_files, "utm.las")) == "fine"
 
 
@@ -125,6 +125,8 @@ def test_an_unused_system_is_reported(track, tmp_path) -> None:
         "points.unused_system", file="near.las", system=UTM, actions=(CHOOSE_FRAME_ACTION,)
     )
     assert unused in survey.notes
-    input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "crs", UTM))
+    input_files = import_files(
+        import_files(InputFiles(), track, line).with_option(line, "crs", UTM)
+    )
     assert unused in input_files.messages(named(input_files, "near.las"))
     assert input_files.state_of_file(named(input_files, "near.las")) == "warning"

@@ -21,7 +21,7 @@ from lispac.workflow.importing.line_import import assumptions_of, import_lines
 from lispac.workflow.project.projects import new_project, open_project, with_lines_added
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import command_error
-from tests.input_file_samples import LEVER, START, codes_about, named, taken_in, write_line
+from tests.input_file_samples import LEVER, START, codes_about, import_files, named, write_line
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
@@ -222,9 +222,9 @@ def test_a_shift_that_covers_clearly_more_points_is_suggested(track, tmp_path) -
 
 def test_the_dialogue_applies_and_reverts_the_base_of_a_line(track, tmp_path) -> None:
     line = write_points(tmp_path / "utc.las", -18)
-    before = taken_in(InputFiles(), track, line)
+    before = import_files(InputFiles(), track, line)
     assert named(before, "utc.las").shift == 0
-    input_files = taken_in(before.with_option(line, "time_base", "utc-week"))
+    input_files = import_files(before.with_option(line, "time_base", "utc-week"))
     assert named(input_files, "utc.las").shift == pytest.approx(18)
     assert "import.shift_follows" in codes_about(input_files, "utc.las")
     assert input_files.state_of_file(named(input_files, "utc.las")) == "fine"
@@ -237,36 +237,38 @@ def test_the_dialogue_applies_and_reverts_the_base_of_a_line(track, tmp_path) ->
     follows = next(
         each for each in input_files.messages(named(input_files, "utc.las")) if each.actions
     )
-    back = taken_in(input_files.with_action(line, follows.actions[0]))
+    back = import_files(input_files.with_action(line, follows.actions[0]))
     assert named(back, "utc.las").shift == 0
 
 
 def test_the_dialogue_applies_the_base_of_a_trajectory(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     line = write_points(tmp_path / "gps.las", 0)
-    input_files = taken_in(
-        taken_in(InputFiles(), track, line).with_option(track, "time", "utc-week")
+    input_files = import_files(
+        import_files(InputFiles(), track, line).with_option(track, "time", "utc-week")
     )
     assert named(input_files, "gps.las").shift == pytest.approx(-18)
     assert input_files.files_problem_text() == ""
-    again = taken_in(input_files.with_option(track, "time", "gps-week"))
+    again = import_files(input_files.with_option(track, "time", "gps-week"))
     assert named(again, "gps.las").shift == 0
 
 
 @pytest.mark.parametrize("base", ["utc-day", "gps-adjusted"])
 def test_the_dialogue_refuses_an_impossible_time_base(base: str, track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 0)
-    input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "time_base", base))
+    input_files = import_files(
+        import_files(InputFiles(), track, line).with_option(line, "time_base", base)
+    )
     assert "cannot be" in input_files.files_problem_text()
     error = input_files.messages(named(input_files, "L.las"))[0]
     assert error.level is Level.ERROR
     assert named(input_files, "L.las").shift == 0
-    assert taken_in(input_files.with_action(line, error.actions[0])).files_problem_text() == ""
+    assert import_files(input_files.with_action(line, error.actions[0])).files_problem_text() == ""
 
 
 def test_the_dialogue_proposes_the_shift_that_covers_more_points(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)
-    input_files = taken_in(InputFiles(), track, line)
+    input_files = import_files(InputFiles(), track, line)
     outside, offered = input_files.time_messages(named(input_files, "early.las"))
     assert outside.code == "import.points_outside"
     assert offered.code == "import.shift_offered"

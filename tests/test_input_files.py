@@ -24,9 +24,9 @@ from tests.input_file_samples import (
     START,
     codes_about,
     fan,
+    import_files,
     message_texts,
     named,
-    taken_in,
     write_line,
     write_survey,
 )
@@ -42,7 +42,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def whole(files: Path) -> InputFiles:
-    return taken_in(InputFiles(), files)
+    return import_files(InputFiles(), files)
 
 
 # -- kinds of files ------------------------------------------------------------------------------
@@ -80,12 +80,12 @@ def test_missing_files_are_reported_in_order(files: Path, tmp_path: Path) -> Non
     assert InputFiles().import_problem("x").startswith("Add the files of the survey")
     waiting = InputFiles().with_files([files / "L1.laz"])
     assert waiting.import_problem("x") == "The files are being examined."
-    line = taken_in(InputFiles(), files / "L1.laz")
+    line = import_files(InputFiles(), files / "L1.laz")
     assert "The trajectory is missing" in line.import_problem("x")
-    track = taken_in(InputFiles(), files / "pos.sbet")
+    track = import_files(InputFiles(), files / "pos.sbet")
     assert "There is no line" in track.import_problem("x")
     (tmp_path / "project.json").write_text("{}")
-    both = taken_in(line, files / "pos.sbet")
+    both = import_files(line, files / "pos.sbet")
     assert "already contains a project" in both.import_problem(str(tmp_path))
     assert "This is a file" in both.import_problem(str(files / "L1.laz"))
     assert both.import_problem(str(tmp_path / "new")) == ""
@@ -96,7 +96,7 @@ def test_a_second_trajectory_is_an_error_until_it_is_skipped(
     whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
-    input_files = taken_in(whole, second)
+    input_files = import_files(whole, second)
     several = error("import.several_trajectories", file="pos.sbet")
     assert message_text(several) in input_files.import_problem("x")
     (leave_out,) = input_files.messages(named(input_files, "second.sbet"))[0].actions
@@ -111,9 +111,9 @@ def test_ambiguous_text_is_a_line_if_a_trajectory_exists(files: Path, tmp_path: 
     rows = np.column_stack([START + np.linspace(3, 9, 200), fan(200), np.ones((200, 4))])
     text = tmp_path / "points.txt"
     np.savetxt(text, rows, fmt="%.4f")
-    alone = taken_in(InputFiles(), text)
+    alone = import_files(InputFiles(), text)
     assert "points" in alone.files[0].roles
-    beside = taken_in(taken_in(InputFiles(), files / "pos.sbet"), text)
+    beside = import_files(import_files(InputFiles(), files / "pos.sbet"), text)
     assert beside.file(text).role == "points"
 
 
@@ -122,7 +122,7 @@ def test_lines_with_the_same_name_are_named_by_their_folders(files: Path, tmp_pa
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
         paths.append(write_line(tmp_path / folder / "scan.laz", START + np.linspace(1, 2, 100)))
-    input_files = taken_in(InputFiles(), files / "pos.sbet", *paths)
+    input_files = import_files(InputFiles(), files / "pos.sbet", *paths)
     assert list(input_files.names.values()) == ["a_scan", "b_scan"]
     assert input_files.files_problem_text() == ""
 
@@ -133,7 +133,7 @@ def test_a_damaged_line_is_an_error_until_it_is_skipped(
     damaged = tmp_path / "damaged.laz"
     content = (files / "L1.laz").read_bytes()
     damaged.write_bytes(content[: len(content) // 2])
-    input_files = taken_in(whole, damaged)
+    input_files = import_files(whole, damaged)
     assert input_files.state_of_file(input_files.file(damaged)) == "error"
     assert str(damaged) not in message_texts(input_files, "damaged.laz")
     assert input_files.import_problem("x").startswith("damaged.laz: ")
@@ -147,7 +147,7 @@ def test_the_shift_that_fits_seconds_of_the_day_is_proposed(
     whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     late = write_line(tmp_path / "day.laz", START + np.linspace(20, 30, 3000) - 5 * 86_400)
-    input_files = taken_in(whole, late)
+    input_files = import_files(whole, late)
     message = input_files.messages(input_files.file(late))[0]
     assert (message.level, message.code) == (Level.ERROR, "import.outside_with_shift")
     assert message.params["points"] == note("time_base.gps_day")
@@ -177,7 +177,7 @@ def test_the_shift_that_fits_seconds_of_the_day_is_proposed(
 def test_an_ambiguous_shift_is_a_warning(whole: InputFiles, tmp_path: Path) -> None:
     # The line ends 18 s or more before the trajectory: UTC and GPS seconds of the day both fit.
     late = write_line(tmp_path / "day.laz", START + np.linspace(1, 5, 500) - 5 * 86_400)
-    input_files = taken_in(whole, late)
+    input_files = import_files(whole, late)
     first = input_files.messages(input_files.file(late))[0]
     assert len({action.params.get("shift") for action in first.actions} - {None}) == 2
     mended = input_files.with_action(late, first.actions[0])
@@ -194,7 +194,7 @@ def test_a_line_of_another_day_is_refused_with_the_distance(
     whole: InputFiles, tmp_path: Path
 ) -> None:
     other = write_line(tmp_path / "other.laz", START + 50_000 + np.linspace(0, 5, 500))
-    input_files = taken_in(whole, other)
+    input_files = import_files(whole, other)
     message = input_files.messages(input_files.file(other))[0]
     assert (message.level, message.code) == (Level.ERROR, "import.after_trajectory")
     assert message.params["distance"] == pytest.approx(49_960, abs=0.5)
@@ -216,7 +216,7 @@ def test_points_in_gaps_are_reported_and_gaps_can_be_bridged(files: Path, tmp_pa
     records = records[(time < 17) | (time > 19)]
     write_records(tmp_path / "gap.sbet", records)
     late = write_line(tmp_path / "late.laz", START + np.linspace(30, 45, 3000))
-    input_files = taken_in(InputFiles(), tmp_path / "gap.sbet", files / "L2.las", late)
+    input_files = import_files(InputFiles(), tmp_path / "gap.sbet", files / "L2.las", late)
     in_gaps = input_files.messages(named(input_files, "L2.las"))[0]
     assert (in_gaps.code, in_gaps.params["limit"]) == ("import.points_in_gaps", 1.5)
     assert "import.points_outside" in codes_about(input_files, "late.laz")

@@ -44,8 +44,8 @@ from tests.input_file_samples import (
     LEVER,
     START,
     codes_about,
+    import_files,
     named,
-    taken_in,
     write_line,
     write_survey,
 )
@@ -92,7 +92,7 @@ def test_the_files_of_a_project_cannot_be_removed(project: Project, files: Path)
         assert input_files.with_role(entry.path, "points") is input_files
     without = InputFiles.of_project(replace(project, accuracy=None))
     assert [entry.role for entry in without.files] == ["trajectory"]
-    more = taken_in(input_files, files / "L2.las")
+    more = import_files(input_files, files / "L2.las")
     assert more.files_problem_text() == ""
     assert [(line.name, line.path.name) for line in more.sources()] == [("L2", "L2.las")]
     assert (
@@ -101,7 +101,7 @@ def test_the_files_of_a_project_cannot_be_removed(project: Project, files: Path)
 
 
 def test_a_line_of_the_project_can_only_be_skipped(project: Project, files: Path) -> None:
-    input_files = taken_in(opened(project), files / "L1.laz")
+    input_files = import_files(opened(project), files / "L1.laz")
     (message,) = input_files.messages(named(input_files, "L1.laz"))
     assert (message.level, message.code) == (Level.ERROR, "import.already_in_project")
     assert message.params == {"file": "L1.laz", "line": "L1"}
@@ -120,13 +120,13 @@ def test_bridging_gaps_is_proposed_only_for_a_new_project(
     (new,) = (
         message
         for message in (lambda i: i.messages(named(i, "L1.laz")))(
-            taken_in(InputFiles(), torn, files / "L1.laz")
+            import_files(InputFiles(), torn, files / "L1.laz")
         )
         if message.level is Level.WARNING
     )
     assert [action.params["gap"] for action in new.actions] == [pytest.approx(3.1, abs=0.11)]
     here = replace(project, trajectory=torn, lines=(), accuracy=None)
-    input_files = taken_in(opened(here), files / "L1.laz")
+    input_files = import_files(opened(here), files / "L1.laz")
     messages = input_files.messages(named(input_files, "L1.laz"))
     assert messages == (replace(new, actions=()),)
 
@@ -136,7 +136,7 @@ def test_bridging_a_wide_gap_is_not_proposed(files: Path, tmp_path: Path) -> Non
     records = vessel(2000)
     time = records[:, 0] - START
     torn = write_records(tmp_path / "torn.sbet", records[(time < 3) | (time > 30)])
-    input_files = taken_in(InputFiles(), torn, files / "L1.laz")
+    input_files = import_files(InputFiles(), torn, files / "L1.laz")
     found = input_files.messages(named(input_files, "L1.laz"))
     (message,) = (each for each in found if each.level is Level.WARNING)
     assert message.actions == ()
@@ -146,13 +146,13 @@ def test_bridging_a_wide_gap_is_not_proposed(files: Path, tmp_path: Path) -> Non
 
 
 def test_times_are_not_checked_without_a_trajectory(files: Path) -> None:
-    line = taken_in(InputFiles(), files / "L1.laz")
+    line = import_files(InputFiles(), files / "L1.laz")
     entry = line.file(files / "L1.laz")
     assert line.time_messages(entry) == ()
     assert line.coverage(entry) is None
     assert line.proposed_shifts == ()
     assert line.time_base is None
-    both = taken_in(line, files / "pos.sbet")
+    both = import_files(line, files / "pos.sbet")
     assert both.time_messages(both.file(files / "pos.sbet")) == ()
     covered = both.coverage(both.file(files / "L1.laz"))
     assert covered is not None
@@ -167,7 +167,7 @@ def test_a_pending_file_has_no_messages(files: Path) -> None:
 
 
 def test_setting_the_same_role_changes_nothing(files: Path) -> None:
-    input_files = taken_in(InputFiles(), files / "L1.laz")
+    input_files = import_files(InputFiles(), files / "L1.laz")
     assert input_files.with_role(files / "L1.laz", "points") is input_files
     assert input_files.with_action(files / "L1.laz", CHOOSE_SYSTEM_ACTION) is input_files
 
@@ -175,7 +175,7 @@ def test_setting_the_same_role_changes_nothing(files: Path) -> None:
 def test_a_second_accuracy_file_is_an_error(files: Path, tmp_path: Path) -> None:
     second = tmp_path / "second.out"
     second.write_bytes((files / "smrmsg.out").read_bytes())
-    input_files = taken_in(InputFiles(), files, second)
+    input_files = import_files(InputFiles(), files, second)
     assert "import.several_accuracies" in codes_about(input_files, "second.out")
     assert input_files.files_problem_text().endswith("Another file has errors.")
 
@@ -188,7 +188,9 @@ def test_a_free_folder_is_proposed_for_the_project(
     home = tmp_path / "home"
     home.mkdir()
     monkeypatch.setattr(Path, "home", lambda: home)
-    input_files = taken_in(InputFiles(), write_line(tmp_path / "L1.las", START + np.arange(50.0)))
+    input_files = import_files(
+        InputFiles(), write_line(tmp_path / "L1.las", START + np.arange(50.0))
+    )
     assert proposed_folder(input_files) == tmp_path / "boresight"
     (tmp_path / "boresight").mkdir()
     assert proposed_folder(input_files) == home / f"{tmp_path.name}-boresight"
@@ -402,9 +404,9 @@ def test_accuracies_must_cover_the_times_of_the_trajectory(
     rows = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
     rows[:, 0] = START + first + np.arange(41)
     path = write_records(tmp_path / "smrmsg.out", rows)
-    alone = taken_in(InputFiles(), path)
+    alone = import_files(InputFiles(), path)
     assert code not in codes_about(alone, "smrmsg.out")
-    input_files = taken_in(alone, files / "pos.sbet")
+    input_files = import_files(alone, files / "pos.sbet")
     found = [
         each for each in input_files.messages(named(input_files, "smrmsg.out"))
         if each.code.startswith("import.accuracy_")

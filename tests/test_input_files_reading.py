@@ -21,8 +21,8 @@ from tests.input_file_samples import (
     START,
     codes_about,
     fan,
+    import_files,
     message_texts,
-    taken_in,
     write_line,
     write_survey,
 )
@@ -37,7 +37,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def whole(files: Path) -> InputFiles:
-    return taken_in(InputFiles(), files)
+    return import_files(InputFiles(), files)
 
 
 # -- columns -------------------------------------------------------------------------------------
@@ -51,19 +51,19 @@ def write_unnamed(path: Path, seconds: float = 3.0) -> Path:
 
 def test_chosen_columns_are_used_for_the_next_file(files: Path, tmp_path: Path) -> None:
     text = write_unnamed(tmp_path / "one.txt")
-    input_files = taken_in(InputFiles(), files / "pos.sbet", text)
+    input_files = import_files(InputFiles(), files / "pos.sbet", text)
     assert input_files.state_of_file(input_files.file(text)) == "error"
     (missing,) = input_files.messages(input_files.file(text))
     assert missing.code == "import.columns_not_chosen"
     names = [note(f"column.{name}") for name in ("time", "x", "y", "z")]
     assert list(missing.params["columns"]) == names  # type: ignore[arg-type]
     for column, meaning in enumerate(("y", "y", "z", "time")):
-        input_files = taken_in(input_files.with_column(text, column, meaning))
+        input_files = import_files(input_files.with_column(text, column, meaning))
     assert tuple(input_files.messages(input_files.file(text))[0].params["columns"]) == (  # type: ignore[arg-type]
         note("column.x"),
     )
     assert input_files.file(text).columns == ("-", "y", "z", "time")
-    input_files = taken_in(input_files.with_column(text, 0, "x"))
+    input_files = import_files(input_files.with_column(text, 0, "x"))
     assert input_files.state_of_file(input_files.file(text)) == "fine", message_texts(
         input_files, "one.txt"
     )
@@ -75,25 +75,29 @@ def test_chosen_columns_are_used_for_the_next_file(files: Path, tmp_path: Path) 
     np.testing.assert_allclose(survey.scans["one"].points_lidar, fan(400), atol=1e-6)
 
     second = write_unnamed(tmp_path / "two.txt", 20.0)
-    after = taken_in(InputFiles(), files / "pos.sbet", second, mappings=input_files.column_mappings)
+    after = import_files(
+        InputFiles(), files / "pos.sbet", second, mappings=input_files.column_mappings
+    )
     assert after.file(second).remembered
     assert after.file(second).columns == ("x", "y", "z", "time")
     assert after.state_of_file(after.file(second)) == "fine"
     (action,) = after.messages(after.file(second))[0].actions
     assert action.code == "detect_columns"
-    anew = taken_in(after.with_action(second, action))
+    anew = import_files(after.with_action(second, action))
     assert anew.state_of_file(anew.file(second)) == "error"
 
 
 def test_columns_of_another_layout_are_not_reused(files: Path, tmp_path: Path) -> None:
     first = write_unnamed(tmp_path / "one.txt")
-    input_files = taken_in(InputFiles(), first)
+    input_files = import_files(InputFiles(), first)
     for column, meaning in enumerate(("x", "y", "z", "time")):
-        input_files = taken_in(input_files.with_column(first, column, meaning))
+        input_files = import_files(input_files.with_column(first, column, meaning))
     wider = tmp_path / "wider.txt"
     np.savetxt(wider, np.column_stack([np.loadtxt(first), np.arange(400) % 50]), fmt="%.6f")
     assert (
-        not taken_in(InputFiles(), wider, mappings=input_files.column_mappings).files[0].remembered
+        not import_files(InputFiles(), wider, mappings=input_files.column_mappings)
+        .files[0]
+        .remembered
     )
 
 
@@ -105,11 +109,11 @@ def test_columns_of_a_text_trajectory_can_be_chosen(tmp_path: Path) -> None:
     rows = rows[:, [1, 2, 3, 0, 4, 5, 6]]  # time is the fourth column
     path = tmp_path / "track.csv"
     np.savetxt(path, rows, fmt="%.9f", delimiter=",")
-    input_files = taken_in(InputFiles(), path)
+    input_files = import_files(InputFiles(), path)
     assert input_files.file(path).role == "trajectory"
     order = ("latitude", "longitude", "height", "time", "roll", "pitch", "heading")
     for column, meaning in enumerate(order):
-        input_files = taken_in(input_files.with_column(path, column, meaning))
+        input_files = import_files(input_files.with_column(path, column, meaning))
     assert input_files.file(path).error is None
     assert input_files.trajectory_content is not None
     np.testing.assert_allclose(input_files.trajectory_content.time, records[:, 0])
@@ -124,7 +128,7 @@ def test_a_trajectory_on_the_map_needs_its_coordinate_system(tmp_path: Path, lan
     rows = [f"{START + k},600000,5040000,10,0,0,90" for k in range(40)]
     path.write_text("\n".join(["time,easting,northing,height,roll,pitch,heading", *rows]))
     with in_language(language):
-        input_files = taken_in(InputFiles(), path)
+        input_files = import_files(InputFiles(), path)
     entry = input_files.file(path)
     assert entry.error is not None
     assert entry.error.code == "trajectory.no_system"
@@ -143,7 +147,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     points = coordinate_system("EPSG:32618").from_local(local, frame)
 
     stated = write_line(tmp_path / "stated.laz", times, points, "EPSG:32618")
-    input_files = taken_in(whole, stated)
+    input_files = import_files(whole, stated)
     place = input_files.file(stated).place
     assert place is not None
     assert place.system.startswith("WGS 84 / UTM zone 18N")
@@ -152,17 +156,17 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     )
 
     bare = write_line(tmp_path / "bare.laz", times, points)
-    input_files = taken_in(whole, bare)
+    input_files = import_files(whole, bare)
     remark = input_files.messages(input_files.file(bare))[0]
     assert (remark.level, option_to_choose(remark.actions[0])) == (Level.ERROR, "crs")
     assert input_files.coverage(input_files.file(bare)) is not None
-    wrong = taken_in(input_files.with_option(bare, "crs", "EPSG:32617"))
+    wrong = import_files(input_files.with_option(bare, "crs", "EPSG:32617"))
     assert "km from the trajectory" in message_texts(wrong, "bare.laz")
-    nonsense = taken_in(input_files.with_option(bare, "crs", "EPSG:1"))
+    nonsense = import_files(input_files.with_option(bare, "crs", "EPSG:1"))
     unknown = nonsense.messages(nonsense.file(bare))[0].params["reason"]
     assert isinstance(unknown, Message)
     assert unknown.code == "crs.unknown"
-    right = taken_in(wrong.with_option(bare, "crs", "32618"))
+    right = import_files(wrong.with_option(bare, "crs", "32618"))
     assert right.files_problem_text() == ""
     request = right.request(tmp_path / "p", Settings(lever_arm=LEVER))
     _, survey = new_project(
@@ -176,7 +180,7 @@ def test_a_given_option_is_part_of_the_request(whole: InputFiles, files: Path) -
     pos = files / "pos.sbet"
     usual = whole.request(Path("p"), Settings(lever_arm=LEVER)).trajectory_reading
     assert usual.format == ""
-    turned = taken_in(whole.with_option(pos, "pitch", "bow-down"))
+    turned = import_files(whole.with_option(pos, "pitch", "bow-down"))
     reading = turned.request(Path("p"), Settings(lever_arm=LEVER)).trajectory_reading
     assert (reading.format, dict(reading.options)) == ("sbet", {"pitch": "bow-down"})
     assert whole.trajectory_content is not None
@@ -190,6 +194,6 @@ def test_an_accuracy_of_another_time_is_an_error(whole: InputFiles, files: Path,
     other = np.fromfile(files / "smrmsg.out").reshape(-1, 10)
     other[:, 0] += 5000
     write_records(tmp_path / "other.out", other)
-    input_files = taken_in(whole.without_file(files / "smrmsg.out"), tmp_path / "other.out")
+    input_files = import_files(whole.without_file(files / "smrmsg.out"), tmp_path / "other.out")
     assert "import.accuracy_times" in codes_about(input_files, "other.out")
     assert replace(input_files, files=whole.files).files_problem_text() == ""

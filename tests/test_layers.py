@@ -12,7 +12,7 @@ from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.validation.reference_places import measure_to_surface
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.survey import Survey
-from tests.absolute_sample import true_offsets, with_truth
+from tests.absolute_sample import project_with_true_boresight, true_offsets
 from tests.report_sample import sample_project
 from tests.static_scans import on_plane
 
@@ -26,7 +26,9 @@ def truth() -> SimulatedSurvey:
 def known(
     demo_project: Project, tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Project, Survey]:
-    return with_truth(demo_project, sample_project(tmp_path_factory.mktemp("sample")))
+    return project_with_true_boresight(
+        demo_project, sample_project(tmp_path_factory.mktemp("sample"))
+    )
 
 
 def test_distances_to_a_board_ignore_the_wall_behind_it(

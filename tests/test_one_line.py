@@ -25,7 +25,7 @@ from lispac.workflow.checking.survey_sections import section_at_target
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.planning.plan_comparison import compare_with_plan
 from lispac.workflow.project.survey import Survey
-from tests.few_lines import answered, on_board, picked
+from tests.few_lines import on_board, picked, picked_and_estimated
 
 
 def only(survey: Survey, *lines: str) -> Survey:
@@ -66,7 +66,7 @@ def test_the_smallest_radius_is_used_if_no_second_line_has_points() -> None:
 
 def test_a_section_of_a_sphere_has_no_separation_of_lines() -> None:
     """Unlike a plane, a sphere has no single normal to measure the separation along."""
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     for cut in section_at_target(project, survey, "T1", level=True, size=2.0, thickness=0.2):
         assert cut.separation is not None
     ball = replace(project.target("T1"), shape="sphere")
@@ -76,7 +76,7 @@ def test_a_section_of_a_sphere_has_no_separation_of_lines() -> None:
 
 
 def test_planes_on_single_lines_are_refused_by_name() -> None:
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     planes = tuple(
         replace(each, role="validation", sightings=each.sightings[:1]) for each in project.targets
     )
@@ -111,7 +111,7 @@ def test_lines_without_common_surfaces_have_no_objects() -> None:
 
 
 def test_a_result_without_observability_gets_no_advice() -> None:
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     assert project.result is not None
     bare = project.with_result(replace(project.result, observability=None))
     advised = complete_result(bare, bare, survey, cross_check=False)
@@ -165,7 +165,7 @@ def test_comparing_a_plan_needs_an_estimated_boresight(planned: TitledPlan) -> N
 
 def test_a_partly_surveyed_plan_may_not_determine_the_boresight(planned: TitledPlan) -> None:
     """Of the plan, one board and two opposite lines exist; the costs of the rest are listed."""
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     one = project.target("T1")
     few = replace(project, targets=(replace(one, sightings=one.sightings[:2]),))
     found = compare_with_plan(few, only(survey, "L1", "L2"), planned)

@@ -243,7 +243,7 @@ HEADERS = {
 @pytest.mark.parametrize("counted", [0, 25, 59])
 @pytest.mark.parametrize("name", HEADERS)
 def test_all_points_of_ply_and_pcd_are_read(tmp_path: Path, name: str, counted: int) -> None:
-    key, write = files.VALID[name]
+    key, write = files.VALID_FILES[name]
     path = write(tmp_path / name)
     whole = read(path, key)
     assert messages(path, key) == []

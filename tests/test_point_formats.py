@@ -38,9 +38,9 @@ def whole(format_: FileFormat, path: Path, choice: dict[str, Any] | None = None)
     )
 
 
-@pytest.fixture(params=files.VALID)
+@pytest.fixture(params=files.VALID_FILES)
 def valid(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[FileFormat, Path]:
-    key, write = files.VALID[request.param]
+    key, write = files.VALID_FILES[request.param]
     return FORMATS[key], write(tmp_path / request.param)
 
 
@@ -227,7 +227,7 @@ def test_chunks_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
         monkeypatch.setattr(module, "POINTS_PER_CHUNK", 16)
     monkeypatch.setattr(text_chunks, "BYTES_PER_BLOCK", 300)
     for name in ("a.las", "b.laz", "a.pcd", "b.pcd", "c.pcd", "a.csv", "b.csv.gz"):
-        key, write = files.VALID[name]
+        key, write = files.VALID_FILES[name]
         chunks = list(FORMATS[key].read(write(tmp_path / name), {}))
         assert [len(chunk.time) for chunk in chunks] == [16, 16, 16, 12], name
         np.testing.assert_allclose(np.concatenate([c.xyz for c in chunks]), files.XYZ, atol=1e-7)

@@ -23,7 +23,7 @@ from tests.error_codes import has_code
 from tests.message_codes import codes
 
 FORMATS = {format_.key: format_ for format_ in POINT_FORMATS}
-NAMES = list(files.VALID)
+NAMES = list(files.VALID_FILES)
 ENDINGS_WITH_SIGNATURE = (".las", ".laz", ".e57", ".ply", ".pcd")
 
 
@@ -31,12 +31,12 @@ ENDINGS_WITH_SIGNATURE = (".las", ".laz", ".e57", ".ply", ".pcd")
 def made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     """Write each valid file; tests must not change them."""
     folder = tmp_path_factory.mktemp("valid")
-    return {name: write(folder / name) for name, (_, write) in files.VALID.items()}
+    return {name: write(folder / name) for name, (_, write) in files.VALID_FILES.items()}
 
 
 def refusal_text(path: Path, name: str, choice: dict[str, Any] | None = None) -> str:
     """Return code and text of the error for a bad file; the text must name the file."""
-    format_ = FORMATS[files.VALID[name][0]]
+    format_ = FORMATS[files.VALID_FILES[name][0]]
     with pytest.raises(InputError) as refused:
         for _ in format_.read(path, choice or {}):
             pass
@@ -58,7 +58,7 @@ def test_missing_files_folders_and_empty_files_are_refused(tmp_path: Path, name:
     assert "file.not_found" in refusal_text(tmp_path / "absent" / name, name)
     assert "file.folder" in refusal_text(tmp_path, name)
     assert re.search("is empty", refusal_text(damaged(tmp_path, name, b""), name))
-    format_ = FORMATS[files.VALID[name][0]]
+    format_ = FORMATS[files.VALID_FILES[name][0]]
     for path in (tmp_path / "absent", tmp_path, tmp_path / name):
         assert format_.sniff(path) == 0
 
@@ -82,7 +82,7 @@ def test_files_with_a_wrong_signature_are_refused(
     tmp_path: Path, made: dict[str, Path], name: str
 ) -> None:
     path = damaged(tmp_path, name, b"XXXX" * 40 + made[name].read_bytes()[160:])
-    assert FORMATS[files.VALID[name][0]].sniff(path) == 0
+    assert FORMATS[files.VALID_FILES[name][0]].sniff(path) == 0
     assert re.match(
         r"(las\.signature|(e57|pcd|ply)\.header|pcd\.header_incomplete) ", refusal_text(path, name)
     )
@@ -100,7 +100,7 @@ def test_a_wrong_byte_order_is_refused(tmp_path: Path, made: dict[str, Path]) ->
 
 def unusable(path: Path, name: str) -> list[int]:
     """Return the indices of points that are excluded as not finite."""
-    format = FORMATS[files.VALID[name][0]]
+    format = FORMATS[files.VALID_FILES[name][0]]
     screen = PointScreen(PointSelection(), ranged=True)
     used = [screen(c.time, c.xyz, c.extra) for c in format.read(path, {})]
     found = np.flatnonzero(~np.concatenate(used)).tolist()
@@ -277,7 +277,7 @@ def test_a_file_cut_while_it_is_read_is_refused(
         las.write(path)
     for module in ("points.ply", "las.las_chunks"):
         monkeypatch.setattr(f"lispac.io.{module}.CHUNK", 10_000)
-    chunks = FORMATS[files.VALID[name][0]].read(path, {})
+    chunks = FORMATS[files.VALID_FILES[name][0]].read(path, {})
     next(chunks)
     os.truncate(path, path.stat().st_size // 3)
     with pytest.raises(InputError) as refused:

@@ -13,7 +13,7 @@ from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import DAY
 from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.project.projects import new_project
-from tests.input_file_samples import LEVER, START, codes_about, taken_in
+from tests.input_file_samples import LEVER, START, codes_about, import_files
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
@@ -64,7 +64,7 @@ def test_a_project_reads_clock_times(named, times, track, tmp_path, capsys) -> N
     )  # fmt: skip
     assert survey.scans["L"].time == pytest.approx(times, abs=1e-6)
     assert "times.clock_without_base" in codes_about(
-        taken_in(InputFiles(), track, tmp_path / "L.csv"), "L.csv"
+        import_files(InputFiles(), track, tmp_path / "L.csv"), "L.csv"
     )
 
 

@@ -12,12 +12,12 @@ from lispac.workflow.checking import references
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.checking.references import read_reference
 from lispac.workflow.project.survey import Survey
-from tests.few_lines import answered, on_board, site_of_few_lines
+from tests.few_lines import on_board, picked_and_estimated, site_of_few_lines
 
 
 @pytest.fixture
 def known() -> tuple[Project, Survey]:
-    return answered()
+    return picked_and_estimated()
 
 
 def corners(path: Path, off: float = 0.0) -> Path:

@@ -26,7 +26,7 @@ from lispac.workflow.output.script_text import (
     split_text_code,
 )
 from lispac.workflow.planning.demo import demo_seeds
-from tests.script_runs import run, run_here, same_part
+from tests.script_runs import run, run_in_process, same_part
 
 
 @given(st.lists(st.integers(0, 10**12), max_size=60))
@@ -93,7 +93,7 @@ def made(quay: lispac.OpenProject) -> Script:
 def same_numbers(quay: lispac.OpenProject, script: Script, folder: Path) -> lispac.OpenProject:
     """The project that the script makes, whose report is that of this one."""
     quay.report(folder / "wanted.json")
-    found = run_here(script.text, folder / "again")
+    found = run_in_process(script.text, folder / "again")
     assert found == same_part(folder / "wanted.json")
     return lispac.open(folder / "again")
 

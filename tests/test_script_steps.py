@@ -17,7 +17,7 @@ from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.output.script import script_of, target_steps
 from lispac.workflow.output.script_text import call_text
 from lispac.workflow.project.survey import Survey
-from tests.few_lines import answered, on_board, picked
+from tests.few_lines import on_board, picked, picked_and_estimated
 
 
 class Steps:
@@ -122,7 +122,7 @@ def test_lines_stand_in_the_script_as_they_are_read(tmp_path: Path) -> None:
 @pytest.fixture
 def checked(tmp_path: Path) -> tuple[Project, Survey, Path]:
     """A project checked against a list that lies in its own folder."""
-    project, survey = answered()
+    project, survey = picked_and_estimated()
     project = replace(project, folder=tmp_path / "quay", trajectory=tmp_path / "raw" / "pos.sbet")
     project = replace(
         project, lines=tuple(replace(n, path=tmp_path / "raw" / n.path) for n in project.lines)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.sharing import once
+from tests.sharing import make_once
 
 
 class Factory:
@@ -31,7 +31,7 @@ def test_one_makes_and_the_others_wait_for_it(
         return [1, 2]
 
     def ask(worker: int) -> list[int]:
-        return once(Factory(tmp_path / f"gw{worker}"), "thing", make, pause=0.01)
+        return make_once(Factory(tmp_path / f"gw{worker}"), "thing", make, pause=0.01)
 
     with ThreadPoolExecutor(4) as pool:
         assert list(pool.map(ask, range(4))) == [[1, 2]] * 4
@@ -43,6 +43,6 @@ def test_what_failed_is_tried_by_the_next(tmp_path: Path) -> None:
         raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):
-        once(Factory(tmp_path), "thing", fails)
-    assert once(Factory(tmp_path), "thing", lambda _folder: 3) == 3
-    assert once(Factory(tmp_path), "thing", fails) == 3
+        make_once(Factory(tmp_path), "thing", fails)
+    assert make_once(Factory(tmp_path), "thing", lambda _folder: 3) == 3
+    assert make_once(Factory(tmp_path), "thing", fails) == 3

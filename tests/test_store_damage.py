@@ -21,7 +21,7 @@ from lispac.survey.store.layout import MANIFEST_VERSION, write_manifest
 from lispac.survey.store.line_import import write_store
 from lispac.survey.store.point_blocks import PointPiece
 from lispac.survey.store.stored_line import open_store
-from tests.store_lines import LINE, RECIPE, files_of, place, small, stored, why
+from tests.store_lines import LINE, RECIPE, files_of, place, reason_code, small, stored
 from tests.test_fuzz import reseal
 
 __all__ = ["small"]
@@ -39,7 +39,9 @@ def test_column_cut_short_or_missing_is_refused(tmp_path: Path, name: str, kept)
         os.truncate(path, int(kept * path.stat().st_size))
     with pytest.raises(ProjectError, match=rf"{name}\.npy") as refused:
         open_store(tmp_path, "L1")
-    assert why(refused.value) == ("store.part_missing" if kept is None else "store.part_size")
+    assert reason_code(refused.value) == (
+        "store.part_missing" if kept is None else "store.part_size"
+    )
 
 
 def test_flipped_bit_is_noticed(tmp_path: Path) -> None:
@@ -51,10 +53,10 @@ def test_flipped_bit_is_noticed(tmp_path: Path) -> None:
         path.write_bytes(content)
         with pytest.raises(ProjectError) as refused:
             found.require_sound()
-        assert why(refused.value) == "store.part_changed"
+        assert reason_code(refused.value) == "store.part_changed"
         with pytest.raises(ProjectError) as refused:
             open_store(tmp_path, "L1")
-        assert why(refused.value) == "store.part_changed"
+        assert reason_code(refused.value) == "store.part_changed"
         content[-3] ^= 4
         path.write_bytes(content)
     told: list[float] = []
@@ -77,7 +79,7 @@ def test_where_points_lie_is_checked_though_the_file_seems_unchanged(
     os.utime(path, ns=(seen.st_atime_ns, seen.st_mtime_ns))
     with pytest.raises(ProjectError, match=rf"{name}\.npy") as refused:
         open_store(tmp_path, "L1")
-    assert why(refused.value) == "store.part_changed"
+    assert reason_code(refused.value) == "store.part_changed"
 
 
 @pytest.mark.parametrize(("value", "count"), [(np.nan, None), (np.nan, 1), (3e38, 1)])
@@ -175,7 +177,7 @@ def test_damaged_manifest_is_refused_and_imported_again(tmp_path: Path, harm, co
     path.write_text(harm(path.read_text()))
     with pytest.raises(ProjectError, match=r"store\.json") as refused:
         open_store(tmp_path, "L1")
-    assert why(refused.value) == code
+    assert reason_code(refused.value) == code
     assert files_of(stored(tmp_path).manifest) == files_of(whole)
 
 
@@ -201,7 +203,7 @@ def test_store_of_another_line_is_refused(tmp_path: Path) -> None:
     stored(tmp_path)
     with pytest.raises(ProjectError, match="L1 instead of line L2") as refused:
         open_store(tmp_path, "L2")
-    assert why(refused.value) == "store.other_line"
+    assert reason_code(refused.value) == "store.other_line"
 
 
 def test_not_imported(tmp_path: Path) -> None:

@@ -35,7 +35,7 @@ from lispac.survey.store.read_ahead import read_ahead
 from lispac.survey.store.row_runs import gather_values, rows_of_runs, split_runs
 from lispac.survey.store.spatial_cells import is_in_coarse_sample, stable_order
 from lispac.survey.store.stored_line import open_store
-from tests.store_lines import RECIPE, Line, place, small, stored, why
+from tests.store_lines import RECIPE, Line, place, reason_code, small, stored
 
 __all__ = ["small"]
 pytestmark = pytest.mark.usefixtures("small")
@@ -109,14 +109,14 @@ def test_a_column_of_what_no_import_writes_is_damage(tmp_path: Path) -> None:
     write_manifest(tmp_path, replace(manifest, attributes=(odd, *manifest.attributes[1:])))
     with pytest.raises(DamagedStore, match="<U4") as refused:
         open_store(tmp_path, "L1")
-    assert why(refused.value) == "store.column_type"
+    assert reason_code(refused.value) == "store.column_type"
 
 
 def test_a_column_of_another_type_than_given_is_damage(tmp_path: Path) -> None:
     np.save(tmp_path / "time.npy", np.zeros(5, np.float32))
     with pytest.raises(ProjectError) as refused:
         map_column(tmp_path, StoredColumn("time", "<f8", file="time.npy", count=5), 5)
-    assert why(refused.value) == "store.part_type"
+    assert reason_code(refused.value) == "store.part_type"
     assert "time.npy" in str(refused.value)
     assert "float32" in str(refused.value)
 

@@ -26,7 +26,7 @@ from lispac.workflow.output.export import write_report
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.sharing import once
+from tests.sharing import make_once
 from tests.test_cli import answer, run
 from tests.test_reference_surveys import angles, make
 
@@ -54,7 +54,7 @@ def clean(thinned: Opened, tmp_path_factory: pytest.TempPathFactory) -> Targetle
 
 def few_surfaces(thinned: Opened, factory: pytest.TempPathFactory) -> TargetlessResult:
     """The answer of the scene as it is, which other files hold theirs against as well."""
-    return once(factory, "few surfaces", lambda _folder: targetless(*thinned, count=FEW))
+    return make_once(factory, "few surfaces", lambda _folder: targetless(*thinned, count=FEW))
 
 
 def error(found: TargetlessResult, project: Project) -> np.ndarray:

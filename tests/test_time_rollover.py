@@ -23,7 +23,7 @@ from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.georeferencing import georeference_project
 from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import load_survey
-from tests.input_file_samples import LEVER, START, codes_about, named, taken_in, write_line
+from tests.input_file_samples import LEVER, START, codes_about, import_files, named, write_line
 from tests.message_codes import codes, is_shown
 from tests.trajectory_files import vessel, write_records
 
@@ -128,7 +128,7 @@ def test_text_and_given_time_bases_resolve_rollovers_too(tmp_path: Path) -> None
 
 def test_the_dialogue_resolves_a_rollover_and_says_so(tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, WEEK)
-    input_files = taken_in(InputFiles(), track, line)
+    input_files = import_files(InputFiles(), track, line)
     entry = named(input_files, "L.las")
     assert input_files.state_of_file(entry) == "fine"
     (restart,) = (m for m in input_files.messages(entry) if m.code == "import.times_restart")
@@ -139,7 +139,7 @@ def test_the_dialogue_resolves_a_rollover_and_says_so(tmp_path: Path) -> None:
     assert covered.outside == 0
     assert entry.content.end == pytest.approx(WEEK + 18)
     (ignore,) = restart.actions
-    back = taken_in(input_files.with_action(line, ignore))
+    back = import_files(input_files.with_action(line, ignore))
     assert "import.points_outside" in codes_about(back, "L.las")
 
 

@@ -14,7 +14,7 @@ from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.project.projects import new_project
 from lispac.workflow.project.survey import Survey
 from tests.command_errors import codes_of
-from tests.input_file_samples import LEVER, START, fan, named, taken_in, write_line
+from tests.input_file_samples import LEVER, START, fan, import_files, named, write_line
 from tests.trajectory_files import vessel, write_records
 
 SYSTEM = "EPSG:32619"
@@ -63,7 +63,7 @@ def test_accuracies_that_cover_half_the_trajectory_are_reported(tmp_path: Path) 
     assert too_short.params["file"] == "half.out"
     assert (too_short.params["first"], too_short.params["last"]) == (START, START + 20)
     assert too_short in (
-        input_files := taken_in(InputFiles(), track, tmp_path / "half.out")
+        input_files := import_files(InputFiles(), track, tmp_path / "half.out")
     ).messages(named(input_files, "half.out"))
     _, survey = made(tmp_path / "q", track, line, accuracy=tmp_path / "whole.out")
     assert too_short_of(survey) == []

@@ -28,7 +28,7 @@ from lispac.io.project.project_file import (
 )
 from lispac.io.project.project_lock import LOCK_NAME, project_lock
 from lispac.project import Project
-from tests.concurrent_commands import Serial, commands, copy_of, drawn, pool, run, state
+from tests.concurrent_commands import SerialRuns, commands, copy_of, pool, random_pairs, run, state
 
 
 @pytest.fixture
@@ -47,7 +47,7 @@ def require_serial(
     project: Path, tmp_path: Path, processes: ProcessPoolExecutor, pairs: list[tuple[str, str]]
 ) -> None:
     """See that two commands at once do what they do one after the other, in either order."""
-    words, serial = commands(), Serial(project, tmp_path)
+    words, serial = commands(), SerialRuns(project, tmp_path)
     for first, second in pairs:
         place = copy_of(project, tmp_path / "both")
         runs = [processes.submit(run, words[name], place) for name in (first, second)]
@@ -71,7 +71,7 @@ def test_commands_at_the_same_time_lose_nothing(
 def test_random_pairs_of_commands_lose_nothing(
     folder: Path, tmp_path: Path, processes: ProcessPoolExecutor
 ) -> None:
-    require_serial(folder, tmp_path, processes, drawn(200))
+    require_serial(folder, tmp_path, processes, random_pairs(200))
 
 
 def test_a_project_written_meanwhile_is_not_overwritten(folder: Path) -> None:

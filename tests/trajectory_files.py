@@ -1,4 +1,4 @@
-"""Trajectory files as other programs write them, made by struct and plain text."""
+"""Trajectory files as written by other programs, made with struct and as plain text."""
 
 import struct
 from pathlib import Path
@@ -9,9 +9,10 @@ RADIUS = 6378137.0
 
 
 def vessel(count: int = 2000, *, rate: float = 50.0, wander: float = 0.0) -> np.ndarray:
-    """SBET records, shape (n, 17), of a vessel on a wide circle: all frames and signs show in it.
+    """SBET records, shape (n, 17), of a vessel on a wide circle.
 
-    Velocities are along the wander azimuth, left, up; rates are those of forward, starboard, down.
+    The motion reveals wrong frames and signs. Velocities are along the wander azimuth, left, up;
+    rates are those of forward, starboard, down.
     """
     t = np.arange(count) / rate
     speed, turn = 4.0, np.radians(4.0)
@@ -36,7 +37,7 @@ def vessel(count: int = 2000, *, rate: float = 50.0, wander: float = 0.0) -> np.
 
 
 def write_records(path: Path, records: np.ndarray, *, order: str = "<") -> Path:
-    """Records as float64, one after the other, by struct."""
+    """Write records as float64, one after the other, with struct."""
     width = records.shape[1]
     path.write_bytes(b"".join(struct.pack(f"{order}{width}d", *row) for row in records))
     return path
@@ -67,7 +68,7 @@ SIGMAS = (0.012, 0.013, 0.021, 0.015, 0.008, 0.009)
 
 
 def write_delph(path: Path, records: np.ndarray, *, sigmas: bool = False) -> Path:
-    """A navigation export of Delph INS with pitch positive bow down, on 2023-06-27 from 14:00."""
+    """Write a navigation export of Delph INS, pitch positive bow down, 2023-06-27 from 14:00."""
     names = ["latitudeSd", "longitudeSd", "altitudeSd", "headingSd", "rollSd", "pitchSd"]
     text = DELPH_HEADER.format(
         extra=DELPH_SIGMAS if sigmas else "",
@@ -113,7 +114,7 @@ and SD in Degrees, velocity in Meter/Sec, position SD in Meters)
 
 
 def write_pospac(path: Path, records: np.ndarray) -> Path:
-    """An export of the POS Export Utility, as POSPac writes it: blanks between the columns."""
+    """Write an export of the POS Export Utility of POSPac, with columns separated by blanks."""
     text = POSPAC_HEADER
     for row in records:
         lat, lon, roll, pitch, heading = np.degrees([row[1], row[2], row[7], row[8], row[9]])
@@ -127,7 +128,7 @@ def write_pospac(path: Path, records: np.ndarray) -> Path:
 
 
 def truth(records: np.ndarray) -> dict[str, np.ndarray]:
-    """Position and attitude in the program's convention."""
+    """Position and attitude in the convention of the program."""
     attitude = np.stack([records[:, 7], -records[:, 8], records[:, 9] - records[:, 10]], axis=1)
     return {
         "latitude": records[:, 1],

@@ -1,7 +1,7 @@
-"""What a page of the manual tells the reader to do, in the order of the page.
+"""Steps that a page of the manual describes, in the order of the page.
 
-The marks are those of the page itself: ``{guilabel}`` is clicked, ``{menuselection}`` chosen,
-``{kbd}`` pressed, ``{typed}`` typed, ``**bold**`` has to be seen, and at a picture one looks.
+The markup of the page gives the kind of step: ``{guilabel}`` is clicked, ``{menuselection}``
+chosen, ``{kbd}`` pressed, ``{typed}`` typed, ``**bold**`` must be visible, and pictures are taken.
 """
 
 import re
@@ -37,17 +37,17 @@ class Step:
 
 
 def page(language: str, name: str) -> Path:
-    """The source of a page."""
+    """Source text of a page."""
     return resource_path("manual") / language / f"{name}.md"
 
 
 def steps_of(text: str) -> list[Step]:
-    """The marks of a page.
+    """Steps of a page.
 
     Raises
     ------
     ValueError
-        At a role that is no step: a slip of the pen would be skipped otherwise.
+        For a role that is not a step, so that typing errors are not skipped.
     """
     found = []
     for mark in _MARK.finditer(text):

@@ -1,4 +1,4 @@
-"""Two walls one behind the other, in colours that a picture can be searched for."""
+"""Two walls one behind the other, in colours that can be found in a picture."""
 
 import numpy as np
 from PySide6.QtCore import QPoint
@@ -12,7 +12,7 @@ SIZE = ViewportSize(800, 600)
 
 
 def wall(west, north=(-5.0, 5.0), up=(0.0, 6.0), step=0.1, origin=(0.0, 0.0, 0.0)):
-    """Points of a vertical plane across the view from the origin to the west."""
+    """Points of a vertical plane, perpendicular to the view from the origin to the west."""
     n, u = np.meshgrid(np.arange(*north, step), np.arange(*up, step), indexing="ij")
     points = np.column_stack([n.ravel(), np.full(n.size, west), u.ravel()])
     return points + np.asarray(origin)
@@ -33,12 +33,12 @@ def pixel(viewport, point):
 
 
 def picture(viewport) -> np.ndarray:
-    """What is on the screen as (height, width, 3)."""
+    """Picture on the screen of shape (height, width, 3)."""
     return array_of(viewport.picture())
 
 
 def array_of(image: QImage) -> np.ndarray:
-    """An image as (height, width, 3)."""
+    """Pixels of an image, shape (height, width, 3)."""
     image = image.convertToFormat(QImage.Format.Format_RGB888)
     rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
     return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()

@@ -30,7 +30,7 @@ from tests.gui.by_hand import Hands
 from tests.gui.design_support import opened_by_keys
 from tests.gui.import_support import drop, raw, rest
 from tests.gui.support import WAIT_MS, Demo, Driver, ScriptedDialogs
-from tests.sharing import once
+from tests.sharing import make_once
 
 PICKED_NAMES = ("T1", "T2", "V1")
 WINDOW_FILES = shutil.ignore_patterns(UNSAVED_NAME, LOCK_FILE_NAME)
@@ -49,19 +49,23 @@ def demo(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Dem
             picked = pick_target(picked, survey, seed, name=name, role=role)
         return picked
 
-    return Demo(demo_project, once(tmp_path_factory, "picked", pick_some), survey)
+    return Demo(demo_project, make_once(tmp_path_factory, "picked", pick_some), survey)
 
 
 @pytest.fixture(scope="session")
 def estimated(demo: Demo, tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The picked demo survey with its estimated boresight and all cross-checks."""
-    return once(tmp_path_factory, "estimated", lambda _folder: estimate(demo.picked, demo.survey))
+    return make_once(
+        tmp_path_factory, "estimated", lambda _folder: estimate(demo.picked, demo.survey)
+    )
 
 
 @pytest.fixture(scope="session")
 def validated(demo: Demo, estimated: Project, tmp_path_factory: pytest.TempPathFactory) -> Project:
     """The estimated demo survey with one validation plane compared."""
-    return once(tmp_path_factory, "validated", lambda _folder: validate(estimated, demo.survey))
+    return make_once(
+        tmp_path_factory, "validated", lambda _folder: validate(estimated, demo.survey)
+    )
 
 
 @pytest.fixture
