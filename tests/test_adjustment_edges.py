@@ -66,7 +66,7 @@ def few() -> Observations:
     return survey(1, 0.3)
 
 
-def test_nothing_picked_is_refused(few: Observations) -> None:
+def test_adjustment_without_targets_is_refused(few: Observations) -> None:
     none = few.where(np.zeros(len(few), dtype=bool))
     with pytest.raises(AdjustmentError, check=has_code("adjustment.no_targets")):
         adjust(none, PRIOR, MODEL)

@@ -1,4 +1,4 @@
-"""The report: its numbers, its warnings, and that each kind of file says the same."""
+"""Tests of the numbers and warnings of the report, and that all file formats agree."""
 
 import base64
 import csv
@@ -64,7 +64,7 @@ def _has(text: str, number: str) -> bool:
 
 
 class _Words(HTMLParser):
-    """Collects what a reader sees, and where the page would fetch from."""
+    """Parser that collects the visible text of a page and the addresses it would load."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -87,7 +87,7 @@ def _page(text: str) -> _Words:
 
 
 def _shown_numbers(data: dict) -> list[str]:
-    """Every number of a JSON report that a reader needs, as a document writes it."""
+    """Return the numbers of a JSON report as documents print them."""
     numbers = []
     adjustment = data["adjustment"]
     for key in ("prior_boresight_deg", "boresight_deg"):
@@ -123,7 +123,7 @@ def _shown_numbers(data: dict) -> list[str]:
     checks = data["cross_checks"]
     for key in ("sigma_deg", "spread_lines_deg"):
         numbers += [f"{v:.4f}" for v in checks[key].values()]
-    # The first half is the second with the other sign.
+    # The difference of the first half is that of the second with the opposite sign.
     parts = [part for part in checks["parts"] if (part["kind"], part["part"]) != ("half", "first")]
     for part in parts:
         numbers += [f"{v:+.4f}" for v in (part["difference_deg"] or {}).values()]
@@ -166,7 +166,7 @@ def test_angles_uncertainty_and_effect(content: ReportContent) -> None:
     assert content.adjustment is not None
     effects = {effect.angle: effect.displacement_m for effect in content.adjustment.effects}
     assert effects["roll"] == pytest.approx([d * np.radians(0.0163) for d in (10, 50, 100)])
-    # Sampled: how far points 10 m away in every direction move, at the worst of them.
+    # Sampled: the largest displacement of points 10 m away in all directions.
     rng = np.random.default_rng(3)
     covariance = np.radians(0.0163), np.radians(0.0291), np.radians(0.0376)
     correlation = np.array(content.adjustment.correlation)
@@ -195,11 +195,11 @@ def test_missing_file_is_a_warning_and_no_failure(project: Project, tmp_path: Pa
     assert "not readable" in html_text(content, {})
 
 
-def test_finished_project_warns_of_nothing(content: ReportContent) -> None:
+def test_finished_project_has_no_warnings(content: ReportContent) -> None:
     assert content.warnings == ()
 
 
-def test_rules_speak_up(project: Project) -> None:
+def test_each_rule_of_the_report_gives_its_warning(project: Project) -> None:
     result = project.result
     assert result is not None
     test = result.chi_square
@@ -298,7 +298,7 @@ def test_tables_hold_the_numbers_of_the_json(content: ReportContent, tmp_path: P
 
 
 @pytest.mark.parametrize("picked", [True, False])
-def test_uncalibrated_project_says_so_on_page_one(
+def test_page_one_states_that_a_project_is_not_calibrated(
     project: Project, tmp_path: Path, picked: bool
 ) -> None:
     bare = replace(project, result=None, validation=())
@@ -316,7 +316,7 @@ def test_uncalibrated_project_says_so_on_page_one(
     assert "Estimated" not in first
 
 
-def test_html_needs_nothing_beside_it(content: ReportContent, tmp_path: Path) -> None:
+def test_html_loads_no_other_files(content: ReportContent, tmp_path: Path) -> None:
     picture = tmp_path / "view.png"
     figures.site_figure({}, {"T1": (1.0, 2.0)}, {}).savefig(picture, dpi=40)
     path = tmp_path / "report.html"
@@ -331,7 +331,7 @@ def test_html_needs_nothing_beside_it(content: ReportContent, tmp_path: Path) ->
     assert "The view after" in page.words
 
 
-def test_odd_names_come_through(tmp_path: Path) -> None:
+def test_special_characters_in_names_are_kept(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p", target=ODD)
     content = sample_content(project)
     content = replace(content, project=ODD)
@@ -345,14 +345,14 @@ def test_odd_names_come_through(tmp_path: Path) -> None:
     assert text.count(re.sub(r"\s", "", ODD)) >= 3
 
 
-def test_letters_no_font_of_ours_has_are_no_failure(content: ReportContent, tmp_path: Path) -> None:
+def test_letters_missing_in_the_fonts_do_not_fail(content: ReportContent, tmp_path: Path) -> None:
     far = replace(content, project="\u6e2f\u53e3", validation=content.validation[:1])
     far = replace(far, validation=(replace(far.validation[0], name="\u5854"),))
     write_pdf(far, tmp_path / "far.pdf", {})
     assert (tmp_path / "far.pdf").stat().st_size > 10_000
 
 
-def test_what_the_figures_are_drawn_from_is_among_the_tables(
+def test_data_of_the_figures_are_among_the_tables(
     project: Project, content: ReportContent, tmp_path: Path
 ) -> None:
     write_tables(content, tmp_path / "r.zip")
@@ -371,12 +371,12 @@ def test_what_the_figures_are_drawn_from_is_among_the_tables(
     assert [int(row[3]) for row in histogram[1:]] == plane.counts_after.tolist()
     lows = [float(row[0]) for row in histogram[1:]]
     assert lows == pytest.approx(1000 * plane.bin_edges[:-1], abs=1e-3)
-    # The last bin holds all that is farther off.
+    # The last bin holds all larger distances.
     assert [float(row[1]) for row in histogram[1:-1]] == pytest.approx(lows[1:])
     assert histogram[-1][1] == "and beyond"
 
 
-def test_bad_pictures_are_refused_in_one_sentence(content: ReportContent, tmp_path: Path) -> None:
+def test_invalid_pictures_are_refused(content: ReportContent, tmp_path: Path) -> None:
     broken = tmp_path / "broken.png"
     broken.write_bytes(b"no picture")
     with pytest.raises(LispacError, check=has_code("report.picture_invalid", file=str(broken))):
@@ -387,7 +387,7 @@ def test_bad_pictures_are_refused_in_one_sentence(content: ReportContent, tmp_pa
         write_html(content, tmp_path / "r.html", {"View": tmp_path / "view.bmp"})
 
 
-def test_figures_draw_into_the_figure_given(project: Project) -> None:
+def test_figures_are_drawn_into_the_given_figure(project: Project) -> None:
     assert project.result is not None
     figure = histogram_figure(project.validation[0])
     title = figure.axes[0].get_title(loc="left")
@@ -407,7 +407,7 @@ def test_figures_draw_into_the_figure_given(project: Project) -> None:
     assert left > right  # west is positive and lies on the left
 
 
-def test_names_of_near_planes_do_not_meet_on_the_plan() -> None:
+def test_names_of_near_planes_do_not_overlap_on_the_plan() -> None:
     near = {f"V{k}": (20.0 + 0.6 * k, 30.0 - 0.4 * k, 2.0) for k in range(4)}
     targets = {"T1": (20.5, 30.1, 1.0), "T2": (80.0, -10.0, 1.0)}
     figure = figures.site_figure({"L1": [(0, 0), (100, 0)]}, targets, near)

@@ -1,4 +1,4 @@
-"""The same inputs give the same bytes, in another process, folder and order of hashes."""
+"""Tests that equal inputs give equal bytes in another process, folder and hash order."""
 
 import hashlib
 import os
@@ -67,10 +67,10 @@ def test_two_processes_in_two_folders_write_the_same_bytes(tmp_path: Path) -> No
         )  # fmt: skip
         found.append(_digests(folder, KINDS))
     assert found[0] == found[1]
-    assert len(set(found[0].values())) == len(KINDS)  # the page does make a difference
+    assert len(set(found[0].values())) == len(KINDS)  # the page size changes the file
 
 
-def test_only_lines_with_the_date_differ_where_it_does(tmp_path: Path) -> None:
+def test_another_date_changes_only_lines_with_the_date(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     texts, others = [], []
     for made in (MADE, MADE + timedelta(days=3)):

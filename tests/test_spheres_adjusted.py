@@ -187,7 +187,7 @@ def test_a_wall_is_no_ball(balls):
         ({"shape": "sphere", "sphere_radius": float("nan")}, "target.invalid_radius"),
     ],
 )
-def test_what_makes_no_sense_is_refused(balls, asked, code):
+def test_invalid_import_options_are_refused(balls, asked, code):
     with pytest.raises(ProjectError, check=lambda e: e.code == code):
         picking.pick_target(balls.project, balls.survey, balls.seed("S1"), name="S1", **asked)
 
