@@ -50,7 +50,7 @@ def test_a_strip_narrower_than_a_share_of_its_length_is_a_line(width, fits):
         fit_plane(strip)
 
 
-def test_fit_is_least_squares_and_weights_count():
+def test_fit_is_weighted_least_squares():
     rng = np.random.default_rng(4)
     points = rng.uniform(-1, 1, (300, 3)) * [1, 1, 0.05]
     plane = fit_plane(points)

@@ -150,7 +150,7 @@ def test_estimating_twice_gives_the_same(calibrated: tuple[Project, Survey]) -> 
     np.testing.assert_array_equal(again.result.boresight, project.result.boresight)
 
 
-def test_one_line_can_have_a_seed_of_its_own(calibrated: tuple[Project, Survey]) -> None:
+def test_a_line_can_have_its_own_seed(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     line = survey.lines[2]
     target = project.target("T1")
