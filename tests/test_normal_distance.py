@@ -51,7 +51,9 @@ def test_a_known_offset_comes_back_with_its_sign(offset: float) -> None:
 
 
 @pytest.mark.parametrize(("n", "noise"), [(3000, (0.003, 0.003)), (400, (0.002, 0.008))])
-def test_intervals_hold_what_they_say(n: int, noise: tuple[float, float]) -> None:
+def test_confidence_intervals_have_their_nominal_coverage(
+    n: int, noise: tuple[float, float]
+) -> None:
     """One place in each of 1,000 pairs of clouds, at 60 and at 8 points in a cylinder.
 
     93 to 97 % is what is promised; by chance alone 1,000 draws of 95 % leave it once in 270.

@@ -91,7 +91,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
 
 
 @pytest.mark.long
-def test_a_prior_two_degrees_off_gives_the_same_answer(
+def test_a_prior_two_degrees_off_gives_the_same_result(
     thinned: Opened, clean: PatchTestResult
 ) -> None:
     project, survey = thinned

@@ -20,7 +20,7 @@ from lispac.survey.scan import Scan
 from lispac.workflow.calibration.estimation import observations_of
 from lispac.workflow.calibration.targetless import TargetlessResult, targetless
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.test_targetless import FEW, error, few_surfaces, with_scans
+from tests.test_targetless import FEW_SURFACES, error, few_surfaces, with_scans
 
 Opened = tuple[Project, Survey]
 
@@ -82,7 +82,7 @@ def test_unmodelled_errors_increase_the_sigmas(thinned: Opened, clean: Targetles
         points[late] = points[late] @ rotation_matrix(np.radians(0.15), 0.0, 0.0).T
         return Scan(np.ascontiguousarray(points), scan.time, scan.intensity, scan.assumptions)
 
-    found = targetless(*with_scans(thinned, change), count=FEW)
+    found = targetless(*with_scans(thinned, change), count=FEW_SURFACES)
     assert found.raised > 1.5
     assert "adjustment.sigmas_raised" in {each.code for each in result_warnings(found.result, None)}
     assert "adjustment.sigmas_raised" not in {

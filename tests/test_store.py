@@ -315,7 +315,7 @@ def test_checksums_of_pieces_are_combined(first: bytes, second: bytes) -> None:
 
 
 def test_the_names_in_a_manifest_are_those_of_version_3(tmp_path: Path) -> None:
-    """A renamed field needs a new version and its former name in `layout`, or stores are unreadable."""
+    """A renamed field needs a new version and an alias in `layout`, or stores become unreadable."""
     write_store(tmp_path, RECIPE, LINE.pieces(1000), place)
     content = json.loads((tmp_path / "store.json").read_text())
     store = content["store"]
