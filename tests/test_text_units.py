@@ -123,7 +123,7 @@ ACCEPTED: dict[str, tuple[str, Row]] = {
     ),
     "French": (
         "Temps;Latitude;N/S;Longitude;E/O;Hauteur;Roulis;Tangage;Cap",
-        lambda t, a, o: f"{t:.2f};{-a:.9f};S;{-o:.9f};O;{REST.replace(',', ';')}",
+        lambda t, a, o: f"{t:.2f};{-a:.9f};S;{-o:.9f};O;{OTHERS.replace(',', ';')}",
     ),
     "minutes of time": (
         HEAD.replace("Time", "Time [min]"),
@@ -186,7 +186,7 @@ REFUSED: dict[str, tuple[str, Row, str]] = {
     ),
     "seconds of arc between blanks": (
         HEAD.replace(",", " "),
-        lambda t, a, o: f"{t:.2f} -{seconds(a, ' ')} -{seconds(o, ' ')} {REST.replace(',', ' ')}",
+        lambda t, a, o: f"{t:.2f} -{seconds(a, ' ')} -{seconds(o, ' ')} {OTHERS.replace(',', ' ')}",
         "trajectory.unnamed_columns",
     ),
     "an angle in metres": (
@@ -233,7 +233,7 @@ def test_rows_before_the_first_fix_are_counted(tmp_path: Path, rows: int) -> Non
     [
         (HEAD, HEADING, []),
         (f"{HEAD},Yaw", HEADING, []),  # the exact name takes precedence over its synonym
-        (f"{T.replace('Heading', 'Yaw')},Azimuth", HEADING, ["text.two_columns"]),
+        (f"{HEAD.replace('Heading', 'Yaw')},Azimuth", HEADING, ["text.two_columns"]),
         (
             HEAD.replace("Heading", "Heading [deg]"), np.radians(HEADING),
             ["trajectory.angles_in_radians"],
