@@ -1,7 +1,6 @@
-"""A hand at mouse and keyboard: the program with its own dialogues, and what a test does to it.
+"""Drive the real program, with its own dialogs, by mouse and keyboard.
 
-Every way waits with a limit, and none waits in vain for what a dialogue keeps from coming: one
-that no test foresaw is rejected, and what it said is the failure.
+Every wait has a limit. Unexpected dialogs are rejected and make the test fail with their text.
 """
 
 from collections import deque
@@ -32,19 +31,19 @@ from lispac.gui.window.main_window import MainWindow
 from lispac.gui.window.session import Session
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, in_front, press
 
-LOOK_MS = 50
-CLOSES_S = 10.0
-"""What an answered dialogue may still do before it goes."""
+POLL_INTERVAL_MS = 50
+CLOSE_LIMIT_S = 10.0
+"""Time that a dialog may take to close after its answer."""
 
 Act = Callable[[QDialog], bool]
 
 
 class Answers(QObject):
-    """Answers the dialogues a test foresees, in their order, and rejects every other.
+    """Answer the expected dialogs in order, and reject all others.
 
     Attributes
     ----------
-    trouble : what went otherwise than foreseen, in words
+    trouble : descriptions of unexpected events
     """
 
     def __init__(self) -> None:
@@ -58,24 +57,24 @@ class Answers(QObject):
         self._schedule_poll()
 
     def foresee(self, kind: type[QDialog], act: Act) -> None:
-        """Do something to a dialogue that will come, again and again until it says that was all."""
+        """Expect a dialog and call `act` on it repeatedly until it returns True."""
         self._foreseen.append((kind, act))
 
     def stop(self) -> None:
-        """Look no more, and say which of those foreseen did not come."""
+        """Stop looking for dialogs, and add expected ones that did not appear to `trouble`."""
         self._on = False
         self.trouble += [f"no {kind.__name__} came" for kind, _ in self._foreseen]
         self._foreseen.clear()
 
     @property
     def all_given(self) -> bool:
-        """Whether all that was foreseen has come and is answered."""
+        """Whether all expected dialogs have been answered."""
         return not self._foreseen
 
     def _schedule_poll(self) -> None:
-        # Each time another timer: one that is at work, be it in a dialogue's loop, does not tick
+        # Start a new timer each time: a timer in whose slot a dialog is open does not fire.
         if self._on:
-            QTimer.singleShot(LOOK_MS, self._poll)
+            QTimer.singleShot(POLL_INTERVAL_MS, self._poll)
 
     def _poll(self) -> None:
         self._schedule_poll()
@@ -85,10 +84,10 @@ class Answers(QObject):
         if dialog is None or not dialog.isVisible() or dialog is self._acting:
             return
         closes = dialog is self._answered and monotonic() < self._until
-        if self.trouble:  # what is beneath the one that nobody foresaw
+        if self.trouble:  # a dialog below the unexpected one
             _reject(dialog)
         elif self._foreseen and isinstance(dialog, self._foreseen[0][0]):
-            if in_front(dialog):  # what is typed before is lost
+            if in_front(dialog):  # keys typed earlier would be lost
                 self._answer(dialog)
         elif not closes:
             self.trouble.append(f"nobody foresaw {_dialog_text(dialog)}")
@@ -99,10 +98,10 @@ class Answers(QObject):
         former, self._acting = self._acting, dialog
         try:
             if act(dialog):
-                self._answered, self._until = dialog, monotonic() + CLOSES_S
+                self._answered, self._until = dialog, monotonic() + CLOSE_LIMIT_S
             else:
                 self._foreseen.appendleft((kind, act))
-        except Exception as error:  # it would be lost in the loop of events, and the dialogue stay
+        except Exception as error:  # the event loop would swallow it and keep the dialog open
             self.trouble.append(f"{error!r} at {_dialog_text(dialog)}")
         finally:
             self._acting = former
@@ -124,12 +123,12 @@ SETTINGS = "settings.ini"
 
 
 class Hands(Driver):
-    """The program as its user has it: windows in their turn, and dialogues that ask.
+    """Drive the program as a user does, through successive windows and dialogs.
 
     Parameters
     ----------
-    viewport : makes the view of a window
-    folder : holds the settings, those of a new user who reads English
+    viewport : factory of the view of a window
+    folder : folder of the settings, which are those of a new user with English texts
     """
 
     def __init__(self, qtbot: QtBot, viewport: Callable[[], Viewport], folder: Path) -> None:
@@ -137,7 +136,7 @@ class Hands(Driver):
         self.settings = AppSettings(folder / SETTINGS)
         self.settings.language = "en"
         application = QApplication.instance()
-        # The system's own are beyond this hand
+        # Native dialogs cannot be driven by Qt.
         application.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
         self.session = Session(application, viewport, self.settings, self.dialogs)
         self._take()
@@ -147,32 +146,32 @@ class Hands(Driver):
         self.until(lambda: in_front(self.window))
 
     def until(self, done: Callable[[], bool]) -> None:
-        """Wait for something, as long as only what was foreseen is asked."""
+        """Wait for a condition; unexpected dialogs fail."""
         self.bot.waitUntil(lambda: bool(self.answers.trouble) or done(), timeout=WAIT_MS)
         assert not self.answers.trouble, "; ".join(self.answers.trouble)
 
     def rest(self) -> None:
-        """Wait until no work is left, and the window is in front.
+        """Wait until no work is active and the window is in front.
 
-        It leaves the front where it gets its first 3D view: Qt makes another of the window system.
+        The window loses the front when Qt recreates it for its first 3D view.
         """
         QCoreApplication.processEvents()
         self.until(lambda: not self.window.runner.active)
         self.until(lambda: in_front(self.window))
 
     def answered(self) -> None:
-        """See that all that was foreseen was asked."""
+        """Wait until all expected dialogs have been answered."""
         self.until(lambda: self.answers.all_given)
 
     def to_next_window(self) -> None:
-        """Go on in the window that comes in the place of this one."""
+        """Continue in the window that replaces the current one."""
         self.until(lambda: self.session.window is not self.window)
         self._take()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         self.rest()
 
     def leave(self) -> None:
-        """Close the window without a question, and see that nothing of it is left."""
+        """Close the window without a question, and check that nothing of it remains."""
         self.window = self.session.window
         self.window.document.undo_stack.setClean()
         self.window.site_design.workspace.history.mark_saved()
@@ -188,7 +187,7 @@ class Hands(Driver):
 
 
 def push(hands: Hands, text: str) -> None:
-    """Click a button of the next question."""
+    """Click a button of the next message box."""
 
     def act(box: QMessageBox) -> bool:
         found = next(b for b in box.buttons() if text in b.text().replace("&", ""))
@@ -199,7 +198,7 @@ def push(hands: Hands, text: str) -> None:
 
 
 def name_project(hands: Hands, folder: Path) -> None:
-    """Type the project's file into the file dialogue that comes next."""
+    """Type the path of the project file into the next file dialog."""
     wanted = str(folder / "project.json")
 
     def act(dialog: QFileDialog) -> bool:
@@ -215,7 +214,7 @@ def name_project(hands: Hands, folder: Path) -> None:
 
 
 def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
-    """Ctrl+O, and the file's name; then the button of the question that follows, if one does."""
+    """Open a project with Ctrl+O and its path, then push the button `then` of a question."""
     name_project(hands, folder)
     if then:
         push(hands, then)
@@ -226,7 +225,7 @@ def open_by_keys(hands: Hands, folder: Path, then: str = "") -> None:
 
 
 def rename(hands: Hands, row: int, to: str) -> None:
-    """F2 in the list of targets."""
+    """Rename a row of the list of targets with F2."""
     table = hands.window.targets.table
     hands.bot.mouseClick(
         table.viewport(), Left, pos=table.visualItemRect(table.item(row, 0)).center()
@@ -241,7 +240,7 @@ def rename(hands: Hands, row: int, to: str) -> None:
 
 
 def ctrl_click(hands: Hands, place: QPoint) -> None:
-    """On the drawn lines, at a pixel; a plane is found there."""
+    """Ctrl+click a pixel of the drawn lines, where a plane is found."""
     hands.bot.mouseClick(hands.viewport.canvas, Left, Control, place)
     hands.rest()
     assert hands.window.controller.candidate is not None
@@ -257,7 +256,7 @@ def open_menu(bot: QtBot, window: MainWindow, name: str) -> QMenu:
 
 
 def choose(bot: QtBot, menu: QMenu, *names: str) -> None:
-    """Click through menus as the mouse does."""
+    """Choose entries of menus with the mouse."""
     for name in names:
         action = next(a for a in menu.actions() if name in a.text().replace("&", ""))
         bot.mouseClick(menu, Left, pos=menu.actionGeometry(action).center())
@@ -267,7 +266,7 @@ def choose(bot: QtBot, menu: QMenu, *names: str) -> None:
 
 
 def shows_something(hands: Hands, file: Path) -> None:
-    """Keep a picture of the window, which is not blank."""
+    """Save a picture of the window and check that it is not blank."""
     hands.bot.wait(300)
     assert hands.window.grab().save(str(file))
     image = QImage(str(file)).convertToFormat(QImage.Format.Format_RGB32)

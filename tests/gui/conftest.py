@@ -1,4 +1,4 @@
-"""Windows with the demo survey in them."""
+"""Fixtures: windows, projects and dialogs with the demo survey."""
 
 import shutil
 import threading
@@ -32,19 +32,19 @@ from tests.gui.import_support import drop, raw, rest
 from tests.gui.support import WAIT_MS, Demo, Driver, ScriptedDialogs
 from tests.sharing import once
 
-PICKED = ("T1", "T2", "V1")
-OF_A_WINDOW = shutil.ignore_patterns(UNSAVED_NAME, LOCK_NAME)
-"""What a window of another test, in another process, may have just now in the shared demo."""
+PICKED_TARGETS = ("T1", "T2", "V1")
+FILES_OF_OPEN_WINDOWS = shutil.ignore_patterns(UNSAVED_NAME, LOCK_NAME)
+"""Temporary files in the shared demo of a window of another test process."""
 
 
 @pytest.fixture(scope="session")
 def demo(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Demo:
-    """The demo survey, loaded once and with some planes picked."""
+    """The demo survey, loaded once, with some targets picked."""
     survey = load_survey(demo_project)
 
     def pick_some(_folder: Path) -> Project:
         picked = demo_project
-        for name in PICKED:
+        for name in PICKED_TARGETS:
             role, seed = demo_seeds()[name]
             picked = pick_target(picked, survey, seed, name=name, role=role)
         return picked
@@ -54,20 +54,22 @@ def demo(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Dem
 
 @pytest.fixture(scope="session")
 def estimated(demo: Demo, tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The picked demo survey with its boresight, cross-checks and all."""
+    """The picked demo survey with its estimated boresight and cross-checks."""
     return once(tmp_path_factory, "estimated", lambda _folder: estimate(demo.picked, demo.survey))
 
 
 @pytest.fixture(scope="session")
 def validated(demo: Demo, estimated: Project, tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """The demo survey with one plane compared."""
+    """The demo survey with one validation plane compared."""
     return once(tmp_path_factory, "validated", lambda _folder: validate(estimated, demo.survey))
 
 
 @pytest.fixture
 def demo_copy(demo: Demo, tmp_path: Path) -> Path:
-    """A folder of the demo project that the test may change."""
-    return Path(shutil.copytree(demo.project.folder, tmp_path / "harbour", ignore=OF_A_WINDOW))
+    """A copy of the demo project's folder, which the test may change."""
+    return Path(
+        shutil.copytree(demo.project.folder, tmp_path / "harbour", ignore=FILES_OF_OPEN_WINDOWS)
+    )
 
 
 @pytest.fixture
@@ -88,7 +90,7 @@ def driver(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]
 
 @pytest.fixture
 def real(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]:
-    """An empty window that draws."""
+    """An empty window with a real viewport."""
     if qapp.platformName() == "offscreen":
         pytest.skip("OpenGL needs a screen, if only a virtual one")
     from lispac.gui.viewport.vtk_viewport import VtkViewport
@@ -101,7 +103,7 @@ def real(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]:
 
 @pytest.fixture
 def hands(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Hands]:
-    """The program with an empty window that draws and asks."""
+    """The program with an empty window, a real viewport and real dialogs."""
     if qapp.platformName() == "offscreen":
         pytest.skip("OpenGL needs a screen, if only a virtual one")
     from lispac.gui.viewport.lazy_viewport import LazyViewport
@@ -114,7 +116,7 @@ def hands(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Hands]:
 
 @pytest.fixture
 def opened(driver: Driver, demo: Demo) -> Driver:
-    """The demo survey with nothing picked."""
+    """The demo survey without targets."""
     driver.window.document.open(demo.project, demo.survey)
     driver.rest()
     return driver
@@ -130,7 +132,7 @@ def picked(driver: Driver, demo: Demo) -> Driver:
 
 @pytest.fixture
 def adjusted(driver: Driver, demo: Demo, estimated: Project) -> Driver:
-    """The demo survey with its boresight."""
+    """The demo survey with its estimated boresight."""
     driver.window.document.open(estimated, demo.survey)
     driver.rest()
     return driver
@@ -138,7 +140,7 @@ def adjusted(driver: Driver, demo: Demo, estimated: Project) -> Driver:
 
 @pytest.fixture
 def dialog(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[ImportDialog]:
-    """An empty import dialogue that leaves nothing behind."""
+    """An empty import dialog, closed after the test."""
     theme.apply_theme(qapp)
     made = ImportDialog(AppSettings(tmp_path / "settings.ini"))
     made.show()
@@ -155,7 +157,7 @@ def dialog(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[ImportD
 
 @pytest.fixture
 def filled(dialog: ImportDialog, qtbot: QtBot, demo: Demo) -> ImportDialog:
-    """The demo survey's files, dropped and looked into."""
+    """An import dialog with the examined files of the demo survey."""
     drop(dialog, raw(demo))
     rest(qtbot, dialog)
     return dialog
@@ -163,13 +165,13 @@ def filled(dialog: ImportDialog, qtbot: QtBot, demo: Demo) -> ImportDialog:
 
 @pytest.fixture
 def design(driver: Driver) -> DesignWindow:
-    """The workspace of a site, opened by its keys."""
+    """The site design window, opened by its shortcut."""
     return opened_by_keys(driver)
 
 
 @pytest.fixture
 def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]:
-    """A program with a light window."""
+    """A session of the program with a window in the light theme."""
     settings = AppSettings(tmp_path / "settings.ini")
     settings.language, settings.theme = "en", "light"
     made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())

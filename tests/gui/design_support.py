@@ -1,4 +1,4 @@
-"""The workspace of a site in the tests: what is shown, and how it is dragged and typed into."""
+"""Helpers of the tests of the site design window: reading values, dragging, typing."""
 
 import time
 
@@ -16,7 +16,7 @@ NoModifier = Qt.KeyboardModifier.NoModifier
 
 
 def opened_by_keys(driver: Driver) -> DesignWindow:
-    """The workspace; it closes with the window."""
+    """Open the design window by its shortcut; it closes with the main window."""
     driver.bot.keyClick(driver.window, Key.Key_D, Control | Shift)
     window = driver.window.site_design.window
     assert window is not None
@@ -29,7 +29,7 @@ def plan(design: DesignWindow):
 
 
 def wait_for_plan(design: DesignWindow) -> None:
-    """Wait until the numbers are those of the plan."""
+    """Wait until the predicted values are those of the current plan."""
     began = time.monotonic()
     while design.results.predictor.is_out_of_date:
         QApplication.processEvents()
@@ -46,13 +46,13 @@ def predicted(design: DesignWindow) -> list[float]:
 
 
 def drag(driver: Driver, view, start: QPointF, stop: QPointF, modifier=NoModifier) -> list[str]:
-    """Drag as a mouse does; what the sigma of roll was on the way."""
+    """Drag with the mouse; return the sigmas of roll during the drag."""
     design = driver.window.site_design.window
     first, last = start.toPoint(), stop.toPoint()
     seen = []
     driver.bot.mousePress(view, Left, pos=first)
     for share in (0.3, 0.7, 1.0):
-        # QTest's own move carries no button.
+        # QTest.mouseMove sends no pressed button.
         at = QPointF(first + (last - first) * share)
         event = mouse_move(view, at, modifier)
         QApplication.sendEvent(view, event)
@@ -79,7 +79,7 @@ def middle_of(view, k: int) -> QPointF:
 
 
 def type_cell(driver: Driver, table, row: int, column: int, text: str) -> QLineEdit:
-    """Type into a cell; the editor stays open."""
+    """Type into a cell and leave the editor open."""
     table.setFocus()
     table.setCurrentCell(row, column)
     driver.bot.keyClick(table, Key.Key_F2)

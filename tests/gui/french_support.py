@@ -1,4 +1,4 @@
-"""What a window shows, widget by widget, and what of it is English."""
+"""Collect the texts of a window, and find those that are English."""
 
 import re
 from collections.abc import Iterator
@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 
 from tests.french_catalogue import FRENCH
 
-SAID = {*FRENCH.values()}
+FRENCH_TEXTS = {*FRENCH.values()}
 _PIECE = re.compile(r"(\n|<br>|</?(?:p|h\d|ul|ol|li|table|tr|td|th)\b[^>]*>)")
 _TAG = re.compile(r"<[^>]*>|&nbsp;|\S*/\S+")
 """Tags and paths."""
@@ -33,23 +33,23 @@ _ROLES = (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole)
 
 
 def english(top: QWidget) -> set[str]:
-    """Texts of a window that are English: those of the catalogue, and those with English words."""
+    """Return the English texts of a window: untranslated ones and those with English words."""
     found = set()
     for text in texts(top):
         for piece in pieces(text):
-            known = piece in FRENCH and piece not in SAID
+            known = piece in FRENCH and piece not in FRENCH_TEXTS
             if known or _ENGLISH.search(_TAG.sub(" ", piece)):
                 found.add(text)
     return found
 
 
 def pieces(text: str) -> list[str]:
-    """Lines, paragraphs and cells of a text."""
+    """Return the lines, paragraphs and cells of a text."""
     return [bare for piece in _PIECE.split(text)[::2] if (bare := piece.strip(" "))]
 
 
 def texts(top: QWidget) -> Iterator[str]:
-    """Every text of a window and of what is in it, shown at the moment or not."""
+    """Return all texts of a window and its children, visible or not."""
     for action in top.findChildren(QAction):
         yield from (action.text(), action.iconText(), action.toolTip(), action.statusTip())
     for widget in (top, *top.findChildren(QWidget)):

@@ -1,4 +1,4 @@
-"""The import dialogue in tests: files dropped as the window system does it."""
+"""Helpers of the tests of the import dialog: files dropped as by the window system."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -15,7 +15,7 @@ from tests.gui.support import WAIT_MS, Demo
 
 
 def drop(widget: QWidget, paths: Sequence[Path]) -> None:
-    """What the window system sends when files are dropped."""
+    """Send the events of files dropped on a widget."""
     mime = QMimeData()
     mime.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
     actions, buttons = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton
@@ -30,7 +30,7 @@ def drop(widget: QWidget, paths: Sequence[Path]) -> None:
 
 
 def rest(bot: QtBot, dialog: ImportDialog) -> None:
-    """Wait until every file has been looked into."""
+    """Wait until every file has been examined."""
     QCoreApplication.processEvents()
     bot.waitUntil(lambda: not dialog.work.busy, timeout=WAIT_MS)
     QCoreApplication.processEvents()

@@ -1,9 +1,9 @@
-"""A program whose user renames two targets and saves nothing; it is there to be killed.
+"""A program in which a user renames two targets without saving, to be killed by a test.
 
-    python -m tests.gui.killed FOLDER HOME
+python -m tests.gui.killed FOLDER HOME
 
-opens the project in FOLDER and works in it by mouse and keys, with its settings in HOME. Where
-nobody kills it, it ends by itself.
+opens the project in FOLDER and edits it by mouse and keys, with the settings in HOME. If it is not
+killed, it ends by itself.
 """
 
 import os
@@ -25,11 +25,11 @@ from tests.gui.support import click
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 LIMIT_S = 120.0
-"""To start and to work, on busy processors."""
+"""Limit for start and edits on busy processors."""
 
 
 def killed_after_editing(folder: Path) -> None:
-    """Let a program edit a project, and kill it as soon as the last edit is written down."""
+    """Let a program edit a project, and kill it as soon as the last edit is saved."""
     home = folder.parent / "killed"
     home.mkdir()
     told = home / "told.txt"
@@ -52,19 +52,19 @@ def killed_after_editing(folder: Path) -> None:
 
 
 def _kept(folder: Path) -> bool:
-    """Whether both edits are on the disk."""
+    """Test whether both edits are on the disk."""
     found = read_unsaved(folder)
     names = {target.name for target in found.targets} if found is not None else set()
     return names >= {"North wall", "South wall"}
 
 
 def main() -> None:
-    """Open, rename two targets, and wait."""
+    """Open the project, rename two targets and wait."""
     folder, home = (Path(each) for each in sys.argv[1:])
     qt_api.set_qt_api("pyside6")
     application = QApplication(sys.argv[:1])
     QTimer.singleShot(round(LIMIT_S * 1000), application.quit)
-    hands = Hands(QtBot(None), VtkViewport, home)  # of no test: it closes nothing
+    hands = Hands(QtBot(None), VtkViewport, home)  # without a test, so it closes nothing
     open_by_keys(hands, folder)
     click(hands, hands.window.workflow.headers[1])
     rename(hands, 0, "North wall")
@@ -78,4 +78,4 @@ if __name__ == "__main__":
     except BaseException:
         traceback.print_exc()
         sys.stderr.flush()
-        os._exit(1)  # at once: the window's threads would wait for an end that nobody gives them
+        os._exit(1)  # exit immediately: threads of the open window would wait forever

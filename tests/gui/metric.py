@@ -1,4 +1,4 @@
-"""What a window says in metres, centimetres or millimetres, wherever it says it."""
+"""Find texts of a window in metric units."""
 
 import re
 from collections.abc import Iterator
@@ -30,7 +30,7 @@ Role = Qt.ItemDataRole
 
 
 def metric_words(window: QWidget) -> dict[str, set[str]]:
-    """By the name of the widget or action: texts with a metric unit."""
+    """Return texts with a metric unit by the name of their widget or action."""
     found: dict[str, set[str]] = {}
     for name, text in _texts(window):
         if METRIC.search(re.sub(r"<[^>]*>|&nbsp;", " ", text)):
@@ -84,7 +84,7 @@ def _of_table(table: QTableView) -> Iterator[str]:
 
 
 def _name(thing: QWidget | QAction) -> str:
-    """Its own, or that of the first around it that has one."""
+    """Return the name of an object or of its nearest named parent."""
     while thing is not None and not thing.objectName():
         thing = thing.parent()
     return "" if thing is None else thing.objectName()

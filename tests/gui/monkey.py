@@ -1,11 +1,11 @@
-"""A monkey at the window: for a while it does by mouse and keys whatever can be done there.
+"""Random user: operates whatever it finds in the window by mouse and keys for some time.
 
-    python -m tests.gui.monkey PROJECT FOLDER --seconds 60 --seed 1
+python -m tests.gui.monkey PROJECT FOLDER --seconds 60 --seed 1
 
-The program runs as it does for a user, with its own dialogues, but in FOLDER, which is its home
-and the only place it is led to; PROJECT is copied there. What the monkey saw goes to
-FOLDER/seen.json, what it did to FOLDER/did.txt as it does it. The same seed makes the same choices
-on the same screen, but work beside the window ends when it ends, so two runs part sooner or later.
+The program runs with its own dialogs, but its home is FOLDER, where PROJECT is copied and all named
+files are. Results are written to FOLDER/seen.json, actions to FOLDER/did.txt. The same seed makes
+the same choices on the same screen, but runs differ because background work ends at different
+times.
 """
 
 import argparse
@@ -38,31 +38,31 @@ from tests.report_sample import sample_content, sample_project
 
 STEP_MS = 12
 STALL_MS = 200.0
-PATIENCE_S = 0.25
-HANGS_S = 150.0
-"""After so long without an event the process ends itself, with where every thread was."""
-NEVER_PX = 100_000
-SAME = 100
-"""So often in turn, and what it does leads nowhere."""
+ACTION_LIMIT_S = 0.25
+HANG_LIMIT_S = 150.0
+"""After this time without an event, the process prints all stacks and exits."""
+DRAG_DISTANCE_PX = 100_000
+MAX_REPETITIONS = 100
+"""Consecutive repetitions of one action that are recorded as an error."""
 DEMO = "harbour"
 
 
 @dataclass
 class Seen:
-    """What a run led to; all but the counts should be empty.
+    """Findings of a run; all but the counts should be empty.
 
     Attributes
     ----------
-    exceptions : tracebacks of what nobody foresaw, with what was done before
-    refusals : how often the program said no in its own words
-    warnings : of Qt, each with how often it came
+    exceptions : tracebacks of unexpected errors, with the preceding actions
+    refusals : expected refusals of the program with their counts
+    warnings : warnings of Qt with their counts
     stalls : pauses with more than 200 ms of computing by the window's thread
-    computing_ms : of each of them
-    drawn : other pauses over 200 ms: VTK drew, or others had the processors
-    renewed : pauses in which a window was made in place of another
-    memory_mb, widgets : before and after, the program standing alike
-    course_mb : memory while it played and no work ran, every ten seconds or as soon as that was
-    left : threads and windows after the end
+    computing_ms : computing time of each stall
+    drawn : other pauses over 200 ms, by drawing of VTK or lack of a processor
+    renewed : pauses in which a window was replaced by another
+    memory_mb, widgets : values before and after, in the same state of the program
+    course_mb : memory every ten seconds or as soon as no work is active
+    left : threads and windows that remain at the end
     """
 
     done: Counter[str] = field(default_factory=Counter)
@@ -81,7 +81,7 @@ class Seen:
 
 
 class Records(logging.Handler):
-    """What the program writes down as an error."""
+    """Log handler that sorts the errors and warnings of the program."""
 
     def __init__(self, monkey: "Monkey") -> None:
         super().__init__(logging.WARNING)
@@ -106,15 +106,15 @@ class Records(logging.Handler):
 
 
 class Links(QObject):
-    """Takes what would start another program."""
+    """URL handler that opens no other program."""
 
     @Slot(QUrl)
     def follow(self, _url: QUrl) -> None:
-        """Go nowhere."""
+        """Ignore the link."""
 
 
 class Monkey(QObject):
-    """Does something every few milliseconds, also while a dialogue waits."""
+    """Act every few milliseconds, also while a dialog is open."""
 
     def __init__(self, session: Any, folder: Path, seed: int, draws: Draws) -> None:
         super().__init__()
@@ -138,7 +138,7 @@ class Monkey(QObject):
         self._diary.write(f"!!! {text}\n")
 
     def note_pauses(self) -> None:
-        """Sort the pauses there were since the last look."""
+        """Sort the pauses since the last call."""
         pauses = self.pulse.pauses
         for pause in pauses[self._told :]:
             text = f"{pause}\n      after: {' | '.join(list(self._lately)[-4:])}"
@@ -157,7 +157,7 @@ class Monkey(QObject):
     # -- what it does ----------------------------------------------------------------------------
 
     def play(self, seconds: float) -> None:
-        """Do this and that for a while, then bring everything to rest."""
+        """Act for some time, then end all work and dialogs."""
         self._until = time.monotonic() + seconds
         self._weighed = 0.0
         self.ending = False
@@ -168,9 +168,9 @@ class Monkey(QObject):
             time.sleep(0.001)
 
     def _tick(self) -> None:
-        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        faulthandler.dump_traceback_later(HANG_LIMIT_S, exit=True)
         self.note_pauses()
-        # What a search takes in passing, gigabytes about a target of 45 m, is no growth
+        # Temporary memory of a search (gigabytes for a target of 45 m) is not a leak.
         if time.monotonic() > self._weighed + 10 and not self._works():
             self._weighed = time.monotonic()
             self.seen.course_mb.append(round(resident_mb(), 1))
@@ -181,18 +181,18 @@ class Monkey(QObject):
         QTimer.singleShot(STEP_MS, self._tick)
         doing = self._doing
         if doing is not None and doing.gi_running:  # type: ignore[attr-defined]
-            # Within a click; where that has opened a dialogue or a menu, it is their turn
-            if time.monotonic() - self._since < PATIENCE_S:
+            # During a click; if it has opened a dialog or a menu, act there.
+            if time.monotonic() - self._since < ACTION_LIMIT_S:
                 return
             doing = None
             window = QApplication.activeWindow()
             if len(self._hands.front()) > 0 and not self._waits() and window is not None:
-                doing = self._hands.press(window, "Escape")  # a text is being dragged
+                doing = self._hands.press(window, "Escape")  # during a drag of text
         self._since = time.monotonic()
         if doing is None or self.ending:
             doing = self._doing = self._end() if self.ending else self._hands.doing()
             if doing is None:
-                if not self.session.window.isVisible():  # it was closed: the next one comes
+                if not self.session.window.isVisible():  # closed: continue with the next action
                     closed = self.session.window
                     self.session.window = self.session._made(None)
                     closed.deleteLater()
@@ -212,18 +212,18 @@ class Monkey(QObject):
             self._inside -= 1
         if first and self._hands.did and not self.ending:
             self._again = self._again + 1 if self._hands.did in list(self._lately)[-1:] else 0
-            if self._again == SAME:
-                self.caught(f"{SAME} times the same")
+            if self._again == MAX_REPETITIONS:
+                self.caught(f"{MAX_REPETITIONS} times the same")
             self._lately.append(self._hands.did)
             self.seen.done[self._hands.did.split(" ")[0]] += 1
             self._diary.write(f"{self._hands.did}\n")
 
     def _end(self) -> Iterator[None]:
-        """Leave dialogues by Escape, or by any of their buttons, and stop what runs."""
+        """Close dialogs by Escape or by any of their buttons, and cancel work."""
         front = QApplication.activePopupWidget() or QApplication.activeModalWidget()
         if front is None:
             for runner in self._runners():
-                if runner.busy:  # what is quiet would only be begun again
+                if runner.busy:  # quiet work would only start again
                     runner.cancel()
             yield
             return
@@ -242,21 +242,21 @@ class Monkey(QObject):
 
     @staticmethod
     def _waits() -> bool:
-        """Whether a menu or a dialogue is open."""
+        """Test whether a menu or a dialog is open."""
         return bool(QApplication.activePopupWidget() or QApplication.activeModalWidget())
 
     def _rests(self) -> bool:
-        """Whether the time is over, no dialogue waits and no work runs that a user sees."""
+        """Test whether time is over, no dialog is open and no visible work is active."""
         return (
             self.ending and not self._waits() and not any(runner.busy for runner in self._runners())
         )
 
     def _works(self) -> bool:
-        """Whether any work runs or waits."""
+        """Test whether any work is active or queued."""
         return any(runner.active for runner in self._runners())
 
     def rest(self) -> None:
-        """Let what runs come to its end."""
+        """Wait until active work has ended."""
         until = time.monotonic() + 120
         while time.monotonic() < until:
             QCoreApplication.processEvents()
@@ -265,8 +265,8 @@ class Monkey(QObject):
                 break
 
     def stand(self, project: Path) -> None:
-        """Bring the program to where memory is compared: a project, estimated and validated."""
-        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        """Open a project, estimate and validate: the state in which memory is compared."""
+        faulthandler.dump_traceback_later(HANG_LIMIT_S, exit=True)
         window = self.session.window
         if (design := window.site_design.window) is not None:
             design.hide()
@@ -288,7 +288,7 @@ class Monkey(QObject):
 
 
 def main() -> int:
-    """Play, and write down what was seen."""
+    """Run the monkey and write the results."""
     parser = argparse.ArgumentParser()
     parser.add_argument("project", type=Path)
     parser.add_argument("folder", type=Path)
@@ -301,7 +301,7 @@ def main() -> int:
         each.mkdir(parents=True)
     project = folder / DEMO
     shutil.copytree(wanted.project, project)
-    # The monkey may open and save "away"; memory is compared with a project that it cannot reach
+    # The monkey may change "away"; memory is compared with a project out of its reach.
     for each in (folder / "away", home / "compared"):
         shutil.copytree(wanted.project, each)
     os.environ["HOME"] = str(home)
@@ -312,8 +312,8 @@ def main() -> int:
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     application = QApplication(sys.argv[:1])
     application.setQuitOnLastWindowClosed(False)
-    # A drag of text, or of a file in a dialogue, ends with the real mouse, which the monkey has not
-    application.setStartDragDistance(NEVER_PX)
+    # Drags of text or files end with the real mouse, which the monkey does not control.
+    application.setStartDragDistance(DRAG_DISTANCE_PX)
     links = Links()
     for scheme in ("file", "http", "https"):
         QDesktopServices.setUrlHandler(scheme, links, "follow")
@@ -332,8 +332,8 @@ def main() -> int:
     logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()
     monkey = Monkey(session, folder, wanted.seed, draws)
-    # The first report takes a quarter of a gigabyte for good, fonts and what typst keeps, the next
-    # ones nothing: where it came late, it looked like growth
+    # The first report allocates 250 MB permanently (fonts and caches of typst). It is written
+    # before the measurement, so that it does not look like a leak.
     write_pdf(sample_content(sample_project(home / "sample")), home / "sample.pdf", {})
     for logger in (LOG, logging.getLogger("py.warnings")):
         logger.addHandler(Records(monkey))
@@ -358,15 +358,15 @@ def main() -> int:
 
 
 def wait(ms: int) -> None:
-    """Let the program run; `QTest.qWait` keeps the interpreter to itself, and workers starve."""
+    """Process events for some time without blocking worker threads, unlike `QTest.qWait`."""
     loop = QEventLoop()
     QTimer.singleShot(ms, loop.quit)
     loop.exec()
 
 
 def end(monkey: Monkey) -> None:
-    """Close the window as a user does, and look what is left."""
-    faulthandler.dump_traceback_later(HANGS_S, exit=True)
+    """Close the window as a user does, and record what remains."""
+    faulthandler.dump_traceback_later(HANG_LIMIT_S, exit=True)
     window = monkey.session.window
     letting_go = QTimer(interval=200)
     letting_go.timeout.connect(_discard)

@@ -1,7 +1,7 @@
-"""What the monkey does to what it sees: mouse and keys through the window system's own way.
+"""Actions of the monkey by mouse and keys, through events of the window system.
 
-Each doing is a generator that stops after every event, so that the program gets its turn between
-two of them as it does between two of a hand's. Files are named in the folder it is given only.
+Each action is a generator that pauses after every event, so that the program handles events between
+them as with a real user. Only files of the given folder are named.
 """
 
 import random
@@ -51,12 +51,12 @@ KEYS = (
 
 
 class Hands:
-    """Chooses something that can be seen and does something to it.
+    """Choose a visible object and act on it.
 
     Parameters
     ----------
     chance : random.Random
-    folder : the only one whose files it names
+    folder : the only folder whose files are named
     """
 
     def __init__(self, chance: random.Random, folder: Path) -> None:
@@ -67,7 +67,7 @@ class Hands:
 
     @staticmethod
     def front() -> list[QWidget]:
-        """The windows that take mouse and keys now."""
+        """Return the windows that receive mouse and keys now."""
         popup, modal = QApplication.activePopupWidget(), QApplication.activeModalWidget()
         if popup is not None or modal is not None:
             return [popup or modal]
@@ -78,7 +78,7 @@ class Hands:
         ]
 
     def doing(self) -> Doing | None:
-        """Something to do with what is seen now; None where nothing is."""
+        """Return an action on a visible object, or None."""
         front = self.front()
         if not front:
             return None
@@ -102,7 +102,7 @@ class Hands:
         return self._something(window)
 
     def _something(self, window: QWidget) -> Doing:
-        """Of all kinds of things that are there one, and of that kind one."""
+        """Choose a kind among those present, then an object of this kind."""
         by_kind: dict[type, list[QWidget]] = {}
         for widget in window.findChildren(QWidget):
             if widget.isVisible() and widget.isEnabled() and widget.window() is window:
@@ -181,7 +181,7 @@ class Hands:
         QCoreApplication.sendEvent(widget, event)
 
     def press(self, window: QWidget, keys: str) -> Doing:
-        """Press a key, with others held."""
+        """Press a key with modifiers."""
         self._record(f"key {keys}", window)
         handle = window.windowHandle()
         *held, name = keys.split("+")
@@ -198,7 +198,7 @@ class Hands:
         yield
 
     def _type(self, widget: QWidget, text: str) -> Doing:
-        """By keys, into what has the focus."""
+        """Type a text into the focused widget."""
         for letter in text:
             handle = widget.window().windowHandle()
             if handle is None or not widget.isVisible():
@@ -303,7 +303,7 @@ class Hands:
         )
 
     def _draw(self, canvas: QWidget, seen: QRect) -> Doing:
-        """On what shows the lines, a plan or a diagram."""
+        """Act on a view of lines, a plan or a diagram."""
         self._record("canvas", canvas)
         spot, draw = self._within(seen), self.chance.random()
         if draw < 0.35:
@@ -331,7 +331,7 @@ class Hands:
     # -- files -----------------------------------------------------------------------------------
 
     def files(self) -> list[Path]:
-        """What it may drop and open."""
+        """Return the files to drop and open."""
         return sorted(
             path
             for path in self._folder.rglob("*")
@@ -339,7 +339,7 @@ class Hands:
         )
 
     def _name_a_file(self, dialog: QFileDialog) -> Doing:
-        """Answer by a name in the folder, known or new, or not at all."""
+        """Type an existing or new name of a file in the folder, or cancel."""
         opening = dialog.acceptMode() == QFileDialog.AcceptMode.AcceptOpen
         draw = self.chance.random()
         name = dialog.findChild(QLineEdit, "fileNameEdit")

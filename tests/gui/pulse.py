@@ -1,7 +1,7 @@
-"""The pulse of a window: how long its thread does nothing else, and what it does then.
+"""Measure how long the thread of a window does not handle events, and what it does then.
 
-A timer beats on the window's thread. Where it is late, a thread beside it takes down where the
-window's thread is, so that a pause names its cause.
+A timer fires on the thread of the window. When it is late, a second thread records the stack of the
+first, which shows the cause of the pause.
 """
 
 import os
@@ -16,23 +16,23 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, QTimer
 
-BEAT_MS = 10
-LOOK_S = 0.025
-DEPTH = 7
-"""Frames kept of each look, the innermost first."""
+INTERVAL_MS = 10
+SAMPLING_INTERVAL_S = 0.025
+STACK_DEPTH = 7
+"""Number of frames kept of each stack sample, innermost first."""
 
 
 @dataclass
 class Pause:
-    """The window's thread did not come back to its event loop.
+    """A pause in which the window's thread did not return to its event loop.
 
     Attributes
     ----------
-    took : ms by the clock
-    drawing : ms of them in which VTK drew; long where software does the work of a graphics card
-    waiting : ms besides in which the thread could have run, but others had the processors
-    computing : ms of processor time the thread used for anything but drawing
-    places : where the thread was, as often as it was seen there
+    took : total time, ms
+    drawing : part in which VTK drew, ms; long with software rendering
+    waiting : other part in which the thread was ready but had no processor, ms
+    computing : processor time of the thread except for drawing, ms
+    places : sampled positions of the thread with their counts
     """
 
     took: float
@@ -50,14 +50,14 @@ class Pause:
 
 
 class Pulse(QObject):
-    """Beats from `start` to `stop`, on the thread it was made on.
+    """Measure pauses of the thread on which it was created, between `start` and `stop`.
 
     Parameters
     ----------
     limit : float, ms
-        Pauses longer than this are remembered.
+        Longer pauses are recorded.
     draws : Draws
-        What VTK has drawn so far.
+        Drawing times of VTK.
     """
 
     def __init__(self, limit: float, draws: "Draws", parent: QObject | None = None) -> None:
@@ -72,28 +72,28 @@ class Pulse(QObject):
         self._looks: list[tuple[float, str]] = []
         self._ended = threading.Event()
         self._watcher = threading.Thread(target=self._watch, name="pulse", daemon=True)
-        self._timer = QTimer(self, interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
+        self._timer = QTimer(self, interval=INTERVAL_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._beat)
 
     def start(self) -> None:
-        """Begin to beat."""
+        """Start measuring."""
         self.forget()
         self._timer.start()
         self._watcher.start()
 
     def stop(self) -> None:
-        """End; the thread beside ends, too."""
+        """Stop measuring and end the sampling thread."""
         self._timer.stop()
         self._ended.set()
         self._watcher.join()
 
     def forget(self) -> None:
-        """Begin anew."""
+        """Discard all measurements."""
         self.pauses, self.longest, self.beats = [], 0.0, 0
         self._last = self._now()
 
     def skip(self) -> None:
-        """What was since the last beat does not count."""
+        """Ignore the time since the last event of the timer."""
         self._last = self._now()
 
     def _now(self) -> tuple[float, float, float, float]:
@@ -117,14 +117,14 @@ class Pulse(QObject):
         self._looks = []
 
     def _watch(self) -> None:
-        while not self._ended.wait(LOOK_S):
+        while not self._ended.wait(SAMPLING_INTERVAL_S):
             at = time.perf_counter()
             if 1000 * (at - self._last[0]) > self.limit / 2:
                 self._looks.append((at, _place(sys._current_frames().get(self._thread))))
 
 
 class Draws:
-    """Seconds that VTK has drawn; in how many of them the thread computed, or had no processor."""
+    """Total time of drawing by VTK, with its computing and waiting parts, seconds."""
 
     def __init__(self) -> None:
         self.seconds, self.computing, self.waiting = 0.0, 0.0, 0.0
@@ -132,11 +132,11 @@ class Draws:
         self._began = (0.0, 0.0, 0.0)
 
     def begin(self) -> None:
-        """A frame begins."""
+        """Start the time of a frame."""
         self._began = (time.perf_counter(), *self._clock())
 
     def end(self) -> None:
-        """It is drawn."""
+        """Add the time of the drawn frame."""
         computing, waiting = self._clock()
         self.seconds += time.perf_counter() - self._began[0]
         self.computing += computing - self._began[1]
@@ -144,7 +144,7 @@ class Draws:
 
 
 def timed_viewport(draws: Draws) -> type:
-    """A viewport whose drawing is counted."""
+    """Return a viewport class that records its drawing times."""
     from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     class Timed(VtkViewport):
@@ -163,14 +163,16 @@ def _place(frame: object) -> str:
     if frame is None:
         return "gone"
     stack = traceback.extract_stack(frame)  # type: ignore[arg-type]
-    ours = [k for k, each in enumerate(stack[:-DEPTH]) if "lispac" in Path(each.filename).parts]
-    shown = [*(stack[k] for k in ours[-1:]), *stack[-DEPTH:]]
+    ours = [
+        k for k, each in enumerate(stack[:-STACK_DEPTH]) if "lispac" in Path(each.filename).parts
+    ]
+    shown = [*(stack[k] for k in ours[-1:]), *stack[-STACK_DEPTH:]]
     told = [f"{Path(each.filename).name}:{each.lineno} {each.name}" for each in shown]
     return " < ".join(reversed(told))
 
 
 def processor_clock() -> Callable[[], tuple[float, float]]:
-    """Seconds this thread has computed, and has waited for a processor; the second on Linux."""
+    """Return a function for computing and waiting time of this thread (waiting on Linux only)."""
     try:
         file = os.open(f"/proc/self/task/{threading.get_native_id()}/schedstat", os.O_RDONLY)
     except OSError:
@@ -184,7 +186,7 @@ def processor_clock() -> Callable[[], tuple[float, float]]:
 
 
 def resident_mb() -> float:
-    """Megabytes of memory of this process that are in use now; 0 where nobody tells."""
+    """Return the resident memory of this process in megabytes, or 0 if unknown."""
     try:
         pages = int(Path("/proc/self/statm").read_text().split()[1])
     except OSError:

@@ -1,7 +1,7 @@
-"""A reader of the manual, who does by mouse and keys what a page says, to the letter.
+"""Follow the steps of a page of the manual literally, by mouse and keys.
 
-What a step starts may open a dialogue that waits, so each is begun by the event loop and the next
-one by a timer, as a hand would do both.
+A step may open a dialog and block, so each step starts from the event loop and the next from a
+timer.
 """
 
 import re
@@ -35,9 +35,9 @@ from PySide6.QtWidgets import (
 from lispac.gui.window.main_window import MainWindow
 from tests.tutorial_steps import Step
 
-BEAT_MS = 30
-PATIENCE_S, PATIENCE_WITH_WORK_S = 20.0, 150.0
-"""For what a page names to be there, and for what it has started to end."""
+INTERVAL_MS = 30
+TIMEOUT_S, TIMEOUT_WITH_WORK_S = 20.0, 150.0
+"""Limits for a named object to appear, and for started work to end."""
 CTRL_CLICK = ("Ctrl+click", "Ctrl+clic")
 KEYS = {"Entrée": "Return", "Enter": "Return"}
 """Keys that are called otherwise in French."""
@@ -46,15 +46,15 @@ Act = Callable[[], None]
 
 
 class Lost(AssertionError):
-    """The page names something that is not there."""
+    """Error: the page names something that does not exist."""
 
 
 class Reader(QObject):
-    """Follows steps in a window until they are done or one cannot be.
+    """Follow steps in a window until the last one or a failure.
 
     Parameters
     ----------
-    look : is given the widget in front and the picture's path where the page has a picture
+    look : called with the front window and the path of each picture of the page
     """
 
     def __init__(
@@ -67,12 +67,12 @@ class Reader(QObject):
         self.done = False
         self._course = self._through(steps)
         self._begun = 0
-        self._timer = QTimer(self, interval=BEAT_MS)
+        self._timer = QTimer(self, interval=INTERVAL_MS)
         self._timer.timeout.connect(self._beat)
         self._timer.start()
 
     def follow(self) -> None:
-        """Go through all steps.
+        """Do all steps.
 
         Raises
         ------
@@ -101,7 +101,9 @@ class Reader(QObject):
                 QTimer.singleShot(0, lambda: self._do(act))
 
     def _do(self, act: Act) -> None:
-        self._begun -= 1  # before: it may open a dialogue and come back when that is closed
+        self._begun -= (
+            1  # first, since the call may open a dialog and return only when it is closed
+        )
         try:
             act()
         except BaseException as error:
@@ -138,18 +140,18 @@ class Reader(QObject):
         yield from self._rest()
 
     def _rest(self) -> Iterator[None]:
-        """Until nothing is computed that somebody waits for."""
+        """Wait until no visible work is active."""
         yield None
         yield from self._until(
             lambda: not (self._window.runner.active or self._window.document.awaits_result),
             "waits for work without end",
-            PATIENCE_WITH_WORK_S,
+            TIMEOUT_WITH_WORK_S,
         )
 
     def _until(
         self, there: Callable[[], object], complaint: str, patience: float | None = None
     ) -> Iterator[None]:
-        end = time.monotonic() + (patience or PATIENCE_S)
+        end = time.monotonic() + (patience or TIMEOUT_S)
         while not there():
             if time.monotonic() > end:
                 assert self.at is not None
@@ -160,7 +162,7 @@ class Reader(QObject):
 
     @property
     def front(self) -> QWidget:
-        """The window that takes mouse and keys."""
+        """Return the window that receives mouse and keys."""
         return QApplication.activeModalWidget() or self._window
 
     def _all(self, kind: type) -> list:
@@ -184,7 +186,7 @@ class Reader(QObject):
         return any(text in widget.windowTitle() for widget in self._all(QDockWidget))
 
     def _called(self, text: str) -> list[tuple[QWidget, QPoint]]:
-        """Whatever has a name, and where it is clicked."""
+        """Return the object of a name and the place to click."""
         popup = QApplication.activePopupWidget()
         if popup is not None:
             return [place for view in popup.findChildren(QListView) for place in _rows(view, text)]
@@ -221,7 +223,7 @@ class Reader(QObject):
             raise Lost(f"{text!r} is out of sight")
         yield lambda: QTest.mouseClick(widget, Left, Qt.KeyboardModifier.NoModifier, place)
         if isinstance(widget, QComboBox):
-            for _ in range(30):  # Qt takes a click soon after for the second of a double click
+            for _ in range(30):  # Qt would treat a click soon afterwards as a double click.
                 yield None
 
     def _choose(self, names: list[str]) -> Iterator[Act | None]:
@@ -256,7 +258,7 @@ class Reader(QObject):
         sequence = QKeySequence(KEYS.get(keys, keys))[0]
         key, held = sequence.key(), sequence.keyboardModifiers()
         front = self.front
-        # Files are named in the line of their dialogue, and keys go to where one types
+        # File names are typed into the line of the dialog, other keys into the focused widget.
         target = front if front is self._window else (front.focusWidget() or front)
         yield lambda: QTest.keyClick(target, key, held)
 
@@ -284,13 +286,13 @@ class Reader(QObject):
 
 
 def _plain(widget: QWidget) -> str:
-    """Its text without mnemonics, tags and different kinds of blanks."""
+    """Return the text of a widget without mnemonics and tags, with ordinary spaces."""
     text = widget.text().replace("&&", "\0").replace("&", "").replace("\0", "&")
     return " ".join(re.sub(r"<[^>]+>", " ", text).split())
 
 
 def _rows(view: QListView, text: str) -> list[tuple[QWidget, QPoint]]:
-    """Entries of an open list that have a text."""
+    """Return the entries of an open list with a text."""
     model = view.model()
     entries = [model.index(row, 0) for row in range(model.rowCount())]
     return [
@@ -299,7 +301,7 @@ def _rows(view: QListView, text: str) -> list[tuple[QWidget, QPoint]]:
 
 
 def _field_of(label: QLabel) -> QWidget | None:
-    """The field that a form has beside a label."""
+    """Return the field beside a label of a form."""
     for form in label.parentWidget().findChildren(QFormLayout):
         row, role = form.getWidgetPosition(label)
         if row >= 0 and role == QFormLayout.ItemRole.LabelRole:
@@ -312,5 +314,5 @@ def _field_of(label: QLabel) -> QWidget | None:
 
 
 def picture_file(page: Path, name: str) -> Path:
-    """Where a picture of a page is kept."""
+    """Return the path of a picture of a page."""
     return page.parent / name

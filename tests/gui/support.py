@@ -1,4 +1,4 @@
-"""The window of the tests: answers instead of dialogues, and a driver that leaves nothing."""
+"""Test driver of the main window, with scripted answers instead of dialogs."""
 
 import threading
 from collections.abc import Sequence
@@ -29,7 +29,7 @@ Control = Qt.KeyboardModifier.ControlModifier
 
 
 class ScriptedDialogs(Dialogs):
-    """Answers by itself and remembers what it was told."""
+    """Dialogs with scripted answers that record their calls."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -136,7 +136,7 @@ class ScriptedDialogs(Dialogs):
 
 @dataclass(frozen=True)
 class Demo:
-    """The demo survey: as made, and with targets and a validation plane picked."""
+    """The demo survey: as created, and with targets and a validation plane."""
 
     project: Project
     picked: Project
@@ -144,7 +144,7 @@ class Demo:
 
 
 class Driver:
-    """A window, and how a test drives and leaves it."""
+    """A window with the helpers that drive and close it."""
 
     def __init__(
         self, qtbot: QtBot, viewport: Viewport, folder: Path, dialogs: Dialogs | None = None
@@ -158,12 +158,12 @@ class Driver:
 
     @property
     def project(self) -> Project:
-        """The project in the window."""
+        """Return the project of the window."""
         assert self.window.document.project is not None
         return self.window.document.project
 
     def rest(self) -> None:
-        """Wait until no work is left, and all that follows from it is drawn."""
+        """Wait until no work is active and everything is drawn."""
         QCoreApplication.processEvents()
         self.bot.waitUntil(lambda: not self.window.runner.active, timeout=WAIT_MS)
         self.bot.waitUntil(lambda: not self._turns, timeout=WAIT_MS)
@@ -173,7 +173,7 @@ class Driver:
         return [turn for turn in self.window.findChildren(IdleTask) if turn.isActive()]
 
     def leave(self) -> None:
-        """Close the window and see that nothing of it is left."""
+        """Close the window and check that nothing of it remains."""
         self.dialogs.answer = "discard"
         assert self.window.close()
         assert self.window.runner.current is None
@@ -185,9 +185,9 @@ class Driver:
 
 
 def labels_that_guess(window: QWidget) -> list[str]:
-    """Labels with a text that decide by it whether it is HTML: the name of a file may look so.
+    """Return labels that detect HTML in a text that may be the name of a file.
 
-    Those of forms are words of the program; tooltips are escaped where they are set.
+    Labels of forms have fixed texts; tooltips are escaped where they are set.
     """
     heads = {
         item.widget().text()
@@ -206,9 +206,10 @@ def labels_that_guess(window: QWidget) -> list[str]:
 
 
 def in_front(window: QWidget) -> bool:
-    """Whether keys go to a window; asks for it again where they do not, as no window manager does.
+    """Test whether a window receives keys, and request it again if not.
 
-    What is asked of the window system while it is busy with another window is lost.
+    The window system may lose a request while it handles another window, and a virtual screen has
+    no window manager.
     """
     if not window.isActiveWindow():
         window.activateWindow()
@@ -226,7 +227,7 @@ def click(driver: Driver, widget: QWidget) -> None:
 
 
 def double_click(driver: Driver, table: QTableView, row: int, column: int = 0) -> None:
-    """Two clicks and a double click, as a mouse makes them."""
+    """Double-click a cell with the events of a mouse."""
     table.scrollTo(table.model().index(row, column))
     place = table.visualRect(table.model().index(row, column)).center()
     driver.bot.mouseClick(table.viewport(), Left, pos=place)
@@ -234,7 +235,7 @@ def double_click(driver: Driver, table: QTableView, row: int, column: int = 0) -
 
 
 def type_into(driver: Driver, field: QWidget, text: str) -> None:
-    """Replace what stands in a field by keys."""
+    """Replace the text of a field with keys."""
     field.setFocus()
     field.selectAll()
     driver.bot.keyClick(field, Key.Key_Delete)
@@ -242,20 +243,20 @@ def type_into(driver: Driver, field: QWidget, text: str) -> None:
 
 
 def wait_until_idle(driver: Driver) -> None:
-    """Wait for what follows from a click by itself."""
+    """Wait until the automatic consequences of a click are done."""
     driver.bot.waitUntil(lambda: not driver.window.document.awaits_result, timeout=WAIT_MS)
     driver.rest()
     driver.bot.waitUntil(lambda: driver.window.scene.is_drawn, timeout=WAIT_MS)
 
 
 def click_check(driver: Driver, table: QTableView, index: QModelIndex) -> None:
-    """Click the check box of a cell: its leftmost ten pixels."""
+    """Click the check box of a cell (its leftmost ten pixels)."""
     place = table.visualRect(index)
     driver.bot.mouseClick(table.viewport(), Left, pos=QPoint(place.left() + 10, place.center().y()))
 
 
 def seed(driver: Driver, name: str, role: Role | None = None) -> None:
-    """What a Ctrl+click on the middle of a plane of the demo does."""
+    """Set a seed as Ctrl+click on the middle of a plane of the demo does."""
     usual, position = demo_seeds()[name]
     driver.window.targets.set_role(role or usual)
     first = driver.window.document.survey.lines[0]
@@ -264,7 +265,7 @@ def seed(driver: Driver, name: str, role: Role | None = None) -> None:
 
 
 def estimate(driver: Driver) -> None:
-    """Adjust without the cross-checks, which take most of the time."""
+    """Adjust without cross-checks, which take most of the time."""
     driver.window.adjust.cross_check.setChecked(False)
     press(driver, Key.Key_F9)
     driver.rest()

@@ -137,7 +137,7 @@ def _bare(text: str) -> str:
 def test_a_page_that_names_what_is_not_there_fails(
     program: MainWindow, step: Step, complaint: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tests.gui.reader.PATIENCE_S", 0.5)
+    monkeypatch.setattr("tests.gui.reader.TIMEOUT_S", 0.5)
     with pytest.raises(Lost, match=complaint) as refused:
         Reader(program, [step], lambda _front, _picture: None).follow()
     assert "at line 3 of the page" in refused.value.__notes__[0]
