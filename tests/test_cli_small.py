@@ -358,7 +358,7 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
 
 
 @pytest.mark.usefixtures("loaded")
-def test_nothing_to_warn_of_is_reported(
+def test_an_empty_list_says_that_there_are_no_warnings(
     capsys: pytest.CaptureFixture[str], project: Project,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip

@@ -1,6 +1,6 @@
 """A program in which a user renames two targets without saving, to be killed by a test.
 
-python -m tests.gui.killed FOLDER HOME
+    python -m tests.gui.killed FOLDER HOME
 
 opens the project in FOLDER and edits it by mouse and keys, with the settings in HOME. If it is not
 killed, it ends by itself.

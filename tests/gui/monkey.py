@@ -1,6 +1,6 @@
 """Random user: operates whatever it finds in the window by mouse and keys for some time.
 
-python -m tests.gui.monkey PROJECT FOLDER --seconds 60 --seed 1
+    python -m tests.gui.monkey PROJECT FOLDER --seconds 60 --seed 1
 
 The program runs with its own dialogs, but its home is FOLDER, where PROJECT is copied and all named
 files are. Results are written to FOLDER/seen.json, actions to FOLDER/did.txt. The same seed makes
@@ -192,7 +192,7 @@ class Monkey(QObject):
         if doing is None or self.ending:
             doing = self._doing = self._end() if self.ending else self._hands.doing()
             if doing is None:
-                if not self.session.window.isVisible():  # closed: continue with the next action
+                if not self.session.window.isVisible():  # closed: open another window
                     closed = self.session.window
                     self.session.window = self.session._made(None)
                     closed.deleteLater()

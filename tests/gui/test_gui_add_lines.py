@@ -1,4 +1,4 @@
-"""Lines added to the open project: dropped on the window or asked for, and taken back again."""
+"""Tests of adding lines to the open project, by dropping files or by the menu, and of undo."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -23,7 +23,7 @@ from tests.message_codes import is_shown
 
 @pytest.fixture
 def shorter(demo: Demo, demo_copy: Path) -> Project:
-    """The demo survey picked on four of its six lines, saved."""
+    """The demo project with four of its six lines, saved."""
     lines = demo.picked.lines[:4]
     names = {line.name for line in lines}
     targets = tuple(
@@ -37,18 +37,18 @@ def shorter(demo: Demo, demo_copy: Path) -> Project:
 
 @pytest.fixture
 def short(driver: Driver, shorter: Project) -> Driver:
-    """A window with that project."""
+    """A window with this project."""
     driver.window.open_project(shorter.folder)
     driver.rest()
     assert driver.dialogs.errors == []
     return driver
 
 
-MOST_LOOKS = 600
+MAX_POLLS = 600
 
 
-class Real(Dialogs):
-    """The real dialogues, driven by a timer: the question first, then the import dialogue."""
+class RealDialogs(Dialogs):
+    """The real dialogs, driven by a timer: first the question, then the import dialog."""
 
     def __init__(self, driver: Driver, answer: str, drive: Callable[[AddLinesDialog], None]):
         super().__init__()
@@ -69,7 +69,7 @@ class Real(Dialogs):
         if shown is None:
             return
         self.theme_box += 1
-        if self.theme_box > MOST_LOOKS:  # nothing the test expects; do not wait for ever
+        if self.theme_box > MAX_POLLS:  # not expected by the test: do not wait forever
             shown.reject()
         elif isinstance(shown, QMessageBox):
             self.seen.append(shown.text())
@@ -79,7 +79,7 @@ class Real(Dialogs):
             self.drive(shown)
 
 
-def test_files_dropped_on_an_open_project_are_added_to_it(
+def test_files_dropped_on_an_open_project_are_added(
     short: Driver, demo: Demo, shorter: Project
 ) -> None:
     new = [line.path for line in demo.project.lines[4:]]
@@ -95,7 +95,7 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
         ]  # fmt: skip
         QTest.mouseClick(dialog.ok, Left)
 
-    dialogs = Real(short, "Add to harbour", drive)
+    dialogs = RealDialogs(short, "Add to harbour", drive)
     drop(short.window, new)
     short.bot.waitUntil(lambda: len(short.project.lines) == 6, timeout=WAIT_MS)
     short.rest()
@@ -124,7 +124,7 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
     assert len(open_project(shorter.folder).lines) == 6
 
 
-def test_what_cannot_be_added_is_reported_in_the_dialogue(
+def test_files_that_cannot_be_added_are_reported_in_the_dialog(
     short: Driver, shorter: Project, tmp_path: Path
 ) -> None:
     late = shifted(shorter.lines[1].path, tmp_path / "late.laz", 90_000.0)
@@ -135,7 +135,7 @@ def test_what_cannot_be_added_is_reported_in_the_dialogue(
         assert not dialog.ok.isEnabled()
         short.bot.mouseClick(dialog.buttons.button(QDialogButtonBox.StandardButton.Cancel), Left)
 
-    Real(short, "Add to harbour", drive)
+    RealDialogs(short, "Add to harbour", drive)
     drop(short.window, [shorter.lines[0].path])
     short.bot.waitUntil(lambda: len(told) == 1, timeout=WAIT_MS)
     drop(short.window, [late])
@@ -153,7 +153,7 @@ def test_what_cannot_be_added_is_reported_in_the_dialogue(
 
 
 @pytest.mark.parametrize(("answer", "asked"), [("cancel", False), ("new", True)])
-def test_dropped_files_may_also_be_a_new_project(short: Driver, demo: Demo, answer, asked) -> None:
+def test_dropped_files_can_become_a_new_project(short: Driver, demo: Demo, answer, asked) -> None:
     short.dialogs.about_dropped = answer
     line = demo.project.lines[5].path
     drop(short.window, [line])
@@ -163,7 +163,7 @@ def test_dropped_files_may_also_be_a_new_project(short: Driver, demo: Demo, answ
     assert len(short.project.lines) == 4
 
 
-def test_a_line_that_cannot_be_read_leaves_project_and_folder_as_they_are(
+def test_an_unreadable_line_changes_neither_project_nor_folder(
     shorter: Project, tmp_path: Path
 ) -> None:
     kept = shorter.folder / "lines" / "notes.txt"

@@ -1,4 +1,4 @@
-"""Step 3: what is chosen there, what it refuses, and what follows from a tick in the table."""
+"""Tests of step 3: settings, refusals, and the adjustment after a change of a check box."""
 
 from dataclasses import replace
 
@@ -34,12 +34,12 @@ from tests.message_codes import codes, is_shown
 
 @pytest.fixture
 def estimated(estimated: Project) -> Project:
-    """Without cross-checks, so that none follow from a tick: `test_gui_diagnostics` has them."""
+    """Without cross-checks, so that none follow a check box (see `test_gui_diagnostics`)."""
     return replace(estimated, cross_checks=None)
 
 
 def unfold(driver: Driver, fold: FoldableGroup) -> None:
-    """Open a group, in a panel whose rows are scrolled to where they are needed."""
+    """Expand a group of a panel that scrolls."""
     open_step(driver, 2)
     click(driver, fold.head)
     assert fold.body.isVisible()
@@ -58,7 +58,7 @@ def tick(driver: Driver, row: int, column: int) -> None:
 # -- what is typed -------------------------------------------------------------------------------
 
 
-def test_a_wrong_number_is_caught_while_it_is_typed(picked: Driver):
+def test_an_invalid_number_is_reported_while_it_is_typed(picked: Driver):
     panel = picked.window.adjust
     unfold(picked, panel.also)
     switch, sigma = panel.parameters.switches["lever_x"], panel.parameters.sigmas["lever_x"]
@@ -85,7 +85,7 @@ def test_a_wrong_number_is_caught_while_it_is_typed(picked: Driver):
     assert picked.project.settings.parameters == ()
 
 
-def test_the_sentence_of_the_settings_is_shown(picked: Driver):
+def test_settings_are_described_in_a_sentence(picked: Driver):
     panel = picked.window.adjust
     unfold(picked, panel.advanced)
     type_into(picked, panel.model.position_time.lineEdit(), "0")
@@ -103,7 +103,7 @@ def test_the_sentence_of_the_settings_is_shown(picked: Driver):
     assert "times too small" in panel.model_sentence.text()
 
 
-def test_what_is_chosen_goes_into_the_project_with_the_result_as_one_step(picked: Driver):
+def test_settings_and_result_are_one_undo_step(picked: Driver):
     panel, before = picked.window.adjust, picked.project
     clouds = dict(picked.window.document.survey.clouds)
     unfold(picked, panel.also)
@@ -132,7 +132,7 @@ def test_what_is_chosen_goes_into_the_project_with_the_result_as_one_step(picked
     )
     (found,) = picked.project.result.parameters
     assert found.prior == pytest.approx(0.02)
-    assert abs(found.value) < 4 * found.sigma  # the simulator put none in
+    assert abs(found.value) < 4 * found.sigma  # the simulated survey has none
     assert picked.project.cross_checks is None
     line = before.lines[0].name
     now = picked.window.document.survey.clouds[line].sample
@@ -146,7 +146,7 @@ def test_what_is_chosen_goes_into_the_project_with_the_result_as_one_step(picked
     assert not panel.parameters.switches["range_offset"].isChecked()
 
 
-def test_the_sentence_on_times_keeps_its_lines(picked: Driver):
+def test_the_text_about_correlation_times_keeps_its_lines(picked: Driver):
     picked.window.resize(1366, 768)
     panel = picked.window.adjust
     unfold(picked, panel.advanced)
@@ -157,9 +157,7 @@ def test_the_sentence_on_times_keeps_its_lines(picked: Driver):
         assert times.height() >= times.heightForWidth(times.width())
 
 
-def test_the_point_count_is_that_of_the_result_where_there_is_one(
-    driver: Driver, demo: Demo, estimated: Project
-):
+def test_the_point_count_is_that_of_the_result(driver: Driver, demo: Demo, estimated: Project):
     driver.window.document.open(estimated, demo.survey)
     open_step(driver, 2)
     driver.rest()
@@ -171,7 +169,7 @@ def test_the_point_count_is_that_of_the_result_where_there_is_one(
     assert panel.count.text() == "All points are used: <b>1 point</b> in 1 sighting."
 
 
-def test_a_lever_arm_typed_wrong_is_found(picked: Driver):
+def test_a_wrongly_typed_lever_arm_is_detected(picked: Driver):
     truth = picked.project.settings.lever_arm
     open_step(picked, 0)
     type_into(picked, picked.window.data.lever_arm.fields[0].lineEdit(), f"{truth[0] + 0.06:.4f}")
@@ -189,7 +187,7 @@ def test_a_lever_arm_typed_wrong_is_found(picked: Driver):
     assert "significant" in shown
 
 
-def test_the_classical_model_keeps_its_warning(picked: Driver):
+def test_classical_model_keeps_its_warning(picked: Driver):
     open_step(picked, 2)
     click(picked, picked.window.adjust.findChild(QWidget, "model_independent"))
     estimate(picked)
@@ -198,10 +196,10 @@ def test_the_classical_model_keeps_its_warning(picked: Driver):
     assert picked.window.results.warnings.isVisible()
 
 
-# -- a found plane that waits, and errors --------------------------------------------------------
+# -- pending candidate, errors -------------------------------------------------------------------
 
 
-def test_estimate_asks_about_a_plane_that_is_not_accepted(opened: Driver, demo: Demo):
+def test_estimate_asks_about_a_pending_candidate(opened: Driver, demo: Demo):
     opened.window.document.edit("picks", demo.project.with_target(demo.picked.target("T1")))
     seed(opened, "T2")
     press(opened, Key.Key_F9)
@@ -213,7 +211,7 @@ def test_estimate_asks_about_a_plane_that_is_not_accepted(opened: Driver, demo: 
     assert {s.sighting.target for s in opened.project.result.sightings} == {"T1", "T2"}
 
 
-def test_nothing_is_shown_as_running_behind_an_error(picked: Driver):
+def test_no_progress_is_shown_behind_an_error(picked: Driver):
     shown = []
     bar = picked.window.task_bar.text
     picked.window.runner.failed.connect(lambda error: shown.append((str(error), bar.isVisible())))
@@ -227,10 +225,10 @@ def test_nothing_is_shown_as_running_behind_an_error(picked: Driver):
     assert shown == [("the file is short", False)]
 
 
-# -- what follows from a tick --------------------------------------------------------------------
+# -- changes of check boxes ----------------------------------------------------------------------
 
 
-def test_a_tick_estimates_again_and_undo_takes_both_back(picked: Driver):
+def test_a_check_box_estimates_again_and_undo_reverts_both(picked: Driver):
     estimate(picked)
     first, whole = picked.project, angles(picked)
     assert picked.window.scene.which == "estimated"
@@ -275,7 +273,7 @@ def test_a_tick_estimates_again_and_undo_takes_both_back(picked: Driver):
     assert (angles(picked) == less).all()
 
 
-def test_a_whole_line_and_a_project_opened_with_its_result(
+def test_a_whole_line_is_excluded_in_a_project_opened_with_its_result(
     driver: Driver, demo: Demo, estimated: Project
 ):
     driver.window.document.open(estimated, demo.survey)
@@ -294,9 +292,7 @@ def test_a_whole_line_and_a_project_opened_with_its_result(
     assert driver.window.actions_["undo"].text() == f"&Undo inclusion of line {line}"
 
 
-def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(
-    driver: Driver, demo: Demo, estimated: Project
-):
+def test_too_few_sightings_are_refused_in_the_panel(driver: Driver, demo: Demo, estimated: Project):
     driver.window.document.open(estimated, demo.survey)
     driver.rest()
     for column in range(2, 7):
@@ -320,9 +316,7 @@ def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(
     driver.window.runner.cancel()
 
 
-def test_a_single_board_is_refused_until_that_is_accepted(
-    driver: Driver, demo: Demo, estimated: Project
-):
+def test_a_single_board_is_refused_until_accepted(driver: Driver, demo: Demo, estimated: Project):
     driver.window.document.open(estimated, demo.survey)
     driver.rest()
     tick(driver, 1, 0)
@@ -348,7 +342,9 @@ def test_a_single_board_is_refused_until_that_is_accepted(
     assert not model.one_facing.isChecked()
 
 
-def test_what_follows_can_be_cancelled(driver: Driver, demo: Demo, estimated: Project):
+def test_the_adjustment_after_a_check_box_can_be_cancelled(
+    driver: Driver, demo: Demo, estimated: Project
+):
     driver.window.document.open(estimated, demo.survey)
     driver.rest()
     tick(driver, 0, 2)
@@ -361,7 +357,7 @@ def test_what_follows_can_be_cancelled(driver: Driver, demo: Demo, estimated: Pr
     assert driver.dialogs.errors == []
 
 
-def test_an_unforeseen_failure_is_reported_once(
+def test_an_unexpected_error_is_reported_once(
     driver: Driver, demo: Demo, estimated: Project, monkeypatch: pytest.MonkeyPatch
 ):
     def fails(*_arguments, **_named):
@@ -377,7 +373,9 @@ def test_an_unforeseen_failure_is_reported_once(
     assert "failed. Press Estimate" in driver.window.results.refusal.text()
 
 
-def test_a_pick_after_an_estimate_waits_for_the_button(picked: Driver, estimated: Project):
+def test_a_pick_after_an_estimate_does_not_estimate_automatically(
+    picked: Driver, estimated: Project
+):
     picked.window.document.edit("estimate", estimated)
     picked.window.controller.remove("T2")
     assert not picked.window.document.awaits_result
@@ -386,7 +384,7 @@ def test_a_pick_after_an_estimate_waits_for_the_button(picked: Driver, estimated
     assert picked.window.results.findChild(QWidget, "results_empty").text() == EMPTY
 
 
-def test_a_steep_pitch_is_shown_as_a_matrix_and_by_the_axes(
+def test_a_steep_pitch_is_shown_as_a_matrix_and_directions_of_axes(
     driver: Driver, demo: Demo, estimated: Project
 ):
     driver.window.document.open(estimated, demo.survey)

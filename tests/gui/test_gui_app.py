@@ -1,4 +1,4 @@
-"""What the system asks of the running program."""
+"""Tests of requests of the operating system to the running program."""
 
 import os
 import subprocess
@@ -10,7 +10,7 @@ import pytest
 from lispac.gui.features.open_project.import_survey.import_dialog import survey_file_filters
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 
-ASKED = """
+FILE_OPEN_SCRIPT = """
 import sys
 from pathlib import Path
 
@@ -28,17 +28,17 @@ assert asked == [Path(sys.argv[1])], asked
 """
 
 
-def test_a_document_that_the_system_asks_for_is_reported(tmp_path: Path) -> None:
-    """A double click starts no second program on macOS: the one that runs is told."""
+def test_a_document_opened_by_the_system_is_forwarded(tmp_path: Path) -> None:
+    """On macOS a double click sends an event to the running program."""
     done = subprocess.run(
-        [sys.executable, "-c", ASKED, str(tmp_path / "project.lispac")],
+        [sys.executable, "-c", FILE_OPEN_SCRIPT, str(tmp_path / "project.lispac")],
         capture_output=True, text=True, check=False, timeout=120,
         env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
 
 
-def test_the_dialogue_shows_the_files_of_every_format() -> None:
+def test_the_file_dialog_shows_the_files_of_every_format() -> None:
     shown, everything = survey_file_filters().split(";;")
     patterns = shown[shown.index("(") + 1 : -1].split(" ")
     assert len(patterns) == len(set(patterns))
@@ -47,7 +47,7 @@ def test_the_dialogue_shows_the_files_of_every_format() -> None:
     assert everything.endswith(" (*)")
 
 
-WINDOW = """
+WINDOW_SCRIPT = """
 import sys
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QMainWindow
@@ -69,13 +69,13 @@ sys.exit(program.main([]))
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the variables are those of Linux")
-def test_the_window_says_that_the_home_directory_cannot_be_written(tmp_path: Path) -> None:
+def test_a_read_only_home_directory_is_reported(tmp_path: Path) -> None:
     own = ("NUMBA_CACHE_DIR", "MPLCONFIGDIR", "XDG_CACHE_HOME", "XDG_CONFIG_HOME")
     variables = {name: value for name, value in os.environ.items() if name not in own}
     home = tmp_path / "missing"
     variables |= {"HOME": str(home), "TMPDIR": str(tmp_path), "QT_QPA_PLATFORM": "offscreen"}
     done = subprocess.run(
-        [sys.executable, "-c", WINDOW],
+        [sys.executable, "-c", WINDOW_SCRIPT],
         capture_output=True, text=True, check=False, timeout=60, env=variables,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr

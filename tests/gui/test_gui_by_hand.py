@@ -1,6 +1,6 @@
-"""The program used by mouse and keyboard alone, with its own dialogues and graphics.
+"""Tests of the program with real dialogs and graphics, by mouse and keyboard alone.
 
-Each way ends with what is on the disk, and a picture of the window that is not blank.
+Each test ends with checks of the files and of a picture that is not blank.
 """
 
 from pathlib import Path
@@ -32,11 +32,11 @@ from tests.gui.killed import killed_after_editing
 from tests.gui.support import Control, Demo, Key, Left, click, press
 
 NOTCHES = 12
-"""Of the wheel, until a plane of the demo fills the view."""
+"""Notches of the wheel until a plane of the demo fills the view."""
 
 
 def spot(hands: Hands, name: str) -> QPoint:
-    """Bring a plane of the demo into view with the wheel over it: where it is drawn."""
+    """Zoom to a plane of the demo with the wheel; return the pixel where it is drawn."""
     role, position = demo_seeds()[name]
     press(hands, Key.Key_F6 if role == "target" else Key.Key_F7)
     press(hands, Key.Key_3)
@@ -59,12 +59,12 @@ def spot(hands: Hands, name: str) -> QPoint:
 
 
 def names(folder: Path) -> list[str]:
-    """Of the targets on the disk."""
+    """Return the names of the saved targets."""
     return [target.name for target in open_project(folder).targets]
 
 
-def test_an_unforeseen_error_is_rejected_and_reported(qtbot: QtBot, qapp: QApplication) -> None:
-    """Also where it comes of the answer to another, whose loop of events waits for it."""
+def test_an_unexpected_error_is_rejected_and_reported(qtbot: QtBot, qapp: QApplication) -> None:
+    """It may be caused by the answer to another dialog, whose event loop waits for it."""
     answers, below, above = Answers(), QMessageBox(), QMessageBox()
     below.setText("What now?")
     above.setText("The disk is full.")
@@ -112,7 +112,7 @@ def test_files_dropped_on_the_start_page_become_a_project(
     shows_something(hands, tmp_path / "imported.png")
 
 
-def test_pick_undo_redo_rename_estimate_cancel_estimate(
+def test_pick_undo_rename_estimate_and_cancel(
     hands: Hands, demo_copy: Path, tmp_path: Path
 ) -> None:
     window = hands.window
@@ -152,7 +152,7 @@ def test_pick_undo_redo_rename_estimate_cancel_estimate(
     "button",
     ["Save", *(pytest.param(b, marks=pytest.mark.long) for b in ("Cancel", "Do not save"))],
 )
-def test_closing_with_unsaved_changes(
+def test_closing_with_unsaved_changes_asks(
     hands: Hands, picked_folder: Path, button: str, tmp_path: Path
 ) -> None:
     open_by_keys(hands, picked_folder)
@@ -170,13 +170,13 @@ def test_closing_with_unsaved_changes(
 
 
 @pytest.mark.parametrize("button", ["Restore", pytest.param("Discard", marks=pytest.mark.long)])
-def test_after_a_crash_the_work_is_offered(
+def test_unsaved_work_is_offered_after_a_crash(
     hands: Hands, picked_folder: Path, button: str, tmp_path: Path
 ) -> None:
     before = names(picked_folder)
     killed_after_editing(picked_folder)
     assert names(picked_folder) == before
-    # What the program looks at when the same user starts it again
+    # The folder searched at the next start of the same user
     hands.settings.last_project = AppSettings(
         picked_folder.parent / "killed" / SETTINGS
     ).last_project

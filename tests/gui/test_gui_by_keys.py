@@ -1,4 +1,4 @@
-"""The whole way by keys alone: no pointer, no slot, no widget given the focus by the test."""
+"""Test of the whole workflow by keys alone, without setting the focus in the test."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -16,28 +16,28 @@ from lispac.workflow.project.projects import open_project
 from tests.gui.by_hand import Hands, name_project
 from tests.gui.support import Control, Key, press
 
-MOST = 60
-"""More than there are stops in the window."""
+MAX_TABS = 60
+"""More than the number of tab stops of the window."""
 Settled = Callable[[], bool]
 
 
 @pytest.fixture
 def hands(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Hands]:
-    """The program with its own dialogues; the view records, for nobody looks at it here."""
+    """The program with its own dialogs and a recording viewport."""
     made = Hands(qtbot, RecordingViewport, tmp_path)
     yield made
     made.leave()
 
 
 def strike(hands: Hands, *keys: Qt.Key) -> None:
-    """Keys to whatever has the focus."""
+    """Send keys to the focused widget."""
     for key in keys:
         hands.bot.keyClick(QApplication.focusWidget(), key)
 
 
 def tab_to(hands: Hands, name: str) -> QWidget:
-    """Tab until a widget has the focus, which has to be in sight then."""
-    for _ in range(MOST):
+    """Press Tab until a widget has the focus, and check that it is visible."""
+    for _ in range(MAX_TABS):
         focused = QApplication.focusWidget()
         if focused.objectName() == name:
             assert not focused.visibleRegion().isEmpty()
@@ -56,7 +56,7 @@ def open_from_start_page(hands: Hands, folder: Path) -> None:
 
 
 def type_seed(hands: Hands, name: str, end: Callable[[QDialog], None]) -> None:
-    """F3, and the coordinates of a plane, a field after the other."""
+    """Press F3 and type the coordinates of a plane into the fields."""
 
     def act(dialog: SeedCoordinatesDialog) -> bool:
         for value in demo_seeds()[name][1]:
@@ -72,13 +72,13 @@ def type_seed(hands: Hands, name: str, end: Callable[[QDialog], None]) -> None:
 
 
 def find(hands: Hands, name: str) -> None:
-    """Let the plane at a seed be found, and see that it is offered."""
+    """Search the plane at a seed, and check that a candidate is offered."""
     type_seed(hands, name, lambda dialog: hands.bot.keyClick(dialog, Key.Key_Return))
     assert hands.window.controller.candidate is not None
 
 
 def rename_last(hands: Hands, to: str) -> None:
-    """F2 on the last row of the targets, which stays selected under its new name."""
+    """Rename the last target with F2, and check that it stays selected."""
     tab_to(hands, "targets_table")
     strike(hands, Key.Key_End, Key.Key_Home, *[Key.Key_Down] * (len(hands.project.targets) - 1))
     strike(hands, Key.Key_F2)
@@ -89,7 +89,7 @@ def rename_last(hands: Hands, to: str) -> None:
     assert QApplication.focusWidget() is hands.window.targets.table
 
 
-def test_from_the_start_page_to_the_saved_calibration(hands: Hands, demo_copy: Path) -> None:
+def test_calibration_from_the_start_page_by_keys(hands: Hands, demo_copy: Path) -> None:
     window = hands.window
     hands.until(lambda: QApplication.focusWidget() is not None)
     open_from_start_page(hands, demo_copy)
@@ -125,8 +125,8 @@ def test_from_the_start_page_to_the_saved_calibration(hands: Hands, demo_copy: P
     assert not window.isWindowModified()
 
 
-def test_enter_does_what_has_the_focus(hands: Hands, demo_copy: Path) -> None:
-    """On "Cancel" and "Reject" it does not do what was to be cancelled."""
+def test_enter_activates_the_focused_button(hands: Hands, demo_copy: Path) -> None:
+    """On "Cancel" and "Reject", it does not trigger the default button."""
     hands.until(lambda: QApplication.focusWidget() is not None)
     open_from_start_page(hands, demo_copy)
 
@@ -147,8 +147,8 @@ def test_enter_does_what_has_the_focus(hands: Hands, demo_copy: Path) -> None:
     assert hands.project.targets == ()
 
 
-def test_a_key_leads_to_each_step(hands: Hands) -> None:
-    """Also where its panel lies behind another, or was closed."""
+def test_each_step_has_a_shortcut(hands: Hands) -> None:
+    """Also if its panel is behind another or closed."""
     window = hands.window
     hands.until(lambda: QApplication.focusWidget() is not None)
     window.docks["Workflow"].close()

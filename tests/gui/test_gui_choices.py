@@ -1,4 +1,4 @@
-"""Fewest points and largest tilt, chosen in step 2 and in the dialogue that finds again."""
+"""Tests of the minimum number of points and largest tilt in step 2 and in the search dialog."""
 
 from dataclasses import replace
 from math import radians
@@ -21,7 +21,7 @@ def field(parent: QWidget, name: str) -> QDoubleSpinBox:
     return parent.findChild(QDoubleSpinBox, name)
 
 
-def test_chosen_for_the_next_seeds_and_reported_when_folded(opened: Driver) -> None:
+def test_choices_apply_to_the_next_seeds_and_are_shown_when_collapsed(opened: Driver) -> None:
     open_step(opened, 1)
     panel = opened.window.targets
     assert not field(panel, "seed_min_points").isVisible()
@@ -42,7 +42,7 @@ def test_chosen_for_the_next_seeds_and_reported_when_folded(opened: Driver) -> N
     assert opened.project.target("T1").choices == chosen
 
 
-def test_found_again_with_other_choices(picked: Driver) -> None:
+def test_a_target_is_found_again_with_other_choices(picked: Driver) -> None:
     open_step(picked, 1)
     before = FinderChoices(max_tilt=radians(12.34), seed=5)
     project = picked.project
@@ -55,7 +55,7 @@ def test_found_again_with_other_choices(picked: Driver) -> None:
 
     def answer(dialog) -> None:
         points = field(dialog, "again_min_points")
-        assert points.isVisible()  # unfolded: something else than the usual was chosen
+        assert points.isVisible()  # expanded, because a value differs from the default
         assert field(dialog, "again_max_tilt").value() == 12.3
         type_into(picked, points, "40")
         picked.bot.mouseClick(dialog.findChild(QPushButton, "again_find"), Left)
@@ -70,9 +70,7 @@ def test_found_again_with_other_choices(picked: Driver) -> None:
     assert picked.project.target("T1").choices == replace(before, min_points=40)
 
 
-def test_the_answer_to_what_was_found_is_in_sight_on_a_low_screen(
-    opened: Driver, demo: Demo
-) -> None:
+def test_candidate_buttons_are_visible_on_a_low_screen(opened: Driver, demo: Demo) -> None:
     window = opened.window
     window.resize(1366, 768 - TITLE_BAR_HEIGHT)
     opened.rest()

@@ -1,4 +1,4 @@
-"""Colours of the points by what was measured at them."""
+"""Tests of colouring points by measured values."""
 
 from types import SimpleNamespace
 
@@ -36,8 +36,8 @@ def test_colours_follow_the_values(demo: Demo) -> None:
 
 
 @pytest.mark.parametrize("scale", SCALES)
-def test_a_scale_is_seen_on_either_ground(demo: Demo, scale: Scale) -> None:
-    """No colour of it comes near to that of the view, bright or dark."""
+def test_a_colour_scale_is_visible_on_both_backgrounds(demo: Demo, scale: Scale) -> None:
+    """No colour of the scale is close to the light or dark background."""
     set_colour_scale(scale)
     try:
         shaded = point_shading("height", demo.survey.clouds)
@@ -45,7 +45,7 @@ def test_a_scale_is_seen_on_either_ground(demo: Demo, scale: Scale) -> None:
         set_colour_scale("viridis")
     assert shaded is not None
     colours = shaded.scale.astype(float)
-    assert len(np.unique(shaded.scale, axis=0)) > 100  # greys have no more between the ends
+    assert len(np.unique(shaded.scale, axis=0)) > 100  # the range of greys allows no more
     for scheme in (LIGHT, DARK):
         for ground in (scheme.ground, scheme.sky):
             away = np.array(QColor(ground).getRgb()[:3], dtype=float)

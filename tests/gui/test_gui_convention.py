@@ -1,4 +1,4 @@
-"""The panel that gives the boresight in another program's convention, by mouse and keys."""
+"""Tests of the panel with the boresight in the conventions of other programs."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ Calibrated = tuple[Project, Survey]
 
 @pytest.fixture
 def panel(qtbot: QtBot, qapp: QApplication) -> ConventionPanel:
-    """The panel alone, with no project."""
+    """The panel alone, without a project."""
     theme.apply_theme(qapp)
     made = ConventionPanel()
     made.resize(400, 1400)
@@ -33,7 +33,7 @@ def panel(qtbot: QtBot, qapp: QApplication) -> ConventionPanel:
 
 
 def go_to(bot: QtBot, box: QComboBox, index: int) -> None:
-    """Choose with the keys of the list."""
+    """Choose an entry of a list with keys."""
     box.setFocus()
     bot.keyClick(box, Key.Key_Home)
     for _ in range(index):
@@ -72,7 +72,7 @@ def heads(panel: ConventionPanel) -> list[str]:
     return [panel.table.horizontalHeaderItem(column).text() for column in range(3)]
 
 
-def test_every_digit_can_be_read_and_copied(qtbot: QtBot, panel: ConventionPanel) -> None:
+def test_all_digits_can_be_read_and_copied(qtbot: QtBot, panel: ConventionPanel) -> None:
     phoenix = [each.key for each in SYSTEMS if each.name.startswith("Phoenix SpatialExplorer 1")]
     choose(qtbot, panel, phoenix[0])
     type_boresight(qtbot, panel, "0.13", "-0.12", "0.28")
@@ -92,7 +92,7 @@ def test_every_digit_can_be_read_and_copied(qtbot: QtBot, panel: ConventionPanel
     assert [float(value) for _, value in copied] == rows(panel)["Assumed angles"]
 
 
-def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) -> None:
+def test_angles_can_be_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "0.13", "-0.12", "0.28")
     type_in(qtbot, panel.inputs.lever_arm.fields[0], "-0.186")
     assert panel.convention.key == "applanix"
@@ -109,7 +109,7 @@ def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) ->
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS])
-def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str) -> None:
+def test_every_convention_shows_its_status_and_assumption(qtbot, panel, key: str) -> None:
     convention = convention_of_key(key)
     type_boresight(qtbot, panel, "0.4", "-1.9", "0.4")
     choose(qtbot, panel, key)
@@ -131,7 +131,7 @@ def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str
     assert panel.imu.isVisible() == convention.open_axes
 
 
-def test_correction_to_what_is_set_there(qtbot: QtBot, panel: ConventionPanel) -> None:
+def test_correction_to_the_present_settings(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "0.125", "-1.192", "0.276")
     assert not panel.current.fields.isVisible()
     qtbot.mouseClick(panel.current.known, Left, pos=QPoint(8, panel.current.known.height() // 2))
@@ -147,12 +147,12 @@ def test_correction_to_what_is_set_there(qtbot: QtBot, panel: ConventionPanel) -
         panel.current.applied, Left, pos=QPoint(8, panel.current.applied.height() // 2)
     )
     assert rows(panel)["New angles"] != [0.125, 1.192, 0.276]
-    # Angles typed for one program are not taken for another's.
+    # Angles typed for one program do not apply to another.
     choose(qtbot, panel, "novatel")
     assert rows(panel)["Current angles"] == [0.0, 0.0, 0.0]
 
 
-def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> None:
+def test_present_settings_can_be_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "0.125", "-1.192", "0.276")
     current = panel.current
     for box in (current.known, current.as_matrix):
@@ -166,7 +166,7 @@ def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> N
     shown = rows(panel)
     assert shown["Current angles"] == [0.1, 1.0, -3.0]
     assert shown["New angles"] == [0.125, 1.192, 0.276]
-    # PDAL has no angles, so a matrix is all there is to give; what was given for another is gone.
+    # PDAL has no angles, so only a matrix can be given; values of other programs are cleared.
     choose(qtbot, panel, "pdal")
     assert current.matrix.isVisible()
     assert not current.as_matrix.isVisible()
@@ -187,7 +187,7 @@ def test_the_lever_arm_of_a_present_4x4_is_shown_and_kept(qtbot, panel: Conventi
     assert told.count("X forward <b>+0.1200</b> m, Y starboard <b>−0.3400</b> m") == 2
     assert message_text(note("convention.lever_arm_kept")) in told
     assert "Correction of the 4x4 matrix" in panel.notes.text()
-    # Typed here, it replaces the present one.
+    # A lever arm typed here replaces the present one.
     type_in(qtbot, panel.inputs.lever_arm.fields[2], "-2.4")
     told = panel.lever.text().replace("&nbsp;", " ")
     assert "Z down <b>+2.4000</b> m" in told
@@ -207,7 +207,7 @@ def test_the_matrix_is_copied_with_all_digits(qtbot: QtBot, panel: ConventionPan
     np.testing.assert_allclose(copied, stated.transform, atol=1e-12)
 
 
-def test_axes_of_an_imu(qtbot: QtBot, panel: ConventionPanel) -> None:
+def test_axes_of_an_imu_are_applied(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "1", "0", "0")
     choose(qtbot, panel, "phoenix")
     assert "Z up" in panel.rules.text()
@@ -227,7 +227,7 @@ def test_axes_of_an_imu(qtbot: QtBot, panel: ConventionPanel) -> None:
     assert "X starboard, Y forward, Z up" in panel.rules.text()
 
 
-def test_scanner_axes_that_cannot_be_kept_are_refused_in_words(qtbot, panel) -> None:
+def test_invalid_scanner_axes_are_refused(qtbot, panel) -> None:
     choose(qtbot, panel, "hypack")
     panel.scanner.setFocus()
     qtbot.keyClick(panel.scanner, Key.Key_Down)
@@ -236,7 +236,7 @@ def test_scanner_axes_that_cannot_be_kept_are_refused_in_words(qtbot, panel) -> 
     assert not panel.table.isVisible()
 
 
-def test_the_gizmo_exaggerates_small_turns_and_says_by_how_much(qtbot, panel) -> None:
+def test_the_gizmo_exaggerates_small_rotations_and_shows_the_factor(qtbot, panel) -> None:
     assert exaggeration_factor(np.zeros(3)) == 1
     assert exaggeration_factor(np.radians([0.0, 0.12, 0.0])) == 200
     assert exaggeration_factor(np.radians([0.0, -1.2, 0.0])) == 20
@@ -248,7 +248,7 @@ def test_the_gizmo_exaggerates_small_turns_and_says_by_how_much(qtbot, panel) ->
     assert np.degrees(np.arcsin(tip[2])) == pytest.approx(24.0), "bow up, twenty times"
 
 
-def test_the_gizmo_turns_with_mouse_and_keys(qtbot: QtBot, qapp: QApplication) -> None:
+def test_the_gizmo_rotates_with_mouse_and_keys(qtbot: QtBot, qapp: QApplication) -> None:
     gizmo = ScannerAxesView()
     qtbot.addWidget(gizmo)
     gizmo.resize(340, 210)
@@ -274,7 +274,7 @@ def test_the_gizmo_turns_with_mouse_and_keys(qtbot: QtBot, qapp: QApplication) -
     assert above > 0
 
 
-def test_the_window_feeds_the_panel(driver: Driver, calibrated: Calibrated) -> None:
+def test_the_panel_shows_the_project_of_the_window(driver: Driver, calibrated: Calibrated) -> None:
     project, survey = calibrated
     window, panel = driver.window, driver.window.convention
     window.docks[TITLE].raise_()
@@ -290,7 +290,7 @@ def test_the_window_feeds_the_panel(driver: Driver, calibrated: Calibrated) -> N
     )
     type_in(driver.bot, panel.inputs.boresight.fields[0], "5")
     assert "± 1 σ" not in rows(panel), "nobody knows the sigma of a typed angle"
-    # An edit that leaves the boresight alone leaves what was typed alone.
+    # An edit that does not change the boresight keeps the typed values.
     validation = project.targets_of_role("validation")[0]
     window.controller.use_target(validation.name, False)
     driver.rest()
@@ -303,7 +303,7 @@ def test_the_window_feeds_the_panel(driver: Driver, calibrated: Calibrated) -> N
     assert "± 1 σ" not in rows(panel)
 
 
-def test_the_panel_shares_its_place_with_the_results(driver: Driver) -> None:
+def test_the_panel_is_tabbed_with_the_results(driver: Driver) -> None:
     window = driver.window
     assert window.tabifiedDockWidgets(window.docks["Results"]) == [window.docks[TITLE]]
     assert window.results.visibleRegion().isEmpty() is False

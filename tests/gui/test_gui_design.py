@@ -1,4 +1,4 @@
-"""The workspace in which a site is designed: mouse, keys and files."""
+"""Tests of the site design window with mouse, keys and files."""
 
 import numpy as np
 import pytest
@@ -26,12 +26,12 @@ from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, press
 from tests.message_codes import is_shown
 
 
-def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
+def test_initial_plan_is_that_of_the_thesis_with_predicted_sigmas(
     driver: Driver, design: DesignWindow
 ) -> None:
     assert len(plan(design).targets) == 2
     assert len(plan(design).lines) == 6
-    # The manual's table: two boards, six lines.
+    # The table of the manual for two boards and six lines
     assert shown(design) == pytest.approx([0.0122, 0.0300, 0.0236], abs=1e-4)
     driver.bot.waitUntil(lambda: "Least precisely determined" in design.results.messages.text())
     assert "pitch" in design.results.messages.text().split(";")[0]
@@ -43,7 +43,7 @@ def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
     assert not design.isWindowModified()
 
 
-def test_a_line_is_dragged_farther_and_roll_gets_better_on_the_way(
+def test_dragging_a_line_away_improves_roll_during_the_drag(
     driver: Driver, design: DesignWindow
 ) -> None:
     view, before = design.plan_view, shown(design)
@@ -65,13 +65,13 @@ def test_a_line_is_dragged_farther_and_roll_gets_better_on_the_way(
 
 
 @pytest.mark.parametrize(("modifier", "whole"), [(NoModifier, True), (Shift, False)])
-def test_the_arrow_of_a_line_turns_it(
+def test_dragging_the_arrow_of_a_line_rotates_it(
     driver: Driver, design: DesignWindow, modifier, whole: bool
 ) -> None:
     view = design.plan_view
     _, tip = view._line_pixels(0, view._line_ends()[0])
     place = view.place(tip)
-    turn = np.radians(-22.0)  # clockwise seen from above is positive
+    turn = np.radians(-22.0)  # positive is clockwise seen from above
     east, north = place
     to = np.array([east * np.cos(turn) + north * np.sin(turn),
                    north * np.cos(turn) - east * np.sin(turn)])  # fmt: skip
@@ -82,7 +82,7 @@ def test_the_arrow_of_a_line_turns_it(
     assert str(design.workspace.history.undo_name) == "Turn line 1"
 
 
-def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
+def test_escape_cancels_a_drag(driver: Driver, design: DesignWindow) -> None:
     view = design.wall_view
     before = design.workspace.titled
     spot = view._target_rect(edits.placed_targets(before)[0]).center()
@@ -106,7 +106,7 @@ def test_a_board_is_dragged_up_the_wall(driver: Driver, design: DesignWindow) ->
     assert shown(design)[1] < before[1], "boards farther apart show pitch better"
 
 
-def test_all_of_it_by_keys(driver: Driver, design: DesignWindow) -> None:
+def test_a_plan_is_edited_by_keys(driver: Driver, design: DesignWindow) -> None:
     view, bot = design.plan_view, driver.bot
     view.setFocus()
     bot.keyClick(view, Key.Key_PageDown)
@@ -145,9 +145,7 @@ def test_all_of_it_by_keys(driver: Driver, design: DesignWindow) -> None:
     assert design.plan_view.grab().width() > 0, "an empty site is drawn too"
 
 
-def test_boards_that_face_one_way_are_refused_in_words(
-    driver: Driver, design: DesignWindow
-) -> None:
+def test_boards_of_a_single_orientation_are_refused(driver: Driver, design: DesignWindow) -> None:
     design.tabs.setCurrentWidget(design.targets)
     editor = type_cell(driver, design.targets.table, 1, 4, "90")
     driver.bot.keyClick(editor, Key.Key_Return)
@@ -155,7 +153,7 @@ def test_boards_that_face_one_way_are_refused_in_words(
     assert design.results.messages.property("role") == "warning"
 
 
-def test_a_mistake_is_reported_while_it_is_typed_and_not_taken(
+def test_an_invalid_value_is_reported_while_typed_and_not_applied(
     driver: Driver, design: DesignWindow
 ) -> None:
     table, before = design.lines.table, design.workspace.titled
@@ -177,7 +175,7 @@ def test_a_mistake_is_reported_while_it_is_typed_and_not_taken(
     assert design.workspace.line == 2
 
 
-def test_the_pos_and_the_stochastic_model(driver: Driver, design: DesignWindow) -> None:
+def test_the_pos_and_the_stochastic_model_are_edited(driver: Driver, design: DesignWindow) -> None:
     design.tabs.setCurrentWidget(design.system)
     system, before = design.system, shown(design)
     assert system.grade.currentText() == "user-defined"
@@ -199,7 +197,7 @@ def test_the_pos_and_the_stochastic_model(driver: Driver, design: DesignWindow) 
     assert shown(design) == predicted(design)
 
 
-def test_a_plan_is_saved_and_read_again_and_asked_about(
+def test_a_plan_is_saved_and_read_and_unsaved_changes_are_asked_about(
     driver: Driver, design: DesignWindow, tmp_path
 ) -> None:
     work, dialogs = design.workspace, driver.dialogs
@@ -237,7 +235,7 @@ def test_a_plan_is_saved_and_read_again_and_asked_about(
     assert plan(design).lines[0].distance == 16.0
 
 
-def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
+def test_a_target_is_added_in_3d_and_moved_off_the_wall(
     driver: Driver, design: DesignWindow
 ) -> None:
     design.views.setCurrentIndex(1)
@@ -269,7 +267,9 @@ def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
     assert "line 6" not in viewport.sketches
 
 
-def test_closing_keeps_the_plan_and_quitting_asks(driver: Driver, design: DesignWindow) -> None:
+def test_closing_the_window_keeps_the_plan_and_quitting_asks(
+    driver: Driver, design: DesignWindow
+) -> None:
     driver.bot.keyClick(design.plan_view, Key.Key_Up)
     driver.bot.keyClick(design, Key.Key_W, Control)
     assert not design.isVisible()
@@ -281,7 +281,9 @@ def test_closing_keeps_the_plan_and_quitting_asks(driver: Driver, design: Design
     assert plan(design).lines[0].distance == 16.0
 
 
-def test_every_field_says_what_it_is(driver: Driver, design: DesignWindow) -> None:
+def test_every_field_has_a_tooltip_and_an_accessible_name(
+    driver: Driver, design: DesignWindow
+) -> None:
     for kind in (QAbstractSpinBox, QComboBox, QLineEdit):
         for field in design.centralWidget().findChildren(kind):
             if field.objectName().startswith("qt_"):
@@ -290,8 +292,8 @@ def test_every_field_says_what_it_is(driver: Driver, design: DesignWindow) -> No
             assert field.accessibleName(), field.objectName()
 
 
-def test_the_wall_turns_with_everything_on_it() -> None:
-    """Sigmas do not depend on where north is, but for the POS errors, which are alike there."""
+def test_rotating_the_wall_rotates_the_whole_plan() -> None:
+    """Sigmas depend on the direction of north only through POS errors, which are equal here."""
     titled = edits.default_plan()
     turned = edits.with_wall_facing(titled, 30.0)
     assert turned.wall.facing_deg == 30.0

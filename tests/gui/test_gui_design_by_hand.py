@@ -1,4 +1,4 @@
-"""The design window of the program itself, which draws, and is made anew where looks change."""
+"""Tests of the site design window of the real program, also when windows are recreated."""
 
 import gc
 from pathlib import Path
@@ -16,14 +16,14 @@ from tests.gui.test_gui_design_surveys import surveyed_once
 
 
 def turn_to(hands: Hands, tabs, page: int) -> None:
-    """Click on a tab."""
+    """Click a tab."""
     bar = tabs.tabBar()
     hands.bot.mouseClick(bar, Left, pos=bar.tabRect(page).center())
     assert tabs.currentIndex() == page
 
 
 def by_menu(hands: Hands, menu: str, *entries: str) -> DesignWindow:
-    """Choose in the main window, and go on in those that come; the hands refuse every question."""
+    """Choose a menu entry of the main window, continue in the next one and refuse all questions."""
     choose(hands.bot, open_menu(hands.bot, hands.window, menu), *entries)
     hands.to_next_window()
     design = hands.window.site_design.window
@@ -34,7 +34,7 @@ def by_menu(hands: Hands, menu: str, *entries: str) -> DesignWindow:
     return design
 
 
-def test_the_site_is_seen_in_3d(hands: Hands) -> None:
+def test_the_site_is_shown_in_3d(hands: Hands) -> None:
     design = opened_by_keys(hands)
     turn_to(hands, design.views, 1)
     view = design.view3d
@@ -84,7 +84,7 @@ def test_a_plan_stays_open_in_another_language_and_theme(hands: Hands, tmp_path:
     assert [each for each in gc.get_objects() if type(each) is DesignWindow] == [dark]
 
 
-def test_answers_about_a_plan_stay(hands: Hands) -> None:
+def test_results_about_a_plan_are_kept(hands: Hands) -> None:
     design = opened_by_keys(hands)
     found = surveyed_once()
     head = gettext_lazy("Simulate surveys")
@@ -97,7 +97,7 @@ def test_answers_about_a_plan_stay(hands: Hands) -> None:
     answer = dark.surveys.result_table
     assert answer.head.text() == str(head)
     assert [row[0] for row in answer.cells[1:]] == [row[0] for row in found.rows]
-    assert answer.outdated.isVisibleTo(dark.surveys)  # of the plan before
+    assert answer.outdated.isVisibleTo(dark.surveys)  # of the previous plan
     assert dark.pictures.which.count() == 1
     turn_to(hands, dark.views, 2)
     figure = dark.pictures.pages.currentWidget().figure
@@ -106,7 +106,7 @@ def test_answers_about_a_plan_stay(hands: Hands) -> None:
     assert "250" in dark.search.message_label.text()
 
 
-def test_a_plan_whose_window_is_closed_stays_too(hands: Hands) -> None:
+def test_a_plan_is_kept_when_its_window_is_closed(hands: Hands) -> None:
     design = opened_by_keys(hands)
     hands.bot.keyClick(design, Key.Key_L, Control)
     edited = design.workspace.titled

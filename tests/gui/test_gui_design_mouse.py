@@ -1,4 +1,4 @@
-"""The mouse in the workspace of a site while the plan changes under it, and in 3D."""
+"""Tests of dragging in the site design window while the plan changes, and in 3D."""
 
 from pathlib import Path
 
@@ -23,7 +23,7 @@ from tests.gui.test_gui_design_work import SITE
 
 
 def searching(driver: Driver, design: DesignWindow, folder: Path) -> None:
-    """A search evaluates 250 plans."""
+    """Start a search that evaluates 250 plans."""
     driver.dialogs.path = folder / "pier.toml"
     driver.dialogs.path.write_text(SITE)
     design.tabs.setCurrentWidget(design.search)
@@ -73,7 +73,7 @@ def test_a_view_that_is_hidden_during_a_drag_ends_the_drag(
     assert design.workspace.titled is before
 
 
-def test_what_is_saved_during_a_drag_is_the_plan_before_it(
+def test_saving_during_a_drag_saves_the_plan_before_it(
     driver: Driver, design: DesignWindow, tmp_path: Path
 ) -> None:
     view, before = design.wall_view, design.workspace.titled
@@ -91,12 +91,12 @@ def test_what_is_saved_during_a_drag_is_the_plan_before_it(
 
 
 def in_3d(real: Driver) -> DesignWindow:
-    """The workspace with its 3D view in front."""
+    """The design window with its 3D view in front."""
     design = opened_by_keys(real)
     real.bot.keyClick(design, Key.Key_0, Control)
     assert design.view3d is not None
     real.bot.wait(400)
-    design.activateWindow()  # graphics came into it, and no window manager gives it back the keys
+    design.activateWindow()  # recreated with OpenGL; no window manager restores the focus
     real.bot.waitUntil(design.isActiveWindow, timeout=WAIT_MS)
     return design
 
@@ -106,7 +106,7 @@ def pixel(design: DesignWindow, place) -> QPoint:
     return QPoint(round(x), round(y))
 
 
-def test_ctrl_click_on_the_bare_wall_adds_a_board(real: Driver) -> None:
+def test_ctrl_click_on_the_wall_adds_a_board(real: Driver) -> None:
     design = in_3d(real)
     viewport, wall = design.view3d.viewport, design.workspace.titled.wall
     for _ in range(2):
@@ -123,9 +123,7 @@ def test_ctrl_click_on_the_bare_wall_adds_a_board(real: Driver) -> None:
     assert plan(design).targets == (), "one click is one step"
 
 
-def test_a_handle_is_dragged_with_the_mouse_until_the_plan_is_another(
-    real: Driver, tmp_path: Path
-) -> None:
+def test_a_drag_of_a_handle_ends_when_the_plan_is_replaced(real: Driver, tmp_path: Path) -> None:
     design = in_3d(real)
     work, viewport = design.workspace, design.view3d.viewport
     before = edits.placed_targets(work.titled)[0]

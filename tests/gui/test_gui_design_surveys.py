@@ -1,4 +1,4 @@
-"""Simulated surveys of a plan, and the survey that was sailed by it, in the workspace of a site."""
+"""Tests of simulated surveys of a plan, and of the comparison with the real survey."""
 
 from multiprocessing import active_children
 from types import SimpleNamespace
@@ -26,15 +26,15 @@ from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
 from tests.message_codes import is_shown
 from tests.test_campaign import PORT
 
-COARSE = 4000.0
-"""Pulses a second: a survey is adjusted in little time."""
+FEW_PULSES = 4000.0
+"""Pulses per second, few so that the adjustment of a survey is fast."""
 
 
 @pytest.fixture
 def coarse(driver: Driver, design: DesignWindow) -> DesignWindow:
-    """The thesis's plan with a slow scanner, and what asks for surveys of it."""
+    """The design window with the plan of the thesis and a scanner of low pulse rate."""
     system = plan(design).system
-    scanner = type(system.scanner)(COARSE)
+    scanner = type(system.scanner)(FEW_PULSES)
     work = design.workspace
     work.start(edits.with_system(work.titled, type(system)(scanner=scanner)))
     driver.bot.keyClick(design, Key.Key_F10)
@@ -44,7 +44,7 @@ def coarse(driver: Driver, design: DesignWindow) -> DesignWindow:
 
 
 def surveyed_once() -> MonteCarloResult:
-    """Answers that scatter as foretold."""
+    """Return results whose scatter is as predicted."""
     errors = np.random.default_rng(4).normal(0.0, 1e-4, (40, 3))
     return MonteCarloResult(errors, np.full((40, 3), 1e-4), np.full(3, 1e-4), np.eye(3), 0)
 
@@ -55,12 +55,12 @@ def typed(driver: Driver, field, text: str) -> None:
     driver.bot.keyClicks(field, text)
 
 
-def test_simulated_surveys_say_what_the_command_line_says(
+def test_simulated_surveys_equal_those_of_the_command_line(
     driver: Driver, coarse: DesignWindow
 ) -> None:
     surveys, before = coarse.surveys, coarse.workspace.titled
     assert (surveys.surveys.value(), surveys.surveys.minimum()) == (200, 20)
-    driver.bot.keyClicks(surveys.surveys, "32")  # in place of what is selected
+    driver.bot.keyClicks(surveys.surveys, "32")  # replaces the selected text
     typed(driver, surveys.seed, "7")
     box = surveys.flatness
     driver.bot.mouseClick(box, Left, pos=QPoint(8, box.height() // 2))
@@ -96,7 +96,7 @@ def test_simulated_surveys_say_what_the_command_line_says(
         ), "the curve holds as many surveys as the bars"
 
 
-def test_a_cancelled_campaign_shows_what_was_finished_if_it_is_enough(
+def test_a_cancelled_campaign_shows_enough_finished_surveys(
     driver: Driver, coarse: DesignWindow
 ) -> None:
     surveys, runner = coarse.surveys, driver.window.site_design.runner
@@ -127,9 +127,7 @@ def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWin
     assert driver.dialogs.errors == []
 
 
-def test_a_campaign_that_ends_during_a_drag_lets_it_go_on(
-    driver: Driver, coarse: DesignWindow
-) -> None:
+def test_the_end_of_a_campaign_does_not_end_a_drag(driver: Driver, coarse: DesignWindow) -> None:
     view, surveys = coarse.wall_view, coarse.surveys
     spot = view._target_rect(edits.placed_targets(coarse.workspace.titled)[0]).center()
     driver.bot.keyClicks(surveys.surveys, "20")
@@ -170,7 +168,9 @@ def test_closing_the_program_stops_the_surveys(driver: Driver, coarse: DesignWin
     assert active_children() == [], "no process of the pool is left"
 
 
-def test_an_answer_leaves_nothing_of_the_one_before(driver: Driver, coarse: DesignWindow) -> None:
+def test_a_result_replaces_the_previous_one_completely(
+    driver: Driver, coarse: DesignWindow
+) -> None:
     shown, plan_ = coarse.surveys.result_table, plan(coarse)
     counts, head = [], gettext_lazy("Simulate surveys")
     for k in range(30):
@@ -201,7 +201,9 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     assert shown.isVisible()
 
 
-def test_nothing_to_compare_with_is_reported(driver: Driver, design: DesignWindow, demo) -> None:
+def test_missing_data_for_a_comparison_are_reported(
+    driver: Driver, design: DesignWindow, demo
+) -> None:
     driver.bot.keyClick(design, Key.Key_F11)
     (error,) = driver.dialogs.errors
     assert "No project is open" in str(error)

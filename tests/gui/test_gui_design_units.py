@@ -1,4 +1,4 @@
-"""The design of a site in feet and milliradians: typed and shown there, metric in the plan."""
+"""Tests of the site design window in feet and milliradians, with a metric plan."""
 
 from collections.abc import Iterator
 
@@ -28,7 +28,7 @@ def imperial() -> Iterator[None]:
     units.set_units("degrees", "metres")
 
 
-def test_a_table_takes_feet_and_keeps_headings_in_degrees(qapp: QApplication) -> None:
+def test_a_table_is_in_feet_with_headings_in_degrees(qapp: QApplication) -> None:
     workspace = Workspace()
     lines = LinesList(workspace)
     table = lines.table
@@ -43,7 +43,7 @@ def test_a_table_takes_feet_and_keeps_headings_in_degrees(qapp: QApplication) ->
     assert TARGET["flatness"].shown(0.6096) == "0.0020"
 
 
-def test_an_end_of_a_range_may_be_typed_as_it_is_shown(qapp: QApplication) -> None:
+def test_the_limit_of_a_range_can_be_typed_as_shown(qapp: QApplication) -> None:
     assert LINE["distance"].limit(edits.FAR_M) == "656.2"
     assert LINE["distance"].read("656.2") == edits.FAR_M
     values = {"text": "700", "low": "3.281", "high": "656.2", "unit": "ft"}
@@ -51,7 +51,7 @@ def test_an_end_of_a_range_may_be_typed_as_it_is_shown(qapp: QApplication) -> No
         LINE["distance"].read("700")
 
 
-def test_limits_that_are_not_typed_over_stay_to_the_last_digit(qapp: QApplication) -> None:
+def test_limits_that_are_not_edited_keep_all_digits(qapp: QApplication) -> None:
     form, titled = LimitsForm(), edits.default_plan()
     _, site = form.site(titled)
     with units.standard_units():
@@ -69,7 +69,7 @@ def refusal(text: str) -> str:
     return str(caught.value)
 
 
-def test_a_field_of_the_system_is_in_feet_and_edits_only_itself(qapp: QApplication) -> None:
+def test_a_field_of_the_system_is_in_feet_and_changes_only_its_value(qapp: QApplication) -> None:
     workspace = Workspace()
     panel, before = SystemPanel(workspace), workspace.titled.plan.system
     assert panel.max_range.text() == f"{before.scanner.max_range / FOOT:.0f} ft"
@@ -83,7 +83,7 @@ def test_a_field_of_the_system_is_in_feet_and_edits_only_itself(qapp: QApplicati
 
 
 @pytest.mark.parametrize(("length", "shown"), [(0.1, 0.2), (0.01, 0.02), (0.5, 2.0), (1.0, 2.0)])
-def test_what_is_dragged_goes_in_steps_that_are_round(length: float, shown: float) -> None:
+def test_dragging_uses_round_steps(length: float, shown: float) -> None:
     steps = edits.round_to_step(12.3456, length) / FOOT / shown
     assert steps == pytest.approx(round(steps), abs=1e-6)
     with units.standard_units():

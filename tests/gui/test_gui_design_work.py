@@ -1,4 +1,4 @@
-"""Long work of the workspace: the search and the scenarios, in the background."""
+"""Tests of background work of the site design window: search and scenarios."""
 
 import numpy as np
 import pytest
@@ -83,7 +83,7 @@ def test_a_search_can_be_cancelled_and_changes_nothing(
     assert driver.dialogs.errors == []
 
 
-def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch) -> None:
+def test_scenarios_are_shown_in_figures(driver: Driver, design: DesignWindow, monkeypatch) -> None:
     monkeypatch.setattr(controller, "SCENARIOS", ("size", "POS"))
     driver.bot.keyClick(design, Key.Key_F9)
     wait_until_designed(driver)

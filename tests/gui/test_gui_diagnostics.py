@@ -1,4 +1,4 @@
-"""The diagnostics: every page, its empty state, and the way from a row to the points."""
+"""Tests of all pages of the diagnostics: content, empty state, and links to points."""
 
 from dataclasses import replace
 
@@ -60,7 +60,7 @@ def texts(table: QTableWidget, title: str) -> list[str]:
     return [table.item(row, k).text() for row in range(table.rowCount())]
 
 
-def test_without_a_result_every_page_says_what_to_do(picked: Driver):
+def test_every_page_without_a_result_has_instructions(picked: Driver):
     picked.window.docks["Diagnostics"].raise_()
     for kind in PAGES:
         page = turn_to(picked, kind.title)
@@ -69,7 +69,7 @@ def test_without_a_result_every_page_says_what_to_do(picked: Driver):
         assert getattr(page, "canvas", None) is None
 
 
-def test_no_figure_is_made_before_its_page_is_turned_to(shown: Driver):
+def test_figures_are_created_when_their_page_is_shown(shown: Driver):
     figures = [kind.title for kind in PAGES if hasattr(kind, "draw_function")]
     assert len(figures) == 4
     for k, title in enumerate(figures):
@@ -126,7 +126,7 @@ def test_the_tables_show_the_result(shown: Driver, estimated: Project):
     assert texts(table, "Parameter") == ["Roll", "Pitch", "Yaw"]
 
 
-def test_every_angle_of_the_cross_checks_is_seen_in_a_small_window(shown: Driver):
+def test_all_angles_of_the_cross_checks_are_visible_in_a_small_window(shown: Driver):
     shown.window.resize(1366, 768)
     page = turn_to(shown, "Cross-checks")
     head = page.table.horizontalHeader()
@@ -136,7 +136,7 @@ def test_every_angle_of_the_cross_checks_is_seen_in_a_small_window(shown: Driver
     assert right <= page.table.viewport().width()
 
 
-def test_a_heading_sorts_by_value(shown: Driver, estimated: Project):
+def test_clicking_a_column_header_sorts_by_value(shown: Driver, estimated: Project):
     table = turn_to(shown, "Sightings").table
     head, place = table.horizontalHeader(), column(table, "w")
     at = QPoint(head.sectionViewportPosition(place) + 8, head.height() // 2)
@@ -146,7 +146,7 @@ def test_a_heading_sorts_by_value(shown: Driver, estimated: Project):
     assert texts(table, "w") == [f"{v:+.2f}".replace("-", "−") for v in values]
 
 
-def test_a_row_leads_to_its_points_by_mouse_and_by_key(shown: Driver, estimated: Project):
+def test_a_row_shows_its_points_by_mouse_and_by_key(shown: Driver, estimated: Project):
     table = turn_to(shown, "Sightings").table
     double_click(shown, table, 2)
     sighting = estimated.result.sightings[2].sighting
@@ -168,7 +168,7 @@ def test_a_row_leads_to_its_points_by_mouse_and_by_key(shown: Driver, estimated:
     assert shown.viewport.selected == ("T2", "")
 
 
-def test_what_is_to_be_checked_is_marked_with_text_and_colour(shown: Driver, estimated: Project):
+def test_rows_to_check_are_marked_with_text_and_colour(shown: Driver, estimated: Project):
     result, checks = estimated.result, estimated.cross_checks
     bad = replace(result.reliability[1], rejected=True, shift=0.05, w=9.0)
     doubtful = replace(result, reliability=(result.reliability[0], bad, *result.reliability[2:]))
@@ -192,7 +192,7 @@ def test_what_is_to_be_checked_is_marked_with_text_and_colour(shown: Driver, est
     assert f"without line {line}" in told
 
 
-def test_what_follows_from_a_tick_is_shown_and_cross_checked_after_that(
+def test_a_check_box_updates_the_result_and_then_the_cross_checks(
     shown: Driver, estimated: Project
 ):
     table = turn_to(shown, "Sightings").table
@@ -215,10 +215,10 @@ def test_what_follows_from_a_tick_is_shown_and_cross_checked_after_that(
 
 
 @pytest.mark.parametrize("checked", [True, False])
-def test_a_further_line_is_searched_after_the_results_of_a_check_box(
+def test_advice_on_a_further_line_is_computed_after_the_result(
     shown: Driver, estimated: Project, monkeypatch: pytest.MonkeyPatch, checked: bool
 ):
-    """It takes half as long as the adjustment, and nobody waits for it."""
+    """The search takes half as long as the adjustment."""
     searched = []
 
     def advised(observations, result):
@@ -244,7 +244,7 @@ def test_a_further_line_is_searched_after_the_results_of_a_check_box(
     assert searched == [True]
 
 
-def test_the_classical_model_says_what_it_does_not_work_out(shown: Driver, estimated: Project):
+def test_pages_not_available_for_the_classical_model_say_so(shown: Driver, estimated: Project):
     result = estimated.result
     thesis = replace(result, model=replace(result.model, pos_errors="independent"), reliability=())
     shown.window.document.edit("estimate", estimated.with_result(thesis))
@@ -252,7 +252,7 @@ def test_the_classical_model_says_what_it_does_not_work_out(shown: Driver, estim
     assert set(texts(turn_to(shown, "Sightings").table, "Finding")) == {"not tested"}
 
 
-def test_a_table_filled_again_is_as_wide_as_its_words(shown: Driver) -> None:
+def test_column_widths_follow_the_new_content_of_a_table(shown: Driver) -> None:
     table = turn_to(shown, "Sightings").table
     rows = list(table._rows)
     wide = [

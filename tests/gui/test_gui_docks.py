@@ -1,4 +1,4 @@
-"""Panels that were moved, closed or made to float are arranged by default again, by the menu."""
+"""Tests of restoring the default arrangement of moved, closed and floating panels."""
 
 from pathlib import Path
 
@@ -16,9 +16,9 @@ Arrangement = dict[str, tuple[QRect | None, bool, set[str]]]
 
 
 def arrangement(window: MainWindow) -> Arrangement:
-    """Where each panel is that is in front, whether it floats, and whom it shares its place with.
+    """Return geometry, floating state and tab group of each panel.
 
-    One that lies behind has whatever size it had before.
+    The geometry of a panel behind another is undefined, so it is None.
     """
     return {
         title: (
@@ -35,7 +35,7 @@ def is_in_front(window: MainWindow, title: str) -> bool:
 
 
 def disturb(driver: Driver) -> None:
-    """Close a panel, let another float, move a third, bring a fourth in front; no toolbar."""
+    """Close one panel, float, move and raise others, and hide the toolbar."""
     window = driver.window
     for title, button in (("Results", "close"), ("Workflow", "float")):
         dock = window.docks[title]
@@ -49,7 +49,7 @@ def arrange(driver: Driver) -> None:
     choose(driver.bot, open_menu(driver.bot, driver.window, "View"), "Panels", "Restore default")
 
 
-def test_all_panels_go_back_to_their_first_places(driver: Driver) -> None:
+def test_all_panels_return_to_their_default_places(driver: Driver) -> None:
     window = driver.window
     before = arrangement(window)
     assert is_in_front(window, "Results")
@@ -61,7 +61,7 @@ def test_all_panels_go_back_to_their_first_places(driver: Driver) -> None:
     assert window.findChild(QToolBar).isVisible()
 
 
-def test_also_those_that_a_former_window_left_elsewhere(
+def test_panels_of_a_restored_layout_return_to_their_default_places(
     driver: Driver, qtbot: QtBot, qapp: QApplication, tmp_path: Path
 ) -> None:
     before = arrangement(driver.window)
@@ -78,8 +78,8 @@ def test_also_those_that_a_former_window_left_elsewhere(
         later.leave()
 
 
-def test_the_menu_brings_a_panel_into_sight_and_closes_the_one_that_is(driver: Driver) -> None:
-    """By keys: one that lies behind another is meant to be seen, and to take the keys."""
+def test_the_menu_shows_a_hidden_panel_and_closes_a_visible_one(driver: Driver) -> None:
+    """By keys; a panel behind another is raised and gets the focus."""
     window, bot = driver.window, driver.bot
 
     def pick(title: str) -> None:

@@ -1,4 +1,4 @@
-"""Duplicate targets are reported before they are accepted, and with the result."""
+"""Tests that duplicate targets are reported before they are accepted and with the result."""
 
 from lispac.gui.viewport.base import PickedPoint
 from lispac.workflow.planning.demo import demo_seeds
@@ -7,14 +7,14 @@ from tests.message_codes import is_shown
 
 
 def click_on(driver: Driver, name: str, aside: float = 0.0) -> None:
-    """What a Ctrl+click on a target of the demo does, or on another place of it."""
+    """Ctrl+click on a target of the demo, or beside its seed."""
     x, y, z = demo_seeds()[name][1]
     first = driver.window.document.survey.lines[0]
     driver.viewport.signals.seed_clicked.emit(PickedPoint(first, (x + aside, y, z)))
     driver.rest()
 
 
-def test_a_surface_clicked_twice_is_reported(opened: Driver) -> None:
+def test_a_surface_picked_twice_is_reported(opened: Driver) -> None:
     window = opened.window
     box = window.targets.candidate
     for name in ("T1", "T2"):

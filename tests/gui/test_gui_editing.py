@@ -1,4 +1,4 @@
-"""Lasso, roles, and the name of every undo step; residuals as colours."""
+"""Tests of the lasso, roles, names of undo steps, and residuals as colours."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ def undo_text(driver: Driver) -> str:
 
 
 def outline(driver: Driver, points: np.ndarray) -> None:
-    """Draw around points as the recording viewport shows them: a rectangle."""
+    """Draw a rectangle around points with the lasso."""
     pixels = driver.viewport.to_pixels(points)
     (left, top), (right, low) = pixels.min(axis=0) - 1e-6, pixels.max(axis=0) + 1e-6
     corners = np.array([(left, top), (right, top), (right, low), (left, low)])
@@ -28,7 +28,7 @@ def sizes(driver: Driver, name: str) -> dict[str, int]:
     return {s.line: len(s.indices) for s in driver.project.target(name).sightings}
 
 
-def test_a_lasso_takes_points_from_a_sighting_and_gives_them_back(picked: Driver) -> None:
+def test_a_lasso_excludes_and_restores_points_of_a_sighting(picked: Driver) -> None:
     window, view = picked.window, picked.viewport
     press(picked, Key.Key_L, SHIFT)
     assert "Select a target first" in window.log.toPlainText()
@@ -64,7 +64,7 @@ def test_a_lasso_takes_points_from_a_sighting_and_gives_them_back(picked: Driver
     assert sizes(picked, "T1") == before
 
 
-def test_the_lasso_spares_hidden_lines_and_what_the_box_hides(picked: Driver) -> None:
+def test_the_lasso_ignores_hidden_lines_and_clipped_points(picked: Driver) -> None:
     window, view = picked.window, picked.viewport
     before = sizes(picked, "T1")
     first, second = list(before)[:2]
@@ -72,7 +72,9 @@ def test_the_lasso_spares_hidden_lines_and_what_the_box_hides(picked: Driver) ->
     window._select("T1", "")
     press(picked, Key.Key_X)
     clipping = window.tools.clipping
-    clipping._set_box(clipping.box.with_side_moved(5, -1.1))  # its upper side, down into the target
+    clipping._set_box(
+        clipping.box.with_side_moved(5, -1.1)
+    )  # moves its upper side down into the target
     press(picked, Key.Key_L, SHIFT)
     points = window.scene.clouds[second][picked.project.target("T1").sighting(second).indices]
     low = points[points[:, 2] < points[:, 2].min() + 0.3]
@@ -87,7 +89,7 @@ def test_the_lasso_spares_hidden_lines_and_what_the_box_hides(picked: Driver) ->
     assert len(clipping.box.inside(window.scene.clouds[second][gone])) == len(gone)
 
 
-def test_a_lasso_about_everything_is_refused(picked: Driver) -> None:
+def test_a_lasso_around_all_points_is_refused(picked: Driver) -> None:
     window = picked.window
     window._select("T1", "")
     press(picked, Key.Key_L, SHIFT)
@@ -98,7 +100,7 @@ def test_a_lasso_about_everything_is_refused(picked: Driver) -> None:
     press(picked, Key.Key_Escape)
 
 
-def test_the_status_bar_clears_its_text_about_a_project_that_has_changed(picked: Driver) -> None:
+def test_an_edit_clears_the_status_bar(picked: Driver) -> None:
     bar = picked.window.task_bar
     seed(picked, "T2")
     press(picked, Key.Key_Return)
@@ -147,7 +149,7 @@ def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:
         picked.rest()
 
 
-def test_roles_change_but_for_spheres(picked: Driver) -> None:
+def test_roles_can_be_changed_except_for_spheres(picked: Driver) -> None:
     window = picked.window
     press(picked, Key.Key_F8)
     assert "Select a target or validation plane first" in window.log.toPlainText()
@@ -188,8 +190,8 @@ def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     assert window.scene.colouring == ("residual" if adjusted.project.result else "line")
 
 
-def test_a_validation_plane_is_a_map_of_what_its_lines_are_apart(adjusted: Driver) -> None:
-    """Before the calibration its lines stand apart by decimetres, after it by millimetres."""
+def test_a_validation_plane_is_coloured_by_distances_between_lines(adjusted: Driver) -> None:
+    """Lines differ by decimetres before the calibration and by millimetres after it."""
     window, project = adjusted.window, adjusted.project
     survey = window.document.survey
     window.actions_["colour_residual"].trigger()

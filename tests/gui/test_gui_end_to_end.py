@@ -1,4 +1,4 @@
-"""The whole way in the window with the real viewport, by mouse and keys, a picture at each step."""
+"""Test of the whole workflow with the real viewport, with a picture at each step."""
 
 from pathlib import Path
 
@@ -16,14 +16,14 @@ Control = Qt.KeyboardModifier.ControlModifier
 
 
 def colours_of(path: Path) -> int:
-    """How many different colours a picture has."""
+    """Return the number of different colours of a picture."""
     image = QImage(str(path)).convertToFormat(QImage.Format.Format_RGB32)
     pixels = np.frombuffer(image.constBits(), np.uint32)
     return len(np.unique(pixels))
 
 
-@pytest.mark.long  # `test_gui_tutorial` goes this way as well
-def test_from_opening_to_the_report(real: Driver, demo_copy: Path, tmp_path: Path):
+@pytest.mark.long  # `test_gui_tutorial` covers the same steps
+def test_workflow_from_opening_to_the_report(real: Driver, demo_copy: Path, tmp_path: Path):
     window, viewport, bot = real.window, real.viewport, real.bot
 
     def picture(step: str) -> Path:

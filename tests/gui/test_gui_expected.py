@@ -1,4 +1,4 @@
-"""What is known of a target beforehand, typed in step 2."""
+"""Test of the expected size and inclination of a target, typed in step 2."""
 
 from PySide6.QtWidgets import QDoubleSpinBox
 

@@ -1,4 +1,4 @@
-"""Exports: what the dialogue asks, and what is written."""
+"""Tests of the export dialog and of the exported files."""
 
 import dataclasses
 from pathlib import Path
@@ -25,7 +25,7 @@ Shift = Control.__class__.ShiftModifier
 
 @pytest.fixture
 def dialog(qtbot: QtBot, demo: Demo, estimated: Project, tmp_path: Path) -> ExportDialog:
-    """Of the demo survey, after an adjustment."""
+    """The export dialog of the adjusted demo survey."""
     project = dataclasses.replace(estimated, folder=tmp_path / "here")
     made = ExportDialog("lines", "estimated", project, demo.survey.trajectory)
     qtbot.addWidget(made)
@@ -34,11 +34,11 @@ def dialog(qtbot: QtBot, demo: Demo, estimated: Project, tmp_path: Path) -> Expo
 
 
 def ok(dialog: ExportDialog):
-    """Its button."""
+    """Return the OK button."""
     return dialog.buttons.button(QDialogButtonBox.StandardButton.Ok)
 
 
-def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: Demo) -> None:
+def test_the_utm_zone_is_proposed_and_described(dialog: ExportDialog, demo: Demo) -> None:
     asked = dialog.request()
     assert dialog.windowTitle() == dialog_title(ACTIONS["lines"])
     assert asked.system == utm_zone(demo.survey.trajectory)
@@ -56,7 +56,9 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     assert is_shown("export.trajectory_datum", dialog.message_label.text())
 
 
-def test_a_wrong_system_is_reported_while_it_is_typed(dialog: ExportDialog, qtbot: QtBot) -> None:
+def test_an_invalid_system_is_reported_while_it_is_typed(
+    dialog: ExportDialog, qtbot: QtBot
+) -> None:
     field = dialog.system.lineEdit()
     field.setFocus()
     field.selectAll()
@@ -82,7 +84,9 @@ def test_a_system_of_another_part_of_the_world_gives_a_warning(
     assert dialog.message_label.property("role") == "error"
     assert is_shown("crs.meant_elsewhere", dialog.message_label.text())
     assert "EPSG:32618" in dialog.message_label.text()
-    dialog.system.lineEdit().setText("EPSG:32619")  # the next zone, as a survey near its edge has
+    dialog.system.lineEdit().setText(
+        "EPSG:32619"
+    )  # the neighbouring zone, as for a survey near the edge
     dialog._check_input()
     assert not is_shown("crs.meant_elsewhere", dialog.message_label.text())
     dialog.height.setText("5703")
@@ -91,7 +95,7 @@ def test_a_system_of_another_part_of_the_world_gives_a_warning(
     assert dialog.request().height == ""
 
 
-def test_each_thing_has_its_own_fields(dialog: ExportDialog, qtbot: QtBot) -> None:
+def test_each_kind_of_export_has_its_own_fields(dialog: ExportDialog, qtbot: QtBot) -> None:
     for what in CONTENTS:
         dialog.what.setCurrentIndex(list(CONTENTS).index(what))
         assert dialog.system.isVisible() == (what in ("lines", "targets"))
@@ -103,14 +107,14 @@ def test_each_thing_has_its_own_fields(dialog: ExportDialog, qtbot: QtBot) -> No
         qtbot.mouseClick(ok(dialog), Left)
 
 
-def test_nothing_estimated_leaves_the_prior(qtbot: QtBot, demo: Demo) -> None:
+def test_without_a_result_only_the_prior_can_be_exported(qtbot: QtBot, demo: Demo) -> None:
     dialog = ExportDialog("lines", "estimated", demo.project, demo.survey.trajectory)
     qtbot.addWidget(dialog)
     assert dialog.request().which == "prior"
     assert not dialog.boresight.isEnabled()
 
 
-def test_what_is_asked_for_is_written(picked: Driver, tmp_path: Path) -> None:
+def test_the_requested_files_are_written(picked: Driver, tmp_path: Path) -> None:
     zone = utm_zone(picked.window.document.survey.trajectory)
     picked.dialogs.export_request = ExportRequest("lines", tmp_path / "l", "prior", "laz", zone)
     press(picked, Key.Key_E, Control | Shift)
@@ -132,7 +136,7 @@ def test_what_is_asked_for_is_written(picked: Driver, tmp_path: Path) -> None:
     assert not picked.dialogs.errors
 
 
-def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Path) -> None:
+def test_datum_and_epoch_of_the_lines_are_used_with_a_code(qtbot: QtBot, tmp_path: Path) -> None:
     reading = on_map(trajectory_datum=ITRF, epoch="2023.5")
     line = LineSource("one", tmp_path / "one.las", (), reading)
     project = Project(tmp_path, tmp_path / "sbet.out", (line,), Settings((0.0, 0.0, 0.0)))

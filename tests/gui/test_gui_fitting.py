@@ -1,4 +1,4 @@
-"""Texts have the room they need, and dialogues have it on the screen that there is."""
+"""Tests that texts are fully visible, and that dialogs fit on small screens."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -41,12 +41,12 @@ from tests.gui.support import WAIT_MS, Demo, Driver
 
 SMALL = (1366, 740)
 LOW = QSize(1326, 728)
-"""What a screen of 1366 × 768 has for a dialogue."""
+"""Space for a dialog on a screen of 1366 × 768."""
 
 
 @pytest.fixture(params=LANGUAGES)
 def spoken(qapp: QApplication, request: pytest.FixtureRequest) -> Iterator[str]:
-    """Each language, in the looks of the program."""
+    """Each language, in the style of the program."""
     theme.apply_theme(qapp)
     set_language(request.param)
     yield request.param
@@ -55,7 +55,7 @@ def spoken(qapp: QApplication, request: pytest.FixtureRequest) -> Iterator[str]:
 
 @pytest.fixture
 def dark(qapp: QApplication) -> Iterator[None]:
-    """The dark looks."""
+    """The dark theme."""
     theme.apply_theme(qapp, "dark")
     yield
     theme.apply_theme(qapp)
@@ -63,11 +63,11 @@ def dark(qapp: QApplication) -> Iterator[None]:
 
 @pytest.fixture(scope="module")
 def errors() -> list[VisibilityStudy]:
-    """Which error is seen where."""
+    """A study of which errors are visible on which lines."""
     return [study_visibility(site) for site in SITES.values()]
 
 
-def test_the_title_of_a_panel_is_seen_whole(driver: Driver, qapp: QApplication) -> None:
+def test_the_title_of_a_panel_is_fully_visible(driver: Driver, qapp: QApplication) -> None:
     theme.apply_theme(qapp)
     for title, dock in driver.window.docks.items():
         dock.raise_()
@@ -79,7 +79,7 @@ def test_the_title_of_a_panel_is_seen_whole(driver: Driver, qapp: QApplication) 
         assert room.height() >= QFontMetricsF(dock.font()).height(), title
 
 
-def test_letters_of_a_number_field_are_not_cut_off_below(qtbot: QtBot, qapp: QApplication) -> None:
+def test_descenders_in_a_number_field_are_visible(qtbot: QtBot, qapp: QApplication) -> None:
     theme.apply_theme(qapp)
     for field in (
         widgets.number("size", suffix=" m", decimals=2, low=0, high=9, step=1, tip="Size"),
@@ -92,8 +92,10 @@ def test_letters_of_a_number_field_are_not_cut_off_below(qtbot: QtBot, qapp: QAp
         assert line.height() >= line.fontMetrics().height() + 2
 
 
-def test_where_two_scroll_bars_meet_is_of_the_windows_colour(qtbot: QtBot, dark: None) -> None:
-    """Tables have frames in a lighter colour, which that corner was painted in."""
+def test_the_corner_between_scroll_bars_has_the_colour_of_the_window(
+    qtbot: QtBot, dark: None
+) -> None:
+    """Tables have a lighter background, which must not show in that corner."""
     table = QTableWidget(40, 40)
     qtbot.addWidget(table)
     table.resize(300, 200)
@@ -105,8 +107,8 @@ def test_where_two_scroll_bars_meet_is_of_the_windows_colour(qtbot: QtBot, dark:
     assert picture.pixelColor(corner * picture.devicePixelRatio()) == QColor(theme.WINDOW)
 
 
-class _Low(VisibilityDialog):
-    """On a low screen."""
+class _DialogOnLowScreen(VisibilityDialog):
+    """Dialog on a low screen."""
 
     @property
     def available_size(self) -> QSize:
@@ -116,8 +118,8 @@ class _Low(VisibilityDialog):
 def test_a_study_fits_a_low_screen(
     qtbot: QtBot, spoken: str, errors: list[VisibilityStudy]
 ) -> None:
-    """Its buttons lay below the edge, and the last heading ended in the middle of a word."""
-    dialog = _Low(errors)
+    """Its buttons are on the screen, and its last heading is complete."""
+    dialog = _DialogOnLowScreen(errors)
     qtbot.addWidget(dialog)
     dialog.show()
     qtbot.waitUntil(lambda: dialog.canvas.isVisible(), timeout=WAIT_MS)
@@ -135,7 +137,7 @@ def test_a_study_fits_a_low_screen(
             assert header.sectionSize(section) >= header.sectionSizeHint(section)
 
 
-def test_comparisons_are_read_without_scrolling_on_a_small_screen(
+def test_comparisons_need_no_scrolling_on_a_small_screen(
     driver: Driver, demo: Demo, validated: Project, spoken: str
 ) -> None:
     window = driver.window
@@ -148,10 +150,10 @@ def test_comparisons_are_read_without_scrolling_on_a_small_screen(
     assert window.histograms.table.horizontalScrollBar().maximum() == 0
 
 
-def test_the_curve_of_the_patch_test_is_beside_the_picture_at_once(
+def test_the_curve_of_the_patch_test_is_beside_the_picture(
     qtbot: QtBot, qapp: QApplication
 ) -> None:
-    """It was below it until the panel was made larger once more."""
+    """No second resize of the panel is needed."""
     theme.apply_theme(qapp)
     panel = PatchTestPanel()
     qtbot.addWidget(panel)
@@ -163,7 +165,7 @@ def test_the_curve_of_the_patch_test_is_beside_the_picture_at_once(
     assert panel.curve.x() > panel.picture.x()
 
 
-def test_answers_stand_in_the_systems_order(qtbot: QtBot) -> None:
+def test_buttons_have_the_order_of_the_system(qtbot: QtBot) -> None:
     standard = QDialogButtonBox.StandardButton
     system = QDialogButtonBox(standard.Ok | standard.Cancel)
     qtbot.addWidget(system)
@@ -179,21 +181,21 @@ def test_answers_stand_in_the_systems_order(qtbot: QtBot) -> None:
 
 
 def test_enter_closes_an_error_message(qtbot: QtBot) -> None:
-    """Details are for those who ask for them."""
+    """The default button is not the one that copies the details."""
     box = error_box(None, ZeroDivisionError("by zero"))
     qtbot.addWidget(box)
     assert box.defaultButton() is box.button(QMessageBox.StandardButton.Close)
 
 
-def test_no_line_goes_through_the_letters_of_the_sketch(qtbot: QtBot, qapp: QApplication) -> None:
-    """With the scanner at the POS centre the body's axes lie below the scanner's."""
+def test_no_line_crosses_the_labels_of_the_sketch(qtbot: QtBot, qapp: QApplication) -> None:
+    """With the scanner at the POS centre, the body axes are below those of the scanner."""
     theme.apply_theme(qapp)
     sketch = MountingSketch()
     qtbot.addWidget(sketch)
     sketch.resize(sketch.sizeHint())
     sketch.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
     picture = sketch.grab().toImage()
-    _, tip = sketch.axis_ends("above", 0)  # forward: up the picture, inside the hull
+    _, tip = sketch.axis_ends("above", 0)  # forward is up in the picture, inside the hull
     hull = QColor(theme.HULL)
     grey = [
         (x, y)
@@ -205,7 +207,7 @@ def test_no_line_goes_through_the_letters_of_the_sketch(qtbot: QtBot, qapp: QApp
     assert not grey
 
 
-def test_words_at_the_sides_of_the_sketch_stand_beside_the_hull(spoken: str) -> None:
+def test_side_labels_of_the_sketch_are_beside_the_hull(spoken: str) -> None:
     sketch = MountingSketch()
     sketch.resize(sketch.minimumSizeHint())
     for place, words in sketch.side_labels("above").items():
@@ -214,7 +216,7 @@ def test_words_at_the_sides_of_the_sketch_stand_beside_the_hull(spoken: str) -> 
         assert not sketch.hull("above").intersects(QPolygonF(words)), place
 
 
-def test_a_clip_box_that_is_none_has_no_length(qtbot: QtBot) -> None:
+def test_an_empty_clip_box_shows_no_length(qtbot: QtBot) -> None:
     panel = ClippingPanel()
     qtbot.addWidget(panel)
     assert [field.text() for field in panel.fields] == ["–"] * 3
@@ -237,7 +239,7 @@ def test_lines_to_the_labels_of_two_targets_do_not_cross(qapp: QApplication) -> 
     assert boxes[2].left() > spots[2, 0]
 
 
-def test_headings_of_the_design_stand_over_their_numbers(
+def test_headings_of_the_design_are_aligned_with_their_numbers(
     qtbot: QtBot, tmp_path: Path, design: DesignWindow
 ) -> None:
     for table in design.findChildren(NumberTable):

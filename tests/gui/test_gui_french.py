@@ -1,4 +1,4 @@
-"""The window in French: nothing that it shows stays English."""
+"""Tests that the French window shows no English text."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -56,19 +56,19 @@ def french(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]
 
 
 def all_french(*shown: QWidget) -> None:
-    """Nothing of these is English."""
+    """Check that no text of these widgets is English."""
     for each in shown:
         assert english(each) == set()
 
 
-def test_the_empty_window(french: Driver) -> None:
+def test_the_empty_window_is_french(french: Driver) -> None:
     all_french(french.window)
     assert french.window.windowTitle() == "LISPAC"
     assert french.window.actions_["open"].text() == "&Ouvrir un projet…"
     assert french.window.adjust.estimate.text() == "Estimer les angles de visée"
 
 
-def test_the_window_with_an_answer(french: Driver, demo: Demo, estimated: Project) -> None:
+def test_the_window_with_a_result_is_french(french: Driver, demo: Demo, estimated: Project) -> None:
     window = french.window
     window.document.open(validate(estimated, demo.survey), demo.survey)
     french.rest()
@@ -92,7 +92,7 @@ def test_the_window_with_an_answer(french: Driver, demo: Demo, estimated: Projec
     all_french(window)
 
 
-def test_what_a_click_finds_and_an_edit_does(french: Driver, demo: Demo) -> None:
+def test_candidates_and_edits_are_french(french: Driver, demo: Demo) -> None:
     window = french.window
     window.document.open(demo.project, demo.survey)
     seed(french, "T1")
@@ -105,7 +105,7 @@ def test_what_a_click_finds_and_an_edit_does(french: Driver, demo: Demo) -> None
     all_french(window)
 
 
-def test_dialogues(french: Driver, demo: Demo, estimated: Project) -> None:
+def test_dialogs_are_french(french: Driver, demo: Demo, estimated: Project) -> None:
     window, track = french.window, demo.survey.trajectory
     window.document.open(estimated, demo.survey)
     french.rest()
@@ -131,7 +131,7 @@ def test_dialogues(french: Driver, demo: Demo, estimated: Project) -> None:
             each.deleteLater()
 
 
-def test_files_that_are_examined(french: Driver, demo: Demo, tmp_path: Path) -> None:
+def test_the_import_dialog_is_french(french: Driver, demo: Demo, tmp_path: Path) -> None:
     settings = AppSettings(tmp_path / "other.ini")
     dialog = ImportDialog(settings, french.window)
     more = AddLinesDialog(settings, demo.project, french.window)
@@ -147,7 +147,7 @@ def test_files_that_are_examined(french: Driver, demo: Demo, tmp_path: Path) -> 
         head = dialog.findChild(FilePreview).horizontalHeader().model()
         heads |= {head.headerData(k, Qt.Orientation.Horizontal) for k in range(head.columnCount())}
     try:
-        assert {"intensity", "return_number", "classification"} <= heads  # as the file calls them
+        assert {"intensity", "return_number", "classification"} <= heads  # names of the file
         assert english(dialog) <= {"intensity"}
         all_french(more)
     finally:
@@ -156,7 +156,7 @@ def test_files_that_are_examined(french: Driver, demo: Demo, tmp_path: Path) -> 
             each.deleteLater()
 
 
-def test_numbers_are_typed_with_comma_or_point(french: Driver, demo: Demo) -> None:
+def test_numbers_can_be_typed_with_comma_or_point(french: Driver, demo: Demo) -> None:
     french.window.document.open(demo.project, demo.survey)
     french.rest()
     field = french.window.data.lever_arm.fields[0]
@@ -167,7 +167,7 @@ def test_numbers_are_typed_with_comma_or_point(french: Driver, demo: Demo) -> No
         assert field.text() == "-0,1234 m"
 
 
-def test_a_site_is_designed(french: Driver) -> None:
+def test_the_site_design_is_french(french: Driver) -> None:
     design = opened_by_keys(french)
     wait_for_plan(design)
     french.bot.waitUntil(lambda: not design.results.predictor.active, timeout=WAIT_MS)
@@ -199,7 +199,7 @@ def test_a_site_is_designed(french: Driver) -> None:
     design.workspace.history.mark_saved()
 
 
-def test_files_are_written_alike_in_both_languages(
+def test_written_files_are_the_same_in_both_languages(
     french: Driver, estimated: Project, tmp_path: Path
 ) -> None:
     written = []
@@ -212,7 +212,7 @@ def test_files_are_written_alike_in_both_languages(
     assert written[0] == written[1]
 
 
-def test_the_study_of_visibility_is_french_throughout(qtbot: QtBot, qapp: QApplication) -> None:
+def test_the_study_of_visibility_is_french(qtbot: QtBot, qapp: QApplication) -> None:
     found = [study_visibility(site) for site in SITES.values()]
     set_language("fr")
     try:
@@ -228,7 +228,7 @@ def test_the_study_of_visibility_is_french_throughout(qtbot: QtBot, qapp: QAppli
         set_language("en")
 
 
-def test_another_program_or_window_is_named_in_french() -> None:
+def test_messages_about_other_programs_and_windows_are_french() -> None:
     set_language("fr")
     try:
         place = gettext("{host}, process {process}", host="bridge-2", process=4711)

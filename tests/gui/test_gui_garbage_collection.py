@@ -1,4 +1,4 @@
-"""Garbage is collected only by the window's thread."""
+"""Tests that garbage is collected only on the thread of the window, and of freed memory."""
 
 import gc
 import mmap
@@ -31,14 +31,14 @@ from tests.leaked_resources import find_leaks
 
 
 class Cycle:
-    """Held by itself."""
+    """Object that refers to itself."""
 
     def __init__(self) -> None:
         self.itself = self
 
 
 def busy(stop: threading.Event) -> None:
-    """Make objects as a worker does that reads, so many that Python would collect."""
+    """Allocate as many objects as a reading worker, which would trigger Python's collection."""
     kept = []
     while not stop.is_set():
         kept = [[each] for each in range(50 * MIN_YOUNG)]
@@ -46,7 +46,7 @@ def busy(stop: threading.Event) -> None:
     del kept
 
 
-def test_what_a_window_leaves_goes_in_its_own_thread(qapp: QApplication, qtbot: QtBot) -> None:
+def test_garbage_is_collected_on_the_thread_of_the_window(qapp: QApplication, qtbot: QtBot) -> None:
     tidying = GuiThreadGarbageCollector()
     stop, threads = threading.Event(), []
     worker = threading.Thread(target=busy, args=(stop,))
@@ -55,7 +55,7 @@ def test_what_a_window_leaves_goes_in_its_own_thread(qapp: QApplication, qtbot: 
         cycles = [Cycle() for _ in range(20)]
         for each in cycles:
             weakref.finalize(each, lambda: threads.append(threading.current_thread()))
-        time.sleep(0.2)  # the worker works, this one does not
+        time.sleep(0.2)  # only the worker is active
         del each, cycles
         time.sleep(0.2)
         assert threads == []
@@ -68,7 +68,9 @@ def test_what_a_window_leaves_goes_in_its_own_thread(qapp: QApplication, qtbot: 
     assert gc.isenabled()
 
 
-def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_each_generation_is_collected_when_due(
+    qapp: QApplication, monkeypatch: pytest.MonkeyPatch
+) -> None:
     now, collected = [100.0], []
     monkeypatch.setattr(time, "monotonic", lambda: now[0])
     tidying = GuiThreadGarbageCollector()
@@ -86,7 +88,7 @@ def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.Mo
     assert collected == [0, 2, 0, 2]
 
 
-def test_modules_that_came_are_not_examined_again(
+def test_imported_modules_are_excluded_from_later_collections(
     qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     now, done = [100.0], []
@@ -118,7 +120,7 @@ def test_modules_that_came_are_not_examined_again(
         tidying.end()
 
 
-def test_what_a_window_leaves_goes_though_modules_came_while_it_was_there(
+def test_a_window_is_collected_even_if_modules_were_imported_meanwhile(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     for name, now in (("frozen_modules", len(sys.modules)), ("with_window", True)):
@@ -137,16 +139,16 @@ def test_what_a_window_leaves_goes_though_modules_came_while_it_was_there(
 
 
 def resident() -> int:
-    """Bytes that the process holds."""
+    """Return the resident memory of this process in bytes."""
     pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
     return pages * mmap.PAGESIZE
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux' C library")
-def test_arrays_leave_no_holes() -> None:
-    """Nor after a larger one has gone, by which the library laid all others side by side.
+def test_memory_of_arrays_is_returned_to_the_system() -> None:
+    """Also after a larger array was freed, which raises the mmap threshold of the C library.
 
-    In a process of its own: holes that are there already are filled.
+    This runs in a separate process, since existing gaps of the heap would be filled first.
     """
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as alone:
         held, left = alone.submit(with_half_of_the_arrays_gone).result(timeout=60)
@@ -154,7 +156,7 @@ def test_arrays_leave_no_holes() -> None:
 
 
 def with_half_of_the_arrays_gone() -> tuple[int, int]:
-    """Bytes held before and after."""
+    """Return resident bytes before and after every other array is freed."""
     large = np.ones(3_900_000)
     del large
     MemoryTrimming()
@@ -165,12 +167,12 @@ def with_half_of_the_arrays_gone() -> tuple[int, int]:
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux' C library")
-def test_what_lies_in_holes_is_given_back_after_work(monkeypatch: pytest.MonkeyPatch) -> None:
-    blocks = [b"x" * 100_000 for _ in range(4000)]  # 400 MB, too small to be mapped by itself
+def test_free_memory_is_returned_to_the_system_after_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    blocks = [b"x" * 100_000 for _ in range(4000)]  # 400 MB in blocks too small for mmap
     held = resident()
     del blocks[::2]
     memory = MemoryTrimming()
-    memory.trim_if_due()  # just begun
+    memory.trim_if_due()  # not due yet
     assert resident() > held - 20e6
     later = time.monotonic() + TRIM_INTERVAL_S + 1
     monkeypatch.setattr(time, "monotonic", lambda: later)
@@ -179,8 +181,8 @@ def test_what_lies_in_holes_is_given_back_after_work(monkeypatch: pytest.MonkeyP
     assert len(blocks) == 2000
 
 
-def test_what_a_test_leaves_behind_is_seen(qapp: QApplication, qtbot: QtBot) -> None:
-    """By the check that follows each test of a window."""
+def test_leaks_of_a_test_are_detected(qapp: QApplication, qtbot: QtBot) -> None:
+    """The check runs after each test of a window."""
     assert find_leaks() == []
     window, timer, stop = QMainWindow(), QTimer(objectName="beat"), threading.Event()
     window.show()

@@ -1,4 +1,4 @@
-"""The plots of the validation planes: what the mouse reads off them, zooms and copies."""
+"""Tests of the plots of the validation planes: reading values, zooming, copying."""
 
 import csv
 from io import StringIO
@@ -20,7 +20,7 @@ Left = Qt.MouseButton.LeftButton
 
 @pytest.fixture
 def panel(driver: Driver, demo: Demo, validated: Project) -> HistogramsPanel:
-    """The panel, in front, with V1 drawn."""
+    """The panel in front, with V1 drawn."""
     window = driver.window
     window.document.open(validated, demo.survey)
     window.docks["Histograms"].raise_()
@@ -33,7 +33,7 @@ def panel(driver: Driver, demo: Demo, validated: Project) -> HistogramsPanel:
 
 
 def place(panel: HistogramsPanel, axes: int, x: float, y: float) -> QPoint:
-    """Where a value of a plot is on its canvas, logical pixels."""
+    """Return the position of a value on the canvas in logical pixels."""
     at = panel.canvas.figure.axes[axes].transData.transform((x, y))
     ratio = panel.canvas.devicePixelRatioF()
     return QPoint(round(at[0] / ratio), round(panel.canvas.height() - at[1] / ratio))
@@ -49,9 +49,7 @@ def wheel(panel: HistogramsPanel, at: QPoint, notches: int) -> None:
     QApplication.sendEvent(panel.canvas, event)
 
 
-def test_a_hidden_plot_is_drawn_once_when_it_is_seen(
-    driver: Driver, panel: HistogramsPanel
-) -> None:
+def test_a_hidden_plot_is_drawn_once_when_shown(driver: Driver, panel: HistogramsPanel) -> None:
     drawn = []
     panel.canvas.mpl_connect("draw_event", lambda _event: drawn.append(1))
     driver.window.docks["Diagnostics"].raise_()
@@ -65,14 +63,14 @@ def test_a_hidden_plot_is_drawn_once_when_it_is_seen(
     driver.bot.wait(100)
     assert len(drawn) == 1
     panel.plot.setCurrentIndex(0)
-    whole = panel.canvas.picture().toImage()  # what is copied does not wait
+    whole = panel.canvas.picture().toImage()  # copying draws immediately
     assert len(drawn) == 2
     driver.bot.wait(100)
     assert len(drawn) == 2
     assert panel.canvas.grab().toImage() == whole
 
 
-def test_a_bar_is_read_off_under_the_mouse(driver: Driver, panel: HistogramsPanel) -> None:
+def test_values_of_a_bar_are_shown_under_the_mouse(driver: Driver, panel: HistogramsPanel) -> None:
     panel.canvas.draw()
     axes = panel.canvas.figure.axes[0]
     drawn = axes.patches[2].get_data()  # after
@@ -85,7 +83,7 @@ def test_a_bar_is_read_off_under_the_mouse(driver: Driver, panel: HistogramsPane
 
 
 @pytest.mark.parametrize("lengths", ["metres", "feet"])
-def test_distances_at_a_height_and_a_range_are_read_off_under_the_mouse(
+def test_distances_at_a_height_and_a_range_are_shown_under_the_mouse(
     panel: HistogramsPanel, lengths: str
 ) -> None:
     units.set_units("degrees", lengths)
@@ -103,9 +101,7 @@ def test_distances_at_a_height_and_a_range_are_read_off_under_the_mouse(
         units.set_units("degrees", "metres")
 
 
-def test_the_wheel_shows_finer_bars_and_a_double_click_all_again(
-    driver: Driver, panel: HistogramsPanel
-) -> None:
+def test_the_wheel_zooms_and_a_double_click_resets(driver: Driver, panel: HistogramsPanel) -> None:
     panel.canvas.draw()
     axes = panel.canvas.figure.axes[0]
     whole, coarse = axes.get_xlim(), axes.patches[0].get_data()
@@ -120,7 +116,7 @@ def test_the_wheel_shows_finer_bars_and_a_double_click_all_again(
     assert axes.get_xlim() == whole
 
 
-def test_the_shares_of_all_points_make_one(panel: HistogramsPanel) -> None:
+def test_shares_of_points_sum_to_one(panel: HistogramsPanel) -> None:
     panel.plot.setCurrentIndex(1)
     for patch in panel.canvas.figure.axes[0].patches:
         bars = patch.get_data()
@@ -154,7 +150,9 @@ def test_numbers_and_picture_are_copied(
     assert f"{1000 * height.median_after[first]:.3f}" in text
 
 
-def test_pairs_of_lines_stand_beside_the_plane(panel: HistogramsPanel, validated: Project) -> None:
+def test_pairs_of_lines_are_listed_beside_the_plane(
+    panel: HistogramsPanel, validated: Project
+) -> None:
     pairs = validated.validation[0].pairs
     assert panel.pairs.rowCount() == len(pairs)
     names = panel.pairs.item(0, 0).text()

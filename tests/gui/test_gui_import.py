@@ -1,4 +1,4 @@
-"""The import dialogue through mouse and keyboard: files dropped, chosen and mended."""
+"""Tests of the import dialog by mouse and keyboard: dropped files, choices, corrections."""
 
 from pathlib import Path
 
@@ -26,7 +26,7 @@ from tests.message_codes import is_shown
 # -- files in --------------------------------------------------------------------------------------
 
 
-def test_an_empty_dialogue_says_what_to_bring(dialog: ImportDialog) -> None:
+def test_an_empty_dialog_lists_the_required_files(dialog: ImportDialog) -> None:
     assert dialog.empty.isVisible()
     assert not dialog.ok.isEnabled()
     assert dialog.reason.text().startswith("Add the files of the survey")
@@ -64,7 +64,7 @@ def test_dropped_files_become_a_project(
     assert made.settings.lever_arm == (0.0, 0.0, 2.173)
 
 
-def test_a_folder_is_searched_and_a_stranger_listed_with_the_reason(
+def test_a_folder_is_searched_and_unknown_files_have_a_reason(
     dialog: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
 ) -> None:
     (tmp_path / "field").mkdir()
@@ -112,10 +112,10 @@ def test_roles_are_chosen_and_files_removed_by_keys(filled: ImportDialog, qtbot:
     assert filled.table.rowCount() == 7
 
 
-# -- what mends ------------------------------------------------------------------------------------
+# -- corrections -----------------------------------------------------------------------------------
 
 
-def test_lines_in_another_time_base_are_mended_by_a_button(
+def test_a_button_corrects_the_time_base_of_lines(
     dialog: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
 ) -> None:
     lines = [line.path for line in demo.project.lines]
@@ -142,7 +142,7 @@ def test_lines_in_another_time_base_are_mended_by_a_button(
     assert [line.reading.time_shift for line in request.lines] == [0, 86_400, 86_400]
 
 
-def test_a_line_is_excluded_by_its_button_and_the_timeline_goes_by_keys(
+def test_a_line_is_excluded_by_a_button_and_the_timeline_has_keys(
     dialog: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
 ) -> None:
     far = shifted(demo.project.lines[2].path, tmp_path / "far.laz", 9999.9)
@@ -156,7 +156,7 @@ def test_a_line_is_excluded_by_its_button_and_the_timeline_goes_by_keys(
         qtbot.keyClick(view, Key.Key_Down)
     assert dialog.table.current == other
     assert "after" in view.accessibleDescription() or "outside" in view.accessibleDescription()
-    for left_out in (other, far):  # the last button is the last line's
+    for left_out in (other, far):  # the last button belongs to the last line
         button = dialog.timeline.messages.buttons[-1]
         assert button.text() == "Exclude the file"
         qtbot.mouseClick(button, Left)
@@ -173,11 +173,11 @@ def test_the_longest_gap_is_set_beside_the_timeline(filled: ImportDialog, qtbot:
     gap.selectAll()
     qtbot.keyClicks(gap, "4")
     qtbot.keyClick(gap, Key.Key_Return)
-    assert filled.isVisible()  # Enter ends the typing, not the dialogue
+    assert filled.isVisible()  # Enter ends the input, not the dialog
     assert filled.request().settings.longest_gap == 4.0
 
 
-def test_columns_are_chosen_over_the_preview_and_remembered(
+def test_columns_are_chosen_in_the_preview_and_remembered(
     dialog: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
 ) -> None:
     las = laspy.read(demo.project.lines[0].path)

@@ -1,4 +1,4 @@
-"""The import dialogue's figures and keys, and how files come to it from the window."""
+"""Tests of figures and keys of the import dialog, and of files dropped on the window."""
 
 from pathlib import Path
 
@@ -23,7 +23,7 @@ Tab = Qt.Key.Key_Tab
 # -- leaving ---------------------------------------------------------------------------------------
 
 
-def test_escape_leaves_no_files_unasked(filled: ImportDialog, qtbot: QtBot) -> None:
+def test_escape_with_files_asks(filled: ImportDialog, qtbot: QtBot) -> None:
     rows = filled.table.rowCount()
     assert rows > 1
     for name in (None, "Continue importing", "Close without importing"):
@@ -46,7 +46,7 @@ def test_escape_leaves_no_files_unasked(filled: ImportDialog, qtbot: QtBot) -> N
     assert filled.result() == QDialog.DialogCode.Rejected
 
 
-def test_escape_leaves_an_empty_dialogue_at_once(dialog: ImportDialog) -> None:
+def test_escape_closes_an_empty_dialog(dialog: ImportDialog) -> None:
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     assert not dialog.isVisible()
 
@@ -96,7 +96,7 @@ def test_ticks_are_round_and_few() -> None:
 # -- keyboard --------------------------------------------------------------------------------------
 
 
-def test_everything_is_reached_by_the_tab_key(filled: ImportDialog, qtbot: QtBot) -> None:
+def test_all_controls_are_reached_by_tab(filled: ImportDialog, qtbot: QtBot) -> None:
     wanted = {
         "import_add_files", "import_add_folder", "import_remove", "import_files",
         "new_folder", "new_folder_browse", "new_ok", "option_pitch", "import_preview",
@@ -116,7 +116,7 @@ def test_everything_is_reached_by_the_tab_key(filled: ImportDialog, qtbot: QtBot
 # -- from the window -------------------------------------------------------------------------------
 
 
-def test_files_dropped_on_the_window_open_the_dialogue(driver: Driver, demo: Demo) -> None:
+def test_files_dropped_on_the_window_open_the_import_dialog(driver: Driver, demo: Demo) -> None:
     drop(driver.window, raw(demo))
     driver.bot.waitUntil(lambda: bool(driver.dialogs.dropped), timeout=WAIT_MS)
     assert driver.dialogs.dropped == raw(demo)
@@ -132,7 +132,7 @@ def test_a_project_dropped_on_the_window_opens(driver: Driver, demo_copy: Path, 
 
 
 class RealImport(Dialogs):
-    """Asks by the real dialogue, which a timer then drives."""
+    """Dialogs with the real import dialog, driven by a timer."""
 
     def __init__(self, folder: Path) -> None:
         super().__init__()
@@ -157,7 +157,7 @@ class RealImport(Dialogs):
                 QTest.mouseClick(dialog.ok, Left)
 
 
-def test_dropped_files_are_a_project_in_the_window_at_the_end(
+def test_dropped_files_become_the_project_of_the_window(
     driver: Driver, demo: Demo, tmp_path: Path
 ) -> None:
     dialogs = RealImport(tmp_path / "made")
@@ -171,7 +171,7 @@ def test_dropped_files_are_a_project_in_the_window_at_the_end(
     assert len(open_project(tmp_path / "made").lines) == 6
 
 
-def test_what_the_dialogue_remembers_is_read_back(tmp_path: Path) -> None:
+def test_choices_of_the_dialog_are_remembered(tmp_path: Path) -> None:
     settings = AppSettings(tmp_path / "s.ini")
     assert settings.column_mappings() == {}
     settings.save_column_mappings({"text/4/": "time x y z"})

@@ -1,4 +1,4 @@
-"""The window in another language: made anew around the same project."""
+"""Tests of changing the language, which recreates the window with the same project."""
 
 import gc
 import threading
@@ -28,7 +28,7 @@ SOON_MS = 20_000
 
 @pytest.fixture
 def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path):
-    """A program with a window in English."""
+    """A session with an English window."""
     settings = AppSettings(tmp_path / "settings.ini")
     settings.language = "en"
     made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
@@ -41,7 +41,7 @@ def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path):
     set_language("en")
 
 
-def test_the_tour_goes_on_in_another_language(
+def test_the_tour_continues_in_another_language(
     session: Session, qtbot: QtBot, demo_copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: demo_copy)
@@ -90,7 +90,7 @@ def test_the_language_changes_and_nothing_is_lost(
     assert [w for w in QApplication.topLevelWidgets() if w.isVisible()] == [french]
 
 
-def test_the_former_window_is_gone_with_all_it_held(session: Session, qtbot: QtBot) -> None:
+def test_the_former_window_is_deleted_with_all_its_objects(session: Session, qtbot: QtBot) -> None:
     for code in ("fr", "en"):
         former = session.window
         former.settings.language = code
@@ -105,7 +105,9 @@ def test_the_former_window_is_gone_with_all_it_held(session: Session, qtbot: QtB
     assert [type(each).__name__ for each in alive].count("RecordingViewport") == 1
 
 
-def test_a_saved_project_stays_saved(session: Session, qtbot: QtBot, demo: Demo) -> None:
+def test_a_saved_project_is_not_marked_as_changed(
+    session: Session, qtbot: QtBot, demo: Demo
+) -> None:
     english = session.window
     english.document.open(demo.picked, demo.survey)
     english.controller.rename("T1", "North wall")
@@ -123,7 +125,7 @@ def test_a_saved_project_stays_saved(session: Session, qtbot: QtBot, demo: Demo)
 
 
 def renewed(session: Session, qtbot: QtBot, code: str) -> MainWindow:
-    """The window in another language."""
+    """Change the language and return the new window."""
     former = session.window
     former.settings.language = code
     former.rebuild_window()
@@ -138,7 +140,9 @@ def test_the_open_step_stays_open(session: Session, qtbot: QtBot, demo: Demo) ->
     assert renewed(session, qtbot, "fr").workflow.opened == 1
 
 
-def test_what_is_typed_and_not_applied_stays(session: Session, qtbot: QtBot, demo: Demo) -> None:
+def test_typed_values_that_are_not_applied_are_kept(
+    session: Session, qtbot: QtBot, demo: Demo
+) -> None:
     english = session.window
     english.document.open(demo.picked, demo.survey)
     used = demo.picked.settings
@@ -169,9 +173,7 @@ def test_what_is_typed_and_not_applied_stays(session: Session, qtbot: QtBot, dem
     assert french.data.lever_arm.value() == used.lever_arm
 
 
-def test_what_was_found_waits_on_for_a_yes_or_a_no(
-    session: Session, qtbot: QtBot, demo: Demo
-) -> None:
+def test_a_pending_candidate_is_kept(session: Session, qtbot: QtBot, demo: Demo) -> None:
     session.window.document.open(demo.project, demo.survey)
     found = demo.picked.target("T1")
     session.window.controller.set_candidate(found)
@@ -182,8 +184,8 @@ def test_what_was_found_waits_on_for_a_yes_or_a_no(
     assert [target.name for target in french.document.project.targets] == ["T1"]
 
 
-class Shown(QObject):
-    """Notes names of windows in the order they are shown in."""
+class ShowRecorder(QObject):
+    """Record the names of windows in the order in which they are shown."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -195,12 +197,12 @@ class Shown(QObject):
         return False
 
 
-def test_panels_that_float_come_back_after_the_window(
+def test_floating_panels_are_shown_after_the_window(
     session: Session, qtbot: QtBot, qapp: QApplication
 ) -> None:
-    """In another language as after a restart: a window manager puts it over what was there."""
+    """Otherwise a window manager shows the new window above them; the same after a restart."""
     session.window.docks["Log"].setFloating(True)
-    shown = Shown()
+    shown = ShowRecorder()
     qapp.installEventFilter(shown)
     try:
         french = renewed(session, qtbot, "fr")
@@ -213,9 +215,7 @@ def test_panels_that_float_come_back_after_the_window(
     assert [each for each in QApplication.topLevelWidgets() if each.isVisible()] == []
 
 
-def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
-    session: Session, qtbot: QtBot
-) -> None:
+def test_a_report_has_the_language_of_the_window_by_default(session: Session, qtbot: QtBot) -> None:
     def spoken() -> str:
         return session.window.report.language.currentText()
 
@@ -230,7 +230,7 @@ def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
     assert written() == "fr"
     for _ in "window", "English":
         QTest.keyClick(session.window.report.language, Qt.Key.Key_Down)
-    assert written() == "fr"  # chosen now, though the window's
+    assert written() == "fr"  # explicitly chosen, although it is that of the window
     renewed(session, qtbot, "en")
     assert (spoken(), written()) == ("Français", "fr")
     QTest.keyClick(session.window.report.language, Qt.Key.Key_Home)
@@ -240,7 +240,7 @@ def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
 
 
 def test_another_language_waits_for_the_work_on_a_plan(session: Session, qtbot: QtBot) -> None:
-    """A search that is cancelled looks at its flag now and then: the window would stand still."""
+    """A cancelled search needs some time to end, during which the window must not block."""
     former = session.window
     former.site_design.open()
     goes_on, ended = threading.Event(), []
@@ -259,7 +259,7 @@ def test_another_language_waits_for_the_work_on_a_plan(session: Session, qtbot: 
     assert ended == [None]
 
 
-def test_the_log_stays(session: Session, qtbot: QtBot) -> None:
+def test_the_log_is_kept(session: Session, qtbot: QtBot) -> None:
     former = session.window
     former.log.note("Something happened")
     said = former.log.toPlainText()
@@ -268,7 +268,7 @@ def test_the_log_stays(session: Session, qtbot: QtBot) -> None:
     assert session.window.log.toPlainText().startswith(said)
 
 
-def test_nothing_is_cut_off_in_a_small_french_window(
+def test_no_text_is_cut_off_in_a_small_french_window(
     session: Session, qtbot: QtBot, demo: Demo, estimated: Project
 ) -> None:
     english = session.window

@@ -1,4 +1,4 @@
-"""Another language, chosen in the settings by mouse and keyboard alone, and the former again."""
+"""Tests of choosing another language in the settings and back, by mouse and keyboard."""
 
 from pathlib import Path
 
@@ -24,7 +24,7 @@ TABS = 40
 
 
 def speak_by_keys(hands: Hands, menu: str, entry: str, wanted: str) -> None:
-    """Choose a language in the settings: the menu by mouse, the box by keys, and Keep."""
+    """Choose a language in the settings: menu by mouse, list and Keep by keys."""
 
     def act(dialog: SettingsDialog) -> bool:
         box = dialog.language
@@ -48,7 +48,7 @@ def speak_by_keys(hands: Hands, menu: str, entry: str, wanted: str) -> None:
 
 
 def dialog_texts(dialog: QFileDialog) -> set[str]:
-    """Labels, buttons, heads of columns and kinds of the first rows of a file dialogue."""
+    """Return labels, buttons, headers and file types of a file dialog."""
     tree = dialog.findChild(QTreeView)
     model, root = tree.model(), tree.rootIndex()
     heads = {model.headerData(k, Qt.Orientation.Horizontal) for k in range(model.columnCount())}
@@ -58,7 +58,7 @@ def dialog_texts(dialog: QFileDialog) -> set[str]:
 
 
 def words(menu: QMenu | QMenuBar) -> list[str]:
-    """Of the entries, and of the menus below."""
+    """Return the texts of the entries of a menu and its submenus."""
     found = []
     for action in menu.actions():
         found.append(action.text().replace("&", ""))
@@ -68,7 +68,7 @@ def words(menu: QMenu | QMenuBar) -> list[str]:
 
 
 @pytest.mark.long
-def test_the_language_is_chosen_and_chosen_back(
+def test_the_language_is_changed_and_changed_back(
     hands: Hands, demo: Demo, picked_folder: Path, tmp_path: Path
 ) -> None:
     kept = tmp_path / "settings.ini"
@@ -97,7 +97,7 @@ def test_the_language_is_chosen_and_chosen_back(
     shows_something(hands, tmp_path / "english.png")
 
 
-def test_file_dialogues_are_in_the_language_of_the_window(
+def test_file_dialogs_have_the_language_of_the_window(
     hands: Hands, picked_folder: Path, tmp_path: Path
 ) -> None:
     (tmp_path / "here").mkdir()
@@ -106,7 +106,7 @@ def test_file_dialogues_are_in_the_language_of_the_window(
     def inspect_dialog(dialog: QFileDialog) -> bool:
         dialog.setDirectory(str(tmp_path))
         if not {"Folder", "Dossier"} & dialog_texts(dialog):
-            return False  # Qt looks into the folder in a thread of its own
+            return False  # Qt reads the folder in a separate thread.
         seen.append(dialog_texts(dialog))
         dialog.grab().save(str(tmp_path / f"files-{len(seen)}.png"))
         hands.bot.keyClick(dialog, Key.Key_Escape)

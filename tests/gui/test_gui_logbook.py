@@ -1,4 +1,4 @@
-"""Nothing is silent: errors of threads and of Qt, and the end of long work."""
+"""Tests of logging errors of threads and of Qt, and of reporting the end of long work."""
 
 import logging
 import threading
@@ -19,7 +19,7 @@ from tests.gui.support import WAIT_MS, Driver
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
-def test_what_nobody_would_see_is_in_the_log_file(tmp_path: Path) -> None:
+def test_errors_without_a_dialog_are_logged(tmp_path: Path) -> None:
     told: list[BaseException] = []
     before = (threading.excepthook, logging.getLogger("lispac").handlers[:])
     book = LogFile(tmp_path / "made", told.append)
@@ -45,7 +45,7 @@ def test_what_nobody_would_see_is_in_the_log_file(tmp_path: Path) -> None:
     assert logging.getLogger("lispac").handlers == before[1]
 
 
-def test_an_error_is_written_down_with_its_origin(tmp_path: Path, driver: Driver) -> None:
+def test_an_error_is_logged_with_its_origin(tmp_path: Path, driver: Driver) -> None:
     book = LogFile(tmp_path, driver.dialogs.show_error)
     book.begin()
     try:
@@ -67,7 +67,7 @@ def test_an_error_is_written_down_with_its_origin(tmp_path: Path, driver: Driver
     assert "test_gui_logbook.py" in written
 
 
-def test_a_folder_that_cannot_be_written_stops_nothing(tmp_path: Path) -> None:
+def test_a_read_only_log_folder_does_not_stop_the_program(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     book = LogFile(tmp_path / "file", lambda _error: None)
     book.begin()
@@ -76,7 +76,7 @@ def test_a_folder_that_cannot_be_written_stops_nothing(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("ending", ["done", "failed", "cancelled", "short"])
-def test_the_end_of_long_work_is_reported_elsewhere(
+def test_the_end_of_long_work_is_notified_if_the_window_is_inactive(
     driver: Driver, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, ending: str
 ) -> None:
     monkeypatch.setattr(desktop_notifications, "MIN_TASK_S", 30.0 if ending == "short" else 0.05)
@@ -102,7 +102,9 @@ def test_the_end_of_long_work_is_reported_elsewhere(
     assert [words.rpartition(" after")[0] + " after" for words in told] == expected.get(ending, [])
 
 
-def test_one_who_is_there_is_not_reported(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_notification_while_the_window_is_active(
+    driver: Driver, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(desktop_notifications, "MIN_TASK_S", 0.0)
     told: list[str] = []
     DesktopNotifications(driver.window, driver.window.runner, told.append)

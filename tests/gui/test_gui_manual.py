@@ -1,4 +1,4 @@
-"""Help > Manual: the page that the browser is given."""
+"""Tests of Help > Manual and of the pages opened in the browser."""
 
 from pathlib import Path
 
@@ -14,12 +14,12 @@ from tests.manual_tables import folder, tables
 
 @pytest.fixture(scope="module")
 def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where the manual is built by the first who asks, in all its languages."""
+    """Folder where the first test builds the manual in all languages."""
     return tmp_path_factory.mktemp("cache")
 
 
 @pytest.mark.parametrize("spoken", ["en", "fr"])
-def test_it_is_opened_in_the_language_of_the_window(
+def test_the_manual_is_opened_in_the_language_of_the_window(
     driver: Driver, spoken: str, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     opened: list[QUrl] = []
@@ -45,17 +45,17 @@ def test_it_is_opened_in_the_language_of_the_window(
 
 
 @pytest.mark.parametrize("spoken", ["en", "fr"])
-def test_its_tables_are_those_of_the_window_and_the_readers(
+def test_tables_of_the_manual_match_the_window_and_the_formats(
     qapp: QApplication, spoken: str
 ) -> None:
-    """After a change of fields or options: python -m tests.manual_tables."""
+    """After a change of fields or options, run python -m tests.manual_tables."""
     kept = {file.name: file.read_text(encoding="utf-8") for file in folder(spoken).iterdir()}
     made = tables(spoken)
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert kept == made
 
 
-def test_a_key_keeps_its_letter_in_french() -> None:
+def test_shortcuts_keep_their_letters_in_french() -> None:
     rows = (folder("fr") / "keys.md").read_text(encoding="utf-8").splitlines()
     assert any(row.startswith("| W | vue partagée avant et après") for row in rows)
     assert len([row for row in rows if row.startswith("| O |")]) == 1

@@ -1,4 +1,4 @@
-"""Other methods beside the targets, in the window."""
+"""Tests of alternative methods in the window."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ from tests.gui.test_gui_warnings import listed
 
 
 def result_of_the_scene(project, _survey, *, progress) -> AlternativeResult:
-    """Nearly what the targets say; how it is found is tested elsewhere and takes a while."""
+    """Return a result near that of the targets, in place of the slow computation."""
     progress(0.5, "Matching the lines: iteration 1")
     result = project.result
     turned = result.boresight + np.radians([0.5, 0.0, 0.0])
@@ -33,7 +33,7 @@ def result_of_the_scene(project, _survey, *, progress) -> AlternativeResult:
     )
 
 
-def test_the_missing_ones_are_asked_and_kept_as_one_step(
+def test_missing_methods_are_computed_and_kept_as_one_step(
     adjusted: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[str] = []
@@ -82,18 +82,18 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
     ]
     assert adjusted.window.document.undo_stack.undoText() == "results of alternative methods"
     assert adjusted.project.result is before.result
-    # It is told among the warnings, and taken back in one step.
+    # The comparison is among the warnings, and one undo removes it.
     assert "report.methods_differ" in {each.code for each in listed(adjusted)}
     adjusted.window.document.undo_stack.undo()
     assert adjusted.project.alternative_results == ()
 
 
 def compare(driver: Driver) -> None:
-    """The dialogue comes up within the click, which would wait for it."""
+    """Open the dialog by a click, which blocks until the dialog is closed."""
     QTimer.singleShot(0, driver.window.actions_["methods"].trigger)
 
 
-def test_what_a_method_cannot_answer_is_reported(
+def test_a_refusal_of_a_method_is_reported(
     adjusted: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(_project, _survey, method, *, progress):
@@ -115,5 +115,5 @@ def test_what_a_method_cannot_answer_is_reported(
     assert adjusted.project is before
 
 
-def test_without_lines_there_is_nothing_to_compare(driver: Driver) -> None:
+def test_comparison_is_disabled_without_lines(driver: Driver) -> None:
     assert not driver.window.actions_["methods"].isEnabled()

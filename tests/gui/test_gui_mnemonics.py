@@ -1,4 +1,4 @@
-"""Every letter of a menu leads to one entry, in both languages."""
+"""Tests that mnemonics of menus are unique, in both languages."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -14,20 +14,20 @@ from tests.gui.support import Demo, Driver
 
 @pytest.fixture(params=LANGUAGES)
 def code(request: pytest.FixtureRequest) -> Iterator[str]:
-    """A language, spoken while the window is made."""
+    """A language that is active while the window is created."""
     set_language(request.param)
     yield request.param
     set_language("en")
 
 
 def mnemonic(text: str) -> str:
-    """The letter after the first single &; empty where there is none."""
+    """Return the letter after the first single &, or an empty string."""
     at = text.replace("&&", "  ").find("&")
     return text[at + 1 : at + 2].lower() if at >= 0 else ""
 
 
 def twice(menu: QMenu | QMenuBar, name: str) -> list[str]:
-    """Letters that are there more than once, here and below."""
+    """Return letters used more than once in a menu or its submenus."""
     texts = [action.text() for action in menu.actions() if action.text()]
     letters = Counter(letter for text in texts if (letter := mnemonic(text)))
     found = [f"{name}: {letter} {texts}" for letter, count in letters.items() if count > 1]
@@ -37,7 +37,7 @@ def twice(menu: QMenu | QMenuBar, name: str) -> list[str]:
     return found
 
 
-def test_no_letter_is_there_twice(code: str, driver: Driver, demo: Demo) -> None:
+def test_mnemonics_are_unique_in_each_menu(code: str, driver: Driver, demo: Demo) -> None:
     driver.window.document.open(demo.picked, demo.survey)
     driver.window.controller.rename("T1", "North wall")
     driver.rest()

@@ -1,4 +1,4 @@
-"""A monkey at the window finds no exception, no stall and no growth, and leaves nothing behind."""
+"""Tests that random use of the window causes no exception, stall, memory growth or leak."""
 
 import json
 import os
@@ -15,17 +15,17 @@ from lispac.workflow.project.projects import open_project, save_project
 from tests.gui.support import Demo
 
 CHECKOUT = Path(__file__).resolve().parents[2]
-WARMING_S = 120
-"""To start, to bring the program to rest twice, and to end, on busy processors."""
-GROWTH = 1.10
+OVERHEAD_S = 120
+"""Time for the start, two waits for the end of all work, and the end, on busy processors."""
+MAX_GROWTH = 1.10
 
 
 def seen(project: Path, folder: Path, seed: int, seconds: int) -> dict[str, Any]:
-    """Let the monkey play in a process of its own."""
+    """Run the monkey in a separate process, and return its findings."""
     run = subprocess.run(
         [sys.executable, "-m", "tests.gui.monkey", str(project), str(folder),
          "--seed", str(seed), "--seconds", str(seconds)],
-        cwd=CHECKOUT, capture_output=True, text=True, check=False, timeout=seconds + 2 * WARMING_S,
+        cwd=CHECKOUT, capture_output=True, text=True, check=False, timeout=seconds + 2 * OVERHEAD_S,
         env={**os.environ, "PYTHONPATH": str(CHECKOUT)},
     )  # fmt: skip
     assert run.returncode == 0, run.stderr[-5000:]
@@ -36,17 +36,17 @@ def seen(project: Path, folder: Path, seed: int, seconds: int) -> dict[str, Any]
 
 @pytest.fixture
 def base(demo: Demo, demo_copy: Path) -> Path:
-    """A project with picked targets, on the disk."""
+    """A saved project with picked targets."""
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
-    # With the raw files of its own folder, for the monkey's cage gets copies of it
+    # With raw files in its own folder, since the monkey works in a copy of it
     save_project(replace(open_project(demo_copy), targets=demo.picked.targets))
     return demo_copy
 
 
-@pytest.mark.timeout(60 + 2 * WARMING_S)
-def test_a_minute_of_anything(base: Path, tmp_path: Path) -> None:
-    """Stalls are printed: how long computing takes on shared processors is no matter of a test."""
+@pytest.mark.timeout(60 + 2 * OVERHEAD_S)
+def test_one_minute_of_random_use(base: Path, tmp_path: Path) -> None:
+    """Stalls are only printed, since they depend on the load of shared processors."""
     found = seen(base, tmp_path / "cage", seed=1, seconds=60)
     assert sum(found["done"].values()) > 100, "it hardly did anything"
     assert found["exceptions"] == []
@@ -54,14 +54,14 @@ def test_a_minute_of_anything(base: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.long
-@pytest.mark.timeout(600 + 2 * WARMING_S)
-def test_ten_minutes_of_anything(base: Path, tmp_path: Path) -> None:
+@pytest.mark.timeout(600 + 2 * OVERHEAD_S)
+def test_ten_minutes_of_random_use(base: Path, tmp_path: Path) -> None:
     found = seen(base, tmp_path / "cage", seed=2, seconds=600)
     assert sum(found["done"].values()) > 1000
     assert found["exceptions"] == []
     assert found["stalls"] == []
     assert found["left"] == []
-    # Each library is loaded when it is first needed, so the first minutes are no measure
+    # Libraries are loaded on first use, so the first minutes do not count.
     course = found["course_mb"]
     third = len(course) // 3
-    assert max(course[-third:]) < GROWTH * max(course[third : 2 * third])
+    assert max(course[-third:]) < MAX_GROWTH * max(course[third : 2 * third])

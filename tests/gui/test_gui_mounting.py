@@ -1,4 +1,4 @@
-"""The sketch of the mounting: what is typed is drawn on the side where georeferencing puts it."""
+"""Tests of the sketch of the mounting against the georeferencing."""
 
 import numpy as np
 import pytest
@@ -21,9 +21,9 @@ RIGHT_UP = {"above": (lambda n, w, u: -w, lambda n, w, u: n),
 
 
 def placed(lever_arm, boresight_deg) -> np.ndarray:
-    """The scanner's centre and the tips of its axes, (4, 3): north, west, up of the POS centre.
+    """Return centre and axis tips (4, 3) of the scanner relative to the POS: north, west, up.
 
-    By the georeferencing, of a vessel that lies level at the origin with its bow to the north.
+    Computed by the georeferencing for a level vessel at the origin with heading north.
     """
     points = np.vstack([np.zeros(3), np.eye(3)])
     level = Poses(np.zeros((4, 3)), np.zeros((4, 3)))
@@ -31,13 +31,13 @@ def placed(lever_arm, boresight_deg) -> np.ndarray:
 
 
 def offsets(sketch: MountingSketch, view: str) -> np.ndarray:
-    """Of the scanner from the POS centre as drawn, metres to the right and up."""
+    """Return the drawn offset of the scanner from the POS centre, metres right and up."""
     way = sketch.at(view, sketch.lever_arm) - sketch.at(view, (0.0, 0.0, 0.0))
     return np.array([way.x(), -way.y()]) / sketch.pixels_per_metre
 
 
 def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray:
-    """Middle of the scanner's dot in the picture, pixels from the POS centre, right and up."""
+    """Return the middle of the scanner's dot in pixels right and up of the POS centre."""
     picture = sketch.grab().toImage()
     wanted = QColor(colour)
     half = picture.width() // 2
@@ -57,14 +57,16 @@ def dot_in_picture(sketch: MountingSketch, view: str, colour: str) -> np.ndarray
 
 
 def typed(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketch:
-    """By keys, without Enter."""
+    """Type a mounting by keys, without Enter."""
     open_step(driver, 0)
     data = driver.window.data
     for field, text in zip((*data.lever_arm.fields, *data.boresight.fields),
                            (*lever_arm, *boresight), strict=True):  # fmt: skip
         type_into(driver, field, text)
     sketch = data.mounting.sketch
-    driver.bot.waitUntil(lambda: sketch.isVisible() and sketch.height() == HEIGHT)  # laid out
+    driver.bot.waitUntil(
+        lambda: sketch.isVisible() and sketch.height() == HEIGHT
+    )  # wait for the layout
     return sketch
 
 
@@ -73,7 +75,7 @@ def typed(driver: Driver, lever_arm, boresight=("0", "0", "0")) -> MountingSketc
     [("1.2", "0.35", "2.1"), ("-1.2", "0.35", "2.1"), ("1.2", "-0.35", "2.1"),
      ("1.2", "0.35", "-2.1"), ("-0.24", "-0.9", "1.5")],
 )  # fmt: skip
-def test_what_is_typed_is_drawn_where_georeferencing_puts_it(opened: Driver, lever_arm) -> None:
+def test_a_typed_mounting_is_drawn_as_georeferenced(opened: Driver, lever_arm) -> None:
     sketch = typed(opened, lever_arm)
     north, west, up = placed([float(each) for each in lever_arm], (0.0, 0.0, 0.0))[0]
     for view in VIEWS:
@@ -82,10 +84,10 @@ def test_what_is_typed_is_drawn_where_georeferencing_puts_it(opened: Driver, lev
         colour = theme.WARNING if up < -1 else theme.ACCENT
         dot = dot_in_picture(sketch, view, colour) / sketch.pixels_per_metre
         assert dot == pytest.approx([right, above], abs=1.6 / sketch.pixels_per_metre)
-    assert opened.window.data.apply.isEnabled()  # nothing was taken over meanwhile
+    assert opened.window.data.apply.isEnabled()  # not applied yet
 
 
-def test_a_changed_sign_goes_to_the_other_side_as_it_is_typed(opened: Driver) -> None:
+def test_a_typed_sign_moves_the_scanner_to_the_other_side(opened: Driver) -> None:
     sketch = typed(opened, ("0.5", "1.2", "2"))
     port = dot_in_picture(sketch, "above", theme.ACCENT)
     field = opened.window.data.lever_arm.fields[1]
@@ -105,9 +107,7 @@ def test_a_changed_sign_goes_to_the_other_side_as_it_is_typed(opened: Driver) ->
     "boresight", [(0.0, 0.0, 90.0), (0.0, 90.0, 0.0), (90.0, 0.0, 0.0), (180.0, 0.0, 0.0),
                   (35.0, -60.0, 120.0)]
 )  # fmt: skip
-def test_the_scanners_axes_point_where_georeferencing_points_them(
-    opened: Driver, boresight
-) -> None:
+def test_axes_of_the_scanner_are_drawn_as_georeferenced(opened: Driver, boresight) -> None:
     sketch = typed(opened, ("1", "0.4", "2"), [str(each) for each in boresight])
     assert sketch.factor == 1
     local = placed((1.0, 0.4, 2.0), boresight)
@@ -118,13 +118,13 @@ def test_the_scanners_axes_point_where_georeferencing_points_them(
             start, tip = sketch.axis_ends(view, axis)
             drawn.append((tip.x() - start.x(), start.y() - tip.y()))
             wanted.append([way(north, west, up) for way in RIGHT_UP[view]])
-    pixels = np.vdot(drawn, wanted) / np.vdot(wanted, wanted)  # of an axis that is seen whole
+    pixels = np.vdot(drawn, wanted) / np.vdot(wanted, wanted)  # of an axis parallel to the picture
     assert pixels > 15
     assert np.array(drawn) == pytest.approx(pixels * np.array(wanted), abs=1e-9)
 
 
-def test_a_small_turn_is_drawn_to_its_own_side(opened: Driver) -> None:
-    """Shown larger, but a turn to starboard still goes to starboard."""
+def test_a_small_rotation_is_drawn_with_its_sign(opened: Driver) -> None:
+    """It is exaggerated, but a rotation to starboard is drawn to starboard."""
     for yaw in ("0.4", "-0.4"):
         sketch = typed(opened, ("1", "0", "2"), ("0", "0", yaw))
         assert sketch.factor > 1
@@ -134,7 +134,7 @@ def test_a_small_turn_is_drawn_to_its_own_side(opened: Driver) -> None:
         assert abs(tip.x() - start.x()) > 2
 
 
-def test_on_a_low_screen_it_is_seen_beside_the_field(opened: Driver) -> None:
+def test_the_sketch_is_visible_beside_the_field_on_a_low_screen(opened: Driver) -> None:
     opened.window.resize(1366, 768)
     sketch = typed(opened, ("1", "0.4", "2"))
     area = opened.window.workflow.findChild(QScrollArea)
@@ -148,7 +148,7 @@ def test_on_a_low_screen_it_is_seen_beside_the_field(opened: Driver) -> None:
     assert not field.visibleRegion().isEmpty()
 
 
-def test_a_scanner_far_below_is_a_warning(opened: Driver) -> None:
+def test_a_scanner_far_below_the_pos_gives_a_warning(opened: Driver) -> None:
     view = opened.window.data.mounting
     typed(opened, ("1.2", "0.35", "-2.1"))
     assert view.file_warnings.isVisible()
@@ -169,7 +169,7 @@ def test_a_warning_is_fully_visible_while_it_is_typed(opened: Driver, height, le
 
 
 def is_whole(widget: QWidget) -> bool:
-    """Whether all of it is in sight, and high enough for its words."""
+    """Test whether a widget is fully visible and high enough for its text."""
     return (
         widget.isVisible()
         and widget.visibleRegion().boundingRect() == widget.rect()
@@ -177,7 +177,7 @@ def is_whole(widget: QWidget) -> bool:
     )
 
 
-def test_reverting_draws_what_is_in_use(opened: Driver) -> None:
+def test_reverting_draws_the_applied_mounting(opened: Driver) -> None:
     in_use = opened.project.settings.lever_arm
     sketch = typed(opened, ("1.2", "0.35", "2.1"))
     opened.bot.mouseClick(opened.window.data.revert, Qt.MouseButton.LeftButton)
@@ -185,7 +185,7 @@ def test_reverting_draws_what_is_in_use(opened: Driver) -> None:
 
 
 @pytest.mark.parametrize("size", [(262, 220), (330, 220), (620, 220)])
-def test_everything_stays_inside_at_every_size(qtbot, size) -> None:
+def test_the_sketch_stays_inside_its_widget_at_every_size(qtbot, size) -> None:
     sketch = MountingSketch()
     qtbot.addWidget(sketch)
     sketch.resize(*size)
@@ -198,7 +198,7 @@ def test_everything_stays_inside_at_every_size(qtbot, size) -> None:
                 assert 0 < dot.y() - 5 < dot.y() + 5 < size[1]
 
 
-def test_distances_are_in_the_unit_shown() -> None:
+def test_distances_are_in_the_displayed_unit() -> None:
     assert length_with_unit(2.1, ".2f") == "2.10\u00a0m"
     units.set_units("degrees", "feet")
     try:
@@ -207,7 +207,7 @@ def test_distances_are_in_the_unit_shown() -> None:
         units.set_units("degrees", "metres")
 
 
-def test_the_import_dialogue_draws_it_too(filled: ImportDialog, qtbot) -> None:
+def test_the_import_dialog_has_the_sketch(filled: ImportDialog, qtbot) -> None:
     page = filled.mounting
     page.lever_arm.fields[1].setFocus()
     page.lever_arm.fields[1].selectAll()
@@ -217,9 +217,7 @@ def test_the_import_dialogue_draws_it_too(filled: ImportDialog, qtbot) -> None:
 
 
 @pytest.mark.parametrize("size", [(1326, 708), (1240, 840)])
-def test_the_import_dialogue_shows_warnings_on_every_page(
-    filled: ImportDialog, qtbot, size
-) -> None:
+def test_the_import_dialog_shows_warnings_on_every_page(filled: ImportDialog, qtbot, size) -> None:
     filled.resize(*size)
     page, field = filled.mounting, filled.mounting.lever_arm.fields[2]
     filled.tabs.setCurrentWidget(page)

@@ -1,4 +1,4 @@
-"""Numbers as they are typed: one beyond the range is marked, named, and never cut to another."""
+"""Tests of typing numbers: values out of range are marked and never changed silently."""
 
 from collections.abc import Iterator
 
@@ -17,7 +17,7 @@ Key, SOON_MS = Qt.Key, 20_000
 
 
 class Form(QWidget):
-    """A field of −100 to 100 m with 2 m in it, one of 0.1 to 1000 mm, and the values told."""
+    """A field of −100 to 100 m with 2 m, one of 0.1 to 1000 mm, and their emitted values."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -47,13 +47,13 @@ def typed(qtbot: QtBot, field: NumberField, text: str) -> None:
     qtbot.keyClicks(field, text)
 
 
-def test_what_is_beyond_the_range_is_marked_and_the_range_is_named(form, qtbot) -> None:
+def test_a_value_out_of_range_is_marked_with_the_range(form, qtbot) -> None:
     typed(qtbot, form.up, "2173")
     assert form.up.cleanText() == "2173"
     assert form.up.property("wrong") is True
     assert QToolTip.text() == "Range: -100.0000 to 100.0000 m"
     qtbot.keyClick(form.up, Key.Key_Return)
-    assert form.up.cleanText() == "2173"  # Enter does not take it
+    assert form.up.cleanText() == "2173"  # Enter does not accept it
     qtbot.keyClick(form.up, Key.Key_Backspace)
     qtbot.keyClick(form.up, Key.Key_Backspace)
     assert form.up.property("wrong") is False
@@ -61,24 +61,24 @@ def test_what_is_beyond_the_range_is_marked_and_the_range_is_named(form, qtbot) 
     assert form.up.value() == 21.0
 
 
-def test_left_with_such_a_number_the_field_has_what_it_had_before(form, qtbot) -> None:
+def test_a_field_left_with_an_invalid_number_is_restored(form, qtbot) -> None:
     typed(qtbot, form.up, "2173")
     qtbot.keyClick(form.up, Key.Key_Tab)
     assert form.sigma.hasFocus()
     assert form.up.value() == 2.0
     assert form.up.text() == "2.0000 m"
     assert form.up.property("wrong") is False
-    assert form.told[-1] == 2.0  # 2 and 21, on the way, are taken back
+    assert form.told[-1] == 2.0  # the intermediate values 2 and 21 are reverted
     said = "2173 is outside the range -100.0000 to 100.0000 m. 2.0000 m is kept."
     qtbot.waitUntil(lambda: QToolTip.text() == said, timeout=SOON_MS)
     assert QToolTip.isVisible()
 
 
-def test_what_is_kept_is_shown_after_a_click_elsewhere(form, qtbot) -> None:
-    """Until the mouse is let go, which ends every tip."""
+def test_the_restored_value_is_reported_after_a_click_elsewhere(form, qtbot) -> None:
+    """It is shown after the release of the mouse button, which closes every tip."""
     typed(qtbot, form.up, "2173")
     qtbot.mousePress(form.sigma.lineEdit(), Qt.MouseButton.LeftButton)
-    form.sigma.setFocus()  # what the window system does at a click
+    form.sigma.setFocus()  # the events of a click
     qtbot.wait(80)
     qtbot.mouseRelease(form.sigma.lineEdit(), Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: "2.0000 m is kept" in QToolTip.text(), timeout=SOON_MS)
@@ -94,13 +94,13 @@ def test_no_sign_and_no_digit_is_lost(form, qtbot, text: str) -> None:
     assert form.sigma.value() == 5.0
 
 
-def test_a_step_starts_where_the_field_was(form, qtbot) -> None:
+def test_a_step_starts_from_the_valid_value(form, qtbot) -> None:
     typed(qtbot, form.up, "500")
     qtbot.keyClick(form.up, Key.Key_Up)
     assert form.up.value() == pytest.approx(2.01)
 
 
-def test_escape_takes_the_field_back(form, qtbot) -> None:
+def test_escape_restores_the_value(form, qtbot) -> None:
     typed(qtbot, form.up, "-500")
     qtbot.keyClick(form.up, Key.Key_Escape)
     assert form.up.text() == "2.0000 m"
@@ -111,7 +111,7 @@ def test_letters_and_too_many_decimals_cannot_be_typed(form, qtbot) -> None:
     assert form.up.cleanText() == "1.2345"
 
 
-def test_in_feet_and_in_french_the_range_is_in_them(form, qtbot) -> None:
+def test_the_range_is_shown_in_the_unit_and_language(form, qtbot) -> None:
     set_language("fr")
     units.set_units("degrees", "feet")
     try:

@@ -1,4 +1,4 @@
-"""A refused estimate keeps the former result and marks it as out of date."""
+"""Test that a refused estimate keeps the former result and marks it as out of date."""
 
 import json
 from dataclasses import replace
@@ -12,9 +12,7 @@ from lispac.message_texts import message_text
 from tests.gui.support import Driver
 
 
-def test_window_and_report_say_that_the_result_is_out_of_date(
-    adjusted: Driver, tmp_path: Path
-) -> None:
+def test_window_and_report_mark_the_result_as_out_of_date(adjusted: Driver, tmp_path: Path) -> None:
     before = adjusted.project.result
     asked = replace(adjusted.project.settings, surface=-1.0)
     adjusted.window.estimation.estimate(asked, False)
@@ -37,7 +35,7 @@ def test_window_and_report_say_that_the_result_is_out_of_date(
     assert french.startswith("La dernière compensation n’a pas été possible")
     set_language("en")
 
-    adjusted.window.controller.rename("T1", "North wall")  # the result stays, and so does this
+    adjusted.window.controller.rename("T1", "North wall")  # the message stays as long as the result
     assert words in unescape(adjusted.window.results.warnings.text())
     adjusted.window.estimation.estimate(adjusted.project.settings, False)
     adjusted.rest()

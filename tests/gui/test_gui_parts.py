@@ -1,4 +1,4 @@
-"""Parts of the window on their own: tasks, dialogues, settings, words."""
+"""Tests of parts of the window: tasks, dialogs, settings, texts."""
 
 import gc
 import json
@@ -45,7 +45,7 @@ def endless(progress: Progress) -> None:
 # -- tasks ---------------------------------------------------------------------------------------
 
 
-def test_the_work_runs_elsewhere_and_its_value_comes_back_here(qtbot, runner):
+def test_work_runs_in_a_thread_and_returns_its_value(qtbot, runner):
     got = []
 
     def work(progress):
@@ -59,7 +59,7 @@ def test_the_work_runs_elsewhere_and_its_value_comes_back_here(qtbot, runner):
     assert not runner.active
 
 
-def test_a_cancelled_task_hands_nothing_over(qtbot, runner):
+def test_a_cancelled_task_returns_no_value(qtbot, runner):
     got = []
     runner.run("Endless", endless, got.append)
     qtbot.waitUntil(lambda: runner.current.step == "going on")
@@ -69,7 +69,7 @@ def test_a_cancelled_task_hands_nothing_over(qtbot, runner):
     assert got == []
 
 
-def test_nothing_runs_any_more_while_a_dialogue_shows_what_was_found(qtbot, runner):
+def test_the_task_has_ended_when_a_dialog_shows_its_value(qtbot, runner):
     seen = []
 
     def show(_value: int) -> None:
@@ -84,10 +84,10 @@ def test_nothing_runs_any_more_while_a_dialogue_shows_what_was_found(qtbot, runn
     qtbot.waitUntil(lambda: bool(seen))
     assert seen == [False]
     first = next(k for k, task in enumerate(told) if task is None)
-    assert told[first:] == [None] * len(told[first:])  # told before it is shown
+    assert told[first:] == [None] * len(told[first:])  # reported before the dialog is shown
 
 
-def test_what_ends_under_a_dialogue_waits_for_it(qtbot, runner):
+def test_the_value_of_a_task_waits_for_an_open_dialog(qtbot, runner):
     got: list[int] = []
     dialog = QDialog()
     seen = []
@@ -99,8 +99,8 @@ def test_what_ends_under_a_dialogue_waits_for_it(qtbot, runner):
 
 
 @pytest.mark.parametrize("fails", [False, True])
-def test_an_ended_task_holds_nothing_it_worked_on(qtbot, runner, fails):
-    """Whoever keeps the task, to cancel it or to know that it ran, keeps no survey with it."""
+def test_an_ended_task_releases_its_data(qtbot, runner, fails):
+    """Objects that keep a reference to the task do not keep the survey alive."""
 
     class Lines:
         pass
@@ -124,8 +124,8 @@ def test_an_ended_task_holds_nothing_it_worked_on(qtbot, runner, fails):
 
 
 @pytest.mark.parametrize("persistent", [False, True])
-def test_what_is_written_when_it_is_cancelled_counts_as_done(qtbot, runner, tmp_path, persistent):
-    """The work has ended; the window has not heard of it yet when Cancel is pressed."""
+def test_persistent_work_cancelled_after_its_end_is_complete(qtbot, runner, tmp_path, persistent):
+    """The work has ended, but the window has not been notified when Cancel is pressed."""
     written, ended, got, told = tmp_path / "line.laz", threading.Event(), [], []
     runner.stopped.connect(lambda title: told.append(f"{title}: cancelled"))
     runner.cancelled_too_late.connect(told.append)
@@ -145,7 +145,7 @@ def test_what_is_written_when_it_is_cancelled_counts_as_done(qtbot, runner, tmp_
     assert written.exists()
 
 
-def test_lasting_work_that_stops_when_asked_is_cancelled(qtbot, runner):
+def test_persistent_work_can_be_cancelled(qtbot, runner):
     got = []
     runner.run("Export", endless, got.append, persistent=True)
     qtbot.waitUntil(lambda: runner.current.step == "going on")
@@ -166,7 +166,7 @@ def test_a_failed_task_reports_why_and_the_next_one_runs(qtbot, runner):
     qtbot.waitUntil(lambda: got == [7])
 
 
-def test_quiet_work_gives_way_and_a_later_one_replaces_it(qtbot, runner):
+def test_quiet_work_yields_and_is_replaced_by_later_work(qtbot, runner):
     got = []
     runner.run("First", endless, got.append, quiet=True, key="count")
     qtbot.waitUntil(lambda: runner.current.step == "going on")
@@ -178,7 +178,7 @@ def test_quiet_work_gives_way_and_a_later_one_replaces_it(qtbot, runner):
     qtbot.waitUntil(lambda: got == [2, 3])
 
 
-def test_progress_reaches_the_window_at_most_twenty_times_a_second(qtbot, runner):
+def test_progress_is_limited_to_twenty_updates_per_second(qtbot, runner):
     shown = []
     runner.progress_changed.connect(lambda: shown.append(time.monotonic()))
 
@@ -211,10 +211,10 @@ def test_closing_waits_for_the_worker(qtbot):
     assert "lispac-worker" not in [thread.name for thread in threading.enumerate()]
 
 
-# -- errors and words ----------------------------------------------------------------------------
+# -- errors and texts ----------------------------------------------------------------------------
 
 
-def test_what_a_library_reported_is_in_the_details(qapp):
+def test_the_error_of_a_library_is_in_the_details(qapp):
     try:
         try:
             json.loads("{")
@@ -231,9 +231,7 @@ def test_what_a_library_reported_is_in_the_details(qapp):
     own.deleteLater()
 
 
-def test_an_error_of_the_program_is_its_sentence_and_another_has_details(
-    qtbot: QtBot, qapp: QApplication
-):
+def test_only_unexpected_errors_have_details(qtbot: QtBot, qapp: QApplication):
     assert error_text_and_details(InputError("line 3 is empty")) == ("line 3 is empty", "")
     sentence, details = error_text_and_details(ZeroDivisionError("by zero"))
     assert "Traceback" not in sentence
@@ -247,7 +245,7 @@ def test_an_error_of_the_program_is_its_sentence_and_another_has_details(
     box.close()
 
 
-def test_steps_say_what_is_there_and_what_comes_next(demo: Demo):
+def test_steps_show_their_state_and_the_next_action(demo: Demo):
     assert status.step_statuses(None, None)[0].sentence == "no project open"
     assert status.step_statuses(demo.project, None)[0].state == "todo"
     start = status.step_statuses(demo.project, demo.survey)
@@ -261,12 +259,12 @@ def test_steps_say_what_is_there_and_what_comes_next(demo: Demo):
     assert "fewer than two lines" in status.step_statuses(lonely, demo.survey)[1].advice
 
 
-def test_many_points_are_counted_in_millions():
+def test_large_point_counts_are_shown_in_millions():
     assert status.point_count(1_344_882) == "1.3 M points"
     assert status.point_count(447_043) == "447,043 points"
 
 
-def test_a_serious_warning_is_no_done_step(demo: Demo, estimated: Project):
+def test_a_step_with_a_serious_warning_is_not_done(demo: Demo, estimated: Project):
     sound = status.step_statuses(estimated, demo.survey)[2]
     assert sound.state == "done"
     assert "warnings" not in sound.sentence
@@ -285,7 +283,7 @@ def test_renaming_a_validation_plane_keeps_the_order(demo: Demo):
     assert edits.with_use_of_target(demo.picked, "T1", True) is demo.picked
 
 
-def test_recent_projects_come_back_newest_first(tmp_path: Path):
+def test_recent_projects_are_listed_newest_first(tmp_path: Path):
     kept = AppSettings(tmp_path / "s.ini")
     for name in ("a", "b", "a"):
         kept.add_recent(tmp_path / name)
@@ -309,7 +307,7 @@ READING = gettext_lazy("Reading {line}", line="L1")
          "Reading L1: 4.9 M of 20.0 M points  ·  5 %/s, 10 s left"),
     ],
 )  # fmt: skip
-def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, step, shown):
+def test_remaining_time_is_shown_once_for_the_whole_task(qtbot: QtBot, step, shown):
     bar = TaskStatusBar()
     qtbot.addWidget(bar)
     task = Task("Import", lambda progress: None, lambda value: None)
@@ -319,7 +317,7 @@ def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, ste
     assert bar.text.text() == shown
 
 
-def test_time_left_is_french_after_a_name_that_stays(qtbot: QtBot) -> None:
+def test_remaining_time_is_french_after_an_untranslated_name(qtbot: QtBot) -> None:
     bar = TaskStatusBar()
     qtbot.addWidget(bar)
     task = Task("Adjusting", lambda progress: None, lambda value: None)

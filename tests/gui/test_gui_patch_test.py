@@ -1,4 +1,4 @@
-"""The patch test by mouse and keys, in the window."""
+"""Tests of the patch test in the window by mouse and keys."""
 
 import numpy as np
 import pytest
@@ -18,21 +18,21 @@ def panel(driver: Driver) -> PatchTestPanel:
 
 
 def opened_panel(driver: Driver) -> PatchTestPanel:
-    """By its key."""
+    """Open the panel by its shortcut."""
     press(driver, Key.Key_T, Control)
     assert panel(driver).isVisible()
     return panel(driver)
 
 
 def follow(driver: Driver) -> None:
-    """Wait until the curve is that of the angles as they are."""
+    """Wait until the curve is that of the current angles."""
     patch_test_controller = driver.window.tools.patch_test_controller
     driver.bot.waitUntil(lambda: not patch_test_controller.is_curve_pending, timeout=60_000)
     driver.rest()
 
 
 def drag(driver: Driver, slider: QSlider, value: int) -> None:
-    """Take the handle and let it go at a value, as near as pixels allow."""
+    """Drag the handle of a slider to a value, as close as pixels allow."""
     option = QStyleOptionSlider()
     slider.initStyleOption(option)
     handle = slider.style().subControlRect(
@@ -47,13 +47,13 @@ def drag(driver: Driver, slider: QSlider, value: int) -> None:
 
 
 def tick(driver: Driver, made: QListWidget, row: int) -> None:
-    """Click the box of a row."""
+    """Click the check box of a row."""
     made.scrollToItem(made.item(row))
     place = made.visualItemRect(made.item(row))
     driver.bot.mouseClick(made.viewport(), Left, pos=QPoint(place.left() + 10, place.center().y()))
 
 
-def test_it_teaches_while_there_is_nothing(opened: Driver) -> None:
+def test_an_empty_panel_shows_instructions(opened: Driver) -> None:
     shown = opened_panel(opened)
     assert shown.text_label.isVisible()
     assert shown.text_label.text() == EMPTY
@@ -65,7 +65,7 @@ def test_it_teaches_while_there_is_nothing(opened: Driver) -> None:
     assert shown.pairs.item(0).toolTip() == "reciprocal lines"
 
 
-def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driver) -> None:
+def test_the_minimum_of_the_curve_is_the_angle_of_the_optimiser(opened: Driver) -> None:
     window, shown = opened.window, opened_panel(opened)
     click(opened, shown.propose)
     opened.rest()
@@ -89,11 +89,11 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     press(opened, Key.Key_Z, Control)
     assert opened.project.alternative_result("patch test") is None
 
-    # All that count, not one alone: the minimum of one is its own.
+    # With all objects in use, since a single one has another minimum.
     shown.of.setCurrentIndex(1)
     start = answer.boresight + [0.0, np.radians(0.15), 0.0]
     shown.angles.set_angles(start)
-    slider = shown.angles.sliders[PITCH]  # its middle is where the angle was found
+    slider = shown.angles.sliders[PITCH]  # centred on the optimised angle
     drag(opened, slider, 80)
     follow(opened)
     lowest = shown.curve.minimum
@@ -103,7 +103,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     follow(opened)
     assert shown.angles.boresight[PITCH] != start[PITCH]
     assert abs(shown.angles.boresight[PITCH] - answer.boresight[PITCH]) < answer.sigma[PITCH]
-    # A click into the curve turns it there, too
+    # A click into the curve sets the angle, too.
     place = shown.curve.place(lowest, 0.001).toPoint()
     opened.bot.mouseClick(shown.curve, Left, pos=place)
     follow(opened)
@@ -112,7 +112,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     assert (turned[[ROLL, YAW]] == start[[ROLL, YAW]]).all()
     assert shown.angles.fields[PITCH].value() == pytest.approx(np.degrees(turned[PITCH]))
 
-    # The button for one angle goes to the same place.
+    # The button for one angle gives the same value.
     click(opened, shown.angles.find_buttons[PITCH])
     opened.rest()
     alone = shown.angles.boresight
@@ -120,7 +120,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     assert "mismatch is smallest" in shown.message_label.text()
 
 
-def test_keys_turn_by_a_thousandth_and_the_picture_follows(opened: Driver) -> None:
+def test_keys_rotate_by_a_thousandth_and_update_the_picture(opened: Driver) -> None:
     shown = opened_panel(opened)
     click(opened, shown.propose)
     opened.rest()
@@ -145,7 +145,7 @@ def test_keys_turn_by_a_thousandth_and_the_picture_follows(opened: Driver) -> No
     )
 
 
-def test_boxes_by_hand_are_added_shown_and_removed(opened: Driver) -> None:
+def test_user_defined_boxes_are_added_shown_and_removed(opened: Driver) -> None:
     window, shown = opened.window, opened_panel(opened)
     click(opened, shown.target)
     opened.rest()
@@ -176,7 +176,7 @@ def test_boxes_by_hand_are_added_shown_and_removed(opened: Driver) -> None:
     assert "patch" not in opened.viewport.sketches
 
 
-def test_what_was_found_is_forgotten_with_another_choice(opened: Driver) -> None:
+def test_another_choice_clears_the_result(opened: Driver) -> None:
     shown = opened_panel(opened)
     click(opened, shown.propose)
     opened.rest()

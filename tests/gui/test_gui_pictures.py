@@ -1,4 +1,4 @@
-"""Pictures of the view and of the section, by keys and buttons; sightings edited by hand."""
+"""Tests of pictures of the view and the section, and of sightings edited by hand."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -74,7 +74,7 @@ def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path
     click(picked, panel.copy_picture)
     wait_until_idle(picked)
     assert QGuiApplication.clipboard().image().size() == saved.size()
-    # Nothing of the panel is changed by it.
+    # The panel is not changed.
     assert panel.canvas.figure.axes[0].get_xlim() == shown
     assert panel.canvas.figure.get_suptitle() == ""
     picked.dialogs.path = Path("/dev/null/section.png")
@@ -97,7 +97,7 @@ def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) ->
         picked.dialogs.path = tmp_path / "section.svg"
         press(picked, Key.Key_P, Control)
         wait_until_idle(picked)
-        saved = picked.dialogs.path.read_text()  # words stand as comments beside their outlines
+        saved = picked.dialogs.path.read_text()  # texts are comments beside their outlines
         assert "<!-- Height (m) -->" in saved
         assert "mm -->" in saved
         assert "(ft)" not in saved
@@ -131,7 +131,7 @@ def test_the_list_of_keys_fits_on_a_small_screen(opened: Driver) -> None:
     box.deleteLater()
 
 
-def test_arrows_and_pages_move_the_view(viewport) -> None:
+def test_arrow_and_page_keys_move_the_view(viewport) -> None:
     viewport.show_clouds(*scene())
     canvas = viewport.canvas
     canvas.setFocus()
@@ -155,7 +155,7 @@ def test_arrows_and_pages_move_the_view(viewport) -> None:
     assert viewport._view_detail.is_due, "the detail follows"
 
 
-def test_control_and_arrows_move_the_line_between_before_and_after(viewport) -> None:
+def test_ctrl_and_arrows_move_the_divider_between_before_and_after(viewport) -> None:
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     QTest.keyClick(viewport.canvas, Key.Key_Left, Control)
@@ -165,7 +165,7 @@ def test_control_and_arrows_move_the_line_between_before_and_after(viewport) -> 
     assert viewport._sketch_layer.share == pytest.approx(0.5 - 24 / viewport.canvas.width())
 
 
-def test_labels_of_targets_beside_each_other_can_both_be_read(qapp) -> None:
+def test_labels_of_adjacent_targets_do_not_overlap(qapp) -> None:
     metrics = QFontMetricsF(qapp.font())
     taken: list[QRectF] = []
     for step in range(4):
@@ -174,12 +174,12 @@ def test_labels_of_targets_beside_each_other_can_both_be_read(qapp) -> None:
     assert taken[0].bottom() < 200.0
     for k, box in enumerate(taken):
         assert not any(box.intersects(other) for other in taken[:k])
-    # Where all places are taken, the usual one will do.
+    # If all places are taken, the default one is used.
     fifth = free_label_place(QPointF(300.0, 200.0), metrics, "T0", taken)
     assert fifth == taken[0]
 
 
-def test_labels_of_targets_keep_clear_of_the_scale_of_colours(qapp) -> None:
+def test_labels_of_targets_do_not_cover_the_colour_scale(qapp) -> None:
     stage = OverlaidView()
     overlay = stage.overlay
     assert overlay.occupied() == []

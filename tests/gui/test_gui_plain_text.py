@@ -1,4 +1,4 @@
-"""Texts of files are shown as text, whatever they look like."""
+"""Tests that texts from files are shown as plain text, even if they look like HTML."""
 
 import re
 
@@ -12,36 +12,36 @@ from lispac.gui import widgets
 from lispac.gui.widgets.error_box import error_box
 from tests.gui.support import Driver, labels_that_guess
 
-PICTURE = '<img src="https://example.org/x.png"> line'
+NAME_WITH_IMAGE = '<img src="https://example.org/x.png"> line'
 
 
 def is_plain(label: QLabel) -> bool:
     return label.textFormat() == Qt.TextFormat.PlainText
 
 
-def test_labels_and_boxes_show_names_as_they_are(qtbot: QtBot) -> None:
+def test_labels_and_message_boxes_show_names_as_plain_text(qtbot: QtBot) -> None:
     label = widgets.label()
-    box = widgets.MessageBox(QMessageBox.Icon.Question, "LISPAC", PICTURE)
-    box.setInformativeText(PICTURE)
-    error = error_box(None, InputError(f"{PICTURE}: cannot be read; export it again."))
+    box = widgets.MessageBox(QMessageBox.Icon.Question, "LISPAC", NAME_WITH_IMAGE)
+    box.setInformativeText(NAME_WITH_IMAGE)
+    error = error_box(None, InputError(f"{NAME_WITH_IMAGE}: cannot be read; export it again."))
     for each in (label, box, error):
         qtbot.addWidget(each)
     assert is_plain(label)
     for each in (box, error):
-        shown = [inner for inner in each.findChildren(QLabel) if PICTURE in inner.text()]
+        shown = [inner for inner in each.findChildren(QLabel) if NAME_WITH_IMAGE in inner.text()]
         assert shown
         assert all(map(is_plain, shown))
 
 
-def test_no_label_of_the_window_guesses(adjusted: Driver) -> None:
+def test_no_label_of_the_window_detects_html(adjusted: Driver) -> None:
     assert labels_that_guess(adjusted.window) == []
     plain = [label for label in adjusted.window.findChildren(QLabel) if is_plain(label)]
     assert len(plain) > 50
     assert [label.text() for label in plain if re.search(r"</?\w+>", label.text())] == []
 
 
-@pytest.mark.parametrize("text", [PICTURE, "<b>L1</b>\nsecond", "plain & simple", "a < b"])
-def test_tooltips_load_nothing(text: str) -> None:
+@pytest.mark.parametrize("text", [NAME_WITH_IMAGE, "<b>L1</b>\nsecond", "plain & simple", "a < b"])
+def test_tooltips_load_no_resources(text: str) -> None:
     tip = widgets.plain_tip(text)
     if Qt.mightBeRichText(text):
         assert "<img" not in tip

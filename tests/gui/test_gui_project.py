@@ -1,4 +1,4 @@
-"""A project in the window: opened, saved, closed, and the data it points at."""
+"""Tests of opening, saving and closing a project in the window, and of its data."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -24,7 +24,7 @@ from tests.gui.support import (
 # -- opening, saving, closing ------------------------------------------------------------------
 
 
-def test_a_project_opens_with_a_key_and_its_lines_are_drawn(
+def test_a_project_opens_with_a_shortcut_and_its_lines_are_drawn(
     driver: Driver, demo: Demo, demo_copy: Path
 ):
     assert sentence(driver, 0) == "no project open"
@@ -40,10 +40,8 @@ def test_a_project_opens_with_a_key_and_its_lines_are_drawn(
     assert not driver.window.isWindowModified()
 
 
-def test_a_project_whose_files_are_elsewhere_asks_for_them(
-    driver: Driver, demo_copy: Path, tmp_path: Path
-):
-    """Its user takes the wrong folder, then that of the lines, then that of the rest."""
+def test_folders_of_moved_files_are_asked_for(driver: Driver, demo_copy: Path, tmp_path: Path):
+    """The user gives a wrong folder, then that of the lines, then that of the other files."""
     known = open_project(demo_copy)
     for name, paths in (("lines", [n.path for n in known.lines]), ("nav", [known.trajectory])):
         (tmp_path / "usb" / name).mkdir(parents=True)
@@ -59,14 +57,14 @@ def test_a_project_whose_files_are_elsewhere_asks_for_them(
     assert error.code == "project_files.none_of_many_found"
     assert driver.project.trajectory == tmp_path / "usb" / "nav" / known.trajectory.name
     assert driver.window.document.survey_is_current
-    assert driver.window.isWindowModified()  # where they are is kept with the project
+    assert driver.window.isWindowModified()  # the paths are saved with the project
     driver.dialogs.errors.clear()
     press(driver, Key.Key_S, Control)
     assert not driver.window.isWindowModified()
     assert open_project(demo_copy).trajectory == driver.project.trajectory
 
 
-def test_a_project_whose_files_nobody_finds_stays_closed(driver: Driver, demo_copy: Path):
+def test_a_project_with_missing_files_is_not_opened(driver: Driver, demo_copy: Path):
     known = open_project(demo_copy)
     known.trajectory.unlink()
     driver.window.open_project(demo_copy)
@@ -76,7 +74,7 @@ def test_a_project_whose_files_nobody_finds_stays_closed(driver: Driver, demo_co
     assert driver.window.task_bar.currentMessage() == ("harbour was not opened: files are missing")
 
 
-def test_a_folder_without_a_project_is_refused_in_words(driver: Driver, tmp_path: Path):
+def test_a_folder_without_a_project_is_refused(driver: Driver, tmp_path: Path):
     driver.window.open_project(tmp_path)
     driver.rest()
     assert isinstance(driver.dialogs.errors[0], ProjectError)
@@ -100,9 +98,7 @@ def test_closing_with_changes_asks(
     assert len(open_project(demo_copy).targets) == saved
 
 
-def test_saving_makes_the_project_clean_and_undo_makes_it_dirty_again(
-    driver: Driver, demo: Demo, demo_copy: Path
-):
+def test_saving_and_undo_change_the_modified_state(driver: Driver, demo: Demo, demo_copy: Path):
     before = replace(demo.project, folder=demo_copy)
     driver.window.document.open(before, demo.survey)
     driver.window.document.edit("pick", before.with_target(demo.picked.target("T1")))
@@ -113,7 +109,7 @@ def test_saving_makes_the_project_clean_and_undo_makes_it_dirty_again(
     assert driver.window.isWindowModified()
 
 
-def test_closing_while_work_runs_stops_it(driver: Driver, demo_copy: Path):
+def test_closing_cancels_active_work(driver: Driver, demo_copy: Path):
     driver.window.open_project(demo_copy)
     assert driver.window.runner.busy
     assert driver.window.close()
@@ -122,7 +118,7 @@ def test_closing_while_work_runs_stops_it(driver: Driver, demo_copy: Path):
     assert driver.window.document.project is None
 
 
-def test_a_cancelled_opening_keeps_the_project_that_is_open(opened: Driver, demo_copy: Path):
+def test_cancelling_an_opening_keeps_the_open_project(opened: Driver, demo_copy: Path):
     before = opened.project
     opened.window.open_project(demo_copy)
     click(opened, opened.window.task_bar.cancel)
@@ -131,7 +127,7 @@ def test_a_cancelled_opening_keeps_the_project_that_is_open(opened: Driver, demo
     assert opened.viewport.clouds
 
 
-def test_the_demo_is_opened_where_it_has_been_made(driver: Driver, demo_copy: Path):
+def test_an_existing_demo_is_opened(driver: Driver, demo_copy: Path):
     driver.window.controller.open_demo(demo_copy)
     driver.rest()
     assert driver.project.truth_deg is not None
@@ -147,7 +143,7 @@ def test_a_line_is_hidden_by_its_check_box(picked: Driver):
     assert picked.viewport.hidden == {picked.project.lines[1].name}
 
 
-def test_a_new_lever_arm_places_the_lines_again_and_undo_puts_them_back(picked: Driver):
+def test_a_new_lever_arm_moves_the_lines_and_undo_restores_them(picked: Driver):
     open_step(picked, 0)
     panel = picked.window.data
     line = picked.project.lines[0].name
@@ -168,10 +164,10 @@ def test_a_new_lever_arm_places_the_lines_again_and_undo_puts_them_back(picked: 
     assert field.value() == pytest.approx(2.173)
 
 
-def test_the_window_is_out_of_sight_before_its_work_has_ended(
+def test_the_window_closes_before_its_work_has_ended(
     driver: Driver, picked_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Work that was asked to stop may take seconds to hear of it, and the window stood there."""
+    """Cancelled work may take seconds to end, during which the window must not stay visible."""
     window = driver.window
     window.open_project(picked_folder)
     driver.bot.waitUntil(lambda: window.document.project is not None, timeout=WAIT_MS)

@@ -1,4 +1,4 @@
-"""Targets proposed, and a target found again, through the real dialogues."""
+"""Tests of proposed targets and of repeated searches, with the real dialogs."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -26,12 +26,12 @@ TARGETS = 1
 
 @pytest.fixture(scope="module")
 def proposal(demo: Demo) -> Proposal:
-    """What is proposed for the demo."""
+    """The proposed targets of the demo."""
     return propose_targets(demo.project, demo.survey)
 
 
 def answered(driver: Driver, answer: Callable[[QDialog], None]) -> None:
-    """Let a hand answer the next dialogue."""
+    """Answer the next dialog."""
 
     def inspect_window() -> None:
         dialog = QApplication.activeModalWidget()
@@ -47,7 +47,7 @@ def press(driver: Driver, dialog: QDialog, name: str) -> None:
     driver.bot.mouseClick(dialog.findChild(QPushButton, name), Left)
 
 
-def test_proposed_accepted_in_part_and_undone_in_one_step(opened: Driver) -> None:
+def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Driver) -> None:
     open_step(opened, TARGETS)
     before = opened.project
     seen = []
@@ -76,8 +76,8 @@ def test_proposed_accepted_in_part_and_undone_in_one_step(opened: Driver) -> Non
     assert opened.project is before
 
 
-def test_the_return_key_accepts_what_is_proposed(opened: Driver, proposal: Proposal) -> None:
-    """Work of a minute is not to be thrown away by the key that says yes everywhere else."""
+def test_return_accepts_the_proposed_targets(opened: Driver, proposal: Proposal) -> None:
+    """The result of a minute of work must not be discarded by the default key."""
     dialog = ProposedTargetsDialog(proposal)
     with opened.bot.waitExposed(dialog):
         dialog.open()
@@ -96,7 +96,7 @@ def test_the_tab_key_leads_out_of_every_table(opened: Driver) -> None:
     assert [table.objectName() for table in tables if table.tabKeyNavigation()] == []
 
 
-def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> None:
+def test_a_rejected_or_cancelled_proposal_changes_nothing(opened: Driver) -> None:
     open_step(opened, TARGETS)
     before = opened.project
     answered(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
@@ -112,7 +112,7 @@ def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> Non
     assert opened.window.targets.propose.isEnabled()
 
 
-def test_what_is_picked_is_not_proposed_and_names_stay_apart(
+def test_picked_targets_are_not_proposed_and_names_are_unique(
     demo: Demo, proposal: Proposal
 ) -> None:
     left = without_picked(demo.picked, proposal)
@@ -137,7 +137,7 @@ def test_what_is_picked_is_not_proposed_and_names_stay_apart(
         (9, "all suitable surfaces are already targets: A1, A2"),
     ],
 )
-def test_the_head_says_what_the_sigmas_are_of(
+def test_the_header_describes_the_sigmas(
     qtbot, demo: Demo, proposal: Proposal, known: int, words: str
 ) -> None:
     targets = [target for target in proposal.targets if target.role == "target"][:known]
@@ -149,7 +149,7 @@ def test_the_head_says_what_the_sigmas_are_of(
     assert names[0] == ("V1" if known == 9 else "T1")
 
 
-def test_nothing_ticked_cannot_be_accepted(qtbot, proposal: Proposal) -> None:
+def test_accept_is_disabled_without_a_selection(qtbot, proposal: Proposal) -> None:
     dialog = ProposedTargetsDialog(proposal)
     qtbot.addWidget(dialog)
     for row in range(dialog.table.rowCount()):
@@ -172,7 +172,7 @@ def again(driver: Driver, threshold_mm: float, radius: float) -> Project:
     return driver.project
 
 
-def test_found_again_with_other_settings(picked: Driver) -> None:
+def test_a_target_is_found_again_with_other_settings(picked: Driver) -> None:
     open_step(picked, TARGETS)
     picked.window.targets.table.clearSelection()
     assert not picked.window.actions_["find_again"].isEnabled()
@@ -182,7 +182,7 @@ def test_found_again_with_other_settings(picked: Driver) -> None:
     picked.window.targets.select("T1")
     picked.bot.waitUntil(picked.window.actions_["find_again"].isEnabled)
     before = picked.project
-    assert again(picked, 15, 1.5) is before  # offered, not taken
+    assert again(picked, 15, 1.5) is before  # offered as a candidate, not accepted
     candidate = picked.window.controller.candidate
     assert (candidate.threshold, candidate.radius) == (0.015, 1.5)
     click(picked, picked.window.targets.candidate.accept)

@@ -1,4 +1,4 @@
-"""The light of every sighting in the table."""
+"""Tests of the ratings of sightings in the table."""
 
 from dataclasses import replace
 
@@ -27,7 +27,7 @@ def with_few_points(project: Project) -> Project:
     return project.with_target(replace(target, sightings=(few, *target.sightings[1:])))
 
 
-def test_every_sighting_has_a_light_with_its_reason(picked: Driver) -> None:
+def test_every_sighting_has_a_rating_with_its_reason(picked: Driver) -> None:
     line = picked.project.target("T1").sightings[0].line
     picked.bot.waitUntil(lambda: shown(picked, "T1", line, Role.DecorationRole) is not None)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
@@ -40,7 +40,7 @@ def test_every_sighting_has_a_light_with_its_reason(picked: Driver) -> None:
     assert "surface normal is" in shown(picked, "T2", steep, Role.ToolTipRole)
 
 
-def test_a_poor_one_is_reported_and_can_be_excluded_and_undone(picked: Driver) -> None:
+def test_a_poor_sighting_is_reported_and_can_be_excluded(picked: Driver) -> None:
     line = picked.project.target("T1").sightings[0].line
     picked.window.document.edit("less", with_few_points(picked.project))
     picked.rest()
@@ -57,7 +57,7 @@ def test_a_poor_one_is_reported_and_can_be_excluded_and_undone(picked: Driver) -
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
 
 
-def test_after_the_calibration_they_are_judged_with_its_boresight(
+def test_sightings_are_rated_with_the_estimated_boresight(
     picked: Driver, demo: Demo, estimated: Project
 ) -> None:
     line = picked.project.target("T1").sightings[0].line
@@ -67,15 +67,15 @@ def test_after_the_calibration_they_are_judged_with_its_boresight(
     assert "Quality: good" in tip
     assert "prior boresight" not in tip
     assert "Quality computed with the estimated boresight from " in tip
-    # Leaving one out keeps the lights of the others while the new result is on its way.
+    # Excluding a sighting keeps the ratings of the others until the new result.
     picked.window.controller.use_sighting("T1", line, False)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
     wait_until_idle(picked)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
 
 
-def test_work_that_somebody_waits_for_goes_first(picked: Driver) -> None:
-    """Judging gives way, and comes after it by itself."""
+def test_requested_work_has_priority_over_ratings(picked: Driver) -> None:
+    """Rating is interrupted and continues automatically afterwards."""
     line = picked.project.target("T1").sightings[0].line
     picked.window.document.edit("less", with_few_points(picked.project))
     assert picked.window.runner.current is not None
@@ -88,7 +88,7 @@ def test_work_that_somebody_waits_for_goes_first(picked: Driver) -> None:
 
 
 def lights(driver: Driver) -> dict[str, str]:
-    """What the candidate's box tells of every line."""
+    """Return the ratings of all lines in the box of the candidate."""
     box = driver.window.targets.candidate.lights
     return {
         light.objectName().removeprefix("light_"): light.toolTip()
@@ -97,7 +97,7 @@ def lights(driver: Driver) -> dict[str, str]:
     }
 
 
-def test_a_candidate_has_its_lights_before_it_is_accepted(opened: Driver) -> None:
+def test_a_candidate_is_rated_before_it_is_accepted(opened: Driver) -> None:
     open_step(opened, 1)
     seed(opened, "T2")
     opened.bot.waitUntil(
@@ -122,7 +122,7 @@ def test_a_candidate_has_its_lights_before_it_is_accepted(opened: Driver) -> Non
     assert "L3_045: " in box.detail.toolTip(), "why it was not found there"
 
 
-def test_a_candidate_that_goes_is_not_judged_for_long(opened: Driver) -> None:
+def test_rating_of_a_rejected_candidate_is_cancelled(opened: Driver) -> None:
     open_step(opened, 1)
     seed(opened, "T1")
     press(opened, Key.Key_Escape)

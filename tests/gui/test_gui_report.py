@@ -1,4 +1,4 @@
-"""The report from the window: its details, how it is wanted, and its preview."""
+"""Tests of the report from the window: details, options, preview and pictures."""
 
 import re
 from pathlib import Path
@@ -25,7 +25,7 @@ from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_in
 from tests.gui.test_gui_seed_coordinates import hand
 from tests.message_codes import is_shown
 
-REPORT = 4
+REPORT_STEP = 4
 
 
 def field(dialog: QWidget, name: str) -> QLineEdit | QPlainTextEdit:
@@ -36,7 +36,7 @@ def field(dialog: QWidget, name: str) -> QLineEdit | QPlainTextEdit:
 
 def test_details_are_one_undo_step(adjusted: Driver) -> None:
     before = adjusted.project
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
 
     def answer(dialog: QWidget) -> None:
         for name in NAMES:
@@ -55,7 +55,7 @@ def test_details_are_one_undo_step(adjusted: Driver) -> None:
     assert adjusted.project is before
 
 
-def test_what_is_wrong_is_reported_and_cancel_changes_nothing(opened: Driver) -> None:
+def test_invalid_details_are_reported_and_cancel_changes_nothing(opened: Driver) -> None:
     open_step(opened, 0)
     before = opened.project
 
@@ -82,7 +82,7 @@ def test_what_is_wrong_is_reported_and_cancel_changes_nothing(opened: Driver) ->
 
 
 def choose(driver: Driver, box: ChoiceBox, index: int) -> None:
-    """Open the list and take an entry by the keyboard."""
+    """Open a list and choose an entry with keys."""
     box.setFocus()
     driver.bot.keyClick(box, Key.Key_Home)
     for _ in range(index):
@@ -90,10 +90,10 @@ def choose(driver: Driver, box: ChoiceBox, index: int) -> None:
     assert box.currentIndex() == index
 
 
-def test_page_convention_and_template_reach_the_file_and_are_remembered(
+def test_page_convention_and_template_are_used_and_remembered(
     adjusted: Driver, tmp_path: Path
 ) -> None:
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
     panel = adjusted.window.report
     template = tmp_path / "own.toml"
     template.write_text('heading = "Order 4711"\npage = "letter"\nconvention = "qinsy"\n')
@@ -107,10 +107,10 @@ def test_page_convention_and_template_reach_the_file_and_are_remembered(
     click(adjusted, panel.report)
     adjusted.rest()
     assert adjusted.dialogs.errors == []
-    header = adjusted.window.workflow.headers[REPORT].sentence
+    header = adjusted.window.workflow.headers[REPORT_STEP].sentence
     assert header.text() == "exported: r.html"
     adjusted.window.controller.rename("T1", "North wall")
-    assert header.text() != "exported: r.html"  # the report tells of another project
+    assert header.text() != "exported: r.html"  # details of another project
     adjusted.window.document.undo_stack.undo()
     assert header.text() == "exported: r.html"
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
@@ -128,8 +128,10 @@ def test_page_convention_and_template_reach_the_file_and_are_remembered(
     assert panel.options() == ReportOptions("letter", "applanix", language="fr")
 
 
-def test_a_bad_template_is_reported_at_once_and_refused(adjusted: Driver, tmp_path: Path) -> None:
-    open_step(adjusted, REPORT)
+def test_an_invalid_template_is_reported_at_once_and_refused(
+    adjusted: Driver, tmp_path: Path
+) -> None:
+    open_step(adjusted, REPORT_STEP)
     panel = adjusted.window.report
     adjusted.dialogs.path = tmp_path / "own.toml"
     adjusted.dialogs.path.write_text("colour = 'red'")
@@ -145,7 +147,7 @@ def test_a_bad_template_is_reported_at_once_and_refused(adjusted: Driver, tmp_pa
 def test_the_preview_shows_every_page_and_saves_what_it_shows(
     adjusted: Driver, tmp_path: Path
 ) -> None:
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
     panel = adjusted.window.report
     choose(adjusted, panel.page, 1)
     seen: list[QPixmap] = []
@@ -155,7 +157,7 @@ def test_the_preview_shows_every_page_and_saves_what_it_shows(
             label for label in dialog.findChildren(QLabel)
             if label.objectName().startswith("preview_page_")
         ]  # fmt: skip
-        assert pages[-1].pixmap().isNull()  # unpacked when it is seen
+        assert pages[-1].pixmap().isNull()  # decoded when visible
         for label in pages:
             label.grab()
         seen.extend(label.pixmap() for label in pages)
@@ -169,7 +171,7 @@ def test_the_preview_shows_every_page_and_saves_what_it_shows(
         adjusted.dialogs.path = tmp_path / "seen.pdf"
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
         assert "seen.pdf" in dialog.findChild(QLabel, "preview_message").text()
-        adjusted.dialogs.path = None  # asked again, and cancelled
+        adjusted.dialogs.path = None  # asked again and cancelled
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_close"), Left)
 
@@ -179,15 +181,15 @@ def test_the_preview_shows_every_page_and_saves_what_it_shows(
     pdf = (tmp_path / "seen.pdf").read_bytes()
     assert pdf.startswith(b"%PDF")
     assert len(re.findall(rb"/Type ?/Page[^s]", pdf)) == len(seen) > 5
-    # Letter at 96 pixels an inch
+    # letter at 96 pixels per inch
     assert {(page.width(), page.height()) for page in seen} == {(816, 1056)}
     assert b"[0 0 612 792]" in pdf
     assert adjusted.dialogs.errors == []
     assert adjusted.dialogs.asked == [f"{adjusted.project.name}.pdf"] * 2
 
 
-def test_a_preview_that_cannot_be_saved_says_so(adjusted: Driver, tmp_path: Path) -> None:
-    open_step(adjusted, REPORT)
+def test_a_failure_to_save_the_preview_is_reported(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT_STEP)
     (tmp_path / "file").write_text("")
 
     def answer(dialog: QWidget) -> None:
@@ -209,10 +211,8 @@ CAPTIONS = (
 )
 
 
-def test_both_pictures_are_there_as_soon_as_there_is_a_result(
-    adjusted: Driver, tmp_path: Path
-) -> None:
-    open_step(adjusted, REPORT)
+def test_a_report_with_a_result_has_both_pictures(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT_STEP)
     scene = adjusted.window.scene
     assert scene.which == "prior"
     assert not scene.has_estimated
@@ -223,7 +223,7 @@ def test_both_pictures_are_there_as_soon_as_there_is_a_result(
     assert adjusted.dialogs.errors == []
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert [text.count(f"<figcaption>{caption}<") for caption in CAPTIONS] == [1, 1]
-    # What lay in the view at each picture, and no camera moved between them
+    # The clouds in the view at each picture; the camera is not moved between them.
     shown, calls = {}, adjusted.viewport.calls
     for name, arguments in calls:
         if name == "show_clouds":
@@ -234,7 +234,7 @@ def test_both_pictures_are_there_as_soon_as_there_is_a_result(
     first = next(iter(prior))
     np.testing.assert_array_equal(shown["prior"][first], prior[first])
     moved = np.linalg.norm(shown["estimated"][first] - prior[first], axis=1)
-    # The demo's boresight is wrong by some tenths of a degree, some tens of metres away
+    # The boresight of the demo is wrong by tenths of a degree, at ranges of tens of metres.
     assert 0.01 < np.median(moved) < 2.0
     names = [name for name, _ in calls]
     between = names[names.index("picture") : len(names) - names[::-1].index("picture")]
@@ -242,10 +242,10 @@ def test_both_pictures_are_there_as_soon_as_there_is_a_result(
     assert scene.which == "prior"
 
 
-def test_an_edit_while_the_pictures_are_taken_ends_the_report(
+def test_an_edit_while_pictures_are_taken_cancels_the_report(
     adjusted: Driver, tmp_path: Path
 ) -> None:
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
     adjusted.window.computations.show("estimated")
     adjusted.rest()
     adjusted.dialogs.path = tmp_path / "r.html"
@@ -265,10 +265,10 @@ def test_an_edit_while_the_pictures_are_taken_ends_the_report(
 
 
 @pytest.mark.parametrize("shown", ["prior", "estimated"])
-def test_pictures_that_are_cancelled_leave_the_view_as_it_was(
+def test_cancelling_the_pictures_restores_the_view(
     adjusted: Driver, tmp_path: Path, shown: str
 ) -> None:
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
     scene, taken = adjusted.window.scene, adjusted.viewport.picture
     adjusted.window.computations.show(shown)
     adjusted.rest()
@@ -298,10 +298,10 @@ def _last_shading(adjusted: Driver):
     return next(arguments[2] for name, arguments in reversed(calls) if name == "show_clouds")
 
 
-def test_a_switch_between_the_pictures_does_not_mix_them_up(
+def test_switching_the_view_between_pictures_does_not_exchange_them(
     adjusted: Driver, tmp_path: Path
 ) -> None:
-    open_step(adjusted, REPORT)
+    open_step(adjusted, REPORT_STEP)
     scene, taken = adjusted.window.scene, adjusted.viewport.picture
     adjusted.dialogs.path = tmp_path / "r.html"
     seen: list[str] = []
@@ -318,8 +318,8 @@ def test_a_switch_between_the_pictures_does_not_mix_them_up(
     assert (tmp_path / "r.html").exists()
 
 
-def test_colours_mean_the_same_in_both_pictures(adjusted: Driver, tmp_path: Path) -> None:
-    open_step(adjusted, REPORT)
+def test_both_pictures_have_the_same_colour_scale(adjusted: Driver, tmp_path: Path) -> None:
+    open_step(adjusted, REPORT_STEP)
     adjusted.window.actions_["colour_residual"].trigger()
     adjusted.rest()
     adjusted.dialogs.path = tmp_path / "r.html"
@@ -332,17 +332,17 @@ def test_colours_mean_the_same_in_both_pictures(adjusted: Driver, tmp_path: Path
         elif name == "picture":
             ends["estimated" if ends else "prior"] = last.low, last.high
     assert ends["prior"] == ends["estimated"]
-    # Before it is decimetres, and a view of after alone has a scale of its own again.
+    # The scale is in decimetres before; a view of after alone has its own scale again.
     assert float(ends["prior"][1]) > 50
     adjusted.window.scene.show("estimated")
     own = next(arguments[2] for name, arguments in reversed(calls) if name == "show_clouds")
     assert float(own.high) < float(ends["prior"][1]) / 2
 
 
-def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(
+def test_mouse_hints_are_on_the_screen_but_not_in_pictures(
     real: Driver, demo: Demo, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # How many points fit into a picture is measured with each frame, and is another each time
+    # The number of points of a picture depends on measured frame times.
     monkeypatch.setattr(FrameTimes, "picture_points", property(lambda _: 20_000))
     real.window.document.open(demo.project, demo.survey)
     real.rest()
@@ -369,16 +369,16 @@ def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(
     assert (with_help != without).any()
 
 
-def test_there_is_no_preview_without_an_answer(opened: Driver) -> None:
-    open_step(opened, REPORT)
+def test_preview_is_disabled_without_a_result(opened: Driver) -> None:
+    open_step(opened, REPORT_STEP)
     assert not opened.window.report.preview.isEnabled()
 
 
 @pytest.mark.parametrize("cached", [False, True])
-def test_no_report_is_proposed_into_the_cache(
+def test_the_proposed_report_path_is_not_in_the_cache(
     adjusted: Driver, monkeypatch: pytest.MonkeyPatch, cached: bool
 ) -> None:
-    """It may be emptied at any time; a project elsewhere keeps its report beside it."""
+    """The cache may be emptied at any time; other projects have their report beside them."""
     folder = adjusted.project.folder
     place = folder.parent if cached else folder / "cache"
     monkeypatch.setattr("lispac.gui.app.settings.usable_cache_folder", lambda: place)

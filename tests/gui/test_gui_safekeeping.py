@@ -1,4 +1,4 @@
-"""A crash loses at most the last edit, and nobody overwrites what he has not seen."""
+"""Tests that a crash loses at most the last edit, and that no unseen change is overwritten."""
 
 import os
 from pathlib import Path
@@ -43,7 +43,7 @@ def unsaved(driver: Driver, folder: Path, wanted: bool) -> None:
 
 
 @pytest.mark.long
-def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> None:
+def test_edits_of_a_killed_program_are_restored(driver: Driver, folder: Path) -> None:
     killed_after_editing(folder)
     assert "North wall" not in names(read_project(folder))
     assert (folder / LOCK_NAME).exists(), "left by the killed program, and stale"
@@ -60,7 +60,7 @@ def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> N
     unsaved(driver, folder, wanted=False)
 
 
-def test_discarded_work_is_gone(driver: Driver, folder: Path) -> None:
+def test_discarded_work_is_not_offered_again(driver: Driver, folder: Path) -> None:
     write_unsaved(read_project(folder).without_target("T1"))
     opened(driver, folder)
     assert driver.dialogs.safety == [f"recover {folder.name}"]
@@ -69,7 +69,7 @@ def test_discarded_work_is_gone(driver: Driver, folder: Path) -> None:
     assert not (folder / UNSAVED_NAME).exists()
 
 
-def test_unsaved_work_is_kept_as_long_as_it_is_unsaved(driver: Driver, folder: Path) -> None:
+def test_the_recovery_copy_exists_while_work_is_unsaved(driver: Driver, folder: Path) -> None:
     opened(driver, folder)
     driver.window.controller.rename("T1", "North wall")
     unsaved(driver, folder, wanted=True)
@@ -77,13 +77,13 @@ def test_unsaved_work_is_kept_as_long_as_it_is_unsaved(driver: Driver, folder: P
     unsaved(driver, folder, wanted=False)
     driver.window.document.undo_stack.redo()
     unsaved(driver, folder, wanted=True)
-    driver.window.close()  # the changes are discarded
+    driver.window.close()  # discard the changes
     assert not (folder / UNSAVED_NAME).exists()
     assert not (folder / LOCK_NAME).exists()
     assert {"T1", "T2"} <= names(read_project(folder))
 
 
-def test_a_project_open_twice_is_noticed(
+def test_a_project_opened_twice_is_detected(
     driver: Driver, folder: Path, qtbot: QtBot, qapp: QApplication, tmp_path: Path
 ) -> None:
     opened(driver, folder)
@@ -128,12 +128,12 @@ def test_a_project_open_twice_is_noticed(
 
 
 def window_and_command_at_once(driver: Driver, folder: Path, times: int) -> None:
-    """See that each change is in the project, or the window said that it was not saved."""
+    """Check that each change is saved, or that the window reported that it was not."""
     chance = np.random.default_rng(35)
     opened(driver, folder)
     driver.dialogs.overwrites = False
     with pool() as processes:
-        processes.submit(run, ("identity",), folder).result()  # its modules are loaded
+        processes.submit(run, ("identity",), folder).result()  # load its modules
         for k in range(times):
             vessel, name = f"Vessel {k}", f"Wall {k}"
             command = processes.submit(run, ("identity", "--vessel", vessel), folder)
@@ -151,16 +151,16 @@ def window_and_command_at_once(driver: Driver, folder: Path, times: int) -> None
             opened(driver, folder)
 
 
-def test_the_window_and_a_command_at_once(driver: Driver, folder: Path) -> None:
+def test_simultaneous_changes_by_the_window_and_a_command(driver: Driver, folder: Path) -> None:
     window_and_command_at_once(driver, folder, 3)
 
 
 @pytest.mark.long
-def test_the_window_and_many_commands_at_once(driver: Driver, folder: Path) -> None:
+def test_many_simultaneous_changes_by_the_window_and_commands(driver: Driver, folder: Path) -> None:
     window_and_command_at_once(driver, folder, 60)
 
 
-def test_where_nothing_can_be_kept_it_is_reported(driver: Driver, folder: Path) -> None:
+def test_a_failure_to_write_the_recovery_copy_is_reported(driver: Driver, folder: Path) -> None:
     opened(driver, folder)
     (folder / UNSAVED_NAME).mkdir()
     (folder / UNSAVED_NAME / "held").touch()
@@ -174,9 +174,7 @@ def test_where_nothing_can_be_kept_it_is_reported(driver: Driver, folder: Path) 
     assert driver.dialogs.errors == []
 
 
-def test_what_could_not_be_kept_once_is_kept_as_soon_as_it_can(
-    driver: Driver, folder: Path
-) -> None:
+def test_the_recovery_copy_is_written_as_soon_as_possible(driver: Driver, folder: Path) -> None:
     opened(driver, folder)
     (folder / UNSAVED_NAME).mkdir()
     (folder / UNSAVED_NAME / "held").touch()
@@ -189,9 +187,7 @@ def test_what_could_not_be_kept_once_is_kept_as_soon_as_it_can(
     driver.bot.waitUntil(lambda: driver.window.recovery_copies.problem is None, timeout=5000)
 
 
-def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
-    driver: Driver, folder: Path
-) -> None:
+def test_a_renamed_folder_is_not_created_again(driver: Driver, folder: Path) -> None:
     opened(driver, folder)
     away = folder.with_name("renamed")
     folder.rename(away)
@@ -212,7 +208,7 @@ def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
     assert driver.window.recovery_copies.problem is None
 
 
-def test_damaged_unsaved_work_does_not_keep_the_project_shut(driver: Driver, folder: Path) -> None:
+def test_a_project_with_a_damaged_recovery_copy_can_be_opened(driver: Driver, folder: Path) -> None:
     (folder / UNSAVED_NAME).write_text((folder / FILE_NAME).read_text()[:1000])
     opened(driver, folder)
     assert driver.dialogs.safety == []

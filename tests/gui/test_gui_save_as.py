@@ -1,4 +1,4 @@
-"""Saving in another folder: asked by the real file dialogue, and what goes on there."""
+"""Tests of saving in another folder by the real file dialog."""
 
 import os
 import stat
@@ -28,7 +28,7 @@ Shift = Control.__class__.ShiftModifier
 
 @pytest.fixture
 def harbour(driver: Driver, demo: Demo, demo_copy: Path) -> Driver:
-    """A saved project of its own, one edit made since."""
+    """A saved copy of the project with one edit since."""
     before = replace(demo.project, folder=demo_copy)
     save_project(before)
     driver.window.open_project(demo_copy)
@@ -41,7 +41,7 @@ def harbour(driver: Driver, demo: Demo, demo_copy: Path) -> Driver:
 
 @pytest.fixture
 def typed(harbour: Driver) -> Iterator[list[str]]:
-    """What is typed into the file dialogue; its proposals are put behind it."""
+    """Texts of the file dialog: the first is typed, its proposals are appended."""
     asked: list[str] = []
     harbour.dialogs.folder_to_save_in = lambda start: Dialogs.folder_to_save_in(
         harbour.dialogs, start
@@ -52,7 +52,7 @@ def typed(harbour: Driver) -> Iterator[list[str]]:
         shown = QApplication.activeModalWidget()
         if isinstance(shown, QFileDialog) and shown.isVisible():
             field = shown.findChild(QLineEdit, "fileNameEdit")
-            if len(asked) > 1:  # the answer did not end it
+            if len(asked) > 1:  # still open after the answer
                 shown.reject()
                 return
             asked.append(field.text())
@@ -66,7 +66,7 @@ def typed(harbour: Driver) -> Iterator[list[str]]:
     timer.stop()
 
 
-def test_the_project_goes_on_in_its_new_folder(
+def test_work_continues_in_the_new_folder(
     harbour: Driver, typed: list[str], demo_copy: Path, tmp_path: Path
 ) -> None:
     typed.append(str(tmp_path / "office" / "quay"))
@@ -86,7 +86,7 @@ def test_the_project_goes_on_in_its_new_folder(
     assert open_project(demo_copy).targets == ()
     assert open_project(new).lines[0].path.is_file()
 
-    # An edit from before the move is taken back there, and saved there.
+    # An earlier edit can be undone and saved in the new folder.
     harbour.window.activateWindow()
     harbour.bot.waitUntil(harbour.window.isActiveWindow, timeout=WAIT_MS)
     press(harbour, Key.Key_Z, Control)
@@ -99,7 +99,7 @@ def test_the_project_goes_on_in_its_new_folder(
     assert harbour.window.document.survey_is_current
 
 
-def test_a_folder_that_cannot_be_written_names_the_remedy(
+def test_a_read_only_folder_has_a_suggested_action(
     harbour: Driver, demo_copy: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refused(_project: Project, **_: object) -> None:
@@ -130,7 +130,7 @@ def test_a_folder_with_a_project_is_refused_and_nothing_changes(
     assert open_project(demo_copy).targets == ()
 
 
-def test_imported_lines_go_along(demo: Demo, tmp_path: Path) -> None:
+def test_imported_lines_are_copied(demo: Demo, tmp_path: Path) -> None:
     one = replace(demo.project, folder=tmp_path / "old", lines=demo.project.lines[:2])
     write_project(one)
     import_lines(one, [one.lines[0].name])
@@ -161,7 +161,7 @@ def test_imported_lines_go_along(demo: Demo, tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
-def test_a_folder_that_may_not_be_written_is_refused(demo: Demo, tmp_path: Path) -> None:
+def test_a_read_only_folder_is_refused(demo: Demo, tmp_path: Path) -> None:
     (tmp_path / "locked").mkdir()
     (tmp_path / "locked").chmod(stat.S_IRUSR | stat.S_IXUSR)
     with pytest.raises(InputError) as raised:
@@ -170,10 +170,10 @@ def test_a_folder_that_may_not_be_written_is_refused(demo: Demo, tmp_path: Path)
 
 
 @pytest.mark.parametrize("cached", [False, True])
-def test_no_project_is_proposed_into_the_cache(
+def test_the_proposed_folder_is_not_in_the_cache(
     harbour: Driver, monkeypatch: pytest.MonkeyPatch, cached: bool
 ) -> None:
-    """That of the built-in survey lies there; it is not where one would look for one's own."""
+    """The built-in survey is in the cache, where users would not look for their projects."""
     folder = harbour.project.folder
     place = folder.parent if cached else folder / "cache"
     monkeypatch.setattr("lispac.gui.app.settings.usable_cache_folder", lambda: place)

@@ -1,4 +1,4 @@
-"""A project saved with the window in one language and opened with it in another."""
+"""Test of a project saved in one language and opened in another."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -20,15 +20,15 @@ from tests.french_catalogue import FRENCH
 from tests.gui.french_support import english, pieces, texts
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, click, open_step, press, wait_until_idle
 
-WRONG_BY = 0.1
-"""Metres by which a lever arm is wrong, so that the estimate has much to warn of."""
-VALIDATE = 3
-"""The step of the workflow."""
+LEVER_ARM_ERROR = 0.1
+"""Error of the lever arm in metres, which causes many warnings."""
+VALIDATION_STEP = 3
+"""Index of the step in the workflow."""
 
 
 @contextmanager
 def window(code: str, qtbot: QtBot, folder: Path) -> Iterator[Driver]:
-    """A window in a language, as the program starts with it."""
+    """Return a window in a language, as at the start of the program."""
     theme.apply_theme(QApplication.instance())
     set_language(code)
     try:
@@ -47,7 +47,7 @@ def open_project(driver: Driver, folder: Path) -> None:
 
 
 def listed(driver: Driver) -> dict[str, Message]:
-    """The messages of the list of warnings by their texts in it."""
+    """Return the messages of the list of warnings with their texts."""
     driver.bot.waitUntil(lambda: driver.window.warning_list.is_current, timeout=WAIT_MS)
     panel = driver.window.warnings
     driver.bot.waitUntil(lambda: panel.is_filled, timeout=WAIT_MS)
@@ -57,7 +57,7 @@ def listed(driver: Driver) -> dict[str, Message]:
 
 
 def french(driver: Driver) -> set[str]:
-    """Texts of a window that are those of the French catalogue."""
+    """Return the texts of a window that are in the French catalogue."""
     only = {each for each in set(FRENCH.values()) - set(FRENCH) if any(map(str.isalpha, each))}
     return {text for text in texts(driver.window) if any(each in only for each in pieces(text))}
 
@@ -67,13 +67,13 @@ def test_all_warnings_are_in_the_language_of_the_window(
     first: str, second: str, qtbot: QtBot, tmp_path: Path, demo: Demo, demo_copy: Path
 ) -> None:
     north, *others = demo.picked.settings.lever_arm
-    settings = replace(demo.picked.settings, lever_arm=(north + WRONG_BY, *others))
+    settings = replace(demo.picked.settings, lever_arm=(north + LEVER_ARM_ERROR, *others))
     save_project(replace(demo.picked, folder=demo_copy, settings=settings))
     with window(first, qtbot, tmp_path / "first") as driver:
         open_project(driver, demo_copy)
         press(driver, Key.Key_F9)
         wait_until_idle(driver)
-        open_step(driver, VALIDATE)
+        open_step(driver, VALIDATION_STEP)
         click(driver, driver.window.validate.run)
         wait_until_idle(driver)
         press(driver, Key.Key_S, Qt.KeyboardModifier.ControlModifier)

@@ -1,4 +1,4 @@
-"""The script of what was done in the window, run without it."""
+"""Tests of the script of a project made in the window."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -17,7 +17,7 @@ Answer = Callable[[QWidget], None]
 
 
 def shown(driver: Driver, answer: Answer = lambda dialog: None) -> str:
-    """The script that the window shows."""
+    """Open the script of the window and return it."""
     found: list[str] = []
 
     def inspect_dialog(dialog: QWidget) -> None:
@@ -36,7 +36,7 @@ def shown(driver: Driver, answer: Answer = lambda dialog: None) -> str:
 
 
 def values_in_window(driver: Driver, path: Path) -> dict:
-    """The report in JSON that the window writes."""
+    """Return the report in JSON written by the window."""
     driver.dialogs.path = path
     press(driver, Key.Key_E, Control)
     driver.rest()
@@ -44,10 +44,8 @@ def values_in_window(driver: Driver, path: Path) -> dict:
     return same_part(path)
 
 
-def test_the_demo_run_in_the_window_is_the_script_run_without_it(
-    opened: Driver, tmp_path: Path
-) -> None:
-    """Seeds, an edit taken back, one that stays, an answer, a validation: the same JSON."""
+def test_the_script_reproduces_the_report_of_the_window(opened: Driver, tmp_path: Path) -> None:
+    """Seeds, an undone edit, a kept edit, a result and a validation give the same JSON."""
     for name in ("T1", "T2", "V1", "V2"):
         seed(opened, name)
         opened.window.controller.accept()
@@ -81,10 +79,10 @@ def test_the_demo_run_in_the_window_is_the_script_run_without_it(
 
 
 @pytest.mark.long
-def test_what_follows_from_a_click_is_reported_where_the_script_gives_another_answer(
+def test_a_difference_between_script_and_window_is_reported(
     opened: Driver,
 ) -> None:
-    """The window keeps the points selected before; the script selects them anew."""
+    """The window keeps the selected points; the script selects them again."""
     for name in ("T1", "T2"):
         seed(opened, name)
         opened.window.controller.accept()
@@ -110,11 +108,11 @@ def test_what_follows_from_a_click_is_reported_where_the_script_gives_another_an
     assert remarks[1] == ""
 
 
-def test_there_is_no_script_without_a_project(driver: Driver) -> None:
+def test_script_is_disabled_without_a_project(driver: Driver) -> None:
     assert not driver.window.actions_["script"].isEnabled()
 
 
-def test_a_script_that_cannot_be_saved_says_so(opened: Driver, tmp_path: Path) -> None:
+def test_a_failure_to_save_the_script_is_reported(opened: Driver, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
 
     def save(dialog: QWidget) -> None:

@@ -1,4 +1,4 @@
-"""Seeds whose coordinates are typed, through the real dialogue."""
+"""Tests of seeds with typed coordinates in the real dialog."""
 
 import time
 from collections.abc import Callable
@@ -14,14 +14,14 @@ from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press
 from tests.message_codes import is_shown
 
-TARGETS = 1
+TARGETS_STEP = 1
 T1 = demo_seeds()["T1"][1]
 
 
 def hand(
     driver: Driver, answer: Callable[[SeedCoordinatesDialog], None]
 ) -> list[SeedCoordinatesDialog]:
-    """Let a hand answer the next dialogue; a failure there comes out of the test."""
+    """Answer the next dialog; a failure of the answer is raised in the test."""
     seen: list[SeedCoordinatesDialog] = []
     until = time.monotonic() + WAIT_MS / 1000
 
@@ -58,7 +58,7 @@ def find(dialog: SeedCoordinatesDialog) -> QPushButton:
     return dialog.findChild(QPushButton, "seed_find")
 
 
-def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> None:
+def test_a_seed_is_typed_by_keys_and_undone_in_one_step(opened: Driver) -> None:
     before = opened.project
 
     def answer(dialog: SeedCoordinatesDialog) -> None:
@@ -81,7 +81,7 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
     assert candidate.seed == pytest.approx(T1, abs=1e-3)
     assert len(candidate.sightings) == 6
     assert opened.project is before
-    opened.window.activateWindow()  # no window manager does it here
+    opened.window.activateWindow()  # no window manager activates it
     opened.bot.waitUntil(opened.window.isActiveWindow, timeout=WAIT_MS)
     press(opened, Key.Key_Return)
     assert opened.window.document.undo_stack.undoText() == "detection of T1"
@@ -89,8 +89,8 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
     assert opened.project is before
 
 
-def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
-    open_step(picked, TARGETS)
+def test_invalid_coordinates_are_reported_while_typing(picked: Driver) -> None:
+    open_step(picked, TARGETS_STEP)
     told: list[str] = []
 
     def answer(dialog: SeedCoordinatesDialog) -> None:
@@ -125,8 +125,8 @@ def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
     assert picked.window.controller.candidate is None
 
 
-def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
-    open_step(opened, TARGETS)
+def test_map_coordinates_can_be_pasted_at_once(opened: Driver) -> None:
+    open_step(opened, TARGETS_STEP)
     trajectory = opened.window.document.survey.trajectory
     zone = coordinate_system("EPSG:32619")
     east, north, height = zone.from_local(np.array([T1]), trajectory.frame)[0]
@@ -164,8 +164,8 @@ def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
     assert len(opened.project.target("T1").sightings) == 6
 
 
-def test_for_one_line_it_goes_to_the_selected_target(picked: Driver) -> None:
-    open_step(picked, TARGETS)
+def test_a_seed_for_one_line_belongs_to_the_selected_target(picked: Driver) -> None:
+    open_step(picked, TARGETS_STEP)
     line = picked.project.lines[2].name
     picked.window.targets.select("T1")
     picked.window.targets.line_choice.setCurrentText(line)
@@ -186,6 +186,6 @@ def test_for_one_line_it_goes_to_the_selected_target(picked: Driver) -> None:
     assert all(candidate.sighting(name) is sighting for name, sighting in others.items())
 
 
-def test_nothing_to_seed_without_a_survey(driver: Driver) -> None:
+def test_seeds_are_disabled_without_a_survey(driver: Driver) -> None:
     assert not driver.window.actions_["seed_coordinates"].isEnabled()
     assert not driver.window.targets.type_seed.isEnabled()

@@ -1,4 +1,4 @@
-"""Seeds from a list of coordinates: preview, picking, table, and one step back."""
+"""Tests of seeds from a list of coordinates: preview, picking, results, undo."""
 
 import time
 from pathlib import Path
@@ -31,7 +31,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 @pytest.fixture
 def listed(tmp_path: Path) -> Path:
-    """A list of two targets, a validation plane and a place where nothing is."""
+    """A list of two targets, a validation plane and a place without a surface."""
     path = tmp_path / "quay.csv"
     rows = [f"{name};{x:.3f};{y:.3f};{z:.3f}" for name, (_, (x, y, z)) in SEEDS.items()]
     path.write_text("\n".join([*rows[:3], "Lost;20;4;3"]))
@@ -47,7 +47,7 @@ def cells(dialog: QDialog, name: str) -> list[list[str]]:
 
 
 def both(driver: Driver, before, after) -> None:
-    """Answer the preview, then the table of what was found."""
+    """Answer the preview and then the table of results."""
 
     def first(dialog: QDialog) -> None:
         hand(driver, after)
@@ -56,7 +56,7 @@ def both(driver: Driver, before, after) -> None:
     hand(driver, first)
 
 
-def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -> None:
+def test_a_list_is_picked_and_undone_in_one_step(opened: Driver, listed: Path) -> None:
     open_step(opened, 1)
     before = opened.project
     opened.dialogs.path = listed
@@ -91,7 +91,9 @@ def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -
     assert opened.project is before
 
 
-def test_taken_names_are_not_ticked_and_columns_can_be_given(picked: Driver, listed: Path) -> None:
+def test_existing_names_are_not_selected_and_columns_can_be_given(
+    picked: Driver, listed: Path
+) -> None:
     picked.dialogs.path = listed
     ticked = []
 
@@ -129,14 +131,14 @@ def test_taken_names_are_not_ticked_and_columns_can_be_given(picked: Driver, lis
     assert not picked.window.document.undo_stack.canUndo()
 
 
-def test_dropped_on_the_window_and_cancelled_while_picking(
+def test_a_dropped_list_is_cancelled_while_picking(
     opened: Driver, listed: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     before = opened.project
     titles = []
 
     def waits(*args, progress: Progress) -> tuple:
-        """As it is, but goes on with the second seed only when it is cancelled, or far too late."""
+        """Pick as usual, but start the second seed only after a cancel (or a long time)."""
 
         def report(fraction: float, step: Step | None = None) -> None:
             late = time.monotonic() + WAIT_MS / 1000
@@ -152,7 +154,7 @@ def test_dropped_on_the_window_and_cancelled_while_picking(
     def stop() -> None:
         task = opened.window.runner.current
         if not opened.window.isActiveWindow():
-            opened.window.activateWindow()  # no window manager does so after the dialogue
+            opened.window.activateWindow()  # no window manager activates it after the dialog
         if task is None or not task.fraction or not opened.window.isActiveWindow():
             QTimer.singleShot(10, stop)
             return
@@ -178,7 +180,7 @@ def test_dropped_on_the_window_and_cancelled_while_picking(
     assert opened.window.targets.list_seeds.isEnabled()
 
 
-def test_nothing_found_changes_nothing(opened: Driver, tmp_path: Path) -> None:
+def test_a_list_without_a_target_changes_nothing(opened: Driver, tmp_path: Path) -> None:
     path = tmp_path / "far.txt"
     path.write_text("A 300 300 300\n")
     before = opened.project

@@ -1,4 +1,4 @@
-"""File > Settings: each setting does what it says, and is there the next time."""
+"""Tests of File > Settings: each setting is applied and remembered."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -24,14 +24,14 @@ from lispac.workflow.project.projects import new_project
 from tests.gui.support import Driver, Key, Left, in_front, press
 from tests.message_codes import is_shown
 
-OTHERS = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
+OTHER_PREFERENCES = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
                      theme="dark", scale="turbo")  # fmt: skip
-MINE = ScannerSpecification("Profiler 16", 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
+OWN_SCANNER = ScannerSpecification("Profiler 16", 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
 
 
 @pytest.fixture
 def page(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[SettingsDialog]:
-    """The settings of a new user."""
+    """The settings dialog of a new user."""
     theme.apply_theme(qapp)
     made = SettingsDialog(Preferences(), tmp_path / "sensors")
     made.show()
@@ -41,7 +41,7 @@ def page(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[SettingsD
 
 
 def answers(driver: Driver, monkeypatch: pytest.MonkeyPatch, wanted: Preferences) -> list:
-    """Let the settings be answered; what they were asked with is remembered."""
+    """Answer the settings dialog, and record the preferences it was opened with."""
     asked: list[Preferences] = []
 
     def answer(present: Preferences, _settings: AppSettings) -> Preferences:
@@ -52,12 +52,12 @@ def answers(driver: Driver, monkeypatch: pytest.MonkeyPatch, wanted: Preferences
     return asked
 
 
-def test_what_is_chosen_is_applied_at_once_and_kept(
+def test_settings_are_applied_at_once_and_saved(
     driver: Driver, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
 ) -> None:
     driver.window.settings.language = "en"
     assert isinstance(driver.viewport, RecordingViewport)
-    asked = answers(driver, monkeypatch, OTHERS)
+    asked = answers(driver, monkeypatch, OTHER_PREFERENCES)
     with qtbot.waitSignal(driver.window.renewal_requested):
         press(driver, Key.Key_Comma, Qt.KeyboardModifier.ControlModifier)
     assert asked == [Preferences(language="en")]
@@ -65,7 +65,7 @@ def test_what_is_chosen_is_applied_at_once_and_kept(
     assert driver.viewport.point_budget == 3_500_000
     assert driver.window.report.options().convention == "applanix"
     again = AppSettings(Path(driver.window.settings.folder) / "settings.ini")
-    assert Preferences.of(again) == OTHERS
+    assert Preferences.of(again) == OTHER_PREFERENCES
     assert again.language == "fr"
 
     answers(driver, monkeypatch, Preferences(language="fr"))
@@ -75,23 +75,23 @@ def test_what_is_chosen_is_applied_at_once_and_kept(
     assert driver.window.report.options().convention == ""
 
 
-def test_what_is_cancelled_changes_nothing(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_cancelled_settings_change_nothing(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> None:
     before = Preferences.of(driver.window.settings)
     monkeypatch.setattr(driver.dialogs, "preferences", lambda *_: None)
     driver.window.actions_["settings"].trigger()
     assert Preferences.of(driver.window.settings) == before
 
 
-def test_the_system_speaks_where_no_language_is_chosen(tmp_path: Path) -> None:
+def test_the_default_language_is_that_of_the_system(tmp_path: Path) -> None:
     settings = AppSettings(tmp_path / "settings.ini")
-    OTHERS.save(settings)
+    OTHER_PREFERENCES.save(settings)
     assert settings.language == "fr"
     Preferences().save(settings)
     system = QLocale.system().name().partition("_")[0]
     assert settings.language == ("fr" if system == "fr" else "en")
 
 
-def test_the_budget_is_what_the_view_draws(real: Driver) -> None:
+def test_the_point_budget_limits_the_drawn_points(real: Driver) -> None:
     import numpy as np
 
     real.window.resize(1200, 900)
@@ -109,17 +109,17 @@ def test_the_budget_is_what_the_view_draws(real: Driver) -> None:
     assert drawn(300_000) > 150_000
 
 
-def test_the_dialogue_gives_back_what_it_was_given_and_restores(
+def test_the_dialog_shows_preferences_and_restores_defaults(
     page: SettingsDialog, qtbot: QtBot
 ) -> None:
     assert page.preferences == Preferences()
-    page.show_preferences(OTHERS)
-    assert page.preferences == OTHERS
+    page.show_preferences(OTHER_PREFERENCES)
+    assert page.preferences == OTHER_PREFERENCES
     qtbot.mouseClick(page.restore, Left)
     assert page.preferences == Preferences()
 
 
-def test_a_broken_settings_file_gives_the_defaults(tmp_path: Path) -> None:
+def test_an_invalid_settings_file_gives_the_defaults(tmp_path: Path) -> None:
     (tmp_path / "settings.ini").write_text("[General]\npoint_budget=lots\npoint_size=99\n")
     settings = AppSettings(tmp_path / "settings.ini")
     assert (settings.point_budget, settings.point_size) == (Budget().resting, 2)
@@ -129,7 +129,7 @@ def test_a_broken_settings_file_gives_the_defaults(tmp_path: Path) -> None:
 
 
 def answer_editor(monkeypatch: pytest.MonkeyPatch, bot: QtBot, **texts: str) -> list[SensorEditor]:
-    """Type into the editor that opens, and press Keep."""
+    """Type into the next editor and press Keep."""
     opened: list[SensorEditor] = []
 
     def typed(editor: SensorEditor) -> int:
@@ -148,13 +148,13 @@ def answer_editor(monkeypatch: pytest.MonkeyPatch, bot: QtBot, **texts: str) -> 
 
 
 def answer_box(bot: QtBot, button: str) -> None:
-    """Press a button of the question that is asked."""
+    """Press a button of the next message box."""
     box = QApplication.activeModalWidget()
     found = next(each for each in box.buttons() if each.text().replace("&", "") == button)
     bot.mouseClick(found, Left)
 
 
-def test_own_sensors_are_added_copied_edited_and_removed(
+def test_user_defined_sensors_are_added_copied_edited_and_removed(
     page: SettingsDialog, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     folder, sensors = tmp_path / "sensors", page.library
@@ -162,12 +162,12 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     count = sensors.table.rowCount()
     answer_editor(
         monkeypatch, qtbot, sensor_title="Profiler 16", sensor_range="4", sensor_angle="0.0125",
-        sensor_beam="0.3", sensor_source=MINE.source,
+        sensor_beam="0.3", sensor_source=OWN_SCANNER.source,
     )  # fmt: skip
     qtbot.mouseClick(sensors.add_scanner, Left)
-    assert read_library(folder).scanner("profiler-16") == MINE
+    assert read_library(folder).scanner("profiler-16") == OWN_SCANNER
     assert sensors.current is not None
-    assert sensors.current.figures == MINE
+    assert sensors.current.figures == OWN_SCANNER
     assert "Profiler 16" in [page.choice.scanner.itemText(k) for k in range(count)]
 
     answer_editor(monkeypatch, qtbot, sensor_range="6")
@@ -197,15 +197,15 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     assert sensors.table.rowCount() == count + 1
     qtbot.waitUntil(lambda: in_front(page) and sensors.table.hasFocus())
     assert sensors.current is not None
-    # Return answers the question with what loses nothing
+    # Return chooses the button that keeps the sensor.
     sensors.select("sbg-systems-apogee-user-defined")
     QTimer.singleShot(200, lambda: qtbot.keyClick(QApplication.activeModalWidget(), Key.Key_Return))
     qtbot.mouseClick(sensors.remove, Left)
     assert sensors.table.rowCount() == count + 1
 
 
-def test_what_cannot_be_kept_is_reported_while_it_is_typed(qtbot: QtBot, tmp_path: Path) -> None:
-    store_sensor(tmp_path, MINE)
+def test_invalid_sensors_are_reported_while_typing(qtbot: QtBot, tmp_path: Path) -> None:
+    store_sensor(tmp_path, OWN_SCANNER)
     editor = SensorEditor(tmp_path, NEW_SCANNER, "")
     qtbot.addWidget(editor)
     editor.show()
@@ -237,7 +237,7 @@ def test_what_cannot_be_kept_is_reported_while_it_is_typed(qtbot: QtBot, tmp_pat
     assert is_shown("sensor.no_sigmas", pos.message_label.text())
 
 
-def test_a_broken_file_is_named_above_the_buttons(
+def test_an_invalid_file_is_named_above_the_buttons(
     qtbot: QtBot, qapp: QApplication, tmp_path: Path
 ) -> None:
     path = tmp_path / "scanners" / "mine.toml"
@@ -248,7 +248,7 @@ def test_a_broken_file_is_named_above_the_buttons(
     assert dialog.library.message_label.text() == f"{path}: range_sigma_m is missing. Add it."
 
 
-def test_a_new_project_begins_with_the_usual_sensors_and_names_them(
+def test_a_new_project_has_the_preferred_sensors(
     dialog: ImportDialog, qtbot: QtBot, tmp_path: Path
 ) -> None:
     settings = AppSettings(tmp_path / "settings.ini")
@@ -258,11 +258,11 @@ def test_a_new_project_begins_with_the_usual_sensors_and_names_them(
     stated = other.mounting.settings()
     assert stated.lidar_beam_sigma == (0.0087, 0.02)
     assert stated.attitude_sigma_deg == (0.005, 0.005, 0.01)
-    assert dialog.mounting.settings() == Settings((0.0, 0.0, 0.0))  # nothing was chosen there
+    assert dialog.mounting.settings() == Settings((0.0, 0.0, 0.0))  # no sensor is chosen
     other.work.close()
 
 
-def test_chosen_sensors_fill_fields_that_can_be_changed(
+def test_chosen_sensors_fill_editable_fields(
     filled: ImportDialog, qtbot: QtBot, tmp_path: Path
 ) -> None:
     page = filled.mounting
@@ -284,7 +284,7 @@ def test_chosen_sensors_fill_fields_that_can_be_changed(
     assert project.identity.pos == "Exail (iXblue) Hydrins"
 
 
-def test_the_cache_goes_to_the_chosen_folder(
+def test_the_cache_is_in_the_chosen_folder(
     driver: Driver, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     wanted = Preferences(language=driver.window.settings.language_chosen, cache=tmp_path / "fast")
@@ -301,7 +301,7 @@ def test_the_cache_goes_to_the_chosen_folder(
     assert driver.window.settings.point_size == 7
 
 
-def test_a_cache_is_shown_and_emptied_after_a_question(
+def test_a_cache_is_listed_and_emptied_after_a_question(
     page: SettingsDialog, qtbot: QtBot, tmp_path: Path
 ) -> None:
     place = tmp_path / "disk" / "lispac"

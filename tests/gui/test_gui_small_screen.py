@@ -1,4 +1,4 @@
-"""On a small screen nothing lies beyond the sides of a panel, and a long choice is read whole."""
+"""Tests that panels fit on a small screen and that long choices are fully visible."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -36,7 +36,7 @@ def small(
         set_language("en")
 
 
-def test_the_patch_test_needs_no_scrolling_to_the_side(small: Driver) -> None:
+def test_the_patch_test_needs_no_horizontal_scrolling(small: Driver) -> None:
     window, panel = small.window, small.window.tools.patch_test_controller.panel
     press(small, Key.Key_T, Control)
     panel.show_objects(["O1", "O2"], (), "O1")
@@ -54,7 +54,7 @@ def test_the_patch_test_needs_no_scrolling_to_the_side(small: Driver) -> None:
             assert each.width() >= each.minimumSizeHint().width()
 
 
-def test_how_the_axes_of_another_program_lie_is_read_whole(small: Driver) -> None:
+def test_descriptions_of_axes_are_fully_visible(small: Driver) -> None:
     window = small.window
     window.docks[CONVENTION].raise_()
     small.bot.waitUntil(window.convention.isVisible, timeout=WAIT_MS)
@@ -65,7 +65,7 @@ def test_how_the_axes_of_another_program_lie_is_read_whole(small: Driver) -> Non
 
 
 def room(combo: QComboBox) -> int:
-    """Pixels for the text of a choice."""
+    """Return the width in pixels for the text of a choice."""
     option = ComboOption()
     combo.initStyleOption(option)
     part = QStyle.SubControl.SC_ComboBoxEditField

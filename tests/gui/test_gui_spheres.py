@@ -1,4 +1,4 @@
-"""Balls in the window: choosing the shape, the candidate, the list."""
+"""Tests of balls in the window: shape, candidate, list."""
 
 import pytest
 from PySide6.QtWidgets import QLabel
@@ -40,7 +40,7 @@ def accepted(driver: Driver) -> Project:
 
 
 @pytest.mark.parametrize(("radius", "said"), [(0.15, "Known radius: 0.15 m"), (0.0, "Radius: 0.1")])
-def test_a_ball_is_seeded_with_and_without_its_radius(opened, balls, radius, said):
+def test_a_ball_is_picked_with_and_without_its_radius(opened, balls, radius, said):
     panel = opened.window.targets
     panel.shape_choice.setCurrentIndex(1)
     panel._sphere_radius.setValue(radius)
@@ -68,7 +68,7 @@ def test_the_radius_of_a_ball_is_shown_in_the_chosen_unit(opened, balls):
         units.set_units("degrees", "metres")
 
 
-def test_a_line_of_its_own_keeps_the_shape_of_the_target(opened, balls):
+def test_a_seed_for_one_line_keeps_the_shape_of_the_target(opened, balls):
     panel = opened.window.targets
     panel.shape_choice.setCurrentIndex(1)
     panel._sphere_radius.setValue(0.15)

@@ -1,4 +1,4 @@
-"""A file with two scanners is recognised in the import window, and split into lines by a click."""
+"""Tests of files with two scanners, which the import dialog detects and splits."""
 
 import json
 from pathlib import Path
@@ -18,7 +18,7 @@ from tests.gui.support import Demo, Left
 
 
 def two_scanners(line: Path, to: Path) -> Path:
-    """A copy of a line whose points are of two scanners in turn."""
+    """Write a copy of a line whose points alternate between two scanners."""
     las = laspy.read(line)
     las.user_data[:] = np.arange(len(las.points)) % 2
     las.write(to)
@@ -40,7 +40,7 @@ def survey(demo: Demo, dialog: ImportDialog, qtbot: QtBot, tmp_path: Path) -> Pa
     return path
 
 
-def test_a_file_of_two_sources_is_split_by_a_click(
+def test_a_file_of_two_scanners_is_split_by_a_click(
     survey: Path, dialog: ImportDialog, qtbot: QtBot, tmp_path: Path
 ) -> None:
     buttons = dialog.file_page.messages.buttons
@@ -65,7 +65,7 @@ def test_a_file_of_two_sources_is_split_by_a_click(
     assert not codes & {"audit.several_sources", "audit.several_scanners"}
 
 
-def test_a_split_can_be_taken_back(survey: Path, dialog: ImportDialog, qtbot: QtBot) -> None:
+def test_a_split_can_be_undone(survey: Path, dialog: ImportDialog, qtbot: QtBot) -> None:
     (split,) = [
         each for each in dialog.file_page.messages.buttons if each.text().startswith("Split")
     ]
@@ -79,10 +79,10 @@ def test_a_split_can_be_taken_back(survey: Path, dialog: ImportDialog, qtbot: Qt
     assert [line.name for line in dialog.input_files.sources()] == ["L9"]
 
 
-def test_findings_are_shown_before_the_project_is_made(
+def test_findings_are_shown_before_the_project_is_created(
     demo: Demo, dialog: ImportDialog, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    """Of points far behind the first ones: withheld at the end of the file, and a noise class."""
+    """From points late in the file: withheld ones at its end, and a noise class."""
     line = demo.project.lines[0].path
     count = len(laspy.read(line).points)
     last = np.arange(count) >= count - 20
@@ -109,7 +109,7 @@ def test_findings_are_shown_before_the_project_is_made(
 
 
 @pytest.mark.parametrize(("words", "found"), [([], True), (["--quick"], False)])
-def test_look_prints_what_all_points_show(
+def test_inspect_prints_findings_of_all_points(
     demo: Demo, tmp_path: Path, capsys: pytest.CaptureFixture[str], words: list[str], found: bool
 ) -> None:
     path = two_scanners(demo.project.lines[0].path, tmp_path / "L9.laz")

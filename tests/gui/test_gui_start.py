@@ -1,4 +1,4 @@
-"""The first minutes: the start page, and the tour followed to its end by mouse and keys."""
+"""Tests of the start page, and of the tour by mouse and keys."""
 
 import os
 from datetime import datetime
@@ -16,14 +16,14 @@ from lispac.gui.window.main_window import TITLE_BAR_HEIGHT, MainWindow
 from lispac.io.project.project_file import FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
-DAY = datetime(2026, 3, 7, 9, 5).timestamp()
+SAVED_AT = datetime(2026, 3, 7, 9, 5).timestamp()
 
 
 def links(window: MainWindow, name: str) -> list[QCommandLinkButton]:
     return window.central_widget.start.findChildren(QCommandLinkButton, name)
 
 
-def test_recent_projects_are_a_click_away(driver: Driver, demo_copy: Path, tmp_path: Path) -> None:
+def test_a_click_opens_a_recent_project(driver: Driver, demo_copy: Path, tmp_path: Path) -> None:
     window = driver.window
     window.settings.add_recent(tmp_path / "gone")
     window.settings.add_recent(demo_copy)
@@ -41,10 +41,12 @@ def test_recent_projects_are_a_click_away(driver: Driver, demo_copy: Path, tmp_p
     assert window.viewport.widget.isVisible()
 
 
-def test_a_project_was_saved_when_the_users_language_says(driver: Driver, demo_copy: Path) -> None:
+def test_the_date_of_a_recent_project_has_the_format_of_the_language(
+    driver: Driver, demo_copy: Path
+) -> None:
     window = driver.window
     window.settings.add_recent(demo_copy)
-    os.utime(demo_copy / FILE_NAME, (DAY, DAY))
+    os.utime(demo_copy / FILE_NAME, (SAVED_AT, SAVED_AT))
     for code, said in (("en", "Saved 2026-03-07 09:05 in"), ("fr", "07/03/2026 09:05 dans")):
         set_language(code)
         try:
@@ -57,7 +59,7 @@ def test_a_project_was_saved_when_the_users_language_says(driver: Driver, demo_c
         assert said in known.description()
 
 
-def test_every_way_to_begin_is_an_action(driver: Driver) -> None:
+def test_every_link_of_the_start_page_is_an_action(driver: Driver) -> None:
     for name, way in driver.window.central_widget.start.links.items():
         assert driver.window.actions_[name].isEnabled(), name
         assert way.isVisible()
@@ -65,7 +67,7 @@ def test_every_way_to_begin_is_an_action(driver: Driver) -> None:
 
 
 @pytest.mark.parametrize(("code", "height"), [("en", 768), ("fr", 768), ("en", 1000)])
-def test_every_way_to_begin_is_in_sight_on_a_low_screen(
+def test_every_link_of_the_start_page_is_visible_on_a_low_screen(
     driver: Driver, code: str, height: int
 ) -> None:
     driver.window.resize(1366, height - TITLE_BAR_HEIGHT)
@@ -92,7 +94,7 @@ def at_the_demo(monkeypatch: pytest.MonkeyPatch, demo_copy: Path) -> Path:
     return demo_copy
 
 
-@pytest.mark.long  # by mouse and keyboard alone: `test_gui_tour_by_hand`
+@pytest.mark.long  # `test_gui_tour_by_hand` uses mouse and keyboard alone
 def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Path) -> None:
     window = driver.window
     driver.bot.mouseClick(window.central_widget.start.links["tour"], Qt.MouseButton.LeftButton)
@@ -136,7 +138,7 @@ def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Pa
     assert not card.isVisible()
 
 
-def test_the_tour_says_how_to_go_on_from_two_targets_that_face_one_way(
+def test_the_tour_explains_targets_of_a_single_orientation(
     driver: Driver, at_the_demo: Path
 ) -> None:
     window, card = driver.window, driver.window.central_widget.card
@@ -166,7 +168,7 @@ def test_another_project_ends_the_tour(driver: Driver, at_the_demo: Path) -> Non
     driver.rest()
 
 
-def test_a_tour_that_was_cancelled_leaves_the_next_project_its_targets(
+def test_a_cancelled_tour_does_not_affect_the_next_project(
     driver: Driver, at_the_demo: Path, picked_folder: Path
 ) -> None:
     window = driver.window

@@ -1,4 +1,4 @@
-"""Studies in the window: calibrations over the years, and the distance between points."""
+"""Tests of studies in the window: repeatability, subsampling, distances, error budget."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -29,9 +29,9 @@ SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
 
 
 def answered(driver: Driver, inspect_dialog, key: Qt.Key = Key.Key_Return) -> None:
-    """Look at the dialogue that comes, and end it by a key; its errors are the test's.
+    """Inspect the next dialog and end it with a key; failures are raised in the test.
 
-    Enter presses the button that was clicked last, where one was.
+    Enter presses the last clicked button, if any.
     """
     looked: list[BaseException | None] = []
 
@@ -64,7 +64,7 @@ def surveys(tmp_path: Path) -> Path:
     return folder.parent
 
 
-def test_the_open_answer_is_held_against_last_years(
+def test_the_result_is_compared_with_that_of_last_year(
     adjusted: Driver, surveys: Path, estimated: Project
 ) -> None:
     document = adjusted.window.document
@@ -80,7 +80,7 @@ def test_the_open_answer_is_held_against_last_years(
         days = [dialog.table.item(row, 0).text() for row in range(2)]
         assert days == ["2025-04-02", "2026-04-05"]
         assert dialog.table.item(1, 4).text().replace("−", "-") == f"{pitch:+.4f}"
-        assert dialog.table.item(1, 12).text() == "mounting has moved"  # another system's angles
+        assert dialog.table.item(1, 12).text() == "mounting has moved"  # angles of another system
         assert "Nordlys, VZ-400i" in dialog.system.currentText()
         assert len(dialog.canvas.figure.axes) == 3
         adjusted.bot.mouseClick(dialog.copy_numbers, Left)
@@ -100,7 +100,7 @@ def test_a_folder_without_projects_is_reported(driver: Driver, tmp_path: Path) -
     assert error.code == "history.no_project"
 
 
-def test_fewer_points_and_more(adjusted: Driver) -> None:
+def test_the_subsampling_study(adjusted: Driver) -> None:
     project = adjusted.project
 
     def inspect_dialog(dialog: SubsamplingDialog) -> None:
@@ -166,7 +166,7 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
     assert adjusted.project.absolute is None
 
 
-def test_a_reference_that_is_missing_is_reported(adjusted: Driver, tmp_path: Path) -> None:
+def test_a_missing_reference_is_reported(adjusted: Driver, tmp_path: Path) -> None:
     def ask(dialog: CheckDialog) -> None:
         dialog.file.setText(str(tmp_path / "gone.laz"))
 
@@ -178,7 +178,7 @@ def test_a_reference_that_is_missing_is_reported(adjusted: Driver, tmp_path: Pat
     assert adjusted.project.absolute is None
 
 
-def test_the_error_budget(adjusted: Driver) -> None:
+def test_the_error_budget_is_shown(adjusted: Driver) -> None:
     def inspect_dialog(dialog: BudgetDialog) -> None:
         assert isinstance(dialog, BudgetDialog)
         rows = {dialog.table.item(row, 0).text(): row for row in range(dialog.table.rowCount())}
@@ -196,10 +196,10 @@ def test_the_error_budget(adjusted: Driver) -> None:
     answered(adjusted, inspect_dialog)
 
 
-def test_visible_errors_are_chosen_read_off_and_copied(
+def test_the_visibility_study_shows_and_copies_its_tables(
     driver: Driver, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Without a project: boards are thought of before there is a survey."""
+    """It needs no project, since targets are planned before a survey."""
 
     def inspect_dialog(dialog: VisibilityDialog) -> None:
         assert isinstance(dialog, VisibilityDialog)
@@ -237,7 +237,9 @@ def test_visible_errors_are_chosen_read_off_and_copied(
             "Roll 2 deg", "Pitch 2 deg", "Yaw 2 deg",
         ]  # fmt: skip
         assert dialog.error.currentText() == "Yaw 2 deg"
-        shiboken6.delete(dialog.reading)  # as when all goes: not in the order of what is shown
+        shiboken6.delete(
+            dialog.reading
+        )  # the order of deletion at exit differs from the displayed order
         LocationEvent("axes_leave_event", dialog.canvas, x, y)._process()
         assert capsys.readouterr().err == ""
 
@@ -247,14 +249,14 @@ def test_visible_errors_are_chosen_read_off_and_copied(
     answered(driver, inspect_dialog, Key.Key_Escape)
 
 
-def test_there_is_nothing_to_study_without_targets(opened: Driver) -> None:
+def test_studies_are_disabled_without_targets(opened: Driver) -> None:
     assert not opened.window.actions_["check"].isEnabled()
     assert not opened.window.actions_["budget"].isEnabled()
     assert not opened.window.actions_["subsampling"].isEnabled()
     assert opened.window.actions_["history"].isEnabled()
 
 
-def test_differences_between_lines_as_they_are_shown(adjusted: Driver) -> None:
+def test_the_map_of_differences_between_lines(adjusted: Driver) -> None:
     adjusted.window.computations.show("estimated")
     adjusted.rest()
     project = adjusted.project

@@ -1,4 +1,4 @@
-"""Tab and Shift+Tab all the way round the window: the focus is always where it is seen."""
+"""Tests that Tab and Shift+Tab go through all visible controls."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -10,15 +10,15 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
 from tests.gui.support import WAIT_MS, Driver, Key, open_step
 
-MOST = 200
-"""More than there are stops in the window."""
+MAX_STOPS = 200
+"""More than the number of tab stops of the window."""
 SMALL = 1366, 740
 
 
 def round_trip(driver: Driver, key: Qt.Key) -> list[QWidget]:
-    """Where the key leads until it comes to a widget for the second time, which is the first."""
+    """Press the key until a widget gets the focus again; return the stops."""
     stops: list[QWidget] = []
-    for _ in range(MOST):
+    for _ in range(MAX_STOPS):
         driver.bot.keyClick(QApplication.focusWidget(), key)
         focused = QApplication.focusWidget()
         if focused in stops:
@@ -30,7 +30,7 @@ def round_trip(driver: Driver, key: Qt.Key) -> list[QWidget]:
 
 
 def is_seen(widget: QWidget) -> bool:
-    """Whether something of it is drawn; what scrolls is covered by what is in it."""
+    """Test whether a part of the widget is visible."""
     inner = widget.viewport() if hasattr(widget, "viewport") else widget
     return not inner.visibleRegion().isEmpty()
 
@@ -40,14 +40,14 @@ def names(stops: list[QWidget]) -> list[str]:
 
 
 def bring(driver: Driver, title: str) -> None:
-    """Have a dock before those it shares its place with."""
+    """Raise a dock above those tabbed with it."""
     dock = driver.window.docks[title]
     dock.show()
     dock.raise_()
     driver.bot.waitUntil(lambda: not dock.visibleRegion().isEmpty(), timeout=WAIT_MS)
 
 
-def test_without_a_project_tab_goes_round_what_is_in_sight(driver: Driver) -> None:
+def test_tab_goes_through_visible_controls_without_a_project(driver: Driver) -> None:
     driver.bot.waitUntil(lambda: QApplication.focusWidget() is not None, timeout=WAIT_MS)
     assert QApplication.focusWidget().objectName() == "start_tour"
     stops = round_trip(driver, Key.Key_Tab)
@@ -58,7 +58,7 @@ def test_without_a_project_tab_goes_round_what_is_in_sight(driver: Driver) -> No
     assert round_trip(driver, Key.Key_Backtab) == stops[::-1]
 
 
-def test_recent_projects_come_after_the_ways_to_begin(driver: Driver, demo_copy: Path) -> None:
+def test_recent_projects_follow_the_links_in_tab_order(driver: Driver, demo_copy: Path) -> None:
     window = driver.window
     for folder in (demo_copy, demo_copy.parent / "gone"):
         window.settings.add_recent(folder)
@@ -71,12 +71,12 @@ def test_recent_projects_come_after_the_ways_to_begin(driver: Driver, demo_copy:
     driver.bot.waitUntil(lambda: QApplication.focusWidget() is not None, timeout=WAIT_MS)
     found = names(round_trip(driver, Key.Key_Tab))
     assert found[found.index("start_design") + 1] == "start_recent"
-    assert found.count("start_recent") == 1  # what is gone takes no keys
+    assert found.count("start_recent") == 1  # removed links are no tab stops
 
 
-def test_a_frame_shows_that_the_view_has_the_focus(adjusted: Driver) -> None:
+def test_the_focused_view_has_a_frame(adjusted: Driver) -> None:
     window, view = adjusted.window, adjusted.viewport.widget
-    view.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # one that only records takes none
+    view.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # the recording viewport accepts no focus
     window.workflow.headers[0].setFocus()
     without = window.central_widget.grab().toImage()
     view.setFocus()
@@ -88,14 +88,14 @@ def test_a_frame_shows_that_the_view_has_the_focus(adjusted: Driver) -> None:
     assert window.central_widget.grab().toImage() == without
 
 
-def test_a_dock_is_gone_through_in_front_only(driver: Driver) -> None:
+def test_only_docks_in_front_have_tab_stops(driver: Driver) -> None:
     for front in ("Results", CONVENTION, "Results"):
         bring(driver, front)
         found = "convention_system" in names(round_trip(driver, Key.Key_Tab))
         assert found == (front == CONVENTION)
 
 
-def test_every_stop_of_a_calibrated_project_is_seen(adjusted: Driver) -> None:
+def test_every_tab_stop_of_a_calibrated_project_is_visible(adjusted: Driver) -> None:
     window = adjusted.window
     window.resize(*SMALL)
     for step, header in enumerate(window.workflow.headers):
@@ -111,7 +111,7 @@ def test_every_stop_of_a_calibrated_project_is_seen(adjusted: Driver) -> None:
         round_trip(adjusted, Key.Key_Backtab)
 
 
-def test_what_is_scrolled_out_comes_into_sight(adjusted: Driver) -> None:
+def test_focused_controls_are_scrolled_into_view(adjusted: Driver) -> None:
     window = adjusted.window
     window.resize(*SMALL)
     open_step(adjusted, 0)
@@ -122,8 +122,8 @@ def test_what_is_scrolled_out_comes_into_sight(adjusted: Driver) -> None:
     assert focused.visibleRegion().boundingRect() == focused.rect()
 
 
-def test_lists_that_are_passed_choose_nothing(adjusted: Driver) -> None:
-    """A list that gets the focus would choose its first row."""
+def test_tabbing_through_lists_selects_nothing(adjusted: Driver) -> None:
+    """By default, a list with the focus would select its first row."""
     window = adjusted.window
     behind = [
         each

@@ -1,4 +1,4 @@
-"""The window light and dark: chosen in the menu, or as the system is."""
+"""Tests of the light and dark themes, chosen in the menu or following the system."""
 
 from itertools import pairwise, product
 from pathlib import Path
@@ -23,11 +23,11 @@ from tests.gui.support import Demo, in_front
 from tests.gui.test_gui_language import SOON_MS, choose, open_menu
 
 Scheming = Qt.ColorScheme
-BOTH = pytest.mark.parametrize("scheme", [LIGHT, DARK], ids=lambda scheme: scheme.name)
+BOTH_SCHEMES = pytest.mark.parametrize("scheme", [LIGHT, DARK], ids=lambda scheme: scheme.name)
 
 
 def contrast(one: str, other: str) -> float:
-    """The ratio of WCAG 2.2, 1 to 21."""
+    """Return the contrast ratio of WCAG 2.2, 1 to 21."""
     low, high = sorted((luminance(one), luminance(other)))
     return (high + 0.05) / (low + 0.05)
 
@@ -35,14 +35,14 @@ def contrast(one: str, other: str) -> float:
 # -- colours -----------------------------------------------------------------------------------
 
 
-def test_luminance_is_that_of_the_standard() -> None:
+def test_luminance_and_contrast_match_wcag() -> None:
     assert contrast("#000000", "#ffffff") == pytest.approx(21.0)
-    # A pair that WCAG's own examples give as just enough.
+    # A pair that just passes according to the examples of WCAG.
     assert contrast("#767676", "#ffffff") == pytest.approx(4.54, abs=0.005)
 
 
-@BOTH
-def test_words_are_read_on_every_ground(scheme: ColourScheme) -> None:
+@BOTH_SCHEMES
+def test_text_has_enough_contrast_on_every_background(scheme: ColourScheme) -> None:
     grounds = ("window", "paper", "bar", "alternate", "header")
     words = ("text", "muted", "placeholder", "accent", "done", "warning", "error")
     pairs = [
@@ -58,8 +58,8 @@ def test_words_are_read_on_every_ground(scheme: ColourScheme) -> None:
     assert {pair: ratio for pair, ratio in ratios.items() if ratio < 4.5} == {}
 
 
-@BOTH
-def test_focus_frames_and_marks_stand_out(scheme: ColourScheme) -> None:
+@BOTH_SCHEMES
+def test_focus_frames_and_marks_have_enough_contrast(scheme: ColourScheme) -> None:
     pairs = [
         *product(("accent", "frame", "doubtful", "waiting"), ("window", "paper", "bar")),
         ("accent", "current"), ("fill", "paper"), ("fill_edge", "window"),
@@ -71,17 +71,17 @@ def test_focus_frames_and_marks_stand_out(scheme: ColourScheme) -> None:
     assert {pair: ratio for pair, ratio in ratios.items() if ratio < 3.0} == {}
 
 
-@BOTH
+@BOTH_SCHEMES
 @pytest.mark.parametrize("blind", ["protan", "deutan"])
 def test_neighbouring_lines_differ_for_the_colour_blind(scheme: ColourScheme, blind: str) -> None:
     colours = [seen(colour, blind) for colour in scheme.lines]
     apart = [float(np.linalg.norm(one - other)) for one, other in pairwise(colours)]
-    assert min(apart) > AT_A_GLANCE
+    assert min(apart) > CLEAR_DIFFERENCE
 
 
-AT_A_GLANCE = 10.0
-"""CIE 1976 difference that is seen at a glance; about 2.3 is just noticed."""
-BLIND = {
+CLEAR_DIFFERENCE = 10.0
+"""CIE 1976 colour difference that is clearly visible; about 2.3 is just noticeable."""
+COLOUR_BLINDNESS = {
     "protan": [
         [0.152286, 1.052583, -0.204868],
         [0.114503, 0.786281, 0.099216],
@@ -99,16 +99,16 @@ WHITE = [0.9505, 1.0, 1.089]
 
 
 def seen(colour: tuple[int, int, int], blind: str) -> np.ndarray:
-    """L*, a*, b* of a colour as a colour-blind person sees it."""
+    """Return L*, a*, b* of a colour as seen with a colour blindness."""
     linear = [luminance(f"#{value:02x}{value:02x}{value:02x}") for value in colour]
-    mixed = np.clip(np.array(BLIND[blind]) @ linear, 0.0, 1.0)
+    mixed = np.clip(np.array(COLOUR_BLINDNESS[blind]) @ linear, 0.0, 1.0)
     share = np.array(XYZ) @ mixed / WHITE
     x, y, z = np.where(share > 0.008856, np.cbrt(share), 7.787 * share + 16 / 116)
     return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
 
 
-@BOTH
-def test_a_palette_leaves_nothing_to_the_system(scheme: ColourScheme) -> None:
+@BOTH_SCHEMES
+def test_a_palette_sets_all_colours(scheme: ColourScheme) -> None:
     from lispac.gui.appearance.style import palette
 
     made = palette(scheme)
@@ -116,7 +116,7 @@ def test_a_palette_leaves_nothing_to_the_system(scheme: ColourScheme) -> None:
     assert [r for r in roles if not made.isBrushSet(QPalette.ColorGroup.Active, r)] == []
 
 
-def test_names_of_colours_are_those_of_the_scheme_in_use() -> None:
+def test_colour_names_are_resolved_in_the_current_scheme() -> None:
     assert theme.current_scheme().muted == theme.MUTED
     with theme.paper_colours():
         assert theme.PAPER == "#ffffff"
@@ -128,7 +128,7 @@ def test_names_of_colours_are_those_of_the_scheme_in_use() -> None:
 
 
 def change(session: Session, bot: QtBot, *names: str) -> None:
-    """Choose in the menu, and wait for the other window."""
+    """Choose a theme in the menu and wait for the new window."""
     former = session.window
     choose(bot, open_menu(bot, former, "View"), "heme", *names)
     bot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
@@ -156,7 +156,7 @@ def test_dark_and_light_are_chosen_and_nothing_is_lost(
 
 
 def ground(widget: QWidget) -> QColor:
-    """What is painted in a lower corner of a window: its status bar."""
+    """Return the painted colour in a lower corner of a window (its status bar)."""
     picture = widget.grab().toImage()
     return picture.pixelColor(picture.width() // 2, picture.height() - 6)
 
@@ -166,13 +166,13 @@ def test_the_window_follows_the_system(
 ) -> None:
     change(session, qtbot, "System default")
     window, other = session.window, not theme.current_scheme().is_dark
-    # What the window system does where it has looks of its own, which a virtual screen has not.
+    # The event of a desktop with themes; a virtual screen has none.
     monkeypatch.setattr(theme, "is_system_dark", lambda _application: other)
     told = qapp.styleHints().colorSchemeChanged
     menu = open_menu(qtbot, window, "File")
     told.emit(Scheming.Dark if other else Scheming.Light)
     qtbot.wait(3 * THEME_DELAY_MS)
-    assert session.window is window  # nothing goes from under an open menu or dialogue
+    assert session.window is window  # no new window while a menu or dialog is open
     menu.close()
     qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
     assert theme.current_scheme() is (DARK if other else LIGHT)
@@ -190,7 +190,7 @@ def test_the_design_window_follows_the_system_and_stays_in_front(
     design.workspace.drag(edits.default_plan(90.0))
     qapp.styleHints().colorSchemeChanged.emit(Scheming.Dark if other else Scheming.Light)
     qtbot.wait(3 * THEME_DELAY_MS)
-    assert session.window is window  # nothing goes from under a drag
+    assert session.window is window  # no new window during a drag
     design.workspace.cancel_drag()
     qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
     heir = session.window.site_design.window
@@ -210,7 +210,7 @@ def test_a_chosen_theme_does_not_follow_the_system(
 
 
 @pytest.mark.parametrize("choice", ["light", "dark"])
-def test_words_stand_out_from_what_they_are_on(
+def test_text_of_all_widgets_has_enough_contrast(
     session: Session, qtbot: QtBot, demo: Demo, estimated, choice: str
 ) -> None:
     session.window.document.open(estimated, demo.survey)
@@ -228,7 +228,7 @@ def test_words_stand_out_from_what_they_are_on(
 
 
 def faint(window: QWidget) -> list[str]:
-    """Widgets whose words are not read on their ground, by their palettes."""
+    """Return the widgets whose text has too little contrast, by their palettes."""
     found = []
     for widget in (window, *window.findChildren(QWidget)):
         if isinstance(widget, QMenu) and not widget.actions():
@@ -241,7 +241,7 @@ def faint(window: QWidget) -> list[str]:
             group = QPalette.ColorGroup.Active
             text = colours.color(group, role[words]).name()
             below = colours.color(group, role[on]).name()
-            # What is see-through shows its parent, which is looked at as well.
+            # A transparent widget shows its parent, which is checked as well.
             if colours.color(group, role[on]).alpha() and contrast(text, below) < 4.5:
                 kind = type(widget).__name__
                 found.append(f"{kind} {widget.objectName()}: {words} {text} on {below}")
@@ -252,7 +252,7 @@ def faint(window: QWidget) -> list[str]:
 
 
 def corner(picture: QImage | QPixmap) -> str:
-    """The colour of the paper that a chart is drawn on."""
+    """Return the background colour of a chart."""
     image = picture if isinstance(picture, QImage) else picture.toImage()
     assert image.width() > 100
     return image.pixelColor(2, 2).name()
@@ -270,7 +270,7 @@ def seen_in_front(session: Session, bot: QtBot, dock: str, chart: Chart) -> QPix
 
 
 def copied(bot: QtBot) -> QImage:
-    """What comes to the clipboard."""
+    """Return the next contents of the clipboard."""
     clipboard = QGuiApplication.clipboard()
     bot.waitUntil(lambda: not clipboard.image().isNull(), timeout=SOON_MS)
     return clipboard.image()
@@ -319,7 +319,7 @@ def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
 
 
 @pytest.mark.parametrize("colour", [*LIGHT.series, LIGHT.before, LIGHT.after, LIGHT.text])
-def test_what_is_drawn_on_white_is_read_on_dark_in_its_own_hue(
+def test_colours_for_white_keep_their_hue_on_dark(
     monkeypatch: pytest.MonkeyPatch, colour: str
 ) -> None:
     monkeypatch.setattr(theme, "_scheme", DARK)

@@ -1,4 +1,4 @@
-"""Measuring and cutting sections with the mouse, in the window."""
+"""Tests of measuring, sections and the clip box in the window."""
 
 import re
 
@@ -18,7 +18,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 def points(driver: Driver, *numbers: int) -> list[np.ndarray]:
-    """Click points of the first line."""
+    """Return points of the first line to click."""
     line = driver.window.document.survey.lines[0]
     for number in numbers:
         driver.viewport.point_at(line, number)
@@ -40,7 +40,7 @@ def test_two_clicks_measure_a_distance_and_escape_ends(opened: Driver) -> None:
     assert f"{abs(second[2] - first[2]):.3f}\u00a0m" in sketch.label
     assert sketch.edges == ((0, 1),)
     assert f"Slope distance {slope:.3f} m" in window.log.toPlainText()
-    points(opened, 7)  # the next click begins anew
+    points(opened, 7)  # the next click starts a new measurement
     assert view.sketches["measure"].label == ""
     assert len(view.sketches["measure"].points) == 1
     press(opened, Key.Key_Escape)
@@ -69,7 +69,7 @@ def test_three_clicks_measure_an_angle_and_the_key_again_ends(opened: Driver) ->
     press(opened, Key.Key_Escape)
 
 
-def test_escape_belongs_to_the_tool_and_then_to_the_plane_found(opened: Driver) -> None:
+def test_escape_ends_the_tool_first_and_then_rejects_the_candidate(opened: Driver) -> None:
     seed(opened, "T1")
     assert opened.window.controller.candidate is not None
     press(opened, Key.Key_M)
@@ -122,7 +122,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     assert not panel.canvas.isVisible()
 
 
-def test_what_was_accepted_is_selected_and_has_its_section(opened: Driver) -> None:
+def test_an_accepted_target_is_selected_and_shown_in_the_section(opened: Driver) -> None:
     window, panel = opened.window, opened.window.tools.sections.panel
     press(opened, Key.Key_S)
     opened.rest()
@@ -149,7 +149,7 @@ def test_what_was_accepted_is_selected_and_has_its_section(opened: Driver) -> No
     assert window.scene.selected == ("V1", "")
 
 
-def test_a_section_between_two_points(picked: Driver) -> None:
+def test_a_section_between_two_points_is_cut(picked: Driver) -> None:
     window, panel = picked.window, picked.window.tools.sections.panel
     press(picked, Key.Key_S)
     click(picked, panel.points)
@@ -200,7 +200,7 @@ def test_the_section_is_zoomed_and_moved_with_the_mouse(picked: Driver) -> None:
     assert np.ptp(axes.get_xlim()) == pytest.approx(whole)
 
 
-def test_the_clip_box_is_laid_about_the_target_and_changed_by_fields_and_handles(
+def test_the_clip_box_is_placed_around_the_target_and_edited(
     picked: Driver,
 ) -> None:
     window, view, clipping = picked.window, picked.viewport, picked.window.tools.clipping
@@ -235,13 +235,13 @@ def test_the_clip_box_is_laid_about_the_target_and_changed_by_fields_and_handles
     assert view.box is None
 
 
-def test_the_clip_box_goes_along_to_what_it_would_hide(picked: Driver) -> None:
+def test_the_clip_box_moves_to_a_selected_target_outside_it(picked: Driver) -> None:
     window, view = picked.window, picked.viewport
     window._select("T1", "")
     press(picked, Key.Key_X)
     box = view.box
     window._select("T1", picked.project.lines[0].name)
-    assert view.box is box  # it is in there
+    assert view.box is box  # the line is inside the box
     window._select("T2", "")
     points = np.concatenate(list(window.scene.selected_points.values()))
     assert len(view.box.inside(points)) == len(points)
@@ -255,7 +255,7 @@ def test_the_clip_box_goes_along_to_what_it_would_hide(picked: Driver) -> None:
     assert len(view.box.inside(sample)) > 0.99 * len(sample)
 
 
-def test_before_and_after_in_one_picture(adjusted: Driver) -> None:
+def test_before_and_after_are_shown_in_one_picture(adjusted: Driver) -> None:
     window, view = adjusted.window, adjusted.viewport
     press(adjusted, Key.Key_W)
     adjusted.rest()
@@ -270,20 +270,20 @@ def test_before_and_after_in_one_picture(adjusted: Driver) -> None:
     assert window.scene.which == "estimated"
     press(adjusted, Key.Key_W)
     assert view.wipe_clouds is not None
-    press(adjusted, Key.Key_B)  # before alone ends it
+    press(adjusted, Key.Key_B)  # showing before alone ends it
     adjusted.rest()
     assert view.wipe_clouds is None
     assert not window.actions_["wipe"].isChecked()
 
 
-def test_nothing_to_compare_is_reported(picked: Driver) -> None:
+def test_a_comparison_without_a_result_is_reported(picked: Driver) -> None:
     press(picked, Key.Key_W)
     assert "Estimate the boresight first" in picked.window.log.toPlainText()
     assert picked.viewport.wipe_clouds is None
     assert not picked.window.actions_["wipe"].isChecked()
 
 
-def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None:
+def test_the_resting_mouse_previews_the_points_of_a_click(picked: Driver) -> None:
     window, view = picked.window, picked.viewport
     assert not view.hovering
     press(picked, Key.Key_H)
@@ -297,7 +297,7 @@ def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None
     sketch = view.sketches["hover"]
     assert re.fullmatch(rf"Plane of about 1\.[12] × 1\.[12] m in {sighting.line}", sketch.label)
     outline = np.array(sketch.points)
-    # It is the outline of what was picked by a click there.
+    # It is the outline of the target picked there.
     np.testing.assert_allclose(outline.min(axis=0), board.min(axis=0), atol=0.08)
     np.testing.assert_allclose(outline.max(axis=0), board.max(axis=0), atol=0.08)
     view.signals.hovered.emit(None)
@@ -305,7 +305,7 @@ def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None
     view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up)))
     view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up + 300.0)))
     assert "hover" not in view.sketches
-    # What a click took is told by the candidate, and the preview would hide its label.
+    # A candidate is shown instead of the preview, which would hide its label.
     there = PickedPoint(sighting.line, (north, west, up))
     view.signals.hovered.emit(there)
     view.signals.seed_clicked.emit(there)

@@ -1,4 +1,4 @@
-"""The tour as its card tells it, from the start page to its end, by mouse and keyboard alone."""
+"""Test of the whole tour from the start page, by mouse and keyboard alone."""
 
 from pathlib import Path
 
@@ -12,17 +12,17 @@ from lispac.workflow.project.projects import open_project
 from tests.gui.by_hand import Hands, ctrl_click, shows_something
 from tests.gui.support import Control, Key, click, press
 
-PLACES = ("T1", "T2", "V1")
+TOUR_TARGETS = ("T1", "T2", "V1")
 """Of the demo, in the order in which the tour leads there."""
 
 
 def middle(hands: Hands) -> QPoint:
-    """Of the view, where the tour brings what it speaks of."""
+    """Return the middle of the view, to which the tour moves its targets."""
     hands.bot.wait(300)
     return hands.viewport.canvas.rect().center()
 
 
-def test_the_tour_from_the_start_page_to_its_end(
+def test_the_tour_is_completed_by_mouse_and_keyboard(
     hands: Hands, demo_copy: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: demo_copy)
@@ -64,7 +64,9 @@ def test_the_tour_from_the_start_page_to_its_end(
     press(hands, Key.Key_S, Control)
     kept = open_project(demo_copy)
     assert len(kept.targets) == 3
-    for target, (role, position) in zip(kept.targets, map(demo_seeds().get, PLACES), strict=True):
+    for target, (role, position) in zip(
+        kept.targets, map(demo_seeds().get, TOUR_TARGETS), strict=True
+    ):
         assert target.role == role
         assert np.linalg.norm(np.subtract(target.seed, position)) < 0.5, "another plane"
     off = np.degrees(kept.result.boresight) - kept.truth_deg

@@ -1,4 +1,4 @@
-"""Between things that take long the window hears of keys and the mouse."""
+"""Tests that the window handles events between long idle tasks."""
 
 import itertools
 
@@ -10,7 +10,9 @@ from lispac.gui.widgets.idle_tasks import IdleTask
 from tests.gui.support import WAIT_MS
 
 
-def test_those_that_are_due_together_have_a_turn_each(qapp: QApplication, qtbot: QtBot) -> None:
+def test_events_are_handled_between_idle_tasks_due_together(
+    qapp: QApplication, qtbot: QtBot
+) -> None:
     owner, done = QObject(), []
     turns = [IdleTask(lambda k=k: done.append(k), owner) for k in range(3)]
     beat = QTimer(owner, interval=0)
@@ -26,7 +28,7 @@ def test_those_that_are_due_together_have_a_turn_each(qapp: QApplication, qtbot:
     assert not any(each.isActive() for each in turns)
 
 
-def test_one_that_waited_for_its_turn_waits_as_ever_the_next_time(
+def test_an_idle_task_keeps_its_delay_after_waiting_for_another(
     qapp: QApplication, qtbot: QtBot
 ) -> None:
     owner, done = QObject(), []

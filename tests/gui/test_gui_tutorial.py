@@ -1,4 +1,4 @@
-"""The tutorial of the manual, followed to the letter in the real window."""
+"""Tests that the steps of the tutorial can be followed literally in the real window."""
 
 import re
 from collections.abc import Iterator
@@ -23,16 +23,16 @@ from tests.gui.reader import Lost, Reader
 from tests.gui.support import WAIT_MS
 from tests.tutorial_steps import Step, page, steps_of
 
-REPORTS = {"en": "boresight.pdf", "fr": "etalonnage.pdf"}
+REPORT_NAMES = {"en": "boresight.pdf", "fr": "etalonnage.pdf"}
 
-_PLACE = re.compile(r"\{(\w+)[^}]*\}")
+_PLACEHOLDER = re.compile(r"\{(\w+)[^}]*\}")
 
 
 @pytest.fixture
 def program(
     qtbot: QtBot, qapp: QApplication, tmp_path: Path, request: pytest.FixtureRequest
 ) -> Iterator[MainWindow]:
-    """The program as it is started for the first time, in a language."""
+    """The program at its first start, in a language."""
     if qapp.platformName() == "offscreen":
         pytest.skip("OpenGL needs a screen, if only a virtual one")
     from lispac.gui.viewport.vtk_viewport import VtkViewport
@@ -57,7 +57,7 @@ def program(
 def test_the_tutorial_leads_to_a_report(
     program: MainWindow, demo_copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As for a user, but that the built-in survey is there already, with a third of the points."""
+    """The built-in survey exists already, with a third of its points."""
     monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: demo_copy)
     language = program.settings.language
     source = page(language, "tutorial")
@@ -69,7 +69,7 @@ def test_the_tutorial_leads_to_a_report(
 
     Reader(program, steps_of(source.read_text(encoding="utf-8")), check_picture).follow()
     assert len(looked) == 7
-    assert (demo_copy / REPORTS[language]).read_bytes().startswith(b"%PDF")
+    assert (demo_copy / REPORT_NAMES[language]).read_bytes().startswith(b"%PDF")
     kept = open_project(demo_copy)
     assert [target.name for target in kept.targets] == ["T1", "T2", "V1"]
     assert (kept.identity.surveyor, kept.identity.vessel) == ("E. Tremblay", "Saucier")
@@ -79,9 +79,10 @@ def test_the_tutorial_leads_to_a_report(
     assert not program.isWindowModified()
 
 
-def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
+def test_the_french_page_has_the_same_steps_with_french_names() -> None:
     english, french = (
-        steps_of(page(language, "tutorial").read_text(encoding="utf-8")) for language in REPORTS
+        steps_of(page(language, "tutorial").read_text(encoding="utf-8"))
+        for language in REPORT_NAMES
     )
     assert [step.kind for step in french] == [step.kind for step in english]
     texts = [each.text for each in ALL_ACTIONS.values()]
@@ -90,7 +91,7 @@ def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
     set_language("fr")
     try:
         names = {_bare(text): _bare(gettext(text)) for text in texts}
-        names |= {"English": "Français"}  # of the report
+        names |= {"English": "Français"}  # name of the report
         names |= {each: f"{each[:2]}{gettext(each[2:])}" for each in numbered}
         for one, other in zip(english, french, strict=True):
             if one.kind == "menu":
@@ -108,14 +109,14 @@ def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
 
 
 def _translations(text: str) -> set[str]:
-    """French of the texts of the catalogue that become this one with names and numbers."""
+    """Return French translations of the formatted texts of the catalogue equal to this one."""
     found = set()
     for english, french in FRENCH.items():
-        names = _PLACE.findall(english)
-        pattern = "(.+)".join(map(re.escape, _PLACE.sub("\0", english).split("\0")))
+        names = _PLACEHOLDER.findall(english)
+        pattern = "(.+)".join(map(re.escape, _PLACEHOLDER.sub("\0", english).split("\0")))
         if names and (match := re.fullmatch(pattern, text)):
             values = dict(zip(names, match.groups(), strict=True))
-            found.add(_bare(_PLACE.sub(lambda place, v=values: v[place.group(1)], french)))
+            found.add(_bare(_PLACEHOLDER.sub(lambda place, v=values: v[place.group(1)], french)))
     return found
 
 
@@ -134,7 +135,7 @@ def _bare(text: str) -> str:
         (Step("type", "Saucier", 3), "nothing is there to type"),
     ],
 )
-def test_a_page_that_names_what_is_not_there_fails(
+def test_a_page_with_an_unknown_name_fails(
     program: MainWindow, step: Step, complaint: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("tests.gui.reader.TIMEOUT_S", 0.5)
@@ -143,7 +144,7 @@ def test_a_page_that_names_what_is_not_there_fails(
     assert "at line 3 of the page" in refused.value.__notes__[0]
 
 
-def test_the_marks_of_a_page_are_its_steps() -> None:
+def test_steps_are_read_from_the_markup_of_a_page() -> None:
     text = (
         "1. Click {guilabel}`A` or\n{menuselection}`File > Save`, press {kbd}`F9`, type\n"
         "{typed}`x y`, see **It\n is done**.\n\n![Picture](pictures/a.png)\n"

@@ -1,4 +1,4 @@
-"""Units of display: shown and typed in the window, and nowhere else."""
+"""Tests of display units, which apply to the window only."""
 
 import math
 import re
@@ -35,22 +35,22 @@ from tests.gui.metric import METRIC, metric_words
 from tests.gui.support import Demo, Driver, ScriptedDialogs
 
 FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
-"""Metres, by definition: of 1959, and of 1893."""
+"""International foot (1959) and US survey foot (1893) in metres."""
 MRAD, MINUTE = 180 / math.pi / 1000, 1 / 60
-"""Degrees."""
+"""One milliradian and one minute of arc in degrees."""
 SOON_MS = 20_000
 METRIC_FOR_ALL = (
-    "with the middle of the targets [.\\d]+ m to (port|starboard)",  # sentences of the core
+    "with the middle of the targets [.\\d]+ m to (port|starboard)",  # texts of the core
     "has no points within [.\\d]+ m of the seed",
-    "^Lever arm in that program, from the POS centre: ",  # typed into a program that is metric
+    "^Lever arm in that program, from the POS centre: ",  # values for a program with metric units
     "4x4 with the lever arm in metres$",
 )
-"""Of texts that have metric figures for everybody, with their unit."""
+"""Patterns of texts that are always metric and include the unit."""
 
 
 @pytest.fixture
 def imperial() -> Iterator[None]:
-    """Feet and milliradians, which end with the test."""
+    """Feet and milliradians during the test."""
     units.set_units("milliradians", "feet")
     yield
     units.set_units("degrees", "metres")
@@ -58,7 +58,7 @@ def imperial() -> Iterator[None]:
 
 @pytest.fixture
 def program(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Session]:
-    """A program with a window in English, in feet and milliradians."""
+    """A program with an English window, in feet and milliradians."""
     kept = AppSettings(tmp_path / "settings.ini")
     kept.language, kept.units = "en", ("milliradians", "feet")
     made = Session(qapp, RecordingViewport, kept, ScriptedDialogs())
@@ -85,8 +85,8 @@ def field(suffix: str, decimals: int) -> NumberField:
     max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(value=st.floats(-990, 990), suffix=st.sampled_from([" m", " mm", " °"]))
-@example(value=-1.19e-7, suffix=" m")  # nothing, in feet
-def test_what_is_only_shown_stays_to_the_last_digit(
+@example(value=-1.19e-7, suffix=" m")  # zero in feet
+def test_values_that_are_not_edited_keep_all_digits(
     qapp: QApplication, code: str, lengths: str, angles: str, value: float, suffix: str
 ) -> None:
     value = round(value, 9)
@@ -95,7 +95,7 @@ def test_what_is_only_shown_stays_to_the_last_digit(
     try:
         shown = field(suffix, 4)
         shown.setValue(value)
-        shown.interpretText()  # as Enter does
+        shown.interpretText()  # as Enter does it
         assert shown.value() == value
         typed = field(suffix, 4)
         typed.lineEdit().setText(shown.text())
@@ -121,7 +121,7 @@ def test_what_is_only_shown_stays_to_the_last_digit(
         ("milliradians", "feet", " s", "2.5", 2.5),
     ],
 )
-def test_what_is_typed_is_converted(
+def test_typed_values_are_converted(
     qapp: QApplication, angles: str, lengths: str, suffix: str, text: str, value: float
 ) -> None:
     units.set_units(angles, lengths)
@@ -135,7 +135,7 @@ def test_what_is_typed_is_converted(
         units.set_units("degrees", "metres")
 
 
-def test_a_tooltip_names_the_unit_of_its_field_and_keeps_other_figures(
+def test_a_tooltip_has_the_unit_of_its_field_and_keeps_other_values(
     qapp: QApplication, imperial: None
 ) -> None:
     assert field(" m", 4).toolTip() == "A thing, ft, usually 10 mm"
@@ -149,7 +149,7 @@ def test_a_tooltip_names_the_unit_of_its_field_and_keeps_other_figures(
         ("fr", ("−1\u202f234,5\u00a0mm", "+0,0120°", "2e−05\u00a0m", "0,001°")),
     ],
 )
-def test_figures_are_written_as_in_the_language(code: str, texts: tuple[str, ...]) -> None:
+def test_numbers_are_formatted_as_in_the_language(code: str, texts: tuple[str, ...]) -> None:
     set_language(code)
     try:
         assert texts == (
@@ -162,7 +162,7 @@ def test_figures_are_written_as_in_the_language(code: str, texts: tuple[str, ...
         set_language("en")
 
 
-def test_an_empty_field_and_one_that_is_only_shown(qapp: QApplication, imperial: None) -> None:
+def test_empty_and_read_only_fields_in_other_units(qapp: QApplication, imperial: None) -> None:
     sigma = OptionalNumber("s", "Sigma", "mm", 1e3, "not known", "How well")
     assert sigma.value() is None
     sigma.show_value(0.00123456789)
@@ -214,18 +214,18 @@ def test_the_window_shows_one_unit_and_the_project_stays(
     assert settled == (pytest.approx(FOOT, abs=1e-12), *lever_arm[1:])
 
 
-def test_every_typed_field_of_the_adjustment_says_its_unit(program: Session) -> None:
+def test_every_input_field_of_the_adjustment_shows_its_unit(program: Session) -> None:
     for each in program.window.adjust.findChildren(QLineEdit):
         assert "mm" not in each.placeholderText()
         assert "°" not in each.placeholderText()
 
 
-def test_measured_in_feet(imperial: None) -> None:
+def test_measurements_are_in_feet(imperial: None) -> None:
     words = distance_text(np.zeros(3), np.array([3.0, 0.0, -4.0]))
     words = words.replace("\u00a0", " ")
     assert words.split("\n")[0] == f"Slope distance {5 / FOOT:.3f} ft"
     assert words.split("\n")[2] == f"Vertical −{4 / FOOT:.3f} ft"
-    assert words.endswith("°")  # an azimuth is one of the compass
+    assert words.endswith("°")  # azimuths are in degrees
 
 
 def test_the_scale_is_round_in_feet_and_metric_in_files(imperial: None) -> None:
@@ -256,7 +256,7 @@ def test_comparisons_are_in_feet_and_copied_in_millimetres(
     assert histogram_text(first, 0.1, 10).startswith("From (mm)\tTo (mm)")
 
 
-def test_another_unit_makes_the_window_anew(program: Session, qtbot: QtBot, demo: Demo) -> None:
+def test_another_unit_recreates_the_window(program: Session, qtbot: QtBot, demo: Demo) -> None:
     former = program.window
     former.document.open(demo.picked, demo.survey)
     project = former.document.project
@@ -268,9 +268,7 @@ def test_another_unit_makes_the_window_anew(program: Session, qtbot: QtBot, demo
     assert program.window.data.boresight.fields[0].suffix() == " ′"
 
 
-def test_what_was_measured_is_metric_in_a_picture_for_a_file(
-    opened: Driver, imperial: None
-) -> None:
+def test_measurements_are_metric_in_saved_pictures(opened: Driver, imperial: None) -> None:
     measuring = opened.window.findChild(Measurements)
     opened.window.actions_["measure_distance"].trigger()
     for place in ((0.0, 0.0, 0.0), (3.0, 0.0, -4.0)):
@@ -303,7 +301,7 @@ def test_the_scale_of_colours_is_in_feet_and_metric_in_files(
     assert legend_texts(seconds) == (seconds.title, seconds.low, seconds.high)
 
 
-def test_no_metric_word_is_left_in_a_window_in_feet(
+def test_no_metric_unit_remains_in_a_window_in_feet(
     program: Session, demo: Demo, estimated: Project, qtbot: QtBot
 ) -> None:
     from lispac.workflow.checking.validation import validate
@@ -347,5 +345,5 @@ def test_no_metric_word_is_left_in_a_window_in_feet(
         ("2 mrad", False), ("Bow up", False), ("m", False),
     ],
 )  # fmt: skip
-def test_what_counts_as_metric(text: str, metric: bool) -> None:
+def test_metric_units_are_recognised_in_texts(text: str, metric: bool) -> None:
     assert bool(METRIC.search(text)) is metric

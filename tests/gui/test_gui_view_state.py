@@ -1,4 +1,4 @@
-"""The state of the view is restored in a window with another theme."""
+"""Tests that the state of the view is kept in a window with another theme."""
 
 from collections.abc import Mapping
 
@@ -15,21 +15,21 @@ SOON_MS = 20_000
 
 
 def change(session: Session, bot: QtBot, looks: str) -> None:
-    """Choose in the menu, and wait for the other window."""
+    """Choose a theme in the menu and wait for the new window."""
     former = session.window
     choose(bot, open_menu(bot, former, "View"), "heme", looks)
     bot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
     bot.waitUntil(session.window.isActiveWindow, timeout=SOON_MS)
 
 
-def test_the_lines_are_shown_as_they_were(
+def test_the_shown_lines_are_kept(
     session: Session,
     qtbot: QtBot,
     demo: Demo,
     estimated: Project,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """After, or before and after in one picture; nothing is placed anew."""
+    """After, or before and after in one picture; no line is georeferenced again."""
     session.window.document.open(estimated, demo.survey)
     wait_until_idle(session, qtbot)
     before = dict(session.window.viewport.clouds)
@@ -69,7 +69,7 @@ def test_the_lines_are_shown_as_they_were(
 
 
 def wait_until_idle(session: Session, bot: QtBot) -> None:
-    """Wait until the lines are drawn as they are shown."""
+    """Wait until the lines are drawn."""
     bot.waitUntil(
         lambda: not session.window.runner.active and session.window.scene.is_drawn, timeout=SOON_MS
     )

@@ -1,4 +1,4 @@
-"""Standard views, projection, and views of what is selected: by keys and menus of the window."""
+"""Tests of standard views, projections and views of the selection, by keys and menus."""
 
 import numpy as np
 from PySide6.QtWidgets import QLabel
@@ -60,7 +60,7 @@ def test_the_selected_target_is_fitted_and_viewed_along_its_normal(picked: Drive
     assert notes[-1] == NOTHING_SELECTED
 
 
-def test_every_action_is_in_the_menus_and_every_key_in_the_list(opened: Driver) -> None:
+def test_every_action_is_in_a_menu_and_every_shortcut_in_the_list(opened: Driver) -> None:
     def within(menu):
         for action in menu.actions():
             if action.menu() is not None:

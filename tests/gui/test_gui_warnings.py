@@ -1,4 +1,4 @@
-"""Everything to be warned of in one list, and the way from each warning to its cause."""
+"""Tests of the list of warnings, and of the links from each warning to its cause."""
 
 import time
 from dataclasses import replace
@@ -20,11 +20,11 @@ from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, wa
 Role = Qt.ItemDataRole
 
 
-STALE = note("project.out_of_date", subject=Cause.of_step("Adjust"))
+OUT_OF_DATE = note("project.out_of_date", subject=Cause.of_step("Adjust"))
 
 
 def listed(driver: Driver) -> tuple[Message, ...]:
-    """The messages of the list once it is that of the project."""
+    """Return the messages of the list when it is up to date."""
     driver.rest()
     driver.bot.waitUntil(lambda: driver.window.warning_list.is_current, timeout=WAIT_MS)
     panel = driver.window.warnings
@@ -65,7 +65,7 @@ def has_focus(widget: QWidget) -> bool:
 
 
 def in_view(driver: Driver, points: np.ndarray) -> bool:
-    """Whether the view went to these points last."""
+    """Test whether the view was last moved to these points."""
     fitted = [arguments[0] for name, arguments in driver.viewport.calls if name == "fit"]
     return np.array_equal(fitted[-1], points)
 
@@ -77,7 +77,7 @@ def with_few_points(project: Project) -> Project:
     return project.with_target(replace(target, sightings=(few, *target.sightings[1:])))
 
 
-def test_without_a_project_it_says_what_will_be_there(driver: Driver) -> None:
+def test_the_list_without_a_project_is_explained(driver: Driver) -> None:
     assert not driver.window.warnings_button.isVisible()
     press(driver, Key.Key_F12)
     assert in_front(driver, TITLE)
@@ -85,7 +85,7 @@ def test_without_a_project_it_says_what_will_be_there(driver: Driver) -> None:
     assert driver.window.warnings.empty.isVisible()
 
 
-def test_the_status_bar_counts_and_leads_to_the_list(adjusted: Driver) -> None:
+def test_the_status_bar_counts_warnings_and_opens_the_list(adjusted: Driver) -> None:
     found = listed(adjusted)
     assert {each.level for each in found} == {Level.NOTE}
     assert adjusted.window.warnings_button.text() == f"{len(found)} notes"
@@ -113,8 +113,8 @@ def test_a_click_on_a_sighting_selects_its_cell_and_shows_it(picked: Driver) -> 
     assert in_view(picked, window.scene.selected_points[line])
 
 
-def test_enter_does_what_a_click_does(picked: Driver) -> None:
-    """Through the list by the keyboard alone; the row is one below the other."""
+def test_enter_works_like_a_click(picked: Driver) -> None:
+    """By keyboard alone, in the second row of the list."""
     picked.window.document.edit("less", with_few_points(picked.project))
     row = row_of(picked, "The sighting has only 40 points.")
     press(picked, Key.Key_F12)
@@ -129,7 +129,7 @@ def test_enter_does_what_a_click_does(picked: Driver) -> None:
     assert picked.window.scene.selected == ("T1", picked.project.target("T1").sightings[0].line)
 
 
-def test_an_excluded_target_leads_to_its_row_in_step_2(picked: Driver) -> None:
+def test_the_warning_of_an_excluded_target_shows_its_row_in_step_2(picked: Driver) -> None:
     picked.window.controller.use_target("T2", False)
     click_row(picked, row_of(picked, "Target T2 is excluded."))
     assert picked.window.workflow.opened == TARGETS
@@ -137,7 +137,7 @@ def test_an_excluded_target_leads_to_its_row_in_step_2(picked: Driver) -> None:
     assert picked.window.targets.current == "T2"
 
 
-def test_a_zero_lever_arm_leads_to_its_field(picked: Driver) -> None:
+def test_the_warning_of_a_zero_lever_arm_shows_its_field(picked: Driver) -> None:
     settings = replace(picked.project.settings, lever_arm=(0.0, 0.0, 0.0))
     picked.window.document.edit("zero", picked.project.with_settings(settings))
     picked.window.docks["Workflow"].close()
@@ -147,7 +147,7 @@ def test_a_zero_lever_arm_leads_to_its_field(picked: Driver) -> None:
     assert has_focus(picked.window.data.lever_arm.fields[0])
 
 
-def test_a_scanner_far_below_leads_to_its_z(picked: Driver) -> None:
+def test_the_warning_of_a_scanner_far_below_shows_its_z_field(picked: Driver) -> None:
     settings = replace(picked.project.settings, lever_arm=(1.2, 0.3, -2.1))
     picked.window.document.edit("below", picked.project.with_settings(settings))
     click_row(picked, row_of(picked, "2.10 m below the POS centre"))
@@ -155,7 +155,7 @@ def test_a_scanner_far_below_leads_to_its_z(picked: Driver) -> None:
 
 
 def test_a_line_is_selected_and_shown(picked: Driver, demo: Demo) -> None:
-    """A note of the reader that names the file of a line."""
+    """From a note of the reader that names the file of the line."""
     line = picked.project.lines[2]
     outside = note("import.excluded_outside", file=line.path.name, count=12, total=100)
     survey, said = replace(demo.survey, notes=(*demo.survey.notes, outside)), message_text(outside)
@@ -177,9 +177,7 @@ def test_a_line_is_selected_and_shown(picked: Driver, demo: Demo) -> None:
         (Cause.of_field("pos_errors"), ADJUST, lambda a: a.chosen_model),
     ],
 )
-def test_what_is_folded_away_is_unfolded(
-    adjusted: Driver, cause: Cause, step: int, focused
-) -> None:
+def test_a_collapsed_cause_is_expanded(adjusted: Driver, cause: Cause, step: int, focused) -> None:
     panel = adjusted.window.adjust
     assert isinstance(panel, AdjustPanel)
     adjusted.window.cause_navigation.show_cause(cause)
@@ -187,7 +185,7 @@ def test_what_is_folded_away_is_unfolded(
     assert has_focus(focused(panel))
 
 
-def test_pages_and_the_result_come_to_the_front(adjusted: Driver) -> None:
+def test_pages_and_the_result_are_raised(adjusted: Driver) -> None:
     adjusted.window.cause_navigation.show_cause(Cause.of_page("Cross-checks"))
     assert in_front(adjusted, "Diagnostics")
     assert adjusted.window.diagnostics.current.title == "Cross-checks"
@@ -196,13 +194,13 @@ def test_pages_and_the_result_come_to_the_front(adjusted: Driver) -> None:
     assert has_focus(adjusted.window.results.angles)
 
 
-def test_a_cause_that_is_gone_is_no_error(adjusted: Driver) -> None:
+def test_a_removed_cause_is_no_error(adjusted: Driver) -> None:
     before = QApplication.focusWidget()
     adjusted.window.cause_navigation.show_cause(Cause.of_sighting("gone", "nowhere"))
     assert QApplication.focusWidget() is before
 
 
-def test_it_follows_edits_undo_and_a_new_result(adjusted: Driver) -> None:
+def test_the_list_follows_edits_undo_and_a_new_result(adjusted: Driver) -> None:
     line = adjusted.project.target("T1").sightings[0].line
     said = note(
         "report.left_out_target_on_lines",
@@ -217,7 +215,7 @@ def test_it_follows_edits_undo_and_a_new_result(adjusted: Driver) -> None:
     assert said not in listed(adjusted)
 
 
-def test_why_no_result_follows_is_reported(adjusted: Driver) -> None:
+def test_the_reason_for_a_missing_result_is_reported(adjusted: Driver) -> None:
     for target in adjusted.project.targets_of_role("target"):
         adjusted.window.controller.use_target(target.name, False)
     wait_until_idle(adjusted)
@@ -229,26 +227,26 @@ def test_why_no_result_follows_is_reported(adjusted: Driver) -> None:
     assert adjusted.window.workflow.opened == ADJUST
 
 
-def test_a_result_that_an_edit_dropped_is_reported_until_it_is_there_again(
+def test_a_discarded_result_is_reported_until_there_is_another(
     adjusted: Driver,
 ) -> None:
     settings = replace(adjusted.project.settings, lidar_sigma=0.004)
-    assert STALE not in listed(adjusted)
+    assert OUT_OF_DATE not in listed(adjusted)
     adjusted.window.controller.change_settings(settings)
-    click_row(adjusted, row_of(adjusted, message_text(STALE)))
+    click_row(adjusted, row_of(adjusted, message_text(OUT_OF_DATE)))
     assert adjusted.window.workflow.opened == ADJUST
     assert has_focus(adjusted.window.workflow.headers[ADJUST])
     adjusted.window.document.undo_stack.undo()
-    assert STALE not in listed(adjusted)
+    assert OUT_OF_DATE not in listed(adjusted)
 
 
-def test_another_project_without_a_result_has_lost_none(adjusted: Driver, demo: Demo) -> None:
+def test_another_project_without_a_result_has_no_such_warning(adjusted: Driver, demo: Demo) -> None:
     adjusted.window.document.open(demo.picked, demo.survey)
-    assert STALE not in listed(adjusted)
+    assert OUT_OF_DATE not in listed(adjusted)
 
 
 def test_gaps_of_the_trajectory_are_reported(picked: Driver, demo: Demo) -> None:
-    """As the import dialogue tells of them."""
+    """The import dialog reports them too."""
     track = demo.survey.trajectory
     late = track.time + np.where(np.arange(len(track.time)) > 500, 7.0, 0.0)
     survey = replace(demo.survey, trajectory=replace(track, time=late))
@@ -258,14 +256,14 @@ def test_gaps_of_the_trajectory_are_reported(picked: Driver, demo: Demo) -> None
     assert found.level is Level.NOTE
 
 
-def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:
+def test_a_failure_to_keep_unsaved_work_stays_in_the_list(picked: Driver) -> None:
     picked.window.recovery_copies._on_write_failed(OSError("The disk is full"))
     (found,) = [each for each in listed(picked) if each.code == "project.storage"]
     assert "The disk is full" in message_text(found)
     assert found.level is Level.WARNING
 
 
-def test_nothing_to_warn_of_is_reported(picked: Driver) -> None:
+def test_an_empty_list_says_that_there_are_no_warnings(picked: Driver) -> None:
     listed(picked)
     picked.window.warnings.show_warnings(())
     picked.window.warnings_button.show_warnings(())
@@ -274,8 +272,8 @@ def test_nothing_to_warn_of_is_reported(picked: Driver) -> None:
     assert picked.window.warnings_button.text() == "No warnings"
 
 
-def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) -> None:
-    """A second of gathering, and no turn of the event loop that takes anything like it."""
+def test_the_list_is_computed_in_the_background(adjusted: Driver, monkeypatch) -> None:
+    """Computing takes a second, but no iteration of the event loop takes half of it."""
     from lispac.gui.features.warnings import warning_list
 
     gather = warning_list.warnings_of

@@ -1,4 +1,4 @@
-"""The window, driven by mouse and keys; the viewport only remembers what it was asked."""
+"""Tests of the window by mouse and keys, with a recording viewport."""
 
 import json
 from dataclasses import replace
@@ -33,7 +33,7 @@ from tests.gui.support import (
 # -- seeds -------------------------------------------------------------------------------------
 
 
-def test_a_seed_lights_up_the_plane_on_every_line_and_enter_accepts(opened: Driver):
+def test_a_seed_highlights_the_plane_on_every_line_and_enter_accepts(opened: Driver):
     seed(opened, "T1")
     assert {h.key for h in opened.viewport.highlights} == {
         ("T1", line.name) for line in opened.project.lines
@@ -50,7 +50,7 @@ def test_a_seed_lights_up_the_plane_on_every_line_and_enter_accepts(opened: Driv
     assert sentence(opened, 1) == "1 target in 6 lines: second target required"
 
 
-def test_escape_rejects_and_leaves_nothing(opened: Driver):
+def test_escape_rejects_the_candidate(opened: Driver):
     before = opened.project
     seed(opened, "T1")
     press(opened, Key.Key_Escape)
@@ -71,7 +71,7 @@ def test_a_pick_is_one_undo_step(opened: Driver):
     assert [t.name for t in opened.project.targets] == ["T1"]
 
 
-def test_a_validation_plane_by_key_gets_its_own_name_and_colour(opened: Driver):
+def test_a_validation_plane_picked_by_key_has_its_name_and_colour(opened: Driver):
     press(opened, Key.Key_F7)
     assert opened.window.targets.role == "validation"
     seed(opened, "V1")
@@ -84,7 +84,7 @@ def test_a_validation_plane_by_key_gets_its_own_name_and_colour(opened: Driver):
     assert colours["T1"] != colours["V1"]
 
 
-def test_a_line_that_lacks_a_target_is_seeded_alone(opened: Driver, demo: Demo):
+def test_a_line_without_the_target_gets_its_own_seed(opened: Driver, demo: Demo):
     whole = demo.picked.target("T1")
     line = demo.survey.lines[2]
     without = replace(
@@ -114,7 +114,7 @@ def test_a_line_that_lacks_a_target_is_seeded_alone(opened: Driver, demo: Demo):
     assert len(opened.project.targets) == 1
 
 
-def test_a_click_in_empty_space_and_a_seed_off_every_plane_change_nothing(opened: Driver):
+def test_a_click_or_seed_without_a_plane_changes_nothing(opened: Driver):
     before = opened.project
     opened.viewport.click_empty()
     assert "No point under" in opened.window.task_bar.currentMessage()
@@ -128,7 +128,7 @@ def test_a_click_in_empty_space_and_a_seed_off_every_plane_change_nothing(opened
 # -- editing the list ----------------------------------------------------------------------------
 
 
-def test_rename_by_keyboard_keeps_the_place_and_refuses_a_taken_name(picked: Driver):
+def test_rename_by_keys_keeps_the_order_and_refuses_existing_names(picked: Driver):
     open_step(picked, 1)
     table = picked.window.targets.table
     table.setCurrentCell(0, 0)
@@ -151,7 +151,7 @@ def test_rename_by_keyboard_keeps_the_place_and_refuses_a_taken_name(picked: Dri
     assert table.item(0, 0).text() == "Quay board"
 
 
-def test_remove_by_key(picked: Driver):
+def test_a_target_is_removed_by_key(picked: Driver):
     open_step(picked, 1)
     table = picked.window.targets.table
     table.setFocus()
@@ -171,7 +171,7 @@ def test_a_sighting_is_excluded_by_its_check_box(picked: Driver):
     assert "1 target in 5 lines" in sentence(picked, 1)
 
 
-def test_a_selected_cell_goes_to_its_sighting(picked: Driver):
+def test_a_selected_cell_shows_its_sighting(picked: Driver):
     table = picked.window.table
     place = table.visualRect(table.sightings.index(1, 1))
     picked.bot.mouseClick(table.viewport(), Left, pos=place.center() + QPoint(20, 0))
@@ -206,10 +206,10 @@ def test_the_point_count_follows_the_distance(picked: Driver):
     assert panel.subsample == pytest.approx(0.30)
     panel.unit.setCurrentIndex(1)
     assert panel.distance.value() == pytest.approx(0.30)
-    assert picked.project.settings.subsample == 0.10  # nothing is edited until Estimate
+    assert picked.project.settings.subsample == 0.10  # the project is edited only by Estimate
 
 
-def test_a_count_that_fails_is_reported_once(picked: Driver, monkeypatch):
+def test_a_failed_count_is_reported_once(picked: Driver, monkeypatch):
     def broken(*_):
         raise OSError(5, "Input/output error", "lines/L1")
 
@@ -228,7 +228,7 @@ def test_a_count_that_fails_is_reported_once(picked: Driver, monkeypatch):
     assert not picked.dialogs.errors
 
 
-def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver):
+def test_estimate_shows_the_angles_and_the_lines_after_calibration(picked: Driver):
     open_step(picked, 2)
     click(picked, picked.window.adjust.estimate)
     picked.rest()
@@ -256,7 +256,7 @@ def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver
     assert not picked.window.actions_["after"].isEnabled()
 
 
-def test_a_seed_on_the_lines_after_is_searched_where_it_lies_before(picked: Driver):
+def test_a_seed_on_calibrated_lines_is_searched_with_the_prior(picked: Driver):
     estimate(picked)
     line = picked.project.lines[1].name
     sighting = picked.project.target("T2").sighting(line)
@@ -270,7 +270,7 @@ def test_a_seed_on_the_lines_after_is_searched_where_it_lies_before(picked: Driv
     assert np.linalg.norm(place - found.seed, axis=1).min() < 1e-9
 
 
-def test_cancel_changes_nothing_and_estimate_runs_afterwards(picked: Driver):
+def test_cancel_changes_nothing_and_estimate_can_run_again(picked: Driver):
     before = picked.project
     open_step(picked, 2)
     picked.window.adjust.cross_check.setChecked(False)
@@ -287,7 +287,7 @@ def test_cancel_changes_nothing_and_estimate_runs_afterwards(picked: Driver):
     assert picked.window.adjust.estimate.hasFocus()
 
 
-def test_an_edit_stops_the_adjustment_that_rests_on_the_old_project(picked: Driver):
+def test_an_edit_cancels_the_adjustment_of_the_former_project(picked: Driver):
     press(picked, Key.Key_F9)
     picked.window.controller.use_target("T2", False)
     picked.rest()
@@ -295,9 +295,7 @@ def test_an_edit_stops_the_adjustment_that_rests_on_the_old_project(picked: Driv
     assert not picked.project.target("T2").used
 
 
-def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
-    picked: Driver, tmp_path: Path
-):
+def test_validation_is_shown_in_histograms_and_in_the_report(picked: Driver, tmp_path: Path):
     estimate(picked)
     open_step(picked, 3)
     click(picked, picked.window.validate.run)
@@ -327,7 +325,7 @@ def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
     assert picked.window.document.undo_stack.undoText() == (
         "validation with local quadrics through 12 points"
     )
-    # The fields follow the figures that are shown.
+    # The fields have the displayed values.
     picked.window.document.undo_stack.undo()
     picked.rest()
     assert picked.window.validate.model == SIX_POINT_PLANE
@@ -351,7 +349,7 @@ def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
     assert picked.window.scene.which == "estimated"
 
 
-def test_what_cannot_be_done_yet_is_grey_and_says_why(opened: Driver):
+def test_disabled_actions_give_the_reason(opened: Driver):
     open_step(opened, 2)
     assert not opened.window.adjust.estimate.isEnabled()
     assert "targets first" in opened.window.adjust.advice.text()
@@ -363,6 +361,6 @@ def test_what_cannot_be_done_yet_is_grey_and_says_why(opened: Driver):
     assert opened.window.report.lines.isEnabled()
 
 
-def test_cells_of_the_table_cannot_be_typed_into(picked: Driver):
+def test_cells_of_the_table_are_read_only(picked: Driver):
     triggers = picked.window.results.angles.editTriggers()
     assert triggers == QAbstractItemView.EditTrigger.NoEditTriggers

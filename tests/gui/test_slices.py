@@ -1,4 +1,4 @@
-"""Calculations done a little at a time, and plots drawn so."""
+"""Tests of computations divided into slices, and of plots drawn in slices."""
 
 import threading
 import time
@@ -20,7 +20,7 @@ def _none_is_left() -> Iterator[None]:
     assert not [each for each in threading.enumerate() if each.name == "slices"]
 
 
-def test_it_rests_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_long_computation_pauses_and_continues(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
     steps, did = SlicedCalculation(), []
 
@@ -41,13 +41,13 @@ def test_it_rests_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not steps.is_running
 
 
-def test_what_is_short_does_not_rest() -> None:
+def test_a_short_computation_does_not_pause() -> None:
     steps = SlicedCalculation()
     steps.begin(steps.pause)
     assert steps.resume()
 
 
-def test_what_is_abandoned_ends_where_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_abandoned_computation_ends(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("lispac.gui.widgets.chart.SLICE_S", 0.0)
     steps, did = SlicedCalculation(), []
 
@@ -71,7 +71,7 @@ def test_what_is_abandoned_ends_where_it_is(monkeypatch: pytest.MonkeyPatch) -> 
     assert did == ["tidied", "again"]
 
 
-def test_errors_come_to_the_caller() -> None:
+def test_errors_are_raised_in_the_caller() -> None:
     steps = SlicedCalculation()
     steps.begin(lambda: 1 // 0)
     with pytest.raises(ZeroDivisionError):
@@ -106,7 +106,7 @@ def pixels(chart: Chart) -> np.ndarray:
     return np.array(chart.buffer_rgba())
 
 
-def test_a_plot_is_the_same_drawn_in_slices_and_at_once(chart: Chart, qtbot: QtBot) -> None:
+def test_a_plot_drawn_in_slices_equals_one_drawn_at_once(chart: Chart, qtbot: QtBot) -> None:
     drawn: list[object] = []
     chart.mpl_connect("draw_event", drawn.append)
     chart.show()
@@ -119,8 +119,8 @@ def test_a_plot_is_the_same_drawn_in_slices_and_at_once(chart: Chart, qtbot: QtB
     remove(other)
 
 
-def test_what_changes_again_and_again_is_drawn(chart: Chart, qtbot: QtBot) -> None:
-    """As by the wheel or by a hand that drags, faster than room is found for texts."""
+def test_a_plot_that_changes_continuously_is_drawn(chart: Chart, qtbot: QtBot) -> None:
+    """As by the wheel or a drag, faster than the layout of texts."""
     drawn: list[object] = []
     chart.mpl_connect("draw_event", drawn.append)
     chart.show()
@@ -133,7 +133,7 @@ def test_what_changes_again_and_again_is_drawn(chart: Chart, qtbot: QtBot) -> No
         qtbot.wait(10)
 
 
-def test_a_plot_may_go_or_change_its_size_while_room_is_found(chart: Chart, qtbot: QtBot) -> None:
+def test_a_plot_can_be_deleted_or_resized_during_the_layout(chart: Chart, qtbot: QtBot) -> None:
     chart.show()
     qtbot.waitUntil(lambda: chart.is_drawing)
     chart.resize(500, 320)
@@ -143,7 +143,7 @@ def test_a_plot_may_go_or_change_its_size_while_room_is_found(chart: Chart, qtbo
     assert not isValid(chart)
 
 
-def test_what_was_emptied_shows_nothing(chart: Chart, qtbot: QtBot) -> None:
+def test_a_cleared_plot_shows_nothing(chart: Chart, qtbot: QtBot) -> None:
     drawn: list[object] = []
     chart.mpl_connect("draw_event", drawn.append)
     chart.show()
