@@ -147,7 +147,7 @@ def test_a_change_that_shows_only_where_it_is_imported_is_noticed_afresh(
 
 
 def test_every_justification_is_a_text_and_every_family_an_expression() -> None:
-    content = tomllib.loads(nightly.JUSTIFIED.read_text(encoding="utf-8"))
+    content = tomllib.loads(nightly.JUSTIFICATIONS_FILE.read_text(encoding="utf-8"))
     assert set(content) == {"functions", "families"}
     reasons = Justifications.of(content)
     assert all(all(each) for kinds in reasons.functions.values() for each in kinds.values())

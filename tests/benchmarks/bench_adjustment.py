@@ -1,4 +1,4 @@
-"""Seconds and memory of an adjustment against the number of points, in both stochastic models."""
+"""Time and memory of an adjustment by the number of points, with both stochastic models."""
 
 import resource
 from statistics import median
@@ -19,29 +19,29 @@ from lispac.survey.georeferencing import Mounting
 from tests.surveys import disturbed, planar_survey
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.208, -1.245, 0.149]))
-START = Mounting(TRUTH.lever_arm, np.zeros(3))
+START_MOUNTING = Mounting(TRUTH.lever_arm, np.zeros(3))
 MODELS = (
     StochasticModel("independent"),
     StochasticModel("correlated"),
     StochasticModel("correlated", loss="tukey"),
 )
-THESIS = (145.0, 532.0)
-"""Seconds of the thesis program for 820 and for 1,671 points (table 4.3)."""
+THESIS_SECONDS = (145.0, 532.0)
+"""Seconds of the program of the thesis for 820 and for 1,671 points (table 4.3)."""
 
 
 @pytest.mark.parametrize("points", [2_600, 10_000, 100_000, 1_000_000, 10_000_000])
 def test_adjustment(points):
-    """Two boards on six lines: twelve sightings."""
+    """Two boards on six lines (twelve sightings)."""
     exact = planar_survey(TRUTH, points=points // 12)
     observations = disturbed(exact, correlated=True, seed=1)
     del exact
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
-    adjust(observations.reordered(np.arange(0, len(observations), 11)), START, MODELS[-1])
+    adjust(observations.reordered(np.arange(0, len(observations), 11)), START_MOUNTING, MODELS[-1])
     for model in MODELS:
         seconds = []
         for _ in range(1 if points > 1_000_000 else 5):
             start = perf_counter()
-            result = adjust(observations, START, model, diagnostics=False)
+            result = adjust(observations, START_MOUNTING, model, diagnostics=False)
             seconds.append(perf_counter() - start)
         time = median(seconds)
         print(
@@ -50,14 +50,17 @@ def test_adjustment(points):
             end="",
         )
         if points == 2_600:
-            print(f", {THESIS[0] / time:,.0f} to {THESIS[1] / time:,.0f} x the thesis", end="")
+            print(
+                f", {THESIS_SECONDS[0] / time:,.0f} to {THESIS_SECONDS[1] / time:,.0f} x the thesis",
+                end="",
+            )
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
     print(f"; peak memory of the process {before:.2f} GB before, {peak:.2f} GB after")
 
 
 @pytest.mark.parametrize(("knots", "unknowns"), [(60, 20), (500, 30), (500, 200)])
 def test_banded(knots, unknowns):
-    """Eliminating the POS error, against LAPACK's solution of the same matrix in the same run."""
+    """Compare the elimination of the POS errors with LAPACK on the same matrix."""
     random = np.random.default_rng(1)
     band = random.normal(size=(12, 6 * knots))
     band[0] = 30.0

@@ -1,6 +1,6 @@
-"""Time of the audit of a line beside its import, and memory; prints, asserts nothing.
+"""Time and memory of the audit of a line beside its import; prints, asserts nothing.
 
-``LISPAC_AUDIT_POINTS=100_000_000`` adds lines of that many points.
+``LISPAC_AUDIT_POINTS=100_000_000`` adds lines of this size.
 """
 
 import os
@@ -39,7 +39,7 @@ def test_audit_beside_import(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, co
         self: PointScreen, times: np.ndarray, xyz: np.ndarray, extra: Mapping[str, np.ndarray]
     ) -> np.ndarray:
         for name in extra:
-            extra[name]  # the import unpacks every attribute, whoever asks for it first
+            extra[name]  # the import decodes every attribute in any case
         started = time.thread_time()
         used = screened(self, times, xyz, extra)
         spent[0] += time.thread_time() - started
@@ -47,7 +47,7 @@ def test_audit_beside_import(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, co
 
     monkeypatch.setattr(PointScreen, "__call__", timed)
     fresh = PointScreen(PointSelection(), ranged=True)
-    screened(fresh, np.arange(2.0), np.ones((2, 3)), {})  # compiled before
+    screened(fresh, np.arange(2.0), np.ones((2, 3)), {})  # compile before measuring
     started, processor = time.perf_counter(), time.process_time()
     import_lines(project)
     wall, whole = time.perf_counter() - started, time.process_time() - processor

@@ -1,7 +1,7 @@
-"""Cloud-to-cloud distance with a local plane, one million points against one million.
+"""Time of cloud-to-cloud distances with a local plane, for a million points each.
 
-Printed beside CloudCompare and Open3D (nearest point only) on the same clouds, each where it is
-installed; run with ``pytest tests/benchmarks``.
+CloudCompare and Open3D (nearest point only) are run on the same clouds where they are installed.
+Run with ``pytest tests/benchmarks``.
 """
 
 import os
@@ -26,7 +26,7 @@ AIM_SECONDS = 2.5
 
 
 def wall(n: int, seed: int, offset: float) -> Array:
-    """A noisy wall of 10 x 10 m."""
+    """Return a noisy wall of 10 x 10 m."""
     rng = np.random.default_rng(seed)
     points = rng.uniform(0, 10, (n, 3))
     points[:, 1] = rng.normal(offset, 0.003, n)
@@ -34,7 +34,7 @@ def wall(n: int, seed: int, offset: float) -> Array:
 
 
 def tower(n: int, seed: int, offset: float) -> Array:
-    """Four noisy walls of 6 x 40 m, moved outwards."""
+    """Return four noisy walls of 6 x 40 m, moved outwards."""
     rng = np.random.default_rng(seed)
     side, along, height = rng.integers(0, 4, n), rng.uniform(0, 6, n), rng.uniform(0, 40, n)
     depth = rng.normal(offset, 0.005, n)
@@ -44,7 +44,7 @@ def tower(n: int, seed: int, offset: float) -> Array:
 
 
 def median_seconds(run: Callable[[], object], rounds: int = 3) -> float:
-    """Median wall-clock time of a few runs."""
+    """Return the median time of some runs."""
     times = []
     for _ in range(rounds):
         start = time.perf_counter()
@@ -54,10 +54,10 @@ def median_seconds(run: Callable[[], object], rounds: int = 3) -> float:
 
 
 def cloudcompare_seconds(compared: Array, reference: Array, level: int) -> tuple[float, float]:
-    """CloudCompare's own printed seconds for the distances, and its printed mean, metres.
+    """Return the seconds and the mean distance (metres) printed by CloudCompare.
 
-    The octree level is given because, left to choose, version 2.11 does not come back on the
-    tower.
+    The octree level is given, because version 2.11 does not finish on the tower if it chooses the
+    level.
     """
     with tempfile.TemporaryDirectory() as folder:
         for name, points in (("compared", compared), ("reference", reference)):
@@ -83,7 +83,7 @@ def cloudcompare_seconds(compared: Array, reference: Array, level: int) -> tuple
 
 
 def open3d_seconds(compared: Array, reference: Array) -> float:
-    """Open3D's distance to the nearest point, without any plane."""
+    """Return the time of Open3D for distances to the nearest point, without a plane."""
     import open3d
 
     clouds = [
@@ -119,7 +119,7 @@ def test_one_million_on_one_million(make: Callable[[int, int, float], Array]) ->
 
 
 def test_cost_by_size() -> None:
-    """Ten times the points take about ten times as long; memory is the process's peak."""
+    """Time should be proportional to the number of points; memory is the peak of the process."""
     cloud_to_cloud(tower(100, 1, 0.0), tower(100, 2, 0.0))  # compile
     for n in (100_000, 1_000_000, 10_000_000):
         compared, reference = tower(n, 1, 0.01), tower(n, 2, 0.0)

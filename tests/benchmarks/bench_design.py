@@ -1,4 +1,4 @@
-"""One design, ten thousand of them, and what a second process gains; nothing else should run.
+"""Time of one design and of ten thousand, with one process and two, on an idle computer.
 
 Run with ``pytest tests/benchmarks``.
 """

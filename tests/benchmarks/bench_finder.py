@@ -1,7 +1,7 @@
-"""Seed to plane in six lines, and neighbours found with and without prepared cells.
+"""Time from a seed to planes in six lines, and of neighbour searches with prepared cells.
 
-Beside it Open3D's plane segmentation on the same neighbourhood; run with
-``pytest -s tests/benchmarks/bench_finder.py``.
+Open3D's plane segmentation is run on the same neighbourhood. Run with ``pytest -s
+tests/benchmarks/bench_finder.py``.
 """
 
 import time
@@ -20,7 +20,7 @@ AIM_SECONDS = 0.5
 
 
 def median_time(work: Callable[[], object], rounds: int = 5) -> float:
-    """Median seconds of some runs, the first one, which compiles, left out."""
+    """Return the median seconds of some runs after a first run, which compiles."""
     work()
     times = []
     for _ in range(rounds):
@@ -31,7 +31,7 @@ def median_time(work: Callable[[], object], rounds: int = 5) -> float:
 
 
 def line(rng: np.random.Generator, points: int) -> tuple[Array, Array]:
-    """A quay wall 60 m long, a board of 1.23 x 1.22 m above it, a metre off its place; labels."""
+    """Return points and labels of a quay wall of 60 m with a board above it, displaced by 1 m."""
     board = CENTRE + rng.uniform(-0.61, 0.61, (2500, 3)) * [1, 0, 1]
     wall = rng.uniform([-30, 20.3, -2], [30, 20.3, 3.2], (points - len(board) - 5000, 3))
     posts = rng.uniform([-1.9, 20, 3.2], [-1.7, 20.2, 5], (5000, 3))

@@ -1,6 +1,6 @@
-"""Planes without a seed: region growing here beside Open3D's detector and plane segmentation.
+"""Time and quality of detecting planes without a seed, compared with Open3D.
 
-The same clouds in the same run, times and quality; run with
+Region growing, Open3D's detector and its plane segmentation run on the same clouds. Run with
 ``pytest -s tests/benchmarks/bench_finder_detection.py``.
 """
 
@@ -37,7 +37,7 @@ def test_the_target_around_a_seed() -> None:
             return np.asarray(theirs.segment_plane(0.01, 3, 1000)[1])
 
         def boxed(theirs=theirs, points=points, seed=seed):
-            """The points within a threshold of the box nearest to the seed."""
+            """Return the points within a threshold of the detected box nearest to the seed."""
             theirs.estimate_normals(open3d.geometry.KDTreeSearchParamKNN(30))
             boxes = theirs.detect_planar_patches(
                 normal_variance_threshold_deg=30, coplanarity_deg=75, outlier_ratio=0.75,
@@ -94,7 +94,7 @@ def test_all_planes_of_a_line(port: SimulatedSurvey) -> None:
 
 
 def test_detection_in_six_lines(port: SimulatedSurvey) -> None:
-    """Aim: under 20 s for six lines of a million points."""
+    """Target: under 20 s for six lines of a million points."""
     dense = port_survey(points_per_second=500_000.0)
     clouds = {line.name: placed(dense, line, np.zeros(3)) for line in dense.lines}
     start = time.perf_counter()

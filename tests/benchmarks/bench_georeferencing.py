@@ -1,8 +1,8 @@
-"""Points georeferenced per second: kernel, to the map, to LAZ, beside NumPy, PROJ and laspy.
+"""Points georeferenced per second, compared with NumPy, PROJ and laspy.
 
-`LISPAC_BENCHMARK_POINTS` (1e6, or 1e6,1e7,1e8) sets the sizes of the files. What is compared runs
-in turn, several times; ratios are of times in the same round. Processor time stands beside the
-clock's: on a busy machine it is the better measure.
+`LISPAC_BENCHMARK_POINTS` (1e6, or 1e6,1e7,1e8) sets the numbers of points of the files. The
+compared functions run alternately in several rounds; ratios are of times of the same round.
+Processor times are printed too, since they depend less on the load of the computer.
 """
 
 import os
@@ -38,19 +38,19 @@ UTM = coordinate_system("EPSG:32619")
 
 
 def timed(run: Callable[[], object]) -> tuple[float, float]:
-    """Seconds by the clock and of the processors."""
+    """Return wall-clock and processor seconds of a run."""
     start, work = perf_counter(), process_time()
     run()
     return perf_counter() - start, process_time() - work
 
 
 def ratio(of: list[tuple[float, float]], to: list[tuple[float, float]], k: int = 0) -> float:
-    """Median over the rounds."""
+    """Return the median ratio over the rounds."""
     return median(a[k] / b[k] for a, b in zip(of, to, strict=True))
 
 
 def rate(count: int, times: list[tuple[float, float]]) -> str:
-    """Million points a second: the median and, in brackets, the best."""
+    """Return millions of points per second: the median and, in brackets, the best."""
     clock = [time for time, _ in times]
     return f"{count / median(clock) / 1e6:.2f} ({count / min(clock) / 1e6:.2f}) M points/s"
 
@@ -100,18 +100,18 @@ def test_to_the_map_and_back_beside_proj(code):
 
 
 def by_proj(system, trajectory, points, time, mounting):
-    """Point by point, vectorised."""
+    """Convert points to the map with PROJ, vectorised over the points."""
     return system.from_local(place_points(points, trajectory.at(time), mounting), trajectory.frame)
 
 
 def back_by_proj(system, trajectory, points, time, mounting):
-    """The inverse of `by_proj`."""
+    """Invert `by_proj`."""
     local = system.to_local(points, trajectory.frame)
     return to_lidar(local, trajectory.at(time), mounting)
 
 
 def profiler(count: int) -> Iterator[PointChunk]:
-    """A mirror at 100 revolutions a second in a room that is not quite round."""
+    """Return points of a mirror at 100 revolutions per second in a nearly round room."""
     trajectory, rng = track(), np.random.default_rng(0)
     start, span = trajectory.time[0] + 1, trajectory.time[-1] - trajectory.time[0] - 2
     for first in range(0, count, CHUNK):
@@ -130,7 +130,7 @@ def profiler(count: int) -> Iterator[PointChunk]:
 
 
 def write_las(path: Path, count: int) -> laspy.LasHeader:
-    """The profiler's points in the scanner frame, LAS or LAZ by the ending."""
+    """Write the points of the profiler in the scanner frame, as LAS or LAZ by the suffix."""
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales = np.full(3, 1e-4)
     with laspy.open(path, "w", header=header) as writer:
@@ -144,8 +144,8 @@ def write_las(path: Path, count: int) -> laspy.LasHeader:
     return header
 
 
-class Alone:
-    """laspy writing points that are on the map already, and nothing else."""
+class LaspyWriting:
+    """Writing of georeferenced points with laspy, without other work."""
 
     def __init__(self, path: Path, mapper: ScannerPointConverter) -> None:
         self.header = laspy.LasHeader(point_format=6, version="1.4")
@@ -165,7 +165,7 @@ class Alone:
         self._writer.write_points(record)
 
     def run(self, chunks: Iterator[PointChunk]) -> tuple[float, float]:
-        """Time of the writing alone, without what makes the points."""
+        """Return the time of writing alone, without computing the points."""
         clock = work = 0.0
         for chunk in chunks:
             points = self._mapper.to_map(chunk.xyz, chunk.time)
@@ -188,8 +188,8 @@ def test_to_laz_beside_laspy_alone(tmp_path, count):
     made, laspys = [], []
     for _ in range(rounds):
         held = list(profiler(count)) if count <= 20_000_000 else None
-        laspys.append(Alone(alone, mapper).run(iter(held) if held else profiler(count)))
-        if held is None:  # what makes the points costs time too
+        laspys.append(LaspyWriting(alone, mapper).run(iter(held) if held else profiler(count)))
+        if held is None:  # computing the points takes time too
             making.append(timed(lambda: [None for _ in profiler(count)])[0])
         source = held if held is not None else profiler(count)
         made.append(timed(lambda source=source: write_cloud(
@@ -234,7 +234,7 @@ def test_file_to_laz_beside_laspy_reading_and_writing(tmp_path, count, ending):
 
 @pytest.mark.parametrize("count", SIZES)
 def test_store_to_laz_beside_laspy_alone(tmp_path, count):
-    """From an imported line, whose points are in the order of space."""
+    """The imported line has its points in spatial order."""
     local = track()
     latitude, longitude, height = local.frame.to_geodetic(local.position)
     write_sbet(
@@ -255,7 +255,7 @@ def test_store_to_laz_beside_laspy_alone(tmp_path, count):
     ours, alone = tmp_path / "ours.laz", tmp_path / "alone.laz"
     made, laspys = [], []
     for _ in range(1 if count > 20_000_000 else 3):
-        laspys.append(Alone(alone, mapper).run(stored_chunks(stored)))
+        laspys.append(LaspyWriting(alone, mapper).run(stored_chunks(stored)))
         made.append(timed(lambda: write_cloud(
             stored_chunks(stored), ours, ours, mapper, layout_of_columns)))  # fmt: skip
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6

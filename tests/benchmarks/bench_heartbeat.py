@@ -1,10 +1,10 @@
-"""How the window keeps up with its user: the beat of its thread on a whole way through a survey.
+"""Response time of the window during a whole workflow.
 
-A process of its own goes from the raw files to the preview of the report, in the program's own
-window with its own dialogues, on a screen. A timer beats every 10 ms on the window's thread; for
-each step, the longest pause and the 99th percentile are printed. A pause is printed
-with what of it was computing by that thread: the rest is drawing (by software, where there is no
-graphics card) and waiting for a processor (on a busy machine). Aim: nothing computes over 200 ms.
+A separate process goes from the raw files to the preview of the report, in the real window with its
+dialogs on a screen. A timer fires every 10 ms on the thread of the window; for each step, the
+longest pause and the 99th percentile are printed. The computing time of the thread is printed for
+each pause: the rest is drawing (by software without a graphics card) and waiting for a processor.
+Target: no computation over 200 ms.
 """
 
 import json
@@ -26,8 +26,8 @@ from lispac.project import Project
 from tests.gui.pulse import Draws, Pulse, timed_viewport
 
 CHECKOUT = Path(__file__).resolve().parents[2]
-LONG_MS = 200.0
-PATIENCE_S = 300.0
+PAUSE_LIMIT_MS = 200.0
+TIMEOUT_S = 300.0
 
 
 @pytest.mark.timeout(900)
@@ -55,10 +55,10 @@ def test_the_window_keeps_up(tmp_path: Path, whole_demo: Project) -> None:
 
 
 class Heart(Pulse):
-    """Keeps every beat: ms by the clock, and ms of them that were computing."""
+    """Record all intervals of the timer and the computing time in them, ms."""
 
     def discard(self) -> None:
-        """Begin anew."""
+        """Discard all intervals."""
         self.beaten: list[tuple[float, float]] = []
         super().discard()
 
@@ -69,7 +69,7 @@ class Heart(Pulse):
         self.beaten.append((1000 * took, 1000 * computed))
 
     def summary(self) -> str:
-        """The longest pause, the usual ones, and where the thread was in those that computed."""
+        """Return the longest and usual pauses, and the stacks during computing pauses."""
         took, computed = np.array(self.beaten).T
         late = [pause for pause in self.pauses if pause.computations > self.limit]
         return (
@@ -80,16 +80,16 @@ class Heart(Pulse):
         )
 
 
-class Way:
-    """A user's way through a survey, from its raw files."""
+class WorkflowRun:
+    """Drive the window through the whole workflow from the raw files."""
 
     def __init__(self, application: QApplication, session: Any, heart: Heart) -> None:
         self._application, self._window, self._heart = application, session.window, heart
         self.summaries: dict[str, str] = {}
 
     def until(self, done: Callable[[], bool]) -> None:
-        """Let the window live until something is so."""
-        limit = time.monotonic() + PATIENCE_S
+        """Process events until a condition is true."""
+        limit = time.monotonic() + TIMEOUT_S
         while not done():
             self._application.processEvents()
             time.sleep(0.0005)
@@ -99,7 +99,7 @@ class Way:
                 )
 
     def idle(self) -> bool:
-        """Whether no work is left."""
+        """Return whether no work is left."""
         return not self._window.runner.active and not self._window.document.awaits_result
 
     def step(
@@ -109,12 +109,12 @@ class Way:
         done: Callable[[], bool] | None = None,
         answer: Callable[[Any], object] | None = None,
     ) -> None:
-        """Do something, and tell the beat until it is done and the window has come to rest.
+        """Do a step, and record the intervals until it is done and no work is left.
 
         Parameters
         ----------
-        done : whether it is; when no work is left, unless stated
-        answer : is given the dialogue that is open, every 100 ms
+        done : condition for the end of the step; by default, that no work is left
+        answer : called with the open dialog every 100 ms
         """
         self._heart.discard()
         begun = time.monotonic()
@@ -128,15 +128,15 @@ class Way:
         self.until(done or self.idle)
         answering.stop()
         took = time.monotonic() - begun
-        rested = time.monotonic() + 1.0  # the detail is drawn, panels follow
+        rested = time.monotonic() + 1.0  # detailed points are drawn, panels are updated
         self.until(lambda: time.monotonic() > rested)
         beats = self._heart.beats
-        self.until(lambda: self._heart.beats > beats)  # the last pause has its end
+        self.until(lambda: self._heart.beats > beats)  # the last pause has ended
         self.summaries[name] = f"{took:.1f} s; {self._heart.summary()}"
 
 
 def drop(widget: QWidget, paths: Sequence[Path]) -> None:
-    """What the window system sends when files are dropped."""
+    """Send the events of files dropped on a widget."""
     mime = QMimeData()
     mime.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
     how = Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -145,7 +145,7 @@ def drop(widget: QWidget, paths: Sequence[Path]) -> None:
 
 
 def walk(raw: Path, folder: Path) -> dict[str, str]:
-    """Import, pick, estimate, validate and preview the report; a summary of each step."""
+    """Import, pick, estimate, validate and preview the report; return a summary of each step."""
     application = QApplication(sys.argv[:1])
     application.setQuitOnLastWindowClosed(False)
     from lispac.gui.app.garbage_collection import GuiThreadGarbageCollector
@@ -159,16 +159,16 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
     tidying = GuiThreadGarbageCollector(application)
     session = Session(application, timed_viewport(draws))
     window = session.window
-    heart = Heart(LONG_MS, draws)
+    heart = Heart(PAUSE_LIMIT_MS, draws)
     heart.start()
-    way = Way(application, session, heart)
+    way = WorkflowRun(application, session, heart)
 
     project = open_project(raw)
     assert project.accuracy is not None
     files = [project.trajectory, project.accuracy, *(line.path for line in project.lines)]
 
     def fill(dialog: QWidget) -> None:
-        """Name a folder once every file has been looked into, and go on."""
+        """Enter a folder when every file has been examined, and continue."""
         if isinstance(dialog, ImportDialog) and not dialog.work.busy:
             if dialog.folder.text() != str(folder):
                 dialog.folder.setText(str(folder))
@@ -181,7 +181,7 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
         lambda: window.document.survey is not None and way.idle(), fill,
     )  # fmt: skip
     window.document.undo_stack.setClean()
-    # The boresight and lever arm that a surveyor enters
+    # Boresight and lever arm as entered by a surveyor
     way.step("opening the project", lambda: window.open_project(raw))
     first = window.document.survey.lines[0]
     for name, (role, position) in demo_seeds().items():

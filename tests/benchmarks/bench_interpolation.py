@@ -1,8 +1,8 @@
-"""Error and speed of the interpolation between the states of a trajectory, linear and cubic.
+"""Error and speed of linear and cubic interpolation of a trajectory.
 
     pytest -s -n0 tests/benchmarks/bench_interpolation.py
 
-thins one motion in waves to 10, 50 and 200 Hz, and real SBETs where the shared data have them.
+A motion on waves is sampled at 10, 50 and 200 Hz, and real SBETs of the shared data are thinned.
 """
 
 import time
@@ -23,7 +23,7 @@ SHARED = Path(__file__).parents[2].parent / "shared"
 
 
 def differences(local: LocalTrajectory, times: np.ndarray, truth: np.ndarray) -> np.ndarray:
-    """Errors of position (m) and attitude (rad), shape (n, 6)."""
+    """Return errors of position (m) and attitude (rad), shape (n, 6)."""
     poses = local.at(times)
     off = np.hstack([poses.position, poses.attitude]) - truth
     off[:, 3:] = np.remainder(off[:, 3:] + np.pi, 2 * np.pi) - np.pi
@@ -72,7 +72,7 @@ def test_error_and_speed(tmp_path: Path, rate: float) -> None:
 ), ids=lambda path: path.name)  # fmt: skip
 @pytest.mark.parametrize("rate", RATES[:2])
 def test_thinning_a_real_trajectory(path: Path, rate: float) -> None:
-    """The full file is the truth."""
+    """The full file is the reference."""
     track = read_sbet(path)
     if track.velocity is None:
         pytest.skip("without velocities")

@@ -1,7 +1,7 @@
-"""The finished program: its start, alone and with a project, and its memory while idle.
+"""Start time of the program, with and without a project, and its idle memory.
 
-Every figure is that of a process of its own, started as a user starts it; bytecode and compiled
-kernels are there from an earlier start. Aim: a usable window within 2.5 s on two cores.
+Each value is from a separate process, started as by a user. Bytecode and compiled kernels exist
+from an earlier start. Target: a usable window within 2.5 s on two cores.
 """
 
 import json
@@ -34,8 +34,8 @@ def screen(qapp: QGuiApplication) -> None:
 
 
 def measurements_of(tmp_path: Path, what: str, *words: str | Path) -> dict[str, Any]:
-    """What a process of this file says."""
-    home = tmp_path / "home"  # the same for all rounds, as a user's is
+    """Return the values printed by a process of this module."""
+    home = tmp_path / "home"  # the same for all rounds, like the home of a user
     home.mkdir(exist_ok=True)
     variables = {
         **os.environ, "PYTHONPATH": str(CHECKOUT), "XDG_CACHE_HOME": str(home), "HOME": str(home),
@@ -69,13 +69,13 @@ def test_start(opening: bool, tmp_path: Path, calibrated: tuple[Project, object]
 
 
 def processor_s() -> float:
-    """Seconds of processor this process has used, by all its threads."""
+    """Return processor seconds of all threads of this process."""
     times = os.times()
     return times.user + times.system
 
 
 def start(began: float, words: list[str]) -> None:
-    """Run the program until its window can be used, and end it."""
+    """Run the program until its window is usable, and end it."""
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
@@ -110,7 +110,7 @@ def start(began: float, words: list[str]) -> None:
     timer.timeout.connect(inspect_window)
 
     def exec_() -> int:
-        timer.start(10)  # not 0: that takes the processor the import of the view needs
+        timer.start(10)  # not 0, which would compete with the import of the viewport
         return run()
 
     QApplication.exec = staticmethod(exec_)

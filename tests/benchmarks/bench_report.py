@@ -1,7 +1,6 @@
-"""The full report of the built-in survey, in seconds; run with ``pytest tests/benchmarks``.
+"""Time of the full report of the built-in survey; run with ``pytest tests/benchmarks``.
 
-By the command, as a user waits for it, and in a program that is running: the first time, and once
-more where nothing has changed.
+By the command line, and in a running program: the first report, and a repeated one.
 """
 
 import subprocess
@@ -20,7 +19,7 @@ AIM_SECONDS = 10.0
 
 
 def seconds(run: Callable[[], object]) -> float:
-    """Wall-clock time of one run."""
+    """Return the wall-clock time of one run."""
     start = time.perf_counter()
     run()
     return time.perf_counter() - start

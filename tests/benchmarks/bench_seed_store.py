@@ -1,8 +1,8 @@
-"""One seed, six lines on disk: the built-in survey as a faster scanner would have seen it.
+"""Time of one seed in six stored lines: the built-in survey with more points.
 
-Between each two neighbouring points more are put, on the same surface and with noise of their own;
-their labels go with them. Run with ``pytest -s tests/benchmarks/bench_seed_store.py``; 20 million
-points a line with ``-m long`` (5 GB of files).
+Points with their own noise are added between neighbouring points of the same surface, with the same
+label. Run with ``pytest -s tests/benchmarks/bench_seed_store.py``; 20 million points per line with
+``-m long`` (5 GB of files).
 """
 
 import resource
@@ -28,7 +28,7 @@ ROUNDS = 5
 
 
 def thickened(line: SimulatedLine, count: int, path: Path) -> None:
-    """Write a line with so many points, and beside it their labels."""
+    """Write a line with this number of points, and its labels beside it."""
     rng = np.random.default_rng(len(line.time))
     times = -(-count // len(line.time))
     labels = []
@@ -75,7 +75,7 @@ def test_seed_to_six_lines_of_a_store(count: int, tmp_path: Path) -> None:
 
 
 def report(folder: Path) -> None:
-    """In a process of its own, whose memory is its own too."""
+    """Measure in a separate process, to know its memory."""
     project = open_project(folder)
     start = now()
     survey = load_survey(project)

@@ -1,4 +1,4 @@
-"""How long the built-in survey takes to make; run with ``pytest tests/benchmarks``."""
+"""Time to simulate the built-in survey; run with ``pytest tests/benchmarks``."""
 
 from time import perf_counter
 

@@ -1,7 +1,7 @@
-"""Ranges and points per second of the simulator's ways; run with ``pytest tests/benchmarks``.
+"""Ranges and points per second of the simulator; run with ``pytest tests/benchmarks``.
 
-All in one run on the same beams, so that the ratios hold on a busy machine too. The caster of
-surfaces with a formula runs in one thread, as within one line; Open3D takes all cores.
+All methods run on the same beams, so that ratios hold on a busy computer too. The closed form uses
+one thread, as within a line; Open3D uses all cores.
 """
 
 from collections.abc import Callable
@@ -24,7 +24,7 @@ BOARD = tilted_rectangle("board", (0.0, -15.0, 6.0), 400.0, 400.0, 270, 20)
 
 
 def median_time(work: Callable[[], object], times: int = 5) -> float:
-    """Seconds, after one run that compiles."""
+    """Return median seconds after a first run, which compiles."""
     work()
     taken = []
     for _ in range(times):
@@ -67,7 +67,7 @@ def test_ranges_in_closed_form_and_cast() -> None:
 
 
 def test_lines() -> None:
-    """Whole lines in one thread: pulses sent, points read, with noise."""
+    """Whole lines in one thread: pulses emitted and points recorded, with noise."""
     for name in ("port", "marine", "terrestrial"):
         setup = read_simulation(name).setup
         motion = setup.motion_source.motion(np.random.default_rng(1))

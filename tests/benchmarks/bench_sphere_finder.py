@@ -1,4 +1,4 @@
-"""Seed to sphere in one line and in six, among a million points a line.
+"""Time from a seed to spheres in one line and in six, of a million points each.
 
 Run with ``pytest -s tests/benchmarks/bench_sphere_finder.py``.
 """
@@ -21,7 +21,7 @@ RADIUS = 0.1
 
 
 def median_time(work: Callable[[], object], rounds: int = 5) -> float:
-    """Median seconds of some runs, the first one, which compiles, left out."""
+    """Return the median seconds of some runs after a first run, which compiles."""
     work()
     times = []
     for _ in range(rounds):
@@ -32,7 +32,7 @@ def median_time(work: Callable[[], object], rounds: int = 5) -> float:
 
 
 def line(rng: np.random.Generator, points: int) -> tuple[Array, Array, Array]:
-    """A quay wall 60 m long, a ball on a mast 0.6 m before it, off its place; labels, centre."""
+    """Return a quay wall of 60 m with a displaced ball on a mast in front of it; labels, centre."""
     turn, height = rng.uniform(0, np.pi, 400), rng.uniform(-1, 1, 400)
     level = np.sqrt(1 - height**2)
     facing = np.stack([level * np.cos(turn), -level * np.sin(turn), height], axis=1)

@@ -1,6 +1,6 @@
-"""How long one waits before anything is done: each figure is that of a process of its own.
+"""Start time of commands, each in a separate process.
 
-The aim is 0.3 s for ``lispac --version``: no heavy import at the top.
+Target: 0.3 s for ``lispac --version``, so heavy modules must not be imported at the start.
 """
 
 import os

@@ -1,9 +1,8 @@
-"""Importing a line and reading a region of it: 10^6 and 10^7 points, with ``-m long`` 10^8.
+"""Time of importing a line and reading a region: 10^6 and 10^7 points, 10^8 with ``-m long``.
 
-The line is a LAS or LAZ file (point format 6) of a profiler that runs along a quay wall, written by
-laspy as the benchmark goes along, and imported from it like any other. Peak memory is that of the
-whole process, which reads, sorts and writes; what is mapped of files counts too. Run with
-``pytest -s tests/benchmarks/bench_store.py``.
+The line is a LAS or LAZ file (point format 6) of a profiler along a quay wall, written here with
+laspy. The peak memory is that of the whole process (reading, sorting, writing) and includes
+memory-mapped files. Run with ``pytest -s tests/benchmarks/bench_store.py``.
 """
 
 import os
@@ -27,13 +26,13 @@ from lispac.workflow.importing.file_reading import local_trajectory
 from lispac.workflow.importing.line_import import import_line, open_stored_line
 
 RATE, SPEED, WALL, DECK = 500_000, 1.5, 15.0, -4.0
-"""Points a second, metres a second, metres to the wall on the left, metres down to the quay."""
+"""Points/s, speed (m/s), distance to the wall on the left (m), height of the quay (m)."""
 LEVER_ARM = (-0.2, 0.04, 2.4)
 CHUNK = 1_000_000
 
 
 def points(count: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Points in the LiDAR frame and their times, a million at once."""
+    """Yield points in the LiDAR frame and their times, in chunks of a million."""
     rng = np.random.default_rng(1)
     for start in range(0, count, CHUNK):
         numbers = np.arange(start, min(start + CHUNK, count))
@@ -47,7 +46,7 @@ def points(count: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
 
 
 def make_project(folder: Path, count: int, ending: str) -> Project:
-    """A project of one line."""
+    """Create a project of one line."""
     time_ = np.arange(999.0, 1001 + count / RATE, 0.005)
     along = (time_ - 1000) * SPEED
     swing = np.column_stack(
@@ -95,7 +94,7 @@ def test_store(count: int, ending: str, tmp_path: Path) -> None:
 
 
 def report(folder: str) -> None:
-    """Import and read in a process of its own, whose memory is its own too."""
+    """Import and read in a separate process, to know its memory."""
     root = Path(folder)
     (path,) = root.glob("L1.*")
     settings = Settings(lever_arm=LEVER_ARM, boresight_deg=(0.3, -0.4, 0.5))
@@ -150,24 +149,24 @@ def report(folder: str) -> None:
 
 
 def since(start: tuple[float, float]) -> tuple[float, float]:
-    """Seconds since then, on the clock and of the processors."""
+    """Return wall-clock and processor seconds since a start."""
     end = now()
     return end[0] - start[0], end[1] - start[1]
 
 
 def least(seconds: list[tuple[float, float]]) -> str:
-    """The least of some rounds: a busy machine only adds to it."""
+    """Return the minimum of some rounds, which a busy computer affects least."""
     clock, cpu = np.min(seconds, axis=0) * 1e3
     return f"{clock:.1f} ms ({cpu:.1f} ms of processor)"
 
 
 def now() -> tuple[float, float]:
-    """Seconds of the clock, and of the processors that this process has had."""
+    """Return wall-clock seconds and processor seconds of this process."""
     return time.perf_counter(), time.process_time()
 
 
 def laspy_alone(path: Path) -> tuple[float, float]:
-    """Seconds to read all points with their times, on the clock and of the processors."""
+    """Return wall-clock and processor seconds to read all points and times with laspy."""
     start = now()
     with laspy.open(path) as reader:
         for chunk in reader.chunk_iterator(CHUNK):
@@ -177,7 +176,7 @@ def laspy_alone(path: Path) -> tuple[float, float]:
 
 
 def forget(folder: Path) -> None:
-    """Have the system forget what it has read of the files."""
+    """Drop the files of a folder from the cache of the system."""
     for path in folder.rglob("*.npy"):
         handle = os.open(path, os.O_RDONLY)
         os.fsync(handle)

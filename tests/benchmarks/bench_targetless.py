@@ -1,8 +1,8 @@
-"""The boresight from the scene alone, six lines on disk: seconds against points, and the memory.
+"""Time and memory of the boresight from natural surfaces, with six stored lines.
 
-The built-in survey as a faster scanner would have seen it. Run with
-``pytest -s tests/benchmarks/bench_targetless.py``; 20 million points a line with ``-m long`` (5 GB
-of files). Aims: six lines of a million under 20 s, of 20 million under 3 min and 4 GB.
+The built-in survey with more points. Run with ``pytest -s tests/benchmarks/bench_targetless.py``;
+20 million points per line with ``-m long`` (5 GB of files). Targets: six lines of a million under
+20 s, of 20 million under 3 min and 4 GB.
 """
 
 import resource
@@ -35,7 +35,7 @@ def test_the_scene_of_six_lines(count: int, tmp_path: Path) -> None:
     written = project.folder / FILE_NAME
     written.write_text(written.read_text().replace(".laz", ".las"))
     command = [sys.executable, "-m", "tests.benchmarks.bench_targetless", str(project.folder)]
-    for _ in range(2):  # the first reads the lines, and compiles
+    for _ in range(2):  # the first run reads the lines and compiles
         run = subprocess.run(
             command, capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2]
         )
@@ -44,7 +44,7 @@ def test_the_scene_of_six_lines(count: int, tmp_path: Path) -> None:
 
 
 def report(folder: Path) -> None:
-    """In a process of its own, whose memory is its own too."""
+    """Measure in a separate process, to know its memory."""
     project = open_project(folder)
     start = time.perf_counter()
     survey = load_survey(project)

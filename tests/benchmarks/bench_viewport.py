@@ -1,4 +1,4 @@
-"""The viewport on six lines of a million points: what a frame, a pick and a change of data cost."""
+"""Time of frames, picks and changes of data in the viewport, with six lines of a million points."""
 
 import time
 
@@ -23,7 +23,7 @@ COLOURS = [
 
 
 def harbour():
-    """Six noisy samples of a quay wall with a tower on it."""
+    """Return six noisy samples of a quay wall with a tower."""
     rng = np.random.default_rng(1)
     clouds = {}
     for k in range(LINES):

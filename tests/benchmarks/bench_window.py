@@ -1,9 +1,9 @@
-"""The window on an imported project: first picture, frames, a seed, and the event loop meanwhile.
+"""Times of the window with an imported project: first picture, frames, a seed, event loop.
 
-10^7 points on one line, with ``-m long`` 10^8. Where LISPAC_BENCH_FOLDER names a folder the survey
-is made there and kept for the next run. Each figure is that of a process of its own, from a cold
-start of the window; the import is not part of it. A stall is told with what the window's own thread
-computed in it, a frame with the time of all cores: on a busy machine only the clock's figure grows.
+One line of 10^7 points, or 10^8 with ``-m long``. If LISPAC_BENCH_FOLDER names a folder, the survey
+is created there and reused. Each value is from a separate process after a cold start of the window,
+without the import. Stalls are printed with the computing time of the window's thread, frames with
+the time of all cores, since wall-clock times depend on the load.
 """
 
 import os
@@ -21,7 +21,7 @@ from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.project.projects import create_project, open_project
 from tests.benchmarks.bench_store import make_project
 
-BEAT_MS = 5
+INTERVAL_MS = 5
 STALL_MS = 50
 
 
@@ -46,7 +46,7 @@ def test_open_an_imported_project(count: int, tmp_path: Path, qapp: QGuiApplicat
 
 
 def report(folder: Path) -> None:
-    """Open a project in a window and print what it took."""
+    """Open a project in a window and print the times."""
     import tempfile
 
     from PySide6.QtWidgets import QApplication
@@ -67,7 +67,7 @@ def report(folder: Path) -> None:
     beats: list[tuple[float, float]] = []
     heart = QTimer()
     heart.timeout.connect(lambda: beats.append((time.perf_counter(), time.thread_time())))
-    heart.start(BEAT_MS)
+    heart.start(INTERVAL_MS)
 
     def until(done) -> float:
         beats.clear()

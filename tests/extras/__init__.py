@@ -1,1 +1,1 @@
-"""What takes minutes, the network and root: started by hand before a release."""
+"""Checks before a release that need minutes, the network or root."""

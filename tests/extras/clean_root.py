@@ -1,11 +1,11 @@
-"""The bundle, and the commands of the README, on a Debian that has nothing.
+"""Test the bundle and the commands of the README on a minimal Debian.
 
-    sudo .venv/bin/python -m tests.extras.clean_root bundle     build it, copy it in, run it there
+    sudo .venv/bin/python -m tests.extras.clean_root bundle     build, copy and run it there
     sudo .venv/bin/python -m tests.extras.clean_root readme     demo and test from a fresh clone
 
-debootstrap makes a minimal root once; each run works in a copy of it, in a chroot with mounts of
-its own that end with it. The log says what was done, how long it took and how large it is. What the
-machine needs to reach package servers (certificates, pip's settings) is copied with --give.
+debootstrap makes a minimal root once. Each run uses a copy of it, in a chroot with its own mounts,
+which are removed at the end. The log has the actions, their times and sizes. With --give, the files
+that the machine needs to reach package servers (certificates, settings of pip) are copied.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from pathlib import Path
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 NETWORK = ["/etc/resolv.conf", "/etc/hosts"]
-# What the installation page of the manual names for the bundle
+# Packages named on the installation page of the manual for the bundle
 LIBRARIES = (
     "libgl1 libegl1 libglx-mesa0 libx11-xcb1 libwayland-cursor0 libwayland-egl1 libfontconfig1 "
     "libusb-1.0-0 fonts-dejavu-core"
@@ -32,21 +32,21 @@ PATH = "/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 SCREEN = "xvfb"
 DESKTOP = "desktop-file-utils shared-mime-info libglib2.0-bin"
 ASK_PYTHON = "for name in python3 python; do if command -v $name; then exit 1; fi; done"
-# Pictures of the screen are read from outside: Xvfb keeps them in a file.
+# Xvfb keeps the screen in a file, which is read from outside the root.
 START_SCREEN = "mkdir -p /tmp/screen; Xvfb :7 -screen 0 1600x1000x24 -fbdir /tmp/screen & sleep 3"
 
 
 class RootError(Exception):
-    """Something went another way than it has to; the message says what."""
+    """A step failed; the message says why."""
 
 
 def say(line: str) -> None:
-    """Print one line of the log at once."""
+    """Print one line of the log immediately."""
     print(line, flush=True)
 
 
 def megabytes(folder: Path) -> float:
-    """What a folder takes on the disk."""
+    """Return the disk usage of a folder."""
     done = subprocess.run(
         ["du", "-s", "--one-file-system", "-B1000", str(folder)],
         capture_output=True,
@@ -57,7 +57,7 @@ def megabytes(folder: Path) -> float:
 
 
 def mirror_of_this_machine() -> str:
-    """The package server that apt asks here."""
+    """Return the package server that apt uses on this machine."""
     for path in [Path("/etc/apt/sources.list"), *Path("/etc/apt/sources.list.d").glob("*")]:
         if path.is_file():
             found = re.search(r"https?://\S+/debian/?(?=\s|$)", path.read_text(), re.MULTILINE)
@@ -67,20 +67,20 @@ def mirror_of_this_machine() -> str:
 
 
 class Root:
-    """A folder that is a Debian of its own.
+    """Folder with a complete Debian.
 
     Parameters
     ----------
     folder : Path
     given : sequence of str
-        Files of this machine that are copied into it.
+        Files of this machine that are copied into the folder.
     """
 
     def __init__(self, folder: Path, given: Sequence[str]) -> None:
         self.folder, self.given = folder, given
 
     def make(self, base: Path, suite: str, mirror: str) -> None:
-        """Begin with a copy of the minimal system, which is made where it is not there yet."""
+        """Copy the minimal system, which is created if it does not exist."""
         if not (base / "etc" / "debian_version").exists():
             began = time.monotonic()
             shutil.rmtree(base, ignore_errors=True)
@@ -96,9 +96,10 @@ class Root:
         say(f"minimal {suite}: {megabytes(self.folder):.0f} MB")
 
     def give(self) -> None:
-        """Copy what this machine reaches package servers with; packages may have replaced it.
+        """Copy the files needed to reach package servers; packages may have replaced them.
 
-        Copied, not mounted: a package that is installed there must not write here.
+        They are copied, not mounted, so that packages installed there cannot change files of this
+        machine.
         """
         for path in self.given:
             there = self.folder / path.lstrip("/")
@@ -107,7 +108,7 @@ class Root:
             shutil.copy(path, there)
 
     def command(self, script: str) -> list[str]:
-        """What runs a shell script in it, with mounts of its own; nothing of this machine's."""
+        """Return the command that runs a shell script in the root, with separate mounts."""
         place = shlex.quote(str(self.folder))
         mounts = [
             "mount --make-rprivate /",
@@ -123,21 +124,21 @@ class Root:
         devices = {"null": 3, "zero": 5, "full": 7, "random": 8, "urandom": 9}
         for name, minor in devices.items():
             mounts.append(f"mknod -m 666 {place}/dev/{name} c 1 {minor}")
-        kept = ("PIP_CERT", "SSL_CERT")  # where those files are
+        kept = ("PIP_CERT", "SSL_CERT")  # folder of those files
         passed = [f"{name}={value}" for name, value in os.environ.items() if name.startswith(kept)]
         passed += ["HOME=/root", f"PATH={PATH}", "LANG=C.UTF-8"]
         inside = shlex.join(["chroot", str(self.folder), "env", "-i", *passed, "sh", "-ec", script])
         whole = " && ".join([*mounts, f"exec {inside}"])
-        # What still runs when the script ends (the screen) ends with it
+        # Processes that still run at the end of the script (the screen) are killed.
         return ["unshare", "--mount", "--pid", "--fork", "--kill-child", "sh", "-ec", whole]
 
     def run(self, what: str, script: str) -> str:
-        """Run a shell script in it, log it with its time, and give what it prints.
+        """Run a shell script in the root, log its time and return its output.
 
         Raises
         ------
         RootError
-            Where it fails.
+        If the script fails.
         """
         began = time.monotonic()
         done = subprocess.run(
@@ -164,7 +165,7 @@ class Root:
 
 
 def picture(root: Root, output: Path) -> int:
-    """Write what is on the screen as PNG; returns how many colours it has."""
+    """Save the screen as PNG; return its number of colours."""
     import numpy as np
     from matplotlib.image import imsave
 
@@ -179,12 +180,12 @@ def picture(root: Root, output: Path) -> int:
 
 
 def window(root: Root, command: str, output: Path, seconds: float = 150) -> None:
-    """Open the window on a screen without anybody and keep a picture of it.
+    """Open the window on a virtual screen and save a picture of it.
 
     Raises
     ------
     RootError
-        Where the program ends, or draws nothing.
+    If the program ends or draws nothing.
     """
     script = f"{START_SCREEN}; export DISPLAY=:7; exec {command} > /tmp/window.log 2>&1"
     began, found = time.monotonic(), 0
@@ -211,7 +212,7 @@ def window(root: Root, command: str, output: Path, seconds: float = 150) -> None
 
 
 def check_bundle(root: Root, folder: Path, output: Path) -> None:
-    """Run a bundle where there is no Python: the command line, the window, the report.
+    """Run a bundle on a system without Python: command line, window, report.
 
     Parameters
     ----------
@@ -267,9 +268,9 @@ def check_readme(root: Root, output: Path, tests: Sequence[str]) -> None:
 
     Parameters
     ----------
-    root : a minimal root; it gets Python and git, which a reader has
+    root : a minimal root, where Python and git are installed first
     output : Path, folder for the report
-    tests : what to hand to the second command, nothing for all tests
+    tests : arguments of the second command; by default, all tests run
     """
     root.install("python3 git ca-certificates")
     bare = root.folder / "srv" / "lispac.git"
@@ -286,7 +287,7 @@ def check_readme(root: Root, output: Path, tests: Sequence[str]) -> None:
 
 
 def parser() -> argparse.ArgumentParser:
-    """The command line of this script."""
+    """Return the parser of the command line."""
     form = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -301,7 +302,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def built() -> Path:
-    """Build the bundle by the one command."""
+    """Build the bundle with its command."""
     began = time.monotonic()
     command = [sys.executable, str(CHECKOUT / "installer" / "bootstrap.py"), "bundle"]
     subprocess.run(command, check=True)
@@ -311,7 +312,7 @@ def built() -> Path:
 
 
 def main() -> int:
-    """Run one of the checks; returns the exit code."""
+    """Run one of the checks and return the exit code."""
     options = parser().parse_args()
     began = time.monotonic()
     options.work.mkdir(parents=True, exist_ok=True)

@@ -1,11 +1,12 @@
-"""What takes too long for every run: one command, a log for each step, and a table at the end.
+"""Checks that take too long for every run, with a log for each step and a final table.
 
-    python -m tests.extras.nightly FOLDER                     all of it, most of a night
+    python -m tests.extras.nightly FOLDER                     all steps, most of a night
     python -m tests.extras.nightly FOLDER coverage long       these steps
-    python -m tests.extras.nightly FOLDER mutation-whole      every change, where the others draw
+    python -m tests.extras.nightly FOLDER mutation-whole      all changes instead of a sample
 
 `coverage` and `mutation` need `python -m pip install -e '.[nightly]'` in the environment; `bundle`
-and `readme` need root and debootstrap (`tests.extras.clean_root`). Exit 1 where a step failed.
+and `readme` need root and debootstrap (`tests.extras.clean_root`). The exit code is 1 if a step
+fails.
 """
 
 from __future__ import annotations
@@ -29,8 +30,8 @@ from tests.extras.quick import SLOW
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 PYTEST = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
-LEAST = 95.0
-"""Percent of the core's branches that the tests take."""
+MIN_COVERAGE = 95.0
+"""Minimum branch coverage of the core in percent."""
 PACKAGES = {
     "geometry": (
         "frames", "planes", "rotations", "spheres", "conventions", "convention_rules",
@@ -55,39 +56,39 @@ PACKAGES = {
         "trajectory_quality", "trajectory_values",
     ),
 }  # fmt: skip
-"""Packages whose code is changed to see which test notices, and the tests that are quick enough."""
+"""Packages for mutation tests, with the tests that are fast enough for them."""
 COMPILED = ("lispac/geometry/nearest_neighbours.py", "lispac/survey/kernels.py")
-"""Modules of machine code: a change would be compiled anew in every run."""
-LEFT_ALONE = (r"^\s*raise ", r"dtype=")
-"""Statements that are not changed: sentences for users, and types of what has them already."""
-LONGEST = 2.0
-"""Seconds beyond which a test is left out of those that every change is tried with."""
-QUICK = (
+"""Compiled modules, which are not mutated: each change would need a new compilation."""
+NOT_MUTATED = (r"^\s*raise ", r"dtype=")
+"""Statements that are not mutated: messages to users, and redundant `dtype` arguments."""
+MAX_TEST_SECONDS = 2.0
+"""Longer tests are not run for each mutation."""
+MUTATION_ARGUMENTS = (
     "-n0", "-p", "tests.extras.quick", "-W", "ignore::pytest.PytestConfigWarning",
-    # Each change has a process of its own, which would leave a virtual screen behind
+    # Each mutation runs in a separate process, which would not close its virtual screen.
     "-p", "no:xvfb",
 )  # fmt: skip
-"""Arguments of pytest where a change is tried."""
-HANGS = 1800.0
-"""Seconds after which tests that have not ended have noticed a change."""
-SAMPLE = 10
-"""Changes of a module that are tried in a night."""
-JUSTIFIED = Path(__file__).with_name("survivors.toml")
-"""Why no test has to notice a change, by function and kind of change."""
+"""Arguments of pytest for a mutation."""
+TIMEOUT_S = 1800.0
+"""Tests that take longer count as having detected a mutation."""
+MUTATIONS_PER_MODULE = 10
+"""Number of mutations tried per module in a night."""
+JUSTIFICATIONS_FILE = Path(__file__).with_name("survivors.toml")
+"""Reasons why mutations need not be detected, by function and kind of change."""
 TOKENS = re.compile(r"""(["']).*?\1|\d(?:e[+-]|[\w.])*|\w+|\*\*|//|[<>=!:]=|->|\S""")
-"""Words, numbers and signs of a line of code."""
+"""Pattern of the words, numbers and operators of a line of code."""
 
 Log = Path
 Step = Callable[[Path, Log], str]
-"""Does one thing in a folder, writes to a log, and says what it found; raises `Failed`."""
+"""Function of a step: works in a folder, writes a log, returns a summary or raises `Failed`."""
 
 
 class Failed(Exception):
-    """A step did not end as it has to; the message says how."""
+    """A step failed; the message says why."""
 
 
 def run(command: Sequence[str], log: Log, **environment: str) -> None:
-    """Run a command in the checkout; its output goes to the end of the log."""
+    """Run a command in the checkout and append its output to the log."""
     with log.open("a", encoding="utf-8") as file:
         file.write(f"$ {' '.join(command)}\n")
         file.flush()
@@ -100,46 +101,49 @@ def run(command: Sequence[str], log: Log, **environment: str) -> None:
 
 
 def long(_folder: Path, log: Log) -> str:
-    """Tests marked long, one after the other: the monkey's ten minutes measure pauses."""
+    """Run tests marked long one after the other, since the monkey measures pauses."""
     run([*PYTEST, "-m", "long", "-n", "0", "--timeout=0", "--ignore", "tests/extras"], log)
     return re.findall(r"\d+ passed.*", log.read_text(encoding="utf-8"))[-1]
 
 
 def coverage(folder: Path, log: Log) -> str:
-    """Branches of the core that the normal run takes."""
+    """Measure the branch coverage of the core in the normal run."""
     settings = f"--rcfile={Path(__file__).with_name('coverage.ini')}"
     data = {"COVERAGE_FILE": str(folder / "coverage")}
     measure = [sys.executable, "-m", "coverage"]
-    # Followed line by line everything takes twice as long
+    # Coverage doubles the time of the tests.
     run([*measure, "run", settings, "-m", *PYTEST[2:], "--timeout=1800"], log, **data)
     run([*measure, "combine", settings], log, **data)
     run([*measure, "json", settings, "-o", str(folder / "coverage.json")], log, **data)
     totals = json.loads((folder / "coverage.json").read_text(encoding="utf-8"))["totals"]
     share = 100.0 * totals["covered_branches"] / totals["num_branches"]
     said = f"{share:.1f} % of {totals['num_branches']} branches of the core"
-    if share < LEAST:
-        raise Failed(f"{said}, less than {LEAST:.0f} %; see {folder / 'coverage.json'}")
+    if share < MIN_COVERAGE:
+        raise Failed(f"{said}, less than {MIN_COVERAGE:.0f} %; see {folder / 'coverage.json'}")
     return said
 
 
 def mutation(folder: Path, log: Log) -> str:
-    """Changes of geometry, adjustment and survey that no test notices and that are not justified.
+    """Find mutations of geometry, adjustment and survey that no test detects.
 
-    Of each module the same `SAMPLE` every night, drawn by chance; `mutation-whole` takes all. Tests
-    that need a whole survey or more than `LONGEST` are left out (`tests.extras.quick`). mutmut
-    changes no function with a decorator, so none that is compiled: Jacobians are held against
-    difference quotients instead. Statements in `LEFT_ALONE` are no matter of mathematics.
+    Each night the same `MUTATIONS_PER_MODULE` randomly drawn mutations of each module are tried;
+    `mutation-whole` tries all. Tests that need a whole survey or more than `MAX_TEST_SECONDS` are
+    not run (`tests.extras.quick`). Mutations with a justification are accepted. mutmut does not
+    mutate decorated functions, so compiled ones are omitted: their Jacobians are compared with
+    difference quotients instead. Statements in `NOT_MUTATED` have no mathematical meaning.
     """
-    return _mutation(folder, log, SAMPLE)
+    return _mutation(folder, log, MUTATIONS_PER_MODULE)
 
 
 def mutation_whole(folder: Path, log: Log) -> str:
-    """The same with every change: days of one processor, so only where it is named."""
+    """Try all mutations: days of processor time, so only on demand."""
     return _mutation(folder, log, None)
 
 
 def _mutation(folder: Path, log: Log, most: int | None) -> str:
-    justifications = Justifications.of(tomllib.loads(JUSTIFIED.read_text(encoding="utf-8")))
+    justifications = Justifications.of(
+        tomllib.loads(JUSTIFICATIONS_FILE.read_text(encoding="utf-8"))
+    )
     told, open_ = [], []
     for package, tests in PACKAGES.items():
         place = folder / f"mutation-{package}"
@@ -147,7 +151,7 @@ def _mutation(folder: Path, log: Log, most: int | None) -> str:
         run(["git", "clone", "-q", str(CHECKOUT), str(place)], log)
         (place / "setup.cfg").write_text(_settings(package, tests), encoding="utf-8")
         mutmut = [sys.executable, "-m", "mutmut"]
-        # Makes the changes and sees which tests reach them; none has this name
+        # Creates the mutations and records which tests reach them; none has this name.
         _run_all([*mutmut, "run", "none"], place, log)
         _leave_out_slow(place / "mutants")
         _run_all([*mutmut, "run", *drawn(_results(mutmut, place), most)], place, log)
@@ -161,7 +165,9 @@ def _mutation(folder: Path, log: Log, most: int | None) -> str:
             if what == "survived"
         }
         unjustified = justifications.missing_for(left)
-        noticed = noticed_afresh(unjustified, place / "mutants", [*QUICK, *_files(tests)])
+        noticed = noticed_afresh(
+            unjustified, place / "mutants", [*MUTATION_ARGUMENTS, *_files(tests)]
+        )
         left = {name: difference for name, difference in left.items() if name not in noticed}
         unjustified = [each for each in unjustified if each not in noticed]
         tried = sum(counts[what] for what in ("killed", "survived", "timeout", "suspicious"))
@@ -172,18 +178,20 @@ def _mutation(folder: Path, log: Log, most: int | None) -> str:
         open_ += unjustified
     said = "; ".join(told)
     if unmatched := justifications.unmatched(whole=most is None):
-        said += f"; {JUSTIFIED.name} has entries that match nothing: {', '.join(unmatched)}"
+        said += (
+            f"; {JUSTIFICATIONS_FILE.name} has entries that match nothing: {', '.join(unmatched)}"
+        )
     if open_:
-        raise Failed(f"{said}; to be justified in {JUSTIFIED.name}: {' '.join(open_)}")
+        raise Failed(f"{said}; to be justified in {JUSTIFICATIONS_FILE.name}: {' '.join(open_)}")
     return said
 
 
 def noticed_afresh(names: Sequence[str], mutants: Path, tests: Sequence[str]) -> set[str]:
-    """Of changes that survived, those that are noticed where all is imported with them.
+    """Return surviving mutations that are detected in a new process.
 
-    mutmut tries a change in a copy of a process that has imported everything: what is computed
-    while modules are imported, such as the table of conventions, it never shows changed. Few come
-    here, so the tests that were left out as slow are taken too.
+    mutmut tries a mutation in a fork of a process that has imported everything, so values computed
+    at import, such as the table of conventions, are never mutated. Few mutations are tried here, so
+    slow tests are run too.
     """
     (mutants / SLOW).unlink(missing_ok=True)
 
@@ -192,7 +200,7 @@ def noticed_afresh(names: Sequence[str], mutants: Path, tests: Sequence[str]) ->
         try:
             done = subprocess.run(
                 command, cwd=mutants, env=os.environ | environment, capture_output=True,
-                timeout=HANGS, check=False,
+                timeout=TIMEOUT_S, check=False,
             )  # fmt: skip
         except subprocess.TimeoutExpired:
             return False
@@ -213,19 +221,19 @@ def _leave_out_slow(mutants: Path) -> None:
     if not known.is_file():
         return
     seconds = json.loads(known.read_text(encoding="utf-8"))["duration_by_test"]
-    slow = [name for name, each in seconds.items() if each > LONGEST]
+    slow = [name for name, each in seconds.items() if each > MAX_TEST_SECONDS]
     (mutants / SLOW).write_text(json.dumps(slow), encoding="utf-8")
 
 
 def _results(mutmut: Sequence[str], place: Path) -> dict[str, str]:
-    """What became of each change, by its name."""
+    """Return the result of each mutation by its name."""
     return dict(
         re.findall(r"(\S+__mutmut_\d+): (.+)", _output([*mutmut, "results", "--all", "1"], place))
     )
 
 
 def drawn(found: dict[str, str], most: int | None) -> list[str]:
-    """Changes to try: of each module at most so many, the same ones every time."""
+    """Return the mutations to try: a reproducible sample with at most `most` per module."""
     modules: dict[str, list[str]] = {}
     for name, what in found.items():
         if what != "no tests":
@@ -241,15 +249,15 @@ def drawn(found: dict[str, str], most: int | None) -> list[str]:
 
 
 class Justifications:
-    """Why changes need no test, and which of the reasons were of use.
+    """Reasons why mutations need no test, and which of them were used.
 
     Attributes
     ----------
     functions : dict of str to dict of str to list of str
-        By function (`function_of`) and kind of change (`kind_of`): one reason for each change of
+        By function (`function_of`) and kind of change (`kind_of`): one reason for each mutation of
         this kind in the function that may survive.
     families : dict of str to str
-        Reasons by a regular expression that is searched for in the changed lines.
+        Reasons by a regular expression that is searched in the changed lines.
     """
 
     def __init__(
@@ -261,7 +269,7 @@ class Justifications:
 
     @classmethod
     def of(cls, content: Mapping[str, Mapping[str, object]]) -> Justifications:
-        """Justifications from the content of the file; a single reason is not in a list."""
+        """Read justifications from the content of the file; a single reason is not in a list."""
         functions = {
             function: {
                 kind: [reasons] if isinstance(reasons, str) else list(reasons)
@@ -272,9 +280,9 @@ class Justifications:
         return cls(functions, content["families"])
 
     def missing_for(self, differences: Mapping[str, str]) -> list[str]:
-        """Names of the changes without a reason, of these differences by the name of the change.
+        """Return names of mutations without a reason, from their differences by name.
 
-        Where more changes of a kind survive than there are reasons, all of them are named.
+        If more mutations of a kind survive than there are reasons, all of them are returned.
         """
         missing, by_kind = [], {}
         for name, difference in differences.items():
@@ -291,7 +299,7 @@ class Justifications:
         return missing
 
     def unmatched(self, *, whole: bool) -> list[str]:
-        """Entries whose function no longer exists, or with ``whole`` those that were of no use."""
+        """Return entries whose function no longer exists or, with ``whole``, all unused ones."""
         functions = set(functions_of_packages())
         entries = [(f, f"{f}: {kind}") for f, kinds in self.functions.items() for kind in kinds]
         unused = [each for each in self.families if whole and each not in self._used]
@@ -303,7 +311,7 @@ class Justifications:
 
 
 def functions_of_packages() -> Iterator[str]:
-    """Functions and methods of the packages that are changed, named as by `function_of`."""
+    """Return functions and methods of the mutated packages, named like `function_of`."""
     for package in PACKAGES:
         for path in (CHECKOUT / "lispac" / package).rglob("*.py"):
             for node in ast.parse(path.read_text(encoding="utf-8")).body:
@@ -318,14 +326,14 @@ def functions_of_packages() -> Iterator[str]:
 
 
 def function_of(name: str) -> str:
-    """Function of a change, without its package: ``planes.Plane.facing``."""
+    """Return the function of a mutation without its package: ``planes.Plane.facing``."""
     module, _, function = name.partition("__mutmut_")[0].rpartition(".")
     parts = function.removeprefix("x").removeprefix("_") if "ǁ" not in function else function[2:]
     return f"{module.rpartition('.')[2]}.{parts.replace('ǁ', '.')}"
 
 
 def changed_lines(difference: str) -> tuple[str, str]:
-    """Our lines and those in their place, from a unified difference."""
+    """Return the original and the mutated lines of a unified difference."""
     lines = re.findall(r"^([-+])(?![-+]{2} )(.*)", difference, re.MULTILINE)
     ours, theirs = (
         "\n".join(text.strip() for sign, text in lines if sign == wanted) for wanted in "-+"
@@ -334,7 +342,7 @@ def changed_lines(difference: str) -> tuple[str, str]:
 
 
 def kind_of(ours: str, theirs: str) -> str:
-    """Kind of a change: the words that differ, ``< -> <=``."""
+    """Return the kind of a mutation as the tokens that differ: ``< -> <=``."""
     before, after = ([each[0] for each in TOKENS.finditer(lines)] for lines in (ours, theirs))
     while before and after and before[0] == after[0]:
         del before[0], after[0]
@@ -344,9 +352,9 @@ def kind_of(ours: str, theirs: str) -> str:
 
 
 def _bare(code: str) -> str:
-    """The code without texts, guards against unequal lengths, and how it is set.
+    """Return code without texts, guards against unequal lengths, and formatting.
 
-    A text that something is compared with stays: it decides what is done.
+    Texts in comparisons are kept, since they affect the control flow.
     """
     code = re.sub(r"""([!=]=\s*)?(["']).*?\2""", lambda text: text[0] if text[1] else '""', code)
     code = re.sub(r"\s+", "", code)
@@ -361,10 +369,10 @@ def _settings(package: str, tests: Sequence[str]) -> str:
     lists = {
         "only_mutate": [f"lispac/{package}/*"],
         "do_not_mutate": COMPILED,
-        "do_not_mutate_patterns": LEFT_ALONE,
+        "do_not_mutate_patterns": NOT_MUTATED,
         "also_copy": ["tests/", "resources/", "installer/", "pyproject.toml", "README.md"],
         "pytest_add_cli_args_test_selection": _files(tests),
-        "pytest_add_cli_args": [*QUICK, "-p", "no:cacheprovider"],
+        "pytest_add_cli_args": [*MUTATION_ARGUMENTS, "-p", "no:cacheprovider"],
     }
     rows = [f"{name}=\n" + "".join(f"    {each}\n" for each in each_of)
             for name, each_of in lists.items()]  # fmt: skip
@@ -393,11 +401,11 @@ STEPS: dict[str, Step] = {
     "readme": _clean_root("readme"),
 }
 ON_DEMAND = {"mutation-whole"}
-"""Steps that are only taken where they are named."""
+"""Steps that run only if named."""
 
 
 def main() -> int:
-    """Take the steps one after the other."""
+    """Run the steps one after the other."""
     parser = argparse.ArgumentParser(
         prog="python -m tests.extras.nightly", description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -1,10 +1,10 @@
-"""A plugin of pytest for changes of the code: leaves out the tests that take too long for each.
+"""Plugin of pytest for mutation tests that skips slow tests.
 
-Each change has a process of its own, in which a fixture of the session is made anew. How long the
-other tests take is known after mutmut's first run of them; `SLOW` beside them names those.
+Each mutation runs in a separate process, where session fixtures are created again. The times of the
+other tests are known after mutmut's first run; `SLOW` names the slow ones.
 
-These processes are copies of one that has run the tests before, without its threads: what waits for
-those of the LAZ library would wait until the change is counted as one that hangs.
+These processes are forks of one that has run the tests, without its threads. Code that waits for
+threads of the LAZ library would block until the mutation is counted as a timeout.
 """
 
 import json
@@ -12,16 +12,16 @@ from pathlib import Path
 
 import pytest
 
-SURVEYS = {
+SURVEY_FIXTURES = {
     "calibrated", "copy", "demo_project", "port", "shared_data", "sparse_project", "printed_demo",
     "whole_demo",
 }  # fmt: skip
 SLOW = Path("slow-tests.json")
-"""Names of tests, in the folder that mutmut makes."""
+"""File with names of slow tests, in the folder created by mutmut."""
 
 
 def pytest_configure() -> None:
-    """Read and write LAZ in the thread that asks for it."""
+    """Read and write LAZ in the calling thread."""
     from laspy._compression import backend
 
     single = backend.LazrsBackend(parallel=False)
@@ -29,11 +29,11 @@ def pytest_configure() -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Keep the tests that make what they need in moments."""
+    """Keep tests without slow fixtures."""
     slow = set(json.loads(SLOW.read_text(encoding="utf-8"))) if SLOW.is_file() else set()
     left_out = {
         each for each in items
-        if each.nodeid in slow or SURVEYS & set(getattr(each, "fixturenames", ()))
+        if each.nodeid in slow or SURVEY_FIXTURES & set(getattr(each, "fixturenames", ()))
     }  # fmt: skip
     config.hook.pytest_deselected(items=list(left_out))
     items[:] = [each for each in items if each not in left_out]

@@ -21,7 +21,7 @@ from lispac.workflow.calibration.proposal_acceptance import with_accepted, witho
 from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from tests.gui.support import Demo, Driver, Left, click, open_step
 
-TARGETS = 1
+TARGETS_STEP = 1
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +48,7 @@ def press(driver: Driver, dialog: QDialog, name: str) -> None:
 
 
 def test_some_proposed_targets_are_accepted_and_undone_in_one_step(opened: Driver) -> None:
-    open_step(opened, TARGETS)
+    open_step(opened, TARGETS_STEP)
     before = opened.project
     seen = []
 
@@ -97,7 +97,7 @@ def test_the_tab_key_leads_out_of_every_table(opened: Driver) -> None:
 
 
 def test_a_rejected_or_cancelled_proposal_changes_nothing(opened: Driver) -> None:
-    open_step(opened, TARGETS)
+    open_step(opened, TARGETS_STEP)
     before = opened.project
     answered(opened, lambda dialog: press(opened, dialog, "reject_proposal"))
     click(opened, opened.window.targets.propose)
@@ -173,7 +173,7 @@ def again(driver: Driver, threshold_mm: float, radius: float) -> Project:
 
 
 def test_a_target_is_found_again_with_other_settings(picked: Driver) -> None:
-    open_step(picked, TARGETS)
+    open_step(picked, TARGETS_STEP)
     picked.window.targets.table.clearSelection()
     assert not picked.window.actions_["find_again"].isEnabled()
     line = picked.project.target("T1").sightings[0].line

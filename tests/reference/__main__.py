@@ -1,4 +1,4 @@
-"""``python -m tests.reference FOLDER`` builds the API reference, in some minutes."""
+"""Build the API reference with ``python -m tests.reference FOLDER`` (takes some minutes)."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What Sphinx is told to build the API reference with; `tests.reference.pages` writes its pages."""
+"""Configuration of Sphinx for the API reference, whose pages `tests.reference.pages` writes."""
 
 import re
 from pathlib import Path
@@ -17,7 +17,7 @@ from tests.reference import resolving
 
 HERE = Path(__file__).resolve().parent
 
-# Types of the docstrings are words ("ndarray of shape (n, 3), metres, local frame"), not names.
+# Types in docstrings are texts ("ndarray of shape (n, 3), metres, local frame"), not names.
 SECTIONS = Config(
     napoleon_use_param=False,
     napoleon_use_rtype=False,
@@ -31,7 +31,7 @@ myst_heading_anchors = 3
 nitpicky = True
 nitpick_ignore_regex = [("py:.*", rf"({'|'.join(resolving.FOREIGN)})(\..*)?")]
 default_role = "named"
-smartquotes_action = "D"  # dashes alone
+smartquotes_action = "D"  # convert dashes only
 add_module_names = False
 toc_object_entries_show_parents = "hide"
 python_use_unqualified_type_names = True
@@ -50,12 +50,12 @@ pygments_style = "friendly"
 
 
 class Named(XRefRole):
-    """A name in single backticks: of this module, or of whichever has one of that name."""
+    """Role for a name in single backticks: of this module, or unique in another one."""
 
     def process_link(
         self, env: BuildEnvironment, refnode: Any, has_explicit_title: bool, title: str, target: str
     ) -> tuple[str, str]:
-        """Searched for as the types of signatures are."""
+        """Resolve the name like the types of signatures."""
         refnode["refdomain"] = "py"
         refnode["reftype"] = "obj"
         refnode["refspecific"] = True
@@ -67,7 +67,7 @@ class Named(XRefRole):
 def _resolve(
     app: Sphinx, env: BuildEnvironment, node: pending_xref, content: nodes.TextElement
 ) -> nodes.Node | None:
-    """Where a name leads that Sphinx does not find as it stands."""
+    """Resolve a name that Sphinx does not find as written."""
     target = resolving.documented_as(node["reftarget"])
     domain = env.domains["py"]
     if target in domain.objects and target != node["reftarget"]:
@@ -78,14 +78,14 @@ def _resolve(
 def _in_sections(
     app: Sphinx, _what: str, name: str, obj: object, _options: object, lines: list[str]
 ) -> None:
-    """As the extension napoleon does, which takes "Metres: of what" of a value for its type."""
+    """Format sections like napoleon, which would read "Metres: of what" of a value as a type."""
     lines[:] = str(NumpyDocstring(list(lines), SECTIONS, app, "function", name, obj)).splitlines()
 
 
 def _skip(
     _app: Sphinx, _what: str, _name: str, obj: object, _skipped: bool, _options: object
 ) -> bool | None:
-    """Fields of named tuples say nothing but their number."""
+    """Skip fields of named tuples, which are documented by their number only."""
     return True if str(obj.__doc__).startswith("Alias for field number") else None
 
 
@@ -98,12 +98,12 @@ def _without_objects(
     signature: str | None,
     returns: str | None,
 ) -> tuple[str | None, str | None]:
-    """Default values that are no Python (``<factory>``) would spoil a whole signature."""
+    """Remove default values that are not valid Python (``<factory>``) from a signature."""
     return signature and re.sub(r"<[^<>]+>", "...", signature), returns
 
 
 def _without_dashes(_app: Sphinx, doctree: nodes.document) -> None:
-    """An error whose name says all needs no dash after it."""
+    """Remove the dash after an error that has no description."""
     for paragraph in doctree.findall(nodes.paragraph):
         last = paragraph.children[-1] if paragraph.children else None
         if isinstance(last, nodes.Text) and last.strip() in ("--", "\N{EN DASH}"):
@@ -111,7 +111,7 @@ def _without_dashes(_app: Sphinx, doctree: nodes.document) -> None:
 
 
 class NDArray:
-    """Keeps its name; NumPy's own unfolds to ``ndarray[tuple[Any, ...], dtype[...]]``."""
+    """Stand-in that keeps its name; NumPy's shows ``ndarray[tuple[Any, ...], dtype[...]]``."""
 
     __class_getitem__ = classmethod(GenericAlias)
     __module__ = "numpy.typing"
@@ -123,18 +123,18 @@ numpy.typing.NDArray = NDArray
 def _fold_list(
     _app: Sphinx, _page: str, _template: str, context: dict[str, Any], _tree: object
 ) -> None:
-    """The list of pages shows the modules of the page's own room: all on each take minutes."""
+    """Restrict the navigation to modules of the page's package; full ones take minutes."""
     whole = context["toctree"]
     context["toctree"] = lambda **options: whole(**{**options, "collapse": True})
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Called by Sphinx."""
+    """Connect the handlers (called by Sphinx)."""
     app.add_role("named", Named())
     app.connect("autodoc-process-docstring", _in_sections)
     app.connect("missing-reference", _resolve)
     app.connect("autodoc-process-signature", _without_objects)
     app.connect("autodoc-skip-member", _skip)
     app.connect("doctree-read", _without_dashes)
-    app.connect("html-page-context", _fold_list, priority=100)  # before the theme's own
+    app.connect("html-page-context", _fold_list, priority=100)  # before that of the theme
     return {"parallel_read_safe": True, "parallel_write_safe": True}

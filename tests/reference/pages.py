@@ -1,4 +1,4 @@
-"""The API reference: what scripts use, the documents for developers, a page for each module."""
+"""Write and build the API reference: scripting API, developer documents, modules."""
 
 import ast
 import os
@@ -38,11 +38,11 @@ PACKAGES = {
 
 
 def build(folder: Path, *, whole: bool = True) -> str:
-    """Build the reference into a folder and say what Sphinx says; nothing where all is well.
+    """Build the reference into a folder and return the warnings of Sphinx, or an empty string.
 
     Parameters
     ----------
-    whole : the packages too, not only what scripts use
+    whole : also the packages, not only the scripting API
     """
     with tempfile.TemporaryDirectory(prefix="lispac-") as scratch:
         write(Path(scratch, "sources"), whole=whole)
@@ -50,11 +50,11 @@ def build(folder: Path, *, whole: bool = True) -> str:
 
 
 def run(sources: Path, folder: Path) -> str:
-    """Run Sphinx on sources and say what it says: where nothing, all is well."""
+    """Run Sphinx on sources and return its warnings, or an empty string."""
     with tempfile.TemporaryDirectory(prefix="lispac-") as scratch:
         command = [sys.executable, "-m", "sphinx", "-q", "-b", "html", "-W", "--keep-going"]
         command += ["-c", str(HERE), "-d", scratch, str(sources), str(folder.resolve())]
-        # Compiled functions are read as the Python they are written in.
+        # Compiled functions are documented from their Python code.
         variables = {**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONDONTWRITEBYTECODE": "1"}
         done = subprocess.run(
             command, capture_output=True, text=True, check=False, env=variables, cwd=CHECKOUT
@@ -81,7 +81,7 @@ def write(sources: Path, *, whole: bool = True) -> None:
 
 
 def _copy_developer_pages(folder: Path) -> None:
-    """Copy the documents for developers and add the lists of pages that Sphinx needs."""
+    """Copy the developer documents and add the lists of pages that Sphinx needs."""
     shutil.copytree(DEVELOPERS, folder)
     for index, pages in {
         "index.md": (
@@ -132,7 +132,7 @@ def _short(module: str) -> str:
 
 
 def _summary(module: str) -> str:
-    """The first line of a module's docstring."""
+    """Return the first line of a module's docstring."""
     words = ast.get_docstring(trees()[f"{module.replace('.', '/')}.py"]) or ""
     return words.partition("\n\n")[0].replace("\n", " ")
 

@@ -1,4 +1,4 @@
-"""What a name of a docstring or a signature stands for in the API reference."""
+"""Resolve names in docstrings and signatures of the API reference."""
 
 import ast
 from collections.abc import Iterator
@@ -17,12 +17,12 @@ FOREIGN = (
 
 
 def script_names() -> dict[str, str]:
-    """What ``import lispac`` offers: the name in its module, and the one to use it by."""
+    """Return public names of ``import lispac`` by their names in their modules."""
     return {f"{module}.{name}": f"lispac.{name}" for name, module in lispac._WHERE.items()}
 
 
 def documented_as(name: str) -> str:
-    """The name that a thing has in the reference: by ``lispac`` where it is offered there."""
+    """Return the name of an object in the reference: in ``lispac`` if it is public there."""
     for full, short in script_names().items():
         if name == full or name.startswith(f"{full}."):
             return short + name.removeprefix(full)
@@ -31,7 +31,7 @@ def documented_as(name: str) -> str:
 
 @cache
 def known() -> set[str]:
-    """Names in modules and classes: a docstring may speak of a constant that has none."""
+    """Return names in modules and classes, including constants without a docstring."""
     found = set()
     for module, tree in trees().items():
         dotted = module.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
@@ -52,5 +52,5 @@ def _stored(above: str, nodes: list[ast.stmt]) -> Iterator[str]:
 
 
 def is_there(name: str) -> bool:
-    """Whether a name that has no place in the reference is one in the code nevertheless."""
+    """Test whether a name without a place in the reference exists in the code."""
     return name in known() or any(each.endswith(f".{name}") for each in known())
