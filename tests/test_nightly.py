@@ -10,7 +10,7 @@ import pytest
 from tests.extras import nightly
 from tests.extras.nightly import (
     CHECKOUT,
-    COMPILED,
+    COMPILED_MODULES,
     PACKAGES,
     Justifications,
     drawn,
@@ -18,12 +18,12 @@ from tests.extras.nightly import (
     functions_of_packages,
     noticed_afresh,
 )
-from tests.extras.quick import SLOW
+from tests.extras.quick import SLOW_TESTS_FILE
 
 
 def test_what_it_names_is_there() -> None:
     assert all((CHECKOUT / "lispac" / package).is_dir() for package in PACKAGES)
-    assert all((CHECKOUT / module).is_file() for module in COMPILED)
+    assert all((CHECKOUT / module).is_file() for module in COMPILED_MODULES)
     for tests in PACKAGES.values():
         assert [each for each in tests if not (CHECKOUT / f"tests/test_{each}.py").is_file()] == []
 
@@ -136,9 +136,9 @@ def test_a_change_that_shows_only_where_it_is_imported_is_noticed_afresh(
         "TABLE = os.environ.get('MUTANT_UNDER_TEST') != 'a.x_f__mutmut_1'\n"
         "def test_table():\n    assert TABLE\n"
     )
-    (tmp_path / SLOW).write_text('["test_table.py::test_table"]')
+    (tmp_path / SLOW_TESTS_FILE).write_text('["test_table.py::test_table"]')
     found = noticed_afresh(["a.x_f__mutmut_1", "a.x_f__mutmut_2"], tmp_path, [])
-    assert not (tmp_path / SLOW).exists()
+    assert not (tmp_path / SLOW_TESTS_FILE).exists()
     assert found == {"a.x_f__mutmut_1"}
     tests.write_text("def test_never():\n    assert False\n")
     with pytest.raises(nightly.Failed, match="fail without a change too"):

@@ -22,7 +22,7 @@ from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import command_error, is_refusal
 from tests.error_codes import has_code
 
-APPLIED = (0.5, -1.0, 0.7)
+APPLIED_BORESIGHT_DEG = (0.5, -1.0, 0.7)
 """Boresight (deg) that other software made the clouds with."""
 
 
@@ -43,7 +43,7 @@ def write_cloud(path: Path, points: np.ndarray, time: np.ndarray, code: int) -> 
 def clouds(calibrated: tuple[Project, Survey], tmp_path_factory) -> list[LineSource]:
     """Two lines of the built-in survey as georeferenced clouds made with another boresight."""
     project, survey = calibrated
-    mounting = Mounting(np.array(project.settings.lever_arm), np.radians(APPLIED))
+    mounting = Mounting(np.array(project.settings.lever_arm), np.radians(APPLIED_BORESIGHT_DEG))
     system = coordinate_system("EPSG:32619")
     folder = tmp_path_factory.mktemp("clouds")
     sources = []
@@ -61,7 +61,7 @@ def test_georeferenced_lines_are_converted_back_to_the_scanner_frame(
     calibrated, clouds, tmp_path
 ) -> None:
     project, survey = calibrated
-    settings = Settings(lever_arm=project.settings.lever_arm, boresight_deg=APPLIED)
+    settings = Settings(lever_arm=project.settings.lever_arm, boresight_deg=APPLIED_BORESIGHT_DEG)
     made, read = new_project(
         tmp_path / "map", trajectory=project.trajectory, lines=clouds, settings=settings
     )

@@ -37,14 +37,14 @@ from tests.test_robustness import shifted, survey
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
-FIXED = StochasticModel(surface=0.002)
+FIXED_SURFACE_MODEL = StochasticModel(surface=0.002)
 
 
 @pytest.fixture(scope="module")
 def linearised():
     data = survey(1, 0.3)
     data = relative_to_origins(data, target_centroids(data, PRIOR))
-    problem = AdjustmentProblem.of(data, PRIOR, FIXED)
+    problem = AdjustmentProblem.of(data, PRIOR, FIXED_SURFACE_MODEL)
     return iterate(problem, problem.start(PRIOR, fit_shapes(data, PRIOR)), no_progress).linearised
 
 

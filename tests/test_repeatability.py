@@ -13,11 +13,11 @@ Array = NDArray[np.float64]
 SIGMA = np.radians([0.008, 0.010, 0.025])
 CORRELATION = np.array([[1.0, 0.3, -0.4], [0.3, 1.0, 0.2], [-0.4, 0.2, 1.0]])
 COVARIANCE = np.outer(SIGMA, SIGMA) * CORRELATION
-TRUE = np.radians([0.27, -1.14, 0.36])
+TRUE_BORESIGHT = np.radians([0.27, -1.14, 0.36])
 
 
 def drawn(rng: np.random.Generator, name: str = "survey", off: Array | float = 0.0) -> Calibration:
-    return Calibration(name, rng.multivariate_normal(TRUE + off, COVARIANCE), COVARIANCE)
+    return Calibration(name, rng.multivariate_normal(TRUE_BORESIGHT + off, COVARIANCE), COVARIANCE)
 
 
 def test_the_two_surveys_of_the_thesis() -> None:
@@ -81,7 +81,7 @@ def test_sigma_of_a_combination_falls_with_the_root_of_its_number() -> None:
     groups = [combine_calibrations([drawn(rng) for _ in range(4)]) for _ in range(1000)]
     assert np.mean([group.differ for group in groups]) == pytest.approx(0.05, abs=0.02)
     np.testing.assert_allclose(groups[0].sigma, SIGMA / 2)
-    off = np.array([group.boresight for group in groups]) - TRUE
+    off = np.array([group.boresight for group in groups]) - TRUE_BORESIGHT
     np.testing.assert_allclose(off.std(axis=0), SIGMA / 2, rtol=0.07)
     spread = np.sqrt(np.mean([group.spread**2 for group in groups], axis=0))
     np.testing.assert_allclose(spread, SIGMA, rtol=0.05)
@@ -89,10 +89,10 @@ def test_sigma_of_a_combination_falls_with_the_root_of_its_number() -> None:
 
 def test_incomparable_calibrations_are_refused() -> None:
     with pytest.raises(InputError, check=has_code("validation.repeatability_few")):
-        combine_calibrations([Calibration("only", TRUE, COVARIANCE)])
+        combine_calibrations([Calibration("only", TRUE_BORESIGHT, COVARIANCE)])
     with pytest.raises(
         InputError, check=has_code("validation.repeatability_covariance", name="old")
     ):
-        Calibration("old", TRUE, np.zeros((3, 3)))
+        Calibration("old", TRUE_BORESIGHT, np.zeros((3, 3)))
     with pytest.raises(InputError, check=has_code("validation.repeatability_values")):
-        Calibration("old", TRUE[:2], COVARIANCE)
+        Calibration("old", TRUE_BORESIGHT[:2], COVARIANCE)

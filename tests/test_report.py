@@ -32,7 +32,9 @@ from lispac.report.pdf import write_pdf
 from tests.error_codes import has_code
 from tests.report_sample import sample_content, sample_project
 
-ODD = "<script>alert(1)</script> #pagebreak() $x^2$ *b* _u_ \\n \"q\" 'a' & @ref `c` Québec Ωμ"
+SPECIAL_CHARACTERS = (
+    "<script>alert(1)</script> #pagebreak() $x^2$ *b* _u_ \\n \"q\" 'a' & @ref `c` Québec Ωμ"
+)
 
 
 @pytest.fixture(scope="module")
@@ -332,17 +334,17 @@ def test_html_loads_no_other_files(content: ReportContent, tmp_path: Path) -> No
 
 
 def test_special_characters_in_names_are_kept(tmp_path: Path) -> None:
-    project = sample_project(tmp_path / "p", target=ODD)
+    project = sample_project(tmp_path / "p", target=SPECIAL_CHARACTERS)
     content = sample_content(project)
-    content = replace(content, project=ODD)
+    content = replace(content, project=SPECIAL_CHARACTERS)
     page = _page(html_text(content, {}))
-    assert page.words.count(ODD) >= 3
+    assert page.words.count(SPECIAL_CHARACTERS) >= 3
     assert "script" not in page.tags
     path = tmp_path / "odd.pdf"
     write_pdf(content, path, {})
     # Long words may be broken, and a long cell into lines.
     text = re.sub(r"[\s\u200b]", "", _pdf_text(path, "-raw"))
-    assert text.count(re.sub(r"\s", "", ODD)) >= 3
+    assert text.count(re.sub(r"\s", "", SPECIAL_CHARACTERS)) >= 3
 
 
 def test_letters_missing_in_the_fonts_do_not_fail(content: ReportContent, tmp_path: Path) -> None:

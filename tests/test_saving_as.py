@@ -24,7 +24,7 @@ from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.few_lines import picked
 
-KILLED = """
+KILLED_SAVE_SCRIPT = """
 import os, signal, sys
 from pathlib import Path
 from lispac.io.project.project_file import read_project
@@ -74,7 +74,7 @@ def names(folder: Path) -> set[str]:
 @pytest.mark.parametrize("when", ["copying", "writing"])
 def test_files_of_a_killed_save_are_replaced(project: Project, tmp_path: Path, when: str) -> None:
     there = tmp_path / "office"
-    command = [sys.executable, "-c", KILLED, str(project.folder), str(there), when]
+    command = [sys.executable, "-c", KILLED_SAVE_SCRIPT, str(project.folder), str(there), when]
     assert subprocess.run(command, check=False).returncode == -9
     assert not (there / "project.json").exists()
     assert (there / LINES / "one" / MARK).exists()

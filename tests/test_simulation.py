@@ -13,7 +13,7 @@ from lispac.simulation.simulated_survey import SimulatedLine, SimulatedSurvey, p
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 
-SPARSE = 20_000.0  # pulses per second where density does not matter
+SPARSE_PULSES = 20_000.0  # pulses per second where density does not matter
 
 
 @pytest.fixture
@@ -44,7 +44,7 @@ def distances_to_surfaces(survey: SimulatedSurvey, line: SimulatedLine, points) 
 )
 def test_without_errors_every_point_lies_on_its_surface(boresight_deg):
     exact = port_survey(
-        points_per_second=SPARSE, boresight_deg=boresight_deg, noise=False, pos_errors=False
+        points_per_second=SPARSE_PULSES, boresight_deg=boresight_deg, noise=False, pos_errors=False
     )
     for line in exact.lines:
         assert line.label.min() >= 0
@@ -55,7 +55,7 @@ def test_without_errors_every_point_lies_on_its_surface(boresight_deg):
 
 
 def test_a_wrong_boresight_moves_points_off_their_surfaces():
-    exact = port_survey(points_per_second=SPARSE, noise=False, pos_errors=False)
+    exact = port_survey(points_per_second=SPARSE_PULSES, noise=False, pos_errors=False)
     for angle in range(3):
         boresight = exact.boresight.copy()
         boresight[angle] += np.radians(0.001)
@@ -140,7 +140,7 @@ def test_motion_is_smooth_and_continuous(survey):
 
 
 def test_heading_refers_to_north_at_the_vessel():
-    exact = port_survey(points_per_second=SPARSE, noise=False, pos_errors=False)
+    exact = port_survey(points_per_second=SPARSE_PULSES, noise=False, pos_errors=False)
     t = exact.trajectory
     convergence = np.unwrap(t.heading) - t.true_attitude[:, 2]
     convergence -= 2 * np.pi * np.round(convergence / (2 * np.pi))
@@ -220,13 +220,15 @@ def test_errors_of_the_reported_trajectory_follow_the_model(survey):
     error = reported - t.true_position_local
     assert 0.001 < np.abs(error).max() < 0.1
     assert np.abs(np.diff(error, axis=0)).max() < 0.001
-    exact = port_survey(points_per_second=SPARSE, pos_errors=False).trajectory
+    exact = port_survey(points_per_second=SPARSE_PULSES, pos_errors=False).trajectory
     difference = np.degrees(np.stack([t.roll - exact.roll, t.pitch - exact.pitch], axis=1))
     assert 0.0005 < np.abs(difference).max() < 0.05
 
 
 def test_the_same_seed_gives_the_same_survey():
-    first, second, other = (port_survey(points_per_second=SPARSE, seed=seed) for seed in (5, 5, 6))
+    first, second, other = (
+        port_survey(points_per_second=SPARSE_PULSES, seed=seed) for seed in (5, 5, 6)
+    )
     np.testing.assert_array_equal(first.trajectory.latitude, second.trajectory.latitude)
     np.testing.assert_array_equal(first.trajectory.heading, second.trajectory.heading)
     for a, b in zip(first.lines, second.lines, strict=True):
@@ -244,7 +246,7 @@ def test_simulation_reports_progress_and_can_be_cancelled():
             raise Cancelled
 
     with pytest.raises(Cancelled):
-        port_survey(points_per_second=SPARSE, progress=stop_at_half)
+        port_survey(points_per_second=SPARSE_PULSES, progress=stop_at_half)
     assert told == pytest.approx([1 / 6, 2 / 6, 3 / 6])
 
 

@@ -39,7 +39,7 @@ from lispac.survey.trajectory import Poses
 from tests.test_cli import answer, run
 
 ERROR = float(np.radians(2.0))
-UPRIGHT = MARINE_SITE.board(0.0)
+UPRIGHT_BOARD = MARINE_SITE.board(0.0)
 
 
 @pytest.fixture(scope="module")
@@ -63,7 +63,7 @@ def cloud(error: str, heading: int, inclination_deg: float = 0.0, share: float =
 def apart(error: str, headings: tuple[int, int], share: float = 1.0) -> tuple[float, float]:
     """Return offset (metres) and angle (degrees) between two lines on the upright board."""
     one, other = (points_shape(cloud(error, heading, share=share)) for heading in headings)
-    reference = board_plane(UPRIGHT)
+    reference = board_plane(UPRIGHT_BOARD)
     shift = orthogonal_distance(one, reference) - orthogonal_distance(other, reference)
     return abs(shift), float(np.degrees(one.plane.tilt_to(other.plane)))
 
@@ -123,7 +123,7 @@ def test_a_roll_error_rotates_an_upright_board_about_the_line() -> None:
     A positive roll error raises beams to the left. The board is hit higher than the recorded angle,
     so its points appear too low: the board appears rotated about the scanner by e at any range.
     """
-    reference = board_plane(UPRIGHT)
+    reference = board_plane(UPRIGHT_BOARD)
     points = cloud("roll", 0)
     assert points[:, 1] * np.cos(ERROR) - points[:, 2] * np.sin(ERROR) == pytest.approx(
         np.full(len(points), 15.0), abs=1e-9
@@ -337,7 +337,7 @@ def test_the_command_writes_the_tables_it_prints(
     (row,) = (r for r in rows if r["Line (deg)"] == "45" and r["Inclination (deg)"] == "0")
     shape = points_shape(cloud("yaw", 45))
     assert float(row["Signed orthogonal distance (m)"]) == pytest.approx(
-        orthogonal_distance(shape, board_plane(UPRIGHT)), abs=1e-6
+        orthogonal_distance(shape, board_plane(UPRIGHT_BOARD)), abs=1e-6
     )
     assert {r["Type I criterion (0 to 1)"] for r in rows if r["Points"] == "0"} == {"0.0000"}
 
@@ -357,7 +357,7 @@ def test_a_real_board_is_not_compared_with_the_thesis(
 def test_the_angular_deviation_has_no_sign() -> None:
     """Lines rotated by 2 deg in opposite directions have equal deviations but differ by 4 deg."""
     one, other = (points_shape(cloud("roll", heading)) for heading in (0, 180))
-    reference = board_plane(UPRIGHT)
+    reference = board_plane(UPRIGHT_BOARD)
     assert angular_deviation(one, reference) == pytest.approx(ERROR, abs=1e-9)
     assert angular_deviation(other, reference) == pytest.approx(ERROR, abs=1e-9)
     assert one.plane.tilt_to(other.plane) == pytest.approx(2 * ERROR, abs=1e-9)

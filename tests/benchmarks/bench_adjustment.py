@@ -25,7 +25,7 @@ MODELS = (
     StochasticModel("correlated"),
     StochasticModel("correlated", loss="tukey"),
 )
-THESIS_SECONDS = (145.0, 532.0)
+THESIS_TIMES = (145.0, 532.0)
 """Seconds of the program of the thesis for 820 and for 1,671 points (table 4.3)."""
 
 
@@ -51,7 +51,7 @@ def test_adjustment(points):
         )
         if points == 2_600:
             print(
-                f", {THESIS_SECONDS[0] / time:,.0f} to {THESIS_SECONDS[1] / time:,.0f} x the thesis",
+                f", {THESIS_TIMES[0] / time:,.0f} to {THESIS_TIMES[1] / time:,.0f} x the thesis",
                 end="",
             )
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6

@@ -26,7 +26,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-from tests.extras.quick import SLOW
+from tests.extras.quick import SLOW_TESTS_FILE
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 PYTEST = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
@@ -57,7 +57,7 @@ PACKAGES = {
     ),
 }  # fmt: skip
 """Packages for mutation tests, with the tests that are fast enough for them."""
-COMPILED = ("lispac/geometry/nearest_neighbours.py", "lispac/survey/kernels.py")
+COMPILED_MODULES = ("lispac/geometry/nearest_neighbours.py", "lispac/survey/kernels.py")
 """Compiled modules, which are not mutated: each change would need a new compilation."""
 NOT_MUTATED = (r"^\s*raise ", r"dtype=")
 """Statements that are not mutated: messages to users, and redundant `dtype` arguments."""
@@ -193,7 +193,7 @@ def noticed_afresh(names: Sequence[str], mutants: Path, tests: Sequence[str]) ->
     at import, such as the table of conventions, are never mutated. Few mutations are tried here, so
     slow tests are run too.
     """
-    (mutants / SLOW).unlink(missing_ok=True)
+    (mutants / SLOW_TESTS_FILE).unlink(missing_ok=True)
 
     def passes(**environment: str) -> bool:
         command = [*PYTEST, "-x", *tests]
@@ -222,7 +222,7 @@ def _leave_out_slow(mutants: Path) -> None:
         return
     seconds = json.loads(known.read_text(encoding="utf-8"))["duration_by_test"]
     slow = [name for name, each in seconds.items() if each > MAX_TEST_SECONDS]
-    (mutants / SLOW).write_text(json.dumps(slow), encoding="utf-8")
+    (mutants / SLOW_TESTS_FILE).write_text(json.dumps(slow), encoding="utf-8")
 
 
 def _results(mutmut: Sequence[str], place: Path) -> dict[str, str]:
@@ -368,7 +368,7 @@ def _files(tests: Sequence[str]) -> list[str]:
 def _settings(package: str, tests: Sequence[str]) -> str:
     lists = {
         "only_mutate": [f"lispac/{package}/*"],
-        "do_not_mutate": COMPILED,
+        "do_not_mutate": COMPILED_MODULES,
         "do_not_mutate_patterns": NOT_MUTATED,
         "also_copy": ["tests/", "resources/", "installer/", "pyproject.toml", "README.md"],
         "pytest_add_cli_args_test_selection": _files(tests),

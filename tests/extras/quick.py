@@ -1,7 +1,7 @@
 """Plugin of pytest for mutation tests that skips slow tests.
 
 Each mutation runs in a separate process, where session fixtures are created again. The times of the
-other tests are known after mutmut's first run; `SLOW` names the slow ones.
+other tests are known after mutmut's first run; `SLOW_TESTS_FILE` names the slow ones.
 
 These processes are forks of one that has run the tests, without its threads. Code that waits for
 threads of the LAZ library would block until the mutation is counted as a timeout.
@@ -16,7 +16,7 @@ SURVEY_FIXTURES = {
     "calibrated", "copy", "demo_project", "port", "shared_data", "sparse_project", "printed_demo",
     "whole_demo",
 }  # fmt: skip
-SLOW = Path("slow-tests.json")
+SLOW_TESTS_FILE = Path("slow-tests.json")
 """File with names of slow tests, in the folder created by mutmut."""
 
 
@@ -30,7 +30,11 @@ def pytest_configure() -> None:
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Keep tests without slow fixtures."""
-    slow = set(json.loads(SLOW.read_text(encoding="utf-8"))) if SLOW.is_file() else set()
+    slow = (
+        set(json.loads(SLOW_TESTS_FILE.read_text(encoding="utf-8")))
+        if SLOW_TESTS_FILE.is_file()
+        else set()
+    )
     left_out = {
         each for each in items
         if each.nodeid in slow or SURVEY_FIXTURES & set(getattr(each, "fixturenames", ()))

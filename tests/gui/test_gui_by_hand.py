@@ -31,7 +31,7 @@ from tests.gui.import_support import drop, raw
 from tests.gui.killed import killed_after_editing
 from tests.gui.support import Control, Demo, Key, Left, click, press
 
-NOTCHES = 12
+ZOOM_NOTCHES = 12
 """Notches of the wheel until a plane of the demo fills the view."""
 
 
@@ -46,7 +46,7 @@ def spot(hands: Hands, name: str) -> QPoint:
     def drawn() -> QPoint:
         return QPoint(*(int(v) for v in hands.viewport.to_pixels(aim[None])[0][:2]))
 
-    for _ in range(NOTCHES):
+    for _ in range(ZOOM_NOTCHES):
         at = QPointF(drawn())
         turned = QWheelEvent(
             at, QPointF(hands.viewport.canvas.mapToGlobal(at.toPoint())), QPoint(), QPoint(0, 120),

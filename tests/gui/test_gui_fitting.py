@@ -39,8 +39,8 @@ from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
 from tests.gui.support import WAIT_MS, Demo, Driver
 
-SMALL = (1366, 740)
-LOW = QSize(1326, 728)
+SMALL_WINDOW = (1366, 740)
+LOW_SCREEN = QSize(1326, 728)
 """Space for a dialog on a screen of 1366 × 768."""
 
 
@@ -112,7 +112,7 @@ class _DialogOnLowScreen(VisibilityDialog):
 
     @property
     def available_size(self) -> QSize:
-        return LOW
+        return LOW_SCREEN
 
 
 def test_a_study_fits_a_low_screen(
@@ -126,10 +126,10 @@ def test_a_study_fits_a_low_screen(
     for site in range(dialog.site.count()):
         dialog.site.setCurrentIndex(site)
         QApplication.processEvents()
-        assert dialog.height() <= LOW.height()
-        assert dialog.width() <= LOW.width()
+        assert dialog.height() <= LOW_SCREEN.height()
+        assert dialog.width() <= LOW_SCREEN.width()
         close = dialog.findChild(QPushButton, "visibility_close")
-        assert close.mapTo(dialog, close.rect().bottomRight()).y() < LOW.height()
+        assert close.mapTo(dialog, close.rect().bottomRight()).y() < LOW_SCREEN.height()
         assert dialog.canvas.height() >= 150
         header = dialog.table.horizontalHeader()
         assert dialog.table.horizontalScrollBar().maximum() == 0
@@ -141,12 +141,12 @@ def test_comparisons_need_no_scrolling_on_a_small_screen(
     driver: Driver, demo: Demo, validated: Project, spoken: str
 ) -> None:
     window = driver.window
-    window.resize(*SMALL)
+    window.resize(*SMALL_WINDOW)
     window.document.open(validated, demo.survey)
     window.docks["Histograms"].raise_()
     driver.rest()
     driver.bot.waitUntil(window.histograms.table.isVisible, timeout=WAIT_MS)
-    assert window.width() == SMALL[0]
+    assert window.width() == SMALL_WINDOW[0]
     assert window.histograms.table.horizontalScrollBar().maximum() == 0
 
 

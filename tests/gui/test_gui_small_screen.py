@@ -15,7 +15,7 @@ from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.language import LANGUAGES
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press
 
-SMALL, LARGE = (1366, 740), (1600, 960)
+SMALL_WINDOW, LARGE_WINDOW = (1366, 740), (1600, 960)
 
 
 @pytest.fixture(params=LANGUAGES)
@@ -27,7 +27,7 @@ def small(
     theme.apply_theme(qapp)
     made = Driver(qtbot, RecordingViewport(), tmp_path)
     try:
-        made.window.resize(*SMALL)
+        made.window.resize(*SMALL_WINDOW)
         made.window.document.open(demo.picked, demo.survey)
         made.rest()
         yield made
@@ -42,7 +42,7 @@ def test_the_patch_test_needs_no_horizontal_scrolling(small: Driver) -> None:
     panel.show_objects(["O1", "O2"], (), "O1")
     panel.angles.show_found([0.01] * 3, [0.001] * 3)
     area = panel.findChild(QScrollArea)
-    for size, beside in ((SMALL, False), (LARGE, True), (SMALL, False)):
+    for size, beside in ((SMALL_WINDOW, False), (LARGE_WINDOW, True), (SMALL_WINDOW, False)):
         window.resize(*size)
         small.bot.waitUntil(lambda: window.width() == size[0], timeout=WAIT_MS)  # noqa: B023
         small.bot.waitUntil(lambda: area.horizontalScrollBar().maximum() == 0, timeout=WAIT_MS)

@@ -12,7 +12,7 @@ from tests.gui.support import WAIT_MS, Driver, Key, open_step
 
 MAX_STOPS = 200
 """More than the number of tab stops of the window."""
-SMALL = 1366, 740
+SMALL_WINDOW = 1366, 740
 
 
 def round_trip(driver: Driver, key: Qt.Key) -> list[QWidget]:
@@ -97,7 +97,7 @@ def test_only_docks_in_front_have_tab_stops(driver: Driver) -> None:
 
 def test_every_tab_stop_of_a_calibrated_project_is_visible(adjusted: Driver) -> None:
     window = adjusted.window
-    window.resize(*SMALL)
+    window.resize(*SMALL_WINDOW)
     for step, header in enumerate(window.workflow.headers):
         open_step(adjusted, step)
         header.setFocus()
@@ -113,7 +113,7 @@ def test_every_tab_stop_of_a_calibrated_project_is_visible(adjusted: Driver) -> 
 
 def test_focused_controls_are_scrolled_into_view(adjusted: Driver) -> None:
     window = adjusted.window
-    window.resize(*SMALL)
+    window.resize(*SMALL_WINDOW)
     open_step(adjusted, 0)
     window.workflow.headers[1].setFocus()
     adjusted.bot.keyClick(window.workflow.headers[1], Key.Key_Backtab)
