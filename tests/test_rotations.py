@@ -1,3 +1,5 @@
+"""Tests of rotation matrices, their angles and their derivatives."""
+
 import numpy as np
 import pytest
 from hypothesis import given

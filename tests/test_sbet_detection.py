@@ -1,3 +1,5 @@
+"""Tests of the detection of conventions, units and errors of SBET files."""
+
 from pathlib import Path
 
 import numpy as np

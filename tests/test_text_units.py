@@ -288,7 +288,7 @@ def points(path: Path, head: str, *columns: np.ndarray) -> PointChunk:
     ],
 )
 def test_units_of_points_are_used(tmp_path: Path, head: str, second: float, metre: float) -> None:
-    chunk = points(tmp_path / "a.csv", head, TIME * second, *(XYZ * metre).HEAD)
+    chunk = points(tmp_path / "a.csv", head, TIME * second, *(XYZ * metre).T)
     np.testing.assert_allclose(chunk.xyz, XYZ, rtol=1e-7, atol=1e-8)
     np.testing.assert_allclose(chunk.time, TIME, rtol=1e-10)
 
@@ -310,7 +310,7 @@ def test_an_elevation_in_degrees_is_not_a_height(tmp_path: Path) -> None:
 )
 def test_different_units_of_one_point_are_refused(tmp_path: Path, head: str, code: str) -> None:
     with pytest.raises(InputError, match=r"a\.csv") as refused:
-        points(tmp_path / "a.csv", head, TIME, *XYZ.HEAD)
+        points(tmp_path / "a.csv", head, TIME, *XYZ.T)
     assert refused.value.code == code
 
 
@@ -389,7 +389,7 @@ def test_hemispheres_of_seeds_are_not_ignored(
 @pytest.mark.parametrize("title", ["lon [deg W]", "lon [rad]"])
 def test_longitudes_of_points_in_other_notations_are_refused(tmp_path: Path, title: str) -> None:
     with pytest.raises(InputError) as refused:
-        points(tmp_path / "a.csv", f"time,{title},lat,h", TIME, *XYZ.HEAD)
+        points(tmp_path / "a.csv", f"time,{title},lat,h", TIME, *XYZ.T)
     assert refused.value.code == "text.not_degrees"
     assert title in str(refused.value)
 

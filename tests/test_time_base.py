@@ -1,3 +1,5 @@
+"""Tests of time bases, their detection, and the coverage of lines by the trajectory."""
+
 from datetime import UTC, datetime
 
 import numpy as np

@@ -1,3 +1,5 @@
+"""Tests of reading trajectories in all formats."""
+
 import calendar
 from pathlib import Path
 

@@ -111,7 +111,7 @@ def test_times_that_contradict_the_given_base_are_reported() -> None:
 
 
 def test_a_heading_across_the_course_gives_a_warning(tmp_path: Path) -> None:
-    """The vessel has a drift angle of two degrees to starboard."""
+    """The heading of the valid file is two degrees to starboard of its course."""
     records = vessel()
     assert not SBET.preview(write_records(tmp_path / "a.sbet", records), {}).file_warnings
     records[:, 9] += np.radians(80)

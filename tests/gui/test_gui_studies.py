@@ -237,9 +237,7 @@ def test_the_visibility_study_shows_and_copies_its_tables(
             "Roll 2 deg", "Pitch 2 deg", "Yaw 2 deg",
         ]  # fmt: skip
         assert dialog.error.currentText() == "Yaw 2 deg"
-        shiboken6.delete(
-            dialog.reading
-        )  # the order of deletion at exit differs from the displayed order
+        shiboken6.delete(dialog.reading)  # as at exit, in another order
         LocationEvent("axes_leave_event", dialog.canvas, x, y)._process()
         assert capsys.readouterr().err == ""
 
