@@ -114,7 +114,7 @@ def test_a_trajectory_as_text_gives_the_same_poses(calibrated, tmp_path) -> None
     np.testing.assert_allclose(poses.attitude, expected.attitude, atol=1e-8)
 
 
-def test_lines_in_another_time_base_are_refused_with_the_shift_and_read_with_it(
+def test_lines_in_another_time_base_are_refused_with_a_suggested_shift(
     calibrated, tmp_path
 ) -> None:
     project, survey = calibrated

@@ -41,7 +41,7 @@ def test_every_file_in_the_folder_is_tested() -> None:
     assert {path.name for path in FOLDER.glob("*.la[sz]")} == set(POINTS)
 
 
-def test_the_first_point_is_the_published_one() -> None:
+def test_the_first_point_equals_the_published_values() -> None:
     """The expected values are printed in the documentation of libLAS and PDAL."""
     _, chunk = read("simple.laz")
     np.testing.assert_allclose(chunk.xyz[0], (637_012.24, 849_028.31, 431.66), atol=1e-6)

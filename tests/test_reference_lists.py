@@ -31,7 +31,7 @@ def corners(path: Path, off: float = 0.0) -> Path:
 
 
 @pytest.mark.parametrize("off", [0.0, 0.02])
-def test_a_surveyed_point_off_its_plane_is_reported(
+def test_a_surveyed_point_away_from_its_plane_is_reported(
     known: tuple[Project, Survey], tmp_path: Path, off: float
 ) -> None:
     """The point is the centre of five, so the fitted plane moves by a fifth of its offset."""
@@ -73,7 +73,9 @@ def test_a_scan_with_too_many_points_is_sampled_evenly(
     assert (last.code, last.params["one_in"]) == ("reference.points_used_sample", 4)
 
 
-def test_a_scan_beside_the_lines_is_refused(known: tuple[Project, Survey], tmp_path: Path) -> None:
+def test_a_scan_away_from_the_lines_is_refused(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
     """The scan is near enough to be of this site, but the lines have no points there."""
     path = tmp_path / "scan.xyz"
     np.savetxt(path, on_board("T1", 0, 0) + [200.0, 0.0, 0.0] + np.eye(3)[np.arange(1200) % 3])

@@ -160,7 +160,7 @@ def _signed_numbers(places: dict, planes: dict) -> list[str]:
     ]
 
 
-def test_angles_uncertainty_and_effect(content: ReportContent) -> None:
+def test_report_has_angles_uncertainties_and_effects(content: ReportContent) -> None:
     roll, pitch, yaw = content.angles
     assert roll.estimated_deg == pytest.approx(0.43951)
     assert pitch.sigma_deg == pytest.approx(0.0291)
@@ -189,7 +189,7 @@ def test_files_are_identified_by_digest(content: ReportContent, project: Project
     assert line.sha256 == hashlib.sha256(data).hexdigest()
 
 
-def test_missing_file_is_a_warning_and_no_failure(project: Project, tmp_path: Path) -> None:
+def test_a_missing_file_gives_a_warning_in_the_report(project: Project, tmp_path: Path) -> None:
     moved = replace(project, trajectory=tmp_path / "gone.sbet")
     content = sample_content(moved)
     assert content.files[0].sha256 is None
@@ -223,7 +223,7 @@ def test_each_rule_of_the_report_gives_its_warning(project: Project) -> None:
     assert found.warnings[0].level is Level.WARNING
 
 
-def test_targets_seen_on_few_lines(project: Project) -> None:
+def test_targets_seen_on_few_lines_give_a_warning(project: Project) -> None:
     first, second, *rest = project.targets
     few = replace(first, sightings=first.sightings[:1], missing={"L2": note("finder.not_alike")})
     some = replace(second, sightings=second.sightings[:2])
@@ -237,7 +237,7 @@ def test_targets_seen_on_few_lines(project: Project) -> None:
     assert f"T1 was not found on L2. {reason}" in html
 
 
-def test_truth_of_a_simulated_survey(project: Project) -> None:
+def test_truth_of_a_simulated_survey_is_reported(project: Project) -> None:
     content = sample_content(replace(project, truth_deg=(0.44, -1.87, 0.6)))
     assert content.angles[0].error_deg == pytest.approx(0.43951 - 0.44)
     assert {"report.simulated", "report.truth_outside"} <= _codes(content)
@@ -246,7 +246,7 @@ def test_truth_of_a_simulated_survey(project: Project) -> None:
     assert note("quantity.roll") not in outside.params["angles"]
 
 
-def test_json_holds_full_precision(content: ReportContent, tmp_path: Path) -> None:
+def test_json_has_full_precision(content: ReportContent, tmp_path: Path) -> None:
     path = tmp_path / "report.json"
     write_json(content, path)
     data = json.loads(path.read_text(encoding="utf-8"))
@@ -272,7 +272,7 @@ def test_pdf_and_html_show_the_numbers_of_the_json(content: ReportContent, tmp_p
     assert "Page 1 of" in text
 
 
-def test_tables_hold_the_numbers_of_the_json(content: ReportContent, tmp_path: Path) -> None:
+def test_tables_have_the_numbers_of_the_json(content: ReportContent, tmp_path: Path) -> None:
     write_json(content, tmp_path / "r.json")
     data = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
     write_tables(content, tmp_path / "r.zip")

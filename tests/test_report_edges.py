@@ -86,7 +86,7 @@ def test_errors_of_surveys_are_drawn_over_what_was_predicted() -> None:
         assert sum(bar.get_height() for bar in axes.patches) == 400
 
 
-def test_a_comparison_of_an_earlier_version_has_no_profile(project: Project) -> None:
+def test_a_comparison_of_an_earlier_version_has_no_profile_figure(project: Project) -> None:
     plane = project.validation[0]
     old = profile_figure(replace(plane, by_height=None, by_range=None))
     (axes,) = old.axes

@@ -304,7 +304,7 @@ def test_no_part_of_a_name_is_translated(tmp_path: Path, name: str, case: int) -
     assert after.count(name) == before.count(name)
 
 
-def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None:
+def test_pdf_html_and_tables_are_french(project: Project, tmp_path: Path) -> None:
     content = content_of_sample(project)
     write_pdf(content, tmp_path / "r.pdf", {}, FRENCH)
     text = _pdf_text(tmp_path / "r.pdf")

@@ -138,7 +138,7 @@ def test_a_missing_or_binary_template_is_refused(tmp_path: Path) -> None:
     assert raised.value.code == "report_template.not_toml"
 
 
-def test_a_logo_that_cannot_be_drawn_is_named(
+def test_an_invalid_logo_is_named(
     demo_project: Project, template: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     logo = template.parent / "art" / "logo.svg"

@@ -128,7 +128,7 @@ def test_points_are_averaged_or_selected(project: Project, tmp_path: Path) -> No
         assert facts["Point spacing"].startswith(word)
 
 
-def test_variance_components_with_their_intervals(changed: Changed) -> None:
+def test_variance_components_are_reported_with_their_intervals(changed: Changed) -> None:
     found = (
         VarianceComponent("LiDAR", 0.82, 0.78, 0.87, applied=True),
         VarianceComponent("POS position", 1.3, 0.6, 2.9, applied=True),
@@ -150,7 +150,7 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
     )
 
 
-def test_extra_parameters(project: Project, changed: Changed) -> None:
+def test_extra_parameters_are_reported(project: Project, changed: Changed) -> None:
     document = report_document(sample_content(project), {})
     row = _tables(document)["Parameters estimated together with the boresight"].rows[0]
     assert row == (
@@ -175,7 +175,7 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     assert rows[2][2] == "2.00\u00a0ms"
 
 
-def test_heat_map_only_beside_extra_parameters(project: Project, tmp_path: Path) -> None:
+def test_heat_map_is_shown_only_with_extra_parameters(project: Project, tmp_path: Path) -> None:
     def captions(content: ReportContent) -> list[str]:
         blocks = report_document(content, {}).sections[0].blocks
         return [block.caption for block in blocks if block.kind == "picture"]
@@ -244,7 +244,7 @@ def test_cross_checks_that_disagree_give_a_warning(project: Project) -> None:
     assert part.params["ratio"] == pytest.approx(4.1)
 
 
-def test_failed_chi_square_is_serious_in_the_classical_model_alone(
+def test_failed_chi_square_is_a_warning_only_in_the_classical_model(
     project: Project, changed: Changed
 ) -> None:
     test = replace(_result(project).chi_square, statistic=1e6)
@@ -258,7 +258,7 @@ def test_failed_chi_square_is_serious_in_the_classical_model_alone(
         ] == [(level, code)]
 
 
-def test_spheres_are_called_spheres(project: Project, changed: Changed) -> None:
+def test_spheres_are_named_as_such_in_the_report(project: Project, changed: Changed) -> None:
     first, second = _result(project).targets
     ball = replace(second, sphere=True, plane=np.array([1.0, 2.0, 3.0, 0.1004]))
     content = changed(targets=(first, ball))
@@ -314,7 +314,7 @@ def test_pos_error_figure_marks_errors_beyond_the_prior(changed: Changed, projec
     assert len(figures.pos_error_figures_of(checks.sightings * 5)) == 3
 
 
-def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed: Changed) -> None:
+def test_a_large_sigma_gives_a_warning_with_its_cause(project: Project, changed: Changed) -> None:
     result = _result(project)
     large = result.covariance_all.copy()
     large[0, 0] = np.radians(0.5) ** 2

@@ -84,7 +84,7 @@ def in_axes(records: np.ndarray, axes: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize("axes", VELOCITY_AXES)
-def test_velocity_frame_is_found(tmp_path: Path, axes: str) -> None:
+def test_velocity_frame_is_detected(tmp_path: Path, axes: str) -> None:
     records = in_axes(vessel(wander=np.radians(3)), axes)
     finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert finding.choice["axes"] == axes
@@ -92,7 +92,7 @@ def test_velocity_frame_is_found(tmp_path: Path, axes: str) -> None:
     assert has(finding, "sbet.heading_uncertain") == (not axes.startswith("wander"))
 
 
-def test_true_heading_is_found_where_the_wander_angle_is_large(tmp_path: Path) -> None:
+def test_true_heading_is_detected_with_a_large_wander_angle(tmp_path: Path) -> None:
     records = in_axes(vessel(wander=np.radians(50)), "ned")
     records[:, 9] -= records[:, 10]
     finding = preview_of(write_records(tmp_path / "a.sbet", records))

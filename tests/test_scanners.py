@@ -63,7 +63,7 @@ def test_angle_noise_acts_along_and_across_the_rotation(axis) -> None:
 
 
 @pytest.mark.parametrize("axis", ["x", "z"])
-def test_starboard_is_the_mirror_image_of_port(axis) -> None:
+def test_scanning_to_starboard_mirrors_scanning_to_port(axis) -> None:
     low, high = np.radians([20.0, 60.0])
     scanner = replace(SPINNING, axis=axis, window=(low, high), elevations=(0.0,))
     port = seen(scanner, DOME).points_lidar

@@ -222,7 +222,7 @@ def test_a_mesh_is_read_beside_its_scene_and_occludes_the_board(tmp_path: Path) 
         ('title = "A board"', 'title = " "', "toml.not_text", {"key": "title", "value": "' '"}),
     ],
 )  # fmt: skip
-def test_mistakes_in_a_scene_are_reported(
+def test_errors_in_a_scene_file_are_reported(
     old: str, new: str, code: str, params: dict[str, object], tmp_path: Path
 ) -> None:
     path = edited(tmp_path, SCENE, old, new)
@@ -250,7 +250,7 @@ def test_a_number_instead_of_tables_is_refused(tmp_path: Path) -> None:
         assert told.value.message.params["key"] == key
 
 
-def test_a_ball_is_where_its_scene_says(tmp_path: Path) -> None:
+def test_a_ball_has_the_position_of_its_scene_file(tmp_path: Path) -> None:
     ball = 'kind = "sphere"\nname = "B1"\nrole = "target"\ncentre_m = [1, -10, 5]\nradius_m = 0.3'
     path = edited(tmp_path, SCENE, "[[surfaces]]", f"[[surfaces]]\n{ball}\n[[surfaces]]")
     read = read_scene(path)
@@ -275,7 +275,7 @@ def test_a_ball_is_where_its_scene_says(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_mistakes_in_a_vessel_are_reported(
+def test_errors_in_a_vessel_file_are_reported(
     old: str, new: str, code: str, params: dict[str, str], tmp_path: Path
 ) -> None:
     with pytest.raises(InputError) as told:
@@ -294,7 +294,7 @@ def test_mistakes_in_a_vessel_are_reported(
         ("title", "unverified = 1\ntitle", "toml.not_true_or_false", {"key": "unverified"}),
     ],
 )
-def test_mistakes_in_a_scanner_are_reported(
+def test_errors_in_a_scanner_file_are_reported(
     old: str, new: str, code: str, params: dict[str, object], tmp_path: Path
 ) -> None:
     with pytest.raises(InputError) as told:

@@ -42,7 +42,7 @@ def distances_to_surfaces(survey: SimulatedSurvey, line: SimulatedLine, points) 
 @pytest.mark.parametrize(
     "boresight_deg", [(0.0, 0.0, 0.0), (2.0, 2.0, 2.0), (-1.7, 0.4, -2.9), (0.3, -3.1, 1.2)]
 )
-def test_without_errors_every_point_lies_on_its_surface(boresight_deg):
+def test_points_without_errors_are_on_their_surfaces(boresight_deg):
     exact = port_survey(
         points_per_second=SPARSE_PULSES, boresight_deg=boresight_deg, noise=False, pos_errors=False
     )
@@ -122,7 +122,7 @@ def test_site_has_the_documented_layout(survey):
     assert [line.heading_deg for line in survey.lines] == pytest.approx([0, 180, 45, 225, 315, 135])
 
 
-def test_seeds_lie_on_planes(survey):
+def test_seeds_are_on_their_planes(survey):
     for name, seed in {**survey.targets, **survey.validation}.items():
         assert survey.scene[name].distance(seed[None])[0] == pytest.approx(0, abs=1e-12)
 
@@ -250,7 +250,7 @@ def test_simulation_reports_progress_and_can_be_cancelled():
     assert told == pytest.approx([1 / 6, 2 / 6, 3 / 6])
 
 
-def test_memory_stays_small(survey):
+def test_memory_of_the_simulation_is_limited(survey):
     t = survey.trajectory
     arrays = [v for x in (t, *survey.lines) for v in vars(x).values() if hasattr(v, "nbytes")]
     assert sum(a.nbytes for a in arrays) < 300e6

@@ -135,7 +135,7 @@ def test_a_file_without_a_matching_format_is_refused(folder: Path) -> None:
     assert usual_or_detected_reading(path, "trajectory", Reading()) == (Reading(), ())
 
 
-def test_an_accuracy_of_another_day_is_refused(project: Project, folder: Path) -> None:
+def test_accuracies_of_another_day_are_refused(project: Project, folder: Path) -> None:
     rows = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
     for first in (START - 1000, START + 1000):
         rows[:, 0] = first + np.arange(41)

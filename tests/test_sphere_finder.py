@@ -190,7 +190,7 @@ def test_a_small_ball_before_a_large_one_is_found_where_it_was_clicked():
         (np.zeros((500, 3)), np.zeros(2), "finder.seed", {}),
     ],
 )
-def test_without_points_the_reason_is_given(points, seed, code, params):
+def test_a_search_without_points_gives_the_reason(points, seed, code, params):
     with pytest.raises(SphereNotFound, check=has_code(code, **params)):
         find_sphere(points, seed, ANY_RADIUS, SETTINGS)
 

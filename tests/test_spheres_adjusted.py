@@ -63,7 +63,7 @@ def test_the_cap_of_a_ball_faces_the_scanner(scanner):
     # radius 0.1 m) the prior must be correct to a few tenths of a degree.
     [(True, False, 0.0), (False, False, 0.0), (True, True, 0.0), (False, True, 1.7)],
 )
-def test_closed_loop_without_noise(model, known, with_board, start_deg):
+def test_true_boresight_is_recovered_without_noise(model, known, with_board, start_deg):
     targets = [*three_balls(known), *(THESIS_BOARDS[1:] if with_board else ())]
     exact = error_free_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(1))
     assert set(exact.radii.values()) == {0.1 if known else None}

@@ -94,7 +94,9 @@ def linear(track: Trajectory) -> Trajectory:
 
 @pytest.mark.parametrize("place", ORIGINS_DEG)
 @pytest.mark.parametrize("axes", ["unknown", "wander-nwu"])
-def test_at_10_hz_errors_are_five_times_smaller(tmp_path: Path, place: str, axes: str) -> None:
+def test_interpolation_errors_at_10_hz_are_five_times_smaller(
+    tmp_path: Path, place: str, axes: str
+) -> None:
     path = tmp_path / "a.sbet"
     frame = sbet(path, 10.0, place)
     track = read_sbet(path, SbetOptions(axes=axes))
@@ -135,7 +137,7 @@ def test_the_states_of_the_file_are_kept(tmp_path: Path) -> None:
         (14, lambda v: -v, 3), (15, lambda v: np.degrees(v), 4), (14, lambda v: 0 * v, 3),
     ],
 )  # fmt: skip
-def test_derivatives_that_contradict_the_states_are_not_used(
+def test_rates_that_contradict_the_states_are_not_used(
     tmp_path: Path, column: int, change: object, component: int
 ) -> None:
     path = tmp_path / "a.sbet"

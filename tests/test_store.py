@@ -234,7 +234,7 @@ def test_points_of_one_cell_are_never_all_in_memory(tmp_path: Path, monkeypatch)
     assert is_fair(found.time[rows], line.time)
 
 
-def test_cells_grow_where_points_are_sparse(tmp_path: Path) -> None:
+def test_cells_are_larger_for_sparse_points(tmp_path: Path) -> None:
     sparse = Line(3_000)
     sparse.xyz *= 30
     assert stored(tmp_path, sparse).manifest.side > 2.0
@@ -284,7 +284,7 @@ def test_blocks_of_another_file_are_not_used(tmp_path: Path) -> None:
     assert source.asked == [0]
 
 
-def test_new_import_replaces_the_old_one_at_its_end(tmp_path: Path) -> None:
+def test_a_new_import_replaces_the_old_one_only_when_complete(tmp_path: Path) -> None:
     old = stored(tmp_path)
     other = Line(1_200, seed=9)
     with pytest.raises(Cancelled):

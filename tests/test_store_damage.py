@@ -30,7 +30,7 @@ pytestmark = pytest.mark.usefixtures("small")
 
 @pytest.mark.parametrize("name", ["xyz", "time", "number", "row", "octaves", "coarse_xyz"])
 @pytest.mark.parametrize("kept", [0.0, 0.5, None])
-def test_column_cut_short_or_missing_is_refused(tmp_path: Path, name: str, kept) -> None:
+def test_a_truncated_or_missing_column_is_refused(tmp_path: Path, name: str, kept) -> None:
     stored(tmp_path)
     path = tmp_path / "columns-1" / f"{name}.npy"
     if kept is None:
@@ -177,7 +177,7 @@ def test_damaged_manifest_is_refused_and_imported_again(tmp_path: Path, harm, co
     assert files_of(stored(tmp_path).manifest) == files_of(whole)
 
 
-def test_newer_store_is_not_touched(tmp_path: Path) -> None:
+def test_a_store_of_a_newer_version_is_not_changed(tmp_path: Path) -> None:
     stored(tmp_path)
     path = tmp_path / "store.json"
     path.write_text(path.read_text().replace(f'"version": {VERSION}', f'"version": {VERSION + 1}'))

@@ -123,7 +123,7 @@ def test_points_of_any_time_base_match_the_trajectory(survey, other, where) -> N
 
 
 @given(st.floats(0, WEEK - 1), st.sampled_from([DAY, WEEK]), st.floats(0.01, 20))
-def test_wrapped_times_are_unrolled(start: float, period: float, step: float) -> None:
+def test_wrapped_times_are_made_continuous(start: float, period: float, step: float) -> None:
     true = start + step * np.arange(300)
     back, count = unroll_times(true % period)
     np.testing.assert_allclose(back - back[0], true - true[0], rtol=0, atol=1e-6)
@@ -232,7 +232,7 @@ def test_valid_times_have_no_warnings(sound: np.ndarray) -> None:
     assert assess_times(sound).messages("a") == ()
 
 
-def test_disorder_is_counted() -> None:
+def test_duplicate_and_backward_times_are_counted() -> None:
     quality = assess_times(np.array([0.1, 0.2, 0.2, 0.3, 0.15, 0.4, 0.4, np.nan]))
     assert (quality.duplicates, quality.backward, quality.first_disorder) == (2, 1, 2)
 

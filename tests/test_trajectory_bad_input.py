@@ -354,7 +354,7 @@ def test_invalid_choices_are_refused(
     assert dict(message.params).items() >= params.items()
 
 
-def test_exchanged_positions_past_the_pole(tmp_path: Path) -> None:
+def test_exchanged_positions_beyond_the_pole_are_refused(tmp_path: Path) -> None:
     rows = "\n".join(f"{k} -123.5 45.5 10 0 0 90" for k in range(1000, 1010))
     (tmp_path / "a.txt").write_text(rows)
     message = error_of("ascii-trajectory", tmp_path / "a.txt").message
@@ -371,7 +371,9 @@ def test_exchanged_positions_past_the_pole(tmp_path: Path) -> None:
         ("EPSG:32618", None),
     ],
 )
-def test_coordinate_systems(tmp_path: Path, crs: str, code: str | None) -> None:
+def test_wrong_coordinate_systems_of_trajectories_are_refused(
+    tmp_path: Path, crs: str, code: str | None
+) -> None:
     rows = "\n".join(f"{k} 600000 5040000 10 0 0 90" for k in range(1000, 1010))
     (tmp_path / "a.txt").write_text(rows)
     columns = "time easting northing height roll pitch heading"
@@ -383,7 +385,7 @@ def test_coordinate_systems(tmp_path: Path, crs: str, code: str | None) -> None:
     assert error_of("ascii-trajectory", tmp_path / "a.txt", choice).code == code
 
 
-def test_file_without_permission(tmp_path: Path) -> None:
+def test_a_file_without_permission_is_refused(tmp_path: Path) -> None:
     path = good("sbet", tmp_path / "a.sbet")
     path.chmod(0)
     try:

@@ -259,7 +259,7 @@ def test_empty_view_shows_instructions_again_after_clear(viewport):
     np.testing.assert_array_equal(cleared, empty)
 
 
-def test_resizing_keeps_everything_in_view(viewport, qtbot):
+def test_resizing_keeps_all_points_in_view(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.widget.resize(420, 700)

@@ -45,7 +45,7 @@ def test_orthographic_picture_agrees_with_the_projection(viewport, qtbot):
     assert widths[0] > 1.2 * widths[1]
 
 
-def test_views_from_all_sides_and_along_a_normal(viewport):
+def test_standard_views_and_views_along_a_normal(viewport):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     ahead = {"front": (0, 1), "back": (0, -1), "left": (1, 0), "right": (-1, 0)}

@@ -71,7 +71,7 @@ def apart(error: str, headings: tuple[int, int], share: float = 1.0) -> tuple[fl
 # --- the criteria themselves
 
 
-def test_a_square_board_is_planar_and_a_stick_or_a_ball_is_not() -> None:
+def test_a_board_is_planar_but_a_stick_or_a_ball_is_not() -> None:
     rng = np.random.default_rng(1)
     grid = np.array([(u, v, 0.0) for u in range(21) for v in range(21)])
     assert points_shape(grid).planarity == pytest.approx(1.0)

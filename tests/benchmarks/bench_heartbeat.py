@@ -31,7 +31,7 @@ TIMEOUT_S = 300.0
 
 
 @pytest.mark.timeout(900)
-def test_the_window_keeps_up(tmp_path: Path, whole_demo: Project) -> None:
+def test_pauses_of_the_window_in_a_whole_workflow(tmp_path: Path, whole_demo: Project) -> None:
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
     home = tmp_path / "home"

@@ -25,7 +25,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
     ],
     ids=["lispac --version", "lispac --help", "import lispac", "lispac.open", "Python alone"],
 )
-def test_start(benchmark: BenchmarkFixture, words: list[str]) -> None:
+def test_start_times(benchmark: BenchmarkFixture, words: list[str]) -> None:
     variables = {**os.environ, "PYTHONPATH": str(CHECKOUT)}
 
     def start() -> None:

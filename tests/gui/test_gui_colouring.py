@@ -12,7 +12,7 @@ from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from tests.gui.support import Demo, Driver, Key, press
 
 
-def test_colours_follow_the_values(demo: Demo) -> None:
+def test_colours_correspond_to_the_values(demo: Demo) -> None:
     clouds = demo.survey.clouds
     assert point_shading("line", clouds) is None
     for colouring in COLOURINGS[1:-1]:

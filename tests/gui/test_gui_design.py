@@ -95,7 +95,7 @@ def test_escape_cancels_a_drag(driver: Driver, design: DesignWindow) -> None:
     assert design.workspace.history.undo_name is None
 
 
-def test_a_board_is_dragged_up_the_wall(driver: Driver, design: DesignWindow) -> None:
+def test_a_board_can_be_dragged_up_the_wall(driver: Driver, design: DesignWindow) -> None:
     view, before = design.wall_view, shown(design)
     spot = view._target_rect(edits.placed_targets(design.workspace.titled)[0]).center()
     to = view.pixel(view.place(spot) + np.array([-1.0, 1.5]))

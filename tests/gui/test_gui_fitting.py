@@ -226,7 +226,7 @@ def test_an_empty_clip_box_shows_no_length(qtbot: QtBot) -> None:
     assert [field.text() for field in panel.fields] == ["–"] * 3
 
 
-def test_lines_to_the_labels_of_two_targets_do_not_cross(qapp: QApplication) -> None:
+def test_leader_lines_of_two_labels_do_not_cross(qapp: QApplication) -> None:
     metrics, taken, boxes = QFontMetricsF(qapp.font()), [], []
     spots = np.array([[300.0, 200.0], [318.0, 202.0], [600.0, 200.0]])
     for k, spot in enumerate(spots):

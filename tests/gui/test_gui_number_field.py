@@ -86,7 +86,7 @@ def test_the_restored_value_is_reported_after_a_click_elsewhere(form, qtbot) -> 
 
 
 @pytest.mark.parametrize("text", ["-", "-3", "0", "20000"])
-def test_no_sign_and_no_digit_is_lost(form, qtbot, text: str) -> None:
+def test_typed_signs_and_digits_are_kept(form, qtbot, text: str) -> None:
     form.sigma.setValue(5.0)
     typed(qtbot, form.sigma, text)
     assert form.sigma.cleanText() == text
@@ -106,7 +106,7 @@ def test_escape_restores_the_value(form, qtbot) -> None:
     assert form.up.text() == "2.0000 m"
 
 
-def test_letters_and_too_many_decimals_cannot_be_typed(form, qtbot) -> None:
+def test_only_numbers_with_allowed_decimals_can_be_typed(form, qtbot) -> None:
     typed(qtbot, form.up, "1x.23456")
     assert form.up.cleanText() == "1.2345"
 

@@ -29,7 +29,7 @@ def section(driver: Driver):
     return driver.window.tools.sections.panel
 
 
-def test_p_saves_the_view_and_shift_p_copies_it(picked: Driver, tmp_path: Path) -> None:
+def test_key_p_saves_the_view_and_shift_p_copies_it(picked: Driver, tmp_path: Path) -> None:
     window = picked.window
     picked.dialogs.path = tmp_path / "view.png"
     press(picked, Key.Key_P)

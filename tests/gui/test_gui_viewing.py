@@ -25,7 +25,7 @@ def test_keys_choose_the_standard_views(opened: Driver) -> None:
     assert set(VIEWS) == {name for (name,) in asked(opened, "view")}
 
 
-def test_o_switches_between_orthographic_and_perspective(opened: Driver) -> None:
+def test_key_o_switches_between_orthographic_and_perspective(opened: Driver) -> None:
     press(opened, Key.Key_O)
     assert opened.viewport.parallel
     assert opened.window.actions_["orthographic"].isChecked()
