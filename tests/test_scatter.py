@@ -102,10 +102,10 @@ def test_sigmas_of_the_classical_model_are_not_increased(
     assert SolvedEquations.of(plain, observations, prior) is None
 
 
-def test_excess_variances_of_two_surfaces_are_finite(
+def test_excess_variances_of_few_surfaces_are_finite(
     thinned: Opened, clean: TargetlessResult
 ) -> None:
-    """The variances of surfaces are undetermined, but the excess variances are finite."""
+    """Few surfaces hardly determine their variance, but no value is infinite or negative."""
     model = thinned[0].settings.stochastic_model
     few = replace(clean.project, targets=clean.project.targets[:4], result=None)
     prior = few.mounting("prior")
