@@ -197,7 +197,7 @@ def test_the_classical_model_equals_the_prototype(shared_data: Path, case: str) 
 
 @pytest.mark.parametrize("model", [INDEPENDENT, CORRELATED])
 @pytest.mark.parametrize("truth_deg", [(2.0, 2.0, 2.0), (-2.0, 1.0, -0.5)])
-def test_closed_loop_without_noise(
+def test_true_boresight_is_recovered_without_noise(
     model: StochasticModel, truth_deg: tuple[float, float, float]
 ) -> None:
     observations = planar_survey(mounting(*truth_deg))

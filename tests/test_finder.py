@@ -109,7 +109,7 @@ def test_noise_wider_than_the_threshold_needs_a_wider_threshold():
     assert recall > 0.95
 
 
-def test_the_same_input_gives_the_same_answer_and_order_does_not_matter():
+def test_result_is_reproducible_and_independent_of_the_point_order():
     points, _ = scene(np.random.default_rng(4))
     points[5] = np.nan
     first = find_plane(points, CENTRE, SETTINGS)

@@ -259,7 +259,7 @@ def test_text_layouts(tmp_path: Path, row: str, head: str, choice: dict[str, str
     np.testing.assert_array_equal(read.time, files.TIME)
 
 
-def test_decimal_commas(tmp_path: Path) -> None:
+def test_decimal_commas_are_read(tmp_path: Path) -> None:
     path = files.text(tmp_path / "a.csv", "{t:.6f};{x:.4f};{y:.4f};{z:.4f}", "time;x;y;z")
     path.write_text(path.read_text().replace(".", ","))
     found = FORMATS["text"].preview(path, {})

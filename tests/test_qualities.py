@@ -1,4 +1,4 @@
-"""Every sighting of a project judged: before and after the calibration."""
+"""Tests of the ratings of all sightings of a project, before and after the calibration."""
 
 import json
 from dataclasses import replace
@@ -18,7 +18,7 @@ from tests.test_quality import NOISE, board, fit_plane
 
 
 def with_fewer(project: Project, name: str, line: str, kept: int) -> Project:
-    """The project, one sighting with its first points only."""
+    """Return the project with one sighting reduced to its first points."""
     target = project.target(name)
     sightings = tuple(
         replace(s, indices=s.indices[:kept]) if s.line == line else s for s in target.sightings
@@ -27,24 +27,24 @@ def with_fewer(project: Project, name: str, line: str, kept: int) -> Project:
     return replace(edited, result=project.result)
 
 
-def test_every_sighting_of_the_demo_is_judged(calibrated: tuple[Project, Survey]) -> None:
+def test_every_sighting_of_the_demo_is_rated(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     after = sighting_qualities(project, survey)
     before = sighting_qualities(replace(project, result=None), survey)
     keys = {(t.name, s.line) for t in project.targets for s in t.sightings}
     assert set(before) == set(after) == keys
     targets = {target.name for target in project.targets_of_role("target")}
-    # Nothing selects validation planes again: they are judged as picked, before and after.
+    # Validation planes are not selected again: they are rated as picked, before and after.
     assert all((after[key].smear is None) == (key[0] in targets) for key in keys)
     assert all(quality.smear < 0.004 for quality in before.values())
-    # A board that faces up is seen from the side: the beams meet it steeply, and nothing is bent.
+    # A tilted board seen from the side has steep incidence angles and is still not curved.
     for key in keys:
         assert after[key].rating != "poor", (key, after[key].words)
         assert not after[key].curvature > 0.006, (key, after[key].words)
         assert before[key].rating == after[key].rating, (key, before[key].words, after[key].words)
 
 
-def test_what_still_holds_is_not_judged_again(calibrated: tuple[Project, Survey]) -> None:
+def test_unchanged_sightings_are_not_assessed_again(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     known = assess_sightings(project, survey)
     first = project.targets[0]
@@ -57,11 +57,11 @@ def test_what_still_holds_is_not_judged_again(calibrated: tuple[Project, Survey]
     moved = replace(project, result=None)
     targets = {target.name for target in project.targets_of_role("target")}
     for key, each in assess_sightings(moved, survey, known=known).items():
-        # Another mounting, other points; validation planes keep theirs.
+        # A changed mounting changes the points of targets, not those of validation planes.
         assert (each is not known[key]) == (key[0] in targets)
 
 
-def test_points_on_a_row_are_poor_with_the_reason(calibrated: tuple[Project, Survey]) -> None:
+def test_two_points_are_poor_with_the_reason(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     target = project.targets[0]
     line = target.sightings[0].line
@@ -72,9 +72,10 @@ def test_points_on_a_row_are_poor_with_the_reason(calibrated: tuple[Project, Sur
 
 
 def smeared(bend: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
-    """A board whose points lie off as an error of 1 deg lets them, and how they move as it turns.
+    """Return a board deformed as by a yaw error of 1 deg, and the derivatives of its points.
 
-    The vessel yaws while it passes: the yaw error acts in proportion to the square of the place.
+    The vessel yaws while it passes: the effect of the yaw error grows with the square of the
+    position along the board.
     """
     points = board(lambda x, z: bend * (x / 0.6) ** 2)
     moves = np.zeros((3, len(points), 3))
@@ -82,7 +83,7 @@ def smeared(bend: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
     return points + radians(1.0) * moves[2], moves
 
 
-def test_what_the_prior_explains_is_not_called_a_bend():
+def test_deformation_that_the_prior_explains_is_not_called_curvature():
     points, moves = smeared()
     plane, every = fit_plane(points), np.arange(len(points))
     told = plane_quality(points, points, every, plane, NOISE)
@@ -91,13 +92,13 @@ def test_what_the_prior_explains_is_not_called_a_bend():
     spared = plane_quality(points, points, every, plane, NOISE, turns_local=moves)
     assert spared.rating == "good", spared.words
     assert spared.smear == pytest.approx(0.3 * radians(1.0) * 0.5, rel=0.1)
-    # More than the prior can be off by is the board's own.
+    # A deformation larger than the prior allows is one of the board itself.
     points, moves = smeared(bend=0.06)
     plane = fit_plane(points)
     assert plane_quality(points, points, every, plane, NOISE, turns_local=moves / 20).curved
 
 
-def test_a_plane_seen_in_no_time_keeps_its_distances():
+def test_smear_is_not_removed_from_a_plane_seen_for_an_instant():
     rng = np.random.default_rng(2)
     placed = rng.uniform(-0.6, 0.6, (2000, 2))
     off = 0.02 * placed[:, 0] ** 2
@@ -107,7 +108,7 @@ def test_a_plane_seen_in_no_time_keeps_its_distances():
     np.testing.assert_allclose(np.sqrt(np.mean(left**2)), np.std(off), rtol=0.02)
 
 
-def test_the_terminal_says_how_good_each_sighting_is(
+def test_terminal_prints_the_rating_of_each_sighting(
     copy: Project, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = str(copy.folder)

@@ -1,4 +1,4 @@
-"""Quality of a sighting and agreement with what was expected, on surfaces of known shape."""
+"""Tests of sighting quality and of the comparison with an expected target, on known shapes."""
 
 import re
 
@@ -27,14 +27,14 @@ def judged(points: np.ndarray, **also: object) -> SightingQuality:
 
 
 def board(shape=lambda x, z: 0 * x, *, count=3000, size=(1.2, 1.0), noise=NOISE) -> np.ndarray:
-    """Points 20 m west of the scanner, off an upright board by some shape."""
+    """Return points of an upright board 20 m west of the scanner, deformed by `shape`."""
     rng = np.random.default_rng(3)
     x, z = rng.uniform(-0.5, 0.5, (2, count)) * np.array(size)[:, None]
     west = 20.0 + shape(x, z) + rng.normal(0, noise, count)
     return np.stack([x, west, z], axis=1)
 
 
-def test_a_flat_board_is_good_and_its_numbers_are_true():
+def test_a_flat_board_is_good_and_its_values_are_correct():
     quality = judged(board(), scanner_local=np.zeros(3))
     assert quality.rating == "good"
     assert quality.reasons == ()
@@ -49,7 +49,7 @@ def test_a_flat_board_is_good_and_its_numbers_are_true():
     assert quality.roughness < 0.0004
 
 
-def test_a_bend_is_measured_and_reported():
+def test_curvature_is_measured_and_reported():
     sagitta = 0.004  # over 1.2 m
     quality = judged(board(lambda x, z: 4 * sagitta * (x / 1.2) ** 2))
     assert quality.curved
@@ -59,7 +59,7 @@ def test_a_bend_is_measured_and_reported():
     assert judged(board(lambda x, z: 0.04 * (x / 1.2) ** 2)).rating == "poor"
 
 
-def test_chance_alone_is_not_called_a_bend():
+def test_noise_alone_is_not_called_curvature():
     rng = np.random.default_rng(0)
     called = sum(
         judged(np.stack([*(rng.uniform(-0.6, 0.6, (2, 600))), rng.normal(0, NOISE, 600)], 1)).curved
@@ -80,7 +80,7 @@ def test_chance_alone_is_not_called_a_bend():
         (board(lambda x, z: 0.006 * np.sin(20 * x)), "poor", "quality.uneven"),
     ],
 )
-def test_what_is_wrong_is_reported(points, light, code):
+def test_defects_of_a_surface_are_reported(points, light, code):
     quality = judged(points)
     assert quality.rating == light
     assert code in codes(quality.reasons)
@@ -97,7 +97,7 @@ def test_grazing_incidence_is_poor():
     assert quality.reasons[0].code == "quality.oblique"
 
 
-def test_a_sphere_shows_its_share():
+def test_rating_of_a_sphere_follows_its_visible_share():
     rng = np.random.default_rng(1)
     directions = rng.normal(size=(20_000, 3))
     directions /= np.linalg.norm(directions, axis=1)[:, None]
@@ -111,10 +111,10 @@ def test_a_sphere_shows_its_share():
         assert quality.rms == pytest.approx(NOISE, rel=0.1)
 
 
-HALF = {
-    # The post stands before one half of the board; from the north-west it is passed beside it.
-    # By what the rough boresight is off, and by the noise of its outermost points, it is a few
-    # millimetres wider or narrower.
+HALF_OCCLUDED = {
+    # The bollard occludes one half of the board, but less of it from the north-west.
+    # The error of the rough boresight and the noise of the outermost points change the width by
+    # a few millimetres.
     "L1": ("poor", r"0\.6[0-2] m of 1\.2[34] m in width"),
     "L2": ("poor", r"0\.6[0-2] m of 1\.2[34] m in width"),
     "L3": ("doubtful", r"0\.70 m of 1\.2[34] m in width"),
@@ -122,7 +122,7 @@ HALF = {
     "L5": ("good", ""),
     "L6": ("good", ""),
 }
-LINES = tuple(HALF)
+LINES = tuple(HALF_OCCLUDED)
 
 
 @pytest.mark.parametrize("off_deg", [(0, 0, 0), (2, -2, 2)])
@@ -130,12 +130,12 @@ LINES = tuple(HALF)
     ("name", "expected"),
     [
         ("5 cm proud", dict.fromkeys(LINES, ("good", ""))),
-        ("bollard", HALF),
+        ("bollard", HALF_OCCLUDED),
         ("rippled", dict.fromkeys(LINES, ("poor", "The surface is not flat"))),
     ],
 )
-def test_on_simulated_sites(name, expected, off_deg):
-    """Picked and judged as in the window, the prior boresight right or off by two degrees."""
+def test_ratings_on_simulated_sites(name, expected, off_deg):
+    """Targets are picked as in the window, with a prior boresight that is right or 2 deg wrong."""
     seen = scenery(name)
     project, survey = seen.opened(off_deg)
     target = find_target(project, survey, click(seen, survey.clouds), name="T1")
@@ -152,8 +152,8 @@ def test_on_simulated_sites(name, expected, off_deg):
 
 
 @pytest.mark.parametrize("off_deg", [(1, -1, 1), (-2, 2, -2)])
-def test_ripples_are_not_taken_for_the_work_of_the_boresight(off_deg):
-    """Not even where it may be off by two degrees, on lines that pass the sheet at 45 deg."""
+def test_ripples_are_not_attributed_to_the_boresight(off_deg):
+    """The angles may be off by two degrees, on lines that pass the sheet at 45 deg."""
     seen = scenery("rippled")
     project, survey = seen.opened(off_deg)
     clouds = survey.clouds
@@ -169,7 +169,7 @@ def test_ripples_are_not_taken_for_the_work_of_the_boresight(off_deg):
         assert f"The residuals (RMS {1000 * quality.rms:.1f} mm) are" in texts(quality.reasons)
 
 
-def test_the_expected_target_is_compared_in_words():
+def test_deviations_from_the_expected_target_are_reported():
     seen = scenery("5 cm proud")
     cloud = seen.clouds()["L1"]
     patch = patch_of(cloud, np.flatnonzero(seen.on("L1", "T1")), np.array([0.0, 1.0, 0.0]))
@@ -191,7 +191,7 @@ def test_the_expected_target_is_compared_in_words():
             ExpectedTarget(**({"width": 1.0, "height": 1.0} | wrong))
 
 
-def test_the_planes_side_does_not_matter():
+def test_direction_of_the_normal_does_not_matter():
     points = board(lambda x, z: 0.02 * (x / 1.2) ** 2)
     plane = fit_plane(points)
     turned = Plane(-plane.normal, -plane.d)

@@ -1,4 +1,4 @@
-"""A project from files of other kinds: recognised when it is made, read the same afterwards."""
+"""Tests of projects made from other formats: recognised at import, read the same afterwards."""
 
 import json
 from pathlib import Path
@@ -22,12 +22,12 @@ from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import command_error, is_refusal
 from tests.error_codes import has_code
 
-APPLIED = (0.5, -1.0, 0.7)
+APPLIED_BORESIGHT_DEG = (0.5, -1.0, 0.7)
 """Boresight (deg) that other software made the clouds with."""
 
 
 def write_cloud(path: Path, points: np.ndarray, time: np.ndarray, code: int) -> Path:
-    """As other programs write it: laspy alone."""
+    """Write a LAZ file as other programs do, with laspy alone."""
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = np.full(3, 1e-4), np.floor(points.mean(axis=0))
     header.add_crs(CRS.from_epsg(code))
@@ -41,9 +41,9 @@ def write_cloud(path: Path, points: np.ndarray, time: np.ndarray, code: int) -> 
 
 @pytest.fixture(scope="module")
 def clouds(calibrated: tuple[Project, Survey], tmp_path_factory) -> list[LineSource]:
-    """Two lines of the built-in survey on the map, made with another boresight."""
+    """Two lines of the built-in survey as georeferenced clouds made with another boresight."""
     project, survey = calibrated
-    mounting = Mounting(np.array(project.settings.lever_arm), np.radians(APPLIED))
+    mounting = Mounting(np.array(project.settings.lever_arm), np.radians(APPLIED_BORESIGHT_DEG))
     system = coordinate_system("EPSG:32619")
     folder = tmp_path_factory.mktemp("clouds")
     sources = []
@@ -57,9 +57,11 @@ def clouds(calibrated: tuple[Project, Survey], tmp_path_factory) -> list[LineSou
     return sources
 
 
-def test_georeferenced_lines_come_back_to_the_scanner(calibrated, clouds, tmp_path) -> None:
+def test_georeferenced_lines_are_converted_back_to_the_scanner_frame(
+    calibrated, clouds, tmp_path
+) -> None:
     project, survey = calibrated
-    settings = Settings(lever_arm=project.settings.lever_arm, boresight_deg=APPLIED)
+    settings = Settings(lever_arm=project.settings.lever_arm, boresight_deg=APPLIED_BORESIGHT_DEG)
     made, read = new_project(
         tmp_path / "map", trajectory=project.trajectory, lines=clouds, settings=settings
     )
@@ -75,7 +77,7 @@ def test_georeferenced_lines_come_back_to_the_scanner(calibrated, clouds, tmp_pa
     assert again.scans[name].fingerprint == read.scans[name].fingerprint
 
 
-def test_raw_lines_are_read_the_programs_own_way(calibrated, tmp_path) -> None:
+def test_raw_lines_are_read_as_own_format(calibrated, tmp_path) -> None:
     project, survey = calibrated
     made, read = new_project(
         tmp_path / "raw", trajectory=project.trajectory, lines=project.lines[:1],
@@ -112,7 +114,7 @@ def test_a_trajectory_as_text_gives_the_same_poses(calibrated, tmp_path) -> None
     np.testing.assert_allclose(poses.attitude, expected.attitude, atol=1e-8)
 
 
-def test_lines_in_another_time_base_are_refused_with_the_shift_and_read_with_it(
+def test_lines_in_another_time_base_are_refused_with_a_suggested_shift(
     calibrated, tmp_path
 ) -> None:
     project, survey = calibrated
@@ -133,7 +135,7 @@ def test_lines_in_another_time_base_are_refused_with_the_shift_and_read_with_it(
     np.testing.assert_allclose(read.scans[name].time, survey.scans[name].time, atol=1e-6)
 
 
-def test_look_says_what_a_file_is(calibrated, clouds, capsys) -> None:
+def test_inspect_reports_the_format_of_a_file(calibrated, clouds, capsys) -> None:
     project, _ = calibrated
     assert main(["inspect", str(clouds[0].path)]) == 0
     said = capsys.readouterr().out
@@ -155,7 +157,7 @@ def test_look_says_what_a_file_is(calibrated, clouds, capsys) -> None:
         (["--trajectory-option", "colour=red"], "formats.unknown_option"),
     ],
 )
-def test_what_makes_no_sense_is_refused(calibrated, tmp_path, options, said) -> None:
+def test_invalid_import_options_are_refused(calibrated, tmp_path, options, said) -> None:
     project, _ = calibrated
     line = str(project.lines[0].path)
     command = ["new", str(tmp_path / "p"), line, "--trajectory", str(project.trajectory)]
@@ -171,13 +173,13 @@ def test_what_makes_no_sense_is_refused(calibrated, tmp_path, options, said) -> 
         ("1.5;2.5;3.5\n4.5;5.5;6.5\n", "import.points_without_time"),
     ],
 )
-def test_why_a_file_is_no_line_is_reported(tmp_path, content, said) -> None:
+def test_reason_why_a_file_is_not_a_line_is_reported(tmp_path, content, said) -> None:
     path = tmp_path / "quay.txt"
     path.write_text(content)
     assert is_refusal(command_error("inspect", path), said)
 
 
-def test_a_file_nobody_knows_is_refused(tmp_path) -> None:
+def test_a_file_of_unknown_format_is_refused(tmp_path) -> None:
     path = tmp_path / "notes.doc"
     path.write_bytes(b"\x00\x01nothing" * 40)
     assert command_error("inspect", path).code == "import.unknown_format"

@@ -1,4 +1,4 @@
-"""Files of points that other programs wrote, from the test suite of a library."""
+"""Tests of point files written by other programs, from the test suite of laspy."""
 
 import struct
 from importlib.util import find_spec
@@ -27,7 +27,7 @@ def read(name: str) -> tuple[FilePreview, PointChunk]:
 
 
 @pytest.mark.parametrize("name", POINTS)
-def test_it_is_recognised_and_read_to_its_end(name: str) -> None:
+def test_file_is_recognised_and_read_completely(name: str) -> None:
     assert recognise_formats(FOLDER / name, "points")[0] == (LAS, SURE)
     found, chunk = read(name)
     assert found.choice["frame"] == "georeferenced"
@@ -37,20 +37,20 @@ def test_it_is_recognised_and_read_to_its_end(name: str) -> None:
     assert {len(values) for values in chunk.extra.values()} == {POINTS[name]}
 
 
-def test_every_file_is_read() -> None:
+def test_every_file_in_the_folder_is_tested() -> None:
     assert {path.name for path in FOLDER.glob("*.la[sz]")} == set(POINTS)
 
 
-def test_the_first_point_is_the_published_one() -> None:
-    """As libLAS and PDAL print it in their documentation: their sample is this cloud."""
+def test_the_first_point_equals_the_published_values() -> None:
+    """The expected values are printed in the documentation of libLAS and PDAL."""
     _, chunk = read("simple.laz")
     np.testing.assert_allclose(chunk.xyz[0], (637_012.24, 849_028.31, 431.66), atol=1e-6)
     assert chunk.time[0] == pytest.approx(245_380.78254962614, abs=1e-9)
 
 
 @pytest.mark.parametrize("name", ["autzen.las", "simple1_3.las", "test1_4.las"])
-def test_coordinates_and_times_are_those_in_the_bytes(name: str) -> None:
-    """Records taken apart by struct, after the LAS specification."""
+def test_coordinates_and_times_equal_the_values_in_the_file(name: str) -> None:
+    """The records are decoded here with struct, by the LAS specification."""
     content = (FOLDER / name).read_bytes()
     (start,) = struct.unpack_from("<I", content, 96)
     point_format, length = struct.unpack_from("<BH", content, 104)
@@ -67,15 +67,15 @@ def test_coordinates_and_times_are_those_in_the_bytes(name: str) -> None:
         assert chunk.extra["intensity"][k] == intensity
 
 
-def test_compressed_and_indexed_points_are_those_of_the_plain_file() -> None:
-    """The COPC file holds the same points, projected anew: intensities and times tell."""
+def test_copc_file_has_the_points_of_the_laz_file() -> None:
+    """The COPC file is in another projection, so attributes and times are compared."""
     plain, copc = read("simple.laz")[1], read("simple.copc.laz")[1]
     for name in ("intensity", "return_number"):
         np.testing.assert_array_equal(np.sort(plain.extra[name]), np.sort(copc.extra[name]))
     np.testing.assert_array_equal(np.sort(plain.time), np.sort(copc.time))
 
 
-def test_systems_and_waveforms_are_reported() -> None:
+def test_coordinate_systems_and_waveforms_are_reported() -> None:
     assert read("autzen.las")[0].choice["crs"] == "EPSG:2994"
     assert "New Mexico Central (ftUS)" in read("test1_4.las")[0].facts["coordinate system"]
     assert "Oregon LCC" in read("simple.copc.laz")[0].facts["coordinate system"]
@@ -85,8 +85,8 @@ def test_systems_and_waveforms_are_reported() -> None:
 
 
 @pytest.mark.parametrize("name", ["airplane.ply", "ant.ply", "nut.ply", "sphere.ply"])
-def test_meshes_without_times_are_refused_in_a_sentence(name: str) -> None:
-    """PLY as modelling programs write it, from the examples of pyvista: faces, and no times."""
+def test_meshes_without_times_are_refused(name: str) -> None:
+    """The PLY examples of pyvista, written by modelling programs, have faces and no times."""
     path = Path(find_spec("pyvista").origin).parent / "examples" / name  # type: ignore[union-attr,arg-type]
     assert recognise_formats(path, "points")[0][0].key == "ply"
     for task in (PLY.preview, lambda path, choice: list(PLY.read(path, choice))):  # type: ignore[call-overload]

@@ -1,4 +1,4 @@
-"""Scanner-frame points recovered from georeferenced clouds: the exact inverse, through files."""
+"""Tests of scanner-frame points recovered from georeferenced clouds through files."""
 
 import json
 from dataclasses import dataclass, replace
@@ -34,7 +34,7 @@ WRONG_BORESIGHT = np.radians([0.8, -1.7, 1.1])
 
 @dataclass
 class Cloud:
-    """A line, what georeferenced it, and the scanner's points."""
+    """A georeferenced line, the setup that made it, and its points in the scanner frame."""
 
     path: Path
     points_lidar: np.ndarray
@@ -58,7 +58,7 @@ def port_trajectory(survey: SimulatedSurvey) -> LocalTrajectory:
 def written(
     path: Path, points: np.ndarray, time: np.ndarray, code: int, scales: tuple[float, ...]
 ) -> Path:
-    """A cloud as other programs write it."""
+    """Write a cloud as other programs do, and return its path."""
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = np.array(scales), np.floor(points.mean(axis=0))
     header.add_crs(CRS.from_epsg(code))
@@ -72,28 +72,28 @@ def written(
 
 
 def system_in(path: Path) -> CoordinateSystem:
-    """By what the header states alone."""
+    """Return the coordinate system that the file header alone specifies."""
     system = crs_of_options(LAS_FORMAT.resolved(LAS_FORMAT.preview(path, {}).choice))
     assert system is not None
     return system
 
 
-METRES = (1e-4, 1e-4, 1e-4)
+SCALES = (1e-4, 1e-4, 1e-4)
 
 
 @pytest.mark.parametrize(
     ("code", "scales"),
-    [(32619, METRES), (2949, METRES), (4978, METRES), (4979, (1e-9, 1e-9, 1e-4))],
+    [(32619, SCALES), (2949, SCALES), (4978, SCALES), (4979, (1e-9, 1e-9, 1e-4))],
     ids=["UTM", "MTM", "ECEF", "geographic"],
 )
-def test_simulated_lines_come_back(
+def test_simulated_lines_are_recovered(
     port: SimulatedSurvey,
     tmp_path: Path,
     code: int,
     scales: tuple[float, ...],
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    """Through LAZ in steps of 0.1 mm, with all corrections a mounting knows."""
+    """Lines written to LAZ with a resolution of 0.1 mm, with all parameters of a mounting."""
     trajectory = port_trajectory(port)
     mounting = Mounting(port.lever_arm, WRONG_BORESIGHT, 0.03, 0.002, 0.004)
     system = coordinate_system(f"EPSG:{code}")
@@ -115,7 +115,7 @@ def test_simulated_lines_come_back(
     assert worst < 0.0002
 
 
-def test_without_files_the_inverse_is_exact(port: SimulatedSurvey) -> None:
+def test_recovery_without_files_is_exact(port: SimulatedSurvey) -> None:
     trajectory = port_trajectory(port)
     mounting = Mounting(port.lever_arm, WRONG_BORESIGHT, -0.02, -0.001, -0.01)
     system = coordinate_system("EPSG:32619")
@@ -126,10 +126,10 @@ def test_without_files_the_inverse_is_exact(port: SimulatedSurvey) -> None:
     np.testing.assert_allclose(back, line.points_lidar, rtol=0, atol=1e-7)
 
 
-def test_real_drone_survey_comes_back(
+def test_real_drone_survey_is_recovered(
     shared_data: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The survey of the tent, georeferenced with a wrong boresight and written as UTM LAS."""
+    """The survey of the tent, georeferenced with a wrong boresight and written as LAS in UTM."""
     folder = shared_data / "lanl_tent"
     site = json.loads((folder / "site.json").read_text())
     latitude, longitude, height = site["origin_deg_m"]
@@ -141,7 +141,7 @@ def test_real_drone_survey_comes_back(
         scan = read_scan(folder / f"{name}.laz")
         local = georeference(scan.points_lidar, scan.time, trajectory, mounting)
         cloud = system.from_local(local, frame)
-        path = written(tmp_path / f"{name}.las", cloud, scan.time, 32614, METRES)
+        path = written(tmp_path / f"{name}.las", cloud, scan.time, 32614, SCALES)
         recovery = RecoverySetup(system_in(path), trajectory, mounting)
         back = np.concatenate(
             [
@@ -154,7 +154,7 @@ def test_real_drone_survey_comes_back(
         apart = np.linalg.norm(back - scan.points_lidar, axis=1)
         with capsys.disabled():
             print(f"\n{name}: {len(back):,} points back within {1000 * apart.max():.4f} mm")
-        # Half a step of 0.1 mm along each axis, and the grid's scale.
+        # Half the resolution of 0.1 mm along each axis, and the scale factor of the grid
         assert apart.max() < np.sqrt(3) * 0.5e-4 * 1.001
 
 
@@ -211,14 +211,14 @@ def test_a_wrong_coordinate_system_is_refused(port: SimulatedSurvey, wrong: str)
         list(recover_scanner_points([PointChunk(cloud, time, {}, None)], recovery))
 
 
-def test_what_has_to_hold_is_reported(port: SimulatedSurvey) -> None:
+def test_assumptions_of_the_recovery_are_reported(port: SimulatedSurvey) -> None:
     recovery, _, _ = small(port)
     assert {"assumed.cloud_made_with", "assumed.heights_not_named", "assumed.datum"} <= set(
         codes(recovery.assumptions)
     )
 
 
-def test_a_point_has_the_pose_of_when_it_was_measured(port: SimulatedSurvey) -> None:
+def test_latency_shifts_the_times_with_a_pose(port: SimulatedSurvey) -> None:
     trajectory = port_trajectory(port)
     first, last = trajectory.time[0], trajectory.time[-1]
     late = SimpleNamespace(
@@ -229,7 +229,9 @@ def test_a_point_has_the_pose_of_when_it_was_measured(port: SimulatedSurvey) -> 
 
 
 @pytest.mark.parametrize(("near", "taken"), [(40, False), (60, True)])
-def test_points_of_which_half_are_too_far_are_in_no_scanner_frame(near: int, taken: bool) -> None:
+def test_lines_with_half_their_points_too_far_are_not_in_the_scanner_frame(
+    near: int, taken: bool
+) -> None:
     points = np.full((100, 3), 1e6)
     points[:near] = 10.0
     if taken:

@@ -1,4 +1,4 @@
-"""Points recovered from a cloud that was made otherwise than stated: the cause is named."""
+"""Tests of the diagnosis of points recovered from clouds with a wrong setup."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -23,7 +23,7 @@ PLACES = {UTM: (48.0, -69.0), FEET: (42.3, -71.0)}
 
 
 def trajectory(seed: int, system: str = UTM) -> LocalTrajectory:
-    """Two minutes with waves of some degrees and a turn."""
+    """Return two minutes of trajectory with waves of some degrees and a turn."""
     rng = np.random.default_rng(seed)
     time = np.arange(0, 120, 0.02)
     latitude, longitude = np.radians(PLACES[system])
@@ -40,7 +40,7 @@ def trajectory(seed: int, system: str = UTM) -> LocalTrajectory:
 
 
 def profiler(seed: int, turn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Points of a profiler across the x axis, seen on two sides, and their times."""
+    """Return points of a profiler across the x axis, on two sides, and their times."""
     rng = np.random.default_rng(seed + 100)
     count = 6000
     near, far = rng.uniform(-0.5, 0.7, count), rng.uniform(2, 4, count)
@@ -53,7 +53,7 @@ def profiler(seed: int, turn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def cloud(
     seed: int, system: str = UTM, turn: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray, RecoverySetup]:
-    """A cloud on the map, rounded to 1 mm, its times, and how it was made."""
+    """Return a georeferenced cloud rounded to 1 mm, its times, and the setup that made it."""
     own = coordinate_system(system)
     made = RecoverySetup(
         own, trajectory(seed, system), Mounting(LEVER, np.radians([0.3, -0.4, 0.6]))
@@ -77,14 +77,14 @@ SEEDS = (1, 2, 3)
 
 @pytest.mark.parametrize("seed", range(10))
 @pytest.mark.parametrize("system", [UTM, FEET])
-def test_a_cloud_made_as_given_has_no_message(seed: int, system: str) -> None:
+def test_a_cloud_with_the_right_setup_has_no_message(seed: int, system: str) -> None:
     assert found(*cloud(seed, system)) is None
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("system", [UTM, FEET])
 @pytest.mark.parametrize("offset", [28.4, -44.1, 6.3])
-def test_heights_of_another_origin_are_named(seed: int, system: str, offset: float) -> None:
+def test_a_height_offset_is_diagnosed(seed: int, system: str, offset: float) -> None:
     points, time, made = cloud(seed, system)
     points[:, 2] += offset / made.system.metres[2]
     message = found(points, time, made)
@@ -99,7 +99,7 @@ def test_heights_of_another_origin_are_named(seed: int, system: str, offset: flo
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("shift", [18.0, 1.0, -1.0, 0.3])
-def test_another_time_base_is_named(seed: int, shift: float) -> None:
+def test_a_time_offset_is_diagnosed(seed: int, shift: float) -> None:
     points, time, made = cloud(seed)
     message = found(points, time - shift, made)
     assert message is not None
@@ -109,8 +109,8 @@ def test_another_time_base_is_named(seed: int, shift: float) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("wrong", [1.0, -0.5])
-def test_another_lever_arm_is_named(seed: int, wrong: float) -> None:
-    """Along the axis of the mirror; across it, points stay in the plane of the beams."""
+def test_a_wrong_lever_arm_is_diagnosed(seed: int, wrong: float) -> None:
+    """The error is along the mirror axis; across it, points stay in the plane of the beams."""
     points, time, made = cloud(seed)
     lever = LEVER + [wrong, 0, 0]
     message = found(points, time, replace(made, mounting=replace(made.mounting, lever_arm=lever)))
@@ -121,7 +121,7 @@ def test_another_lever_arm_is_named(seed: int, wrong: float) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("signs", [(1, -1, 1), (-1, -1, 1)])
-def test_other_signs_of_the_attitude_are_named(seed: int, signs: tuple[int, int, int]) -> None:
+def test_wrong_signs_of_the_attitude_are_diagnosed(seed: int, signs: tuple[int, int, int]) -> None:
     points, time, made = cloud(seed)
     turned = replace(made.trajectory, attitude=made.trajectory.attitude * np.array(signs))
     message = found(points, time, replace(made, trajectory=turned))
@@ -135,7 +135,7 @@ def test_other_signs_of_the_attitude_are_named(seed: int, signs: tuple[int, int,
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_another_trajectory_is_no_single_error(seed: int) -> None:
+def test_a_wrong_trajectory_has_no_single_cause(seed: int) -> None:
     points, time, made = cloud(seed)
     drift = np.radians(1.5) * np.sin(made.trajectory.time[:, None] / [3.0, 2.0, 5.0])
     other = replace(made.trajectory, attitude=made.trajectory.attitude + drift)
@@ -145,7 +145,7 @@ def test_another_trajectory_is_no_single_error(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_another_boresight_is_a_note(seed: int) -> None:
+def test_a_wrong_boresight_is_a_note(seed: int) -> None:
     points, time, made = cloud(seed)
     mounting = replace(made.mounting, boresight=np.radians([0.3, -0.4, 25.6]))
     message = found(points, time, replace(made, mounting=mounting))
@@ -167,7 +167,7 @@ def spinning(rng: np.random.Generator, count: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize("beams", [cone, spinning])
-def test_a_scanner_that_is_no_profiler_has_no_message(
+def test_scanners_other_than_profilers_have_no_message(
     beams: Callable[[np.random.Generator, int], np.ndarray],
 ) -> None:
     _, time, made = cloud(1)
@@ -180,7 +180,7 @@ def test_a_scanner_that_is_no_profiler_has_no_message(
 def other_scanner(
     seed: int, kind: str
 ) -> tuple[np.ndarray, np.ndarray, RecoverySetup, np.ndarray | None]:
-    """A cloud of a conical or a spinning scanner on the map, its times, and how it was made."""
+    """Return a cloud of a conical or spinning scanner, its times, its setup and its rings."""
     _, time, made = cloud(seed)
     rng = np.random.default_rng(seed + 50)
     count, ring = len(time), None
@@ -202,7 +202,7 @@ def other_scanner(
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", ["cone", "rings"])
-def test_errors_of_other_scanners_are_named(seed: int, kind: str) -> None:
+def test_errors_are_diagnosed_with_other_scanners(seed: int, kind: str) -> None:
     points, time, made, ring = other_scanner(seed, kind)
     assert found(points, time, made, ring) is None
     raised = points + [0, 0, 28.4]
@@ -220,7 +220,7 @@ def test_errors_of_other_scanners_are_named(seed: int, kind: str) -> None:
     assert wrong.code in ("recovery.lever_arm_x", "recovery.several_causes")
 
 
-def test_lasers_are_numbered_over_all_parts_of_a_line() -> None:
+def test_lasers_are_numbered_consistently_over_all_parts_of_a_line() -> None:
     parts = [
         LineSample(np.zeros((3, 3)), np.zeros(3), np.array(own)) for own in ([7, 9, 9], [12, 7, 9])
     ]
@@ -230,7 +230,7 @@ def test_lasers_are_numbered_over_all_parts_of_a_line() -> None:
     assert LineSample.joined([parts[0], replace(parts[1], ring=None)]).ring is None
 
 
-def test_a_profiler_in_any_mounting_is_known() -> None:
+def test_a_height_offset_is_diagnosed_in_another_mounting() -> None:
     turn = rotation_matrix(*np.radians([90.0, 0.0, 90.0]))
     points, time, made = cloud(4, turn=turn)
     assert found(points, time, made) is None
@@ -240,7 +240,7 @@ def test_a_profiler_in_any_mounting_is_known() -> None:
     assert message.code == "recovery.height_offset"
 
 
-def test_metres_added_to_heights_go_there_and_back() -> None:
+def test_height_offset_applies_in_both_directions() -> None:
     plain, raised = (coordinate_system(UTM, height=height) for height in ("", "-28.4"))
     assert isinstance(raised, CoordinateSystem)
     points = np.array([[500_000.0, 5_316_000.0, 30.0], [500_100.0, 5_316_200.0, -2.0]])

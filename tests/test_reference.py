@@ -1,4 +1,4 @@
-"""The API reference: no warning, every name leads somewhere, no public one is missing."""
+"""Tests of the API reference: no build warnings, no broken references, no missing names."""
 
 import zlib
 from pathlib import Path
@@ -11,13 +11,13 @@ from tests.reference import pages, resolving
 
 
 def inventory(built: Path) -> set[str]:
-    """Names that have a place in the pages, as `objects.inv` lists them."""
+    """Return the names documented in the built pages, from `objects.inv`."""
     content = (built / "objects.inv").read_bytes().split(b"\n", 4)[4]
     return {line.split(" ")[0] for line in zlib.decompress(content).decode().splitlines()}
 
 
 def below(dotted: str) -> set[str]:
-    """Public names of a module as the reference has them."""
+    """Return the public names of a module under which the reference documents them."""
     path = f"{dotted.replace('.', '/')}"
     module = f"{path}.py" if f"{path}.py" in trees() else f"{path}/__init__.py"
     package = module.split("/")[1]
@@ -27,13 +27,13 @@ def below(dotted: str) -> set[str]:
 
 @pytest.fixture(scope="module")
 def scripts(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What scripts use; any warning of the builder fails."""
+    """Build the pages for script authors; any warning of Sphinx fails."""
     folder = tmp_path_factory.mktemp("reference")
     assert pages.build(folder, whole=False) == ""
     return folder
 
 
-def test_what_scripts_use_is_there_with_an_example(scripts: Path) -> None:
+def test_scripting_names_are_documented_with_an_example(scripts: Path) -> None:
     there = inventory(scripts)
     assert {f"lispac.{name}" for name in lispac.__all__ if name != "__version__"} <= there
     steps = below("lispac.scripting.open_project") | below("lispac.scripting.loaded_project")
@@ -47,14 +47,14 @@ def test_what_scripts_use_is_there_with_an_example(scripts: Path) -> None:
     assert 'class="n">reject</span>' in text
 
 
-def test_the_documents_for_developers_are_there(scripts: Path) -> None:
+def test_every_developer_document_has_a_page(scripts: Path) -> None:
     for source in pages.DEVELOPERS.rglob("*.md"):
         page = scripts / "developers" / source.relative_to(pages.DEVELOPERS)
         assert page.with_suffix(".html").is_file(), source.name
 
 
 @pytest.mark.long
-def test_a_name_that_leads_nowhere_fails(tmp_path: Path) -> None:
+def test_a_broken_reference_fails_the_build(tmp_path: Path) -> None:
     sources = tmp_path / "sources"
     sources.mkdir()
     names = "`SEMI_MAJOR_AXIS`, `ValueError`, `no_such_name`"
@@ -78,7 +78,7 @@ def test_every_module_of_the_core_has_a_page(tmp_path: Path) -> None:
 
 @pytest.mark.long
 @pytest.mark.timeout(900)
-def test_every_public_name_of_the_core_is_there(tmp_path: Path) -> None:
+def test_every_public_name_of_the_core_is_documented(tmp_path: Path) -> None:
     assert pages.build(tmp_path) == ""
     there = inventory(tmp_path)
     wanted: set[str] = set()
@@ -87,7 +87,7 @@ def test_every_public_name_of_the_core_is_there(tmp_path: Path) -> None:
         wanted |= below(dotted) if dotted not in ("lispac", "lispac.__main__") else set()
     assert len(wanted) > 1500
     assert wanted - there == set()
-    # What Sphinx cannot read of a signature it shows as it came, with the signs of autodoc
+    # Sphinx leaves the markup of autodoc in signatures that it cannot parse.
     unread = [
         page.name for page in tmp_path.glob("*.html") if "~lispac." in page.read_text("utf-8")
     ]

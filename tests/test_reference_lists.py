@@ -1,4 +1,4 @@
-"""Lists and scans that a few passes by two boards are checked against, and what is refused."""
+"""Tests of lists of points and scans used as a reference for a survey of a few lines."""
 
 from pathlib import Path
 
@@ -21,7 +21,7 @@ def known() -> tuple[Project, Survey]:
 
 
 def corners(path: Path, off: float = 0.0) -> Path:
-    """Five surveyed places on T2 with a sigma of 2 mm, the middle one off the board by metres."""
+    """Write five surveyed points on T2 (sigma 2 mm), the middle one `off` metres off the board."""
     normal = site_of_few_lines().scene["T2"].normal
     places = [on_board("T2", a, u) for a, u in ((-0.4, -0.4), (0.4, -0.4), (0.4, 0.4), (-0.4, 0.4))]
     places.append(on_board("T2", 0, 0) + off * normal)
@@ -31,10 +31,10 @@ def corners(path: Path, off: float = 0.0) -> Path:
 
 
 @pytest.mark.parametrize("off", [0.0, 0.02])
-def test_a_surveyed_point_off_its_plane_is_reported(
+def test_a_surveyed_point_away_from_its_plane_is_reported(
     known: tuple[Project, Survey], tmp_path: Path, off: float
 ) -> None:
-    """Of five places alike, one of them in the middle, the plane takes a fifth of it."""
+    """The point is the centre of five, so the fitted plane moves by a fifth of its offset."""
     found = read_reference(corners(tmp_path / "b.csv", off), *known, sigma=0.005, reach=1.0)
     told = [each for each in found.notes if each.code.startswith("reference.")]
     if off:
@@ -51,7 +51,7 @@ def test_a_surveyed_point_off_its_plane_is_reported(
     )
 
 
-def test_of_a_scan_with_too_many_points_a_fair_sample_is_kept(
+def test_a_scan_with_too_many_points_is_sampled_evenly(
     known: tuple[Project, Survey], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     rng = np.random.default_rng(1)
@@ -73,8 +73,10 @@ def test_of_a_scan_with_too_many_points_a_fair_sample_is_kept(
     assert (last.code, last.params["one_in"]) == ("reference.points_used_sample", 4)
 
 
-def test_a_scan_beside_the_lines_is_refused(known: tuple[Project, Survey], tmp_path: Path) -> None:
-    """Near enough to be of this site, and still nothing that the lines have seen."""
+def test_a_scan_away_from_the_lines_is_refused(
+    known: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    """The scan is near enough to be of this site, but the lines have no points there."""
     path = tmp_path / "scan.xyz"
     np.savetxt(path, on_board("T1", 0, 0) + [200.0, 0.0, 0.0] + np.eye(3)[np.arange(1200) % 3])
     with pytest.raises(InputError) as caught:
@@ -93,7 +95,7 @@ def test_a_scan_beside_the_lines_is_refused(known: tuple[Project, Survey], tmp_p
         ({"reach": 10.5}, "check.search_distance"),
     ],
 )
-def test_sigmas_and_reaches_out_of_range_are_refused(
+def test_sigmas_and_search_distances_out_of_range_are_refused(
     known: tuple[Project, Survey], tmp_path: Path, how: dict[str, float], code: str
 ) -> None:
     with pytest.raises(InputError) as caught:

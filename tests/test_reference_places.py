@@ -1,4 +1,4 @@
-"""Places of a reference, and how they move: against made walls and central differences."""
+"""Tests of distances to a reference and their derivatives, on synthetic walls."""
 
 import numpy as np
 import pytest
@@ -12,8 +12,8 @@ from lispac.validation.reference_places import measure_to_points, measure_to_sur
 from tests.error_codes import has_code
 
 
-def test_what_is_far_off_before_is_kept_beside_what_is_not() -> None:
-    """A near wall 20 mm off, and a tenth as many places of a far one 300 mm off."""
+def test_places_with_large_distances_before_are_kept() -> None:
+    """A near wall is 20 mm off; a far one with a tenth as many places is 300 mm off."""
     rng = np.random.default_rng(2)
 
     def wall(west: float, width: float, off: float) -> tuple[np.ndarray, np.ndarray]:
@@ -36,8 +36,8 @@ def test_what_is_far_off_before_is_kept_beside_what_is_not() -> None:
     np.testing.assert_allclose(found.distance, expected, atol=0.004)
 
 
-def test_the_interval_at_a_surveyed_point_holds_what_it_says() -> None:
-    """93 to 97 % of 1,000 points a millimetre to two centimetres before a noisy wall."""
+def test_interval_at_a_surveyed_point_has_its_nominal_coverage() -> None:
+    """93 to 97 % of 1,000 points that lie 1 to 20 mm in front of a noisy wall."""
     rng, held = np.random.default_rng(5), []
     place, facing = np.array([[0.02, 15.0, 4.0]]), np.array([[0.0, -15.0, -3.0]])
     for k in range(1000):
@@ -60,7 +60,7 @@ WALL = np.array([(0.5, 15.0, 4.0), (1.0, 15.0, 4.0), (1.5, 15.0, 4.0)])
 
 
 def _wall(east_of: float = 0.0, north: tuple[float, float] = (0.0, 2.0)) -> np.ndarray:
-    """An even grid of points on the wall, or that far before it."""
+    """Return an even grid of points on the wall, or `east_of` metres in front of it."""
     x, z = np.meshgrid(np.arange(*north, 0.02), np.arange(3.4, 4.6, 0.02))
     return np.column_stack([x.ravel(), np.full(x.size, 15.0 - east_of), z.ravel()])
 
@@ -85,9 +85,11 @@ def test_a_line_out_of_reach_of_the_surface_is_reported(state: str) -> None:
         _on_surface(lines["before"], lines["after"])
 
 
-def test_a_surveyed_point_needs_a_flat_place_of_the_line_about_its_foot() -> None:
-    """One has it, one lies too far before the wall or off its end, one has too few points."""
-    ends = _wall(0.01, (0.0, 0.8))  # 0.2 m from the second place, within reach but not about it
+def test_surveyed_points_need_line_points_around_their_foot() -> None:
+    """Only the first point has them: the others lie beyond the edge or have too few."""
+    ends = _wall(
+        0.01, (0.0, 0.8)
+    )  # ends 0.2 m from the second place: within reach, but not around it
     few = _wall(0.01, (1.3, 1.7))[::200]
     np.testing.assert_array_equal(_at_points(ends, ends), [0])
     np.testing.assert_array_equal(_at_points(np.vstack([ends, few]), ends), [0])
@@ -95,25 +97,25 @@ def test_a_surveyed_point_needs_a_flat_place_of_the_line_about_its_foot() -> Non
     np.testing.assert_array_equal(_at_points(thin, thin), [0])
 
 
-def test_rows_of_points_are_examined_in_a_wider_place() -> None:
-    """Profiles 0.2 m apart: within 0.3 m of a point lies one, within 0.51 m three."""
+def test_a_larger_area_is_used_for_sparse_profiles() -> None:
+    """Profiles are 0.2 m apart: one lies within 0.3 m of a point, three within 0.51 m."""
     profiles = np.vstack([_wall(0.01, (x, x + 0.01)) for x in np.arange(0.1, 2.0, 0.2)])
     np.testing.assert_array_equal(_at_points(profiles, profiles), [0, 1, 2])
 
 
-def test_a_line_that_is_nowhere_near_any_surveyed_point_is_reported() -> None:
+def test_a_line_far_from_all_surveyed_points_is_reported() -> None:
     with pytest.raises(NotComparable, check=has_code("validation.no_flat_point")):
         _at_points(_wall(0.7), _wall(0.7))
 
 
-def test_places_seen_in_one_state_each_are_no_comparison() -> None:
+def test_places_seen_only_before_or_only_after_are_reported() -> None:
     south, north = _wall(0.01, (0.0, 0.8)), _wall(0.01, (1.2, 2.0))
     with pytest.raises(NotComparable, check=has_code("validation.no_place_in_both")):
         _at_points(south, north)
 
 
-def test_derivatives_are_those_of_the_thesis_equation() -> None:
-    """X = P + R(attitude) (R(boresight) x + lever arm), by central differences."""
+def test_derivatives_match_central_differences() -> None:
+    """X = P + R(attitude) (R(boresight) x + lever arm), the equation of the thesis."""
     rng = np.random.default_rng(1)
     points = rng.uniform(-20, 20, (5, 3))
     position, attitude = rng.uniform(-50, 50, (5, 3)), rng.uniform(-0.3, 0.3, (5, 3))

@@ -1,4 +1,4 @@
-"""Surveys made by others, by the command line alone; skipped where they are not at hand."""
+"""Tests of the command line on published surveys; skipped where the data are not available."""
 
 import json
 from collections.abc import Callable, Mapping, Sequence
@@ -45,7 +45,7 @@ def make(capsys: pytest.CaptureFixture[str], data: Path, project: Path, *extra: 
 def picked(
     capsys: pytest.CaptureFixture[str], project: Path, seeds: Mapping[str, Sequence[float]]
 ) -> Any:
-    """All from one list, so that the lines are read once for them."""
+    """Pick all targets from one list, so that the lines are read only once."""
     path = project.parent / "seeds.txt"
     path.write_text("".join(f"{name} {x} {y} {z}\n" for name, (x, y, z) in seeds.items()))
     found = answer(capsys, "pick", project, "--seeds", path, "--role", "target")["seeds"]
@@ -65,7 +65,7 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
     )
     for found in picked(capsys, project, {k: t["centre"] for k, t in site["targets_nwu"].items()}):
         assert len(found["lines"]) == 6, found
-    assert open_project(project).settings.pos_errors == "correlated"  # unless told otherwise
+    assert open_project(project).settings.pos_errors == "correlated"  # the default
     thesis = answer(capsys, "estimate", project, "--pos-errors", "independent", "--no-cross-checks")
     honest = answer(capsys, "estimate", project, "--pos-errors", "correlated", "--no-cross-checks")
     error = angles(honest, "boresight_deg") - truth
@@ -91,12 +91,12 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
 def test_drone(
     capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path: Path, name: str
 ) -> None:
-    """Natural planes, half a metre apart at first, against two other adjustments.
+    """Compare natural planes, first half a metre apart, with two independent adjustments.
 
-    The tent's cloth and the grass about it fill the finder's band evenly, and one direction of the
-    angles is told by them alone. Selection carried to its end settles there 0.15 deg (pitch) and
-    0.24 deg (yaw) from the answer of the labelled points, wherever it starts from, also at that
-    answer. The program says so: the targets differ from line to line.
+    The tent's cloth and the grass around it fill the finder's search band evenly, and one direction
+    of the angles is determined by them alone. Repeated selection converges 0.15 deg (pitch) and
+    0.24 deg (yaw) from the result of the labelled points from any start, even from that result. The
+    program reports it: the targets differ from line to line.
     """
     data, project = shared_data / name, tmp_path / name
     reference = json.loads((data / "reference.json").read_text())
@@ -114,7 +114,7 @@ def test_drone(
     error = np.abs(angles(numbers, "boresight_deg") - reference["boresight_deg"])
     assert (error < (0.1 if name == "lanl_truck" else [0.1, 0.3, 0.3])).all(), error
     assert "surfaces_differ" in {each["former_code"] for each in numbers["warnings"]}
-    # The points others labelled, not those picked here, tell how well the lines fit.
+    # The agreement of the lines is measured on the independently labelled points.
     opened = open_project(project)
     survey = load_survey(opened)
     labels = np.load(data / "labels.npz")
@@ -125,7 +125,7 @@ def test_drone(
 
 
 def joint_rms(clouds: Mapping[str, np.ndarray], labels: Mapping[str, np.ndarray]) -> float:
-    """RMS of labelled points about one plane a label through all lines, metres."""
+    """Return the RMS in metres of labelled points about one plane per label through all lines."""
     squares, count = 0.0, 0
     for label in range(int(labels["line1"].max()) + 1):
         points = np.concatenate([clouds[line][labels[line] == label] for line in clouds])
@@ -144,7 +144,7 @@ def test_drone_from_labelled_points(
     loss: LossName,
     pos_errors: PosErrors,
 ) -> None:
-    """The same points as the reference's two adjustments had, in every model."""
+    """Every model uses the same points as the two independent adjustments."""
     data = shared_data / name
     reference = json.loads((data / "reference.json").read_text())
     observations, prior = labelled_points(data)
@@ -160,16 +160,16 @@ def test_drone_from_labelled_points(
 def labelled_points(
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Callable[[Path], tuple[Observations, Mounting]]:
-    """Reads each survey once."""
+    """Return a function that reads each survey only once."""
     return cache(lambda data: labelled(data, tmp_path_factory.mktemp(data.name)))
 
 
-def test_a_drones_clouds_on_the_map_give_the_answer_of_its_raw_lines(
+def test_georeferenced_drone_clouds_give_the_result_of_the_raw_lines(
     shared_data: Path,
     labelled_points: Callable[[Path], tuple[Observations, Mounting]],
     tmp_path: Path,
 ) -> None:
-    """Georeferenced with a boresight half a degree wrong, written as UTM, brought back."""
+    """The clouds were georeferenced with a boresight half a degree wrong and written in UTM."""
     data, wrong = shared_data / "lanl_tent", (0.5, -0.4, 0.6)
     raw, prior = labelled_points(data)
     trajectory = read_sbet(data / "trajectory.sbet")
@@ -210,7 +210,7 @@ def labelled(
     lines: Sequence[LineSource] = (),
     boresight_deg: tuple[float, float, float] = (0.0, 0.0, 0.0),
 ) -> tuple[Observations, Mounting]:
-    """Observations of all labelled points, with the sigmas the data's notes state."""
+    """Return observations of all labelled points, with the sigmas of the notes on the data."""
     site = json.loads((data / "site.json").read_text())
     project = create_project(
         folder / "p",

@@ -1,4 +1,4 @@
-"""What the workflow refuses, in which words, and that nothing is lost by it."""
+"""Tests of requests and data that the workflow refuses: which message, and nothing is lost."""
 
 import errno
 import json
@@ -51,10 +51,10 @@ def test_unknown_line_is_named(calibrated: tuple[Project, Survey]) -> None:
         picking.pick_target(project, survey, (0, 0, 0), name="T9", line="L9")
 
 
-def test_a_target_on_one_line_only_takes_no_part(
+def test_a_target_on_only_one_line_is_not_used(
     calibrated: tuple[Project, Survey],
 ) -> None:
-    """The others are adjusted as if it were left out; warnings and report name it."""
+    """The result is that without the target; warnings and report name it."""
     project, survey = calibrated
     target = project.target("T1")
     for plane in project.targets_of_role("validation"):
@@ -98,7 +98,7 @@ def test_fewer_than_three_points_are_refused(calibrated: tuple[Project, Survey])
         )
 
 
-def test_nothing_picked_is_refused(calibrated: tuple[Project, Survey]) -> None:
+def test_adjustment_without_targets_is_refused(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     with pytest.raises(AdjustmentError) as raised:
         calibration.estimate(replace(project, targets=()), survey)
@@ -191,9 +191,11 @@ def test_folders_that_cannot_be_read_are_named(
     assert str(closed) in str(nothing.value)
 
 
-def test_a_disk_that_fails_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_error_of_the_disk_names_the_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def failing(*_: object, **__: object) -> None:
-        raise OSError(errno.EIO, "Input/output error")  # of a read: it has no name of a file
+        raise OSError(errno.EIO, "Input/output error")  # an error of reading has no file name
 
     path = tmp_path / "line.laz"
     path.write_bytes(b"LASF")
@@ -210,8 +212,8 @@ def test_damaged_project_file_is_refused(tmp_path: Path, damage: str) -> None:
         projects.open_project(tmp_path)
 
 
-def test_another_file_under_the_same_name_is_refused(copy: Project) -> None:
-    """Indices mean nothing in other points: shorter, or of another line."""
+def test_a_replaced_line_file_is_refused(copy: Project) -> None:
+    """The stored indices are invalid for a shorter line or the points of another line."""
     first, second = copy.lines[0].path, copy.lines[1].path
     shutil.copyfile(second, first)
     with pytest.raises(InputError) as raised:
@@ -232,9 +234,7 @@ def test_another_file_under_the_same_name_is_refused(copy: Project) -> None:
         (("targets", 0, "sightings", 0, "line"), "gone"),
     ],
 )
-def test_values_that_make_no_sense_are_refused(
-    copy: Project, path: tuple[Any, ...], value: Any
-) -> None:
+def test_implausible_values_are_refused(copy: Project, path: tuple[Any, ...], value: Any) -> None:
     file = copy.folder / "project.json"
     content = json.loads(file.read_text())
     place = content
@@ -247,7 +247,7 @@ def test_values_that_make_no_sense_are_refused(
 
 
 @pytest.mark.parametrize("name", ["", "  ", "a\nb", "../x", "N" * 300])
-def test_odd_names_are_refused(calibrated: tuple[Project, Survey], name: str) -> None:
+def test_invalid_names_are_refused(calibrated: tuple[Project, Survey], name: str) -> None:
     project, _ = calibrated
     with pytest.raises(ProjectError, match="name"):
         project.with_target(replace(project.target("T1"), name=name))
@@ -266,13 +266,13 @@ def test_points_in_a_gap_of_the_trajectory_are_skipped_and_reported(copy: Projec
     assert "import.excluded_in_gaps" in codes(survey.notes)
 
 
-def test_an_origin_elsewhere_is_refused(copy: Project) -> None:
+def test_an_origin_far_from_the_survey_is_refused(copy: Project) -> None:
     far = replace(copy, settings=replace(copy.settings, origin_deg_m=(10.0, 10.0, 0.0)))
     with pytest.raises(InputError, match="km from the trajectory"):
         load_survey(far)
 
 
-def test_the_demo_leaves_other_files_alone(tmp_path: Path) -> None:
+def test_the_demo_does_not_overwrite_other_files(tmp_path: Path) -> None:
     (tmp_path / "raw").mkdir()
     (tmp_path / "raw" / "L1_000.laz").write_text("mine")
     with pytest.raises(ProjectError) as raised:
@@ -281,7 +281,7 @@ def test_the_demo_leaves_other_files_alone(tmp_path: Path) -> None:
     assert (tmp_path / "raw" / "L1_000.laz").read_text() == "mine"
 
 
-def test_one_line_is_not_picked_in_another_role(calibrated: tuple[Project, Survey]) -> None:
+def test_a_target_cannot_change_its_role_on_one_line(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     line = survey.lines[0]
     with pytest.raises(ProjectError) as raised:
@@ -303,7 +303,7 @@ def test_a_line_outside_the_trajectory_is_refused(copy: Project) -> None:
 @pytest.mark.parametrize(
     ("moved", "code"), [(0.0, "import.shift_not_needed"), (86_400.0, "import.shift_wrong")]
 )
-def test_the_shift_that_takes_a_line_off_the_trajectory_is_named(
+def test_a_time_shift_out_of_the_trajectory_is_named(
     copy: Project, moved: float, code: str
 ) -> None:
     line = copy.lines[1]
@@ -390,7 +390,7 @@ def test_a_project_folder_is_not_overwritten(copy: Project) -> None:
         ),
     ],
 )  # fmt: skip
-def test_settings_that_make_no_sense_are_refused(
+def test_invalid_settings_are_refused(
     change: dict[str, object], code: str, params: dict[str, object]
 ) -> None:
     settings = replace(Settings(lever_arm=(0.0, 0.0, 0.0)), **change)  # type: ignore[arg-type]
@@ -399,7 +399,7 @@ def test_settings_that_make_no_sense_are_refused(
     assert refused.value.message == error(code, **params)
 
 
-def test_two_lines_of_one_name_are_refused(copy: Project, tmp_path: Path) -> None:
+def test_two_lines_with_the_same_name_are_refused(copy: Project, tmp_path: Path) -> None:
     line = copy.lines[0]
     with pytest.raises(InputError) as raised:
         projects.create_project(
@@ -411,7 +411,7 @@ def test_two_lines_of_one_name_are_refused(copy: Project, tmp_path: Path) -> Non
     assert raised.value.code == "project_line.same_name"
 
 
-def test_an_adjustment_without_an_answer_names_what_is_wrong_with_the_data(
+def test_a_failed_adjustment_names_the_warnings_about_the_data(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated

@@ -1,4 +1,4 @@
-"""Redundancy, tests and detectable biases against dense matrices and repeated adjustments."""
+"""Tests of redundancy, test statistics and detectable biases against dense matrices."""
 
 from dataclasses import replace
 
@@ -37,19 +37,19 @@ from tests.test_robustness import shifted, survey
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
-FIXED = StochasticModel(surface=0.002)
+FIXED_SURFACE_MODEL = StochasticModel(surface=0.002)
 
 
 @pytest.fixture(scope="module")
 def linearised():
     data = survey(1, 0.3)
     data = relative_to_origins(data, target_centroids(data, PRIOR))
-    problem = AdjustmentProblem.of(data, PRIOR, FIXED)
+    problem = AdjustmentProblem.of(data, PRIOR, FIXED_SURFACE_MODEL)
     return iterate(problem, problem.start(PRIOR, fit_shapes(data, PRIOR)), no_progress).linearised
 
 
 def dense(linearised):
-    """Design of all unknowns, variances, and prior precision, written out."""
+    """Return the covariance of all unknowns, including the POS errors, from dense matrices."""
     normal, problem = linearised.normal, linearised.problem
     layout, knots = normal.layout, problem.groups.knots
     u, e = layout.size, len(normal.pull)
@@ -64,15 +64,15 @@ def dense(linearised):
     return np.linalg.inv(full)
 
 
-def test_the_covariance_is_that_of_the_whole_normal_matrix(linearised) -> None:
+def test_covariance_equals_the_inverse_of_the_whole_normal_matrix(linearised) -> None:
     size = linearised.normal.layout.size
     np.testing.assert_allclose(
         linearised.normal.covariance, dense(linearised)[:size, :size], rtol=1e-5, atol=1e-14
     )
 
 
-def test_redundancy_numbers_add_up(linearised) -> None:
-    """Points' redundancies and what the priors contribute sum to the number of points."""
+def test_redundancy_numbers_sum_to_the_degrees_of_freedom(linearised) -> None:
+    """Their sum is the number of points less the part of the unknowns determined by data."""
     from lispac.adjustment.diagnostics.reliability import _knot_covariance
 
     normal, problem = linearised.normal, linearised.problem
@@ -94,18 +94,18 @@ def test_redundancy_numbers_add_up(linearised) -> None:
     assert np.std(w) == pytest.approx(1.0, abs=0.15)
 
 
-def test_a_shift_is_what_the_adjustment_without_the_sightings_prior_finds(linearised) -> None:
+def test_shift_equals_that_of_an_adjustment_without_its_prior(linearised) -> None:
     tests = sighting_tests(linearised)
     for s in (0, 5, 9):
         problem = Blunder("surface", (s,)).reject_in(linearised.problem)
         free = iterate(problem, linearised.state, no_progress).linearised
-        # Released with its tilts too, so nearly the same only
+        # The tilts are released too, so the results agree only approximately.
         offset = free.departures[s, 2]
         assert tests.shift[s] == pytest.approx(offset, abs=0.7 * tests.sigma[s])
 
 
-def test_a_shift_and_its_sigma_are_those_of_dense_matrices_without_the_prior(linearised) -> None:
-    """The prior of one offset taken out of the whole normal matrix, which is solved anew."""
+def test_shift_and_sigma_match_dense_matrices_without_the_prior(linearised) -> None:
+    """The prior of one offset is removed from the whole normal matrix, which is inverted again."""
     tests, problem = sighting_tests(linearised), linearised.problem
     covariance = dense(linearised)
     full, usual = np.linalg.inv(covariance), problem.default_surface_sigmas[2]
@@ -138,8 +138,8 @@ def test_the_pos_error_of_a_sighting_is_that_of_the_nearest_knot(linearised) -> 
         np.testing.assert_allclose(item.pos_sigma, sigma[own].mean(axis=0), rtol=1e-12)
 
 
-def test_what_is_detectable_is_four_sigmas_and_what_it_does(linearised) -> None:
-    """Power 80 % at 0.1 %: Baarda's 4.13 (two normal quantiles, 3.29 and 0.84)."""
+def test_detectable_shift_is_four_sigmas(linearised) -> None:
+    """Baarda's 4.13 is the sum of two normal quantiles: 3.29 (level 0.1 %), 0.84 (power 80 %)."""
     tests = sighting_tests(linearised)
     for s, item in enumerate(compute_reliability(linearised)):
         assert item.detectable == pytest.approx(4.13 * tests.sigma[s])
@@ -150,7 +150,7 @@ def test_what_is_detectable_is_four_sigmas_and_what_it_does(linearised) -> None:
     assert pytest.approx(-ndtri(0.0005), abs=0.005) == CRITICAL_VALUE
 
 
-def test_test_values_of_sightings_are_unit_normal() -> None:
+def test_statistics_of_sightings_are_standard_normal() -> None:
     values = []
     for seed in range(30):
         generator = np.random.default_rng([12, seed])
@@ -165,7 +165,7 @@ def test_test_values_of_sightings_are_unit_normal() -> None:
     assert 0.8 < np.std(values) < 1.2
 
 
-def test_the_effect_of_a_shift_is_what_it_does_to_the_angles() -> None:
+def test_predicted_effect_of_a_shift_on_the_angles_is_observed() -> None:
     data = survey(2, 0.15)
     model = StochasticModel(surface=0.002)
     before = adjust(data, PRIOR, model)
@@ -174,7 +174,7 @@ def test_the_effect_of_a_shift_is_what_it_does_to_the_angles() -> None:
         item = before.reliability[s]
         predicted = item.effect / item.detectable * 0.02
         done = after.boresight - before.boresight
-        # The sign is that of the normal, which either way is right.
+        # The sign depends on the direction of the normal, which is arbitrary.
         assert (
             min(np.abs(done - predicted).max(), np.abs(done + predicted).max())
             < 0.25 * np.abs(done).max() + 0.02 * before.sigma.max()
@@ -190,7 +190,7 @@ def test_detectable_biases_of_points_follow_from_noise_and_redundancy(linearised
         assert (item.pos_sigma_after <= item.pos_sigma * 1.0001).all()
 
 
-def test_the_point_farthest_off_is_named_by_its_time() -> None:
+def test_point_with_the_largest_residual_is_identified_by_its_time() -> None:
     data = survey(2, 0.15)
     k = int(np.flatnonzero(data.sighting == 4)[11])
     points = data.points_lidar.copy()
@@ -213,7 +213,7 @@ def test_the_point_farthest_off_is_named_by_its_time() -> None:
 
 @pytest.mark.parametrize("beam", [False, True])
 def test_lidar_noise_is_propagated_through_the_beam(beam) -> None:
-    """Against ``b' C b`` with the full covariance of a beam of any direction."""
+    """Compare with ``b' C b`` for the full covariance C of a beam in any direction."""
     generator = np.random.default_rng(0)
     for _ in range(20):
         point, b = generator.normal(0, 10, 3), generator.normal(0, 1, 3)
@@ -226,8 +226,8 @@ def test_lidar_noise_is_propagated_through_the_beam(beam) -> None:
         assert found == pytest.approx(expected, rel=1e-12)
 
 
-def test_components_find_the_errors_that_were_put_in() -> None:
-    """LiDAR stated twice too small, positions twice too large, over several surveys."""
+def test_variance_components_recover_the_simulated_errors() -> None:
+    """Sigmas of LiDAR half, of positions twice the true ones, over several surveys."""
     logs = []
     for seed in range(6):
         data = survey(30 + seed, 0.08)
@@ -252,8 +252,8 @@ def test_components_find_the_errors_that_were_put_in() -> None:
 
 
 @pytest.mark.long
-def test_positions_worse_than_given_are_found_with_surfaces_unknown_too() -> None:
-    """Positions 2.5 times worse than stated: without components over-confident, with them not."""
+def test_variance_components_recover_too_small_position_sigmas() -> None:
+    """Positions are 2.5 times worse than given; only without components sigmas are too small."""
     model = StochasticModel(loss="tukey")
     plain, told, factors = [], [], []
     for seed in range(6):
@@ -268,8 +268,8 @@ def test_positions_worse_than_given_are_found_with_surfaces_unknown_too() -> Non
     assert np.exp(np.mean(np.log(factors))) == pytest.approx(2.5, rel=0.35)
 
 
-def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
-    """Restricted likelihood by one dense covariance of all misclosures."""
+def test_likelihood_matches_dense_matrices(linearised) -> None:
+    """Compare with the restricted likelihood from one dense covariance of all misclosures."""
     from lispac.adjustment.solve.variance_components import _RestrictedLikelihood
 
     likelihood = _RestrictedLikelihood(linearised)
@@ -319,7 +319,7 @@ def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
     assert len(estimate_variance_components(linearised).components) == 3
 
 
-def test_cross_checks_agree_on_a_clean_survey_and_name_what_is_odd() -> None:
+def test_cross_checks_agree_on_a_clean_survey_and_name_a_blunder() -> None:
     model = StochasticModel(loss="tukey", surface=0.0)
     clean = average_points_in_cells(survey(40), PRIOR, 0.1)
     checks = cross_checks(clean, PRIOR, adjust(clean, PRIOR, model))
@@ -333,14 +333,16 @@ def test_cross_checks_agree_on_a_clean_survey_and_name_what_is_odd() -> None:
     assert (ratio < 4).all()
     halves = [c for c in checks.parts if c.kind == "half"]
     np.testing.assert_allclose(halves[0].difference, -halves[1].difference)
-    # A board that hangs on one half and leans on the other is one no model knows.
-    odd = average_points_in_cells(shifted(shifted(survey(40), 0, 0.08), 1, -0.08), PRIOR, 0.1)
+    # Opposite shifts of two sightings contradict every model.
+    inconsistent = average_points_in_cells(
+        shifted(shifted(survey(40), 0, 0.08), 1, -0.08), PRIOR, 0.1
+    )
     plain = replace(model, loss="none")
-    said = cross_checks(odd, PRIOR, adjust(odd, PRIOR, plain))
+    said = cross_checks(inconsistent, PRIOR, adjust(inconsistent, PRIOR, plain))
     assert {"L1", "L2"} & {c.part for c in said.disagreements}
 
 
-def test_parts_that_determine_nothing_say_why() -> None:
+def test_subsets_without_a_result_give_the_reason() -> None:
     generator = np.random.default_rng(5)
     exact = error_free_survey(TRUTH, THESIS_BOARDS[1:], six_courses()[:3], 0.1, generator)
     data = add_errors(exact, HYDROGRAPHIC_INS, generator)

@@ -1,4 +1,4 @@
-"""The report: its numbers, its warnings, and that each kind of file says the same."""
+"""Tests of the numbers and warnings of the report, and that all file formats agree."""
 
 import base64
 import csv
@@ -32,7 +32,9 @@ from lispac.report.pdf import write_pdf
 from tests.error_codes import has_code
 from tests.report_sample import sample_content, sample_project
 
-ODD = "<script>alert(1)</script> #pagebreak() $x^2$ *b* _u_ \\n \"q\" 'a' & @ref `c` Québec Ωμ"
+SPECIAL_CHARACTERS = (
+    "<script>alert(1)</script> #pagebreak() $x^2$ *b* _u_ \\n \"q\" 'a' & @ref `c` Québec Ωμ"
+)
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +66,7 @@ def _has(text: str, number: str) -> bool:
 
 
 class _Words(HTMLParser):
-    """Collects what a reader sees, and where the page would fetch from."""
+    """Parser that collects the visible text of a page and the addresses it would load."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -87,7 +89,7 @@ def _page(text: str) -> _Words:
 
 
 def _shown_numbers(data: dict) -> list[str]:
-    """Every number of a JSON report that a reader needs, as a document writes it."""
+    """Return the numbers of a JSON report as documents print them."""
     numbers = []
     adjustment = data["adjustment"]
     for key in ("prior_boresight_deg", "boresight_deg"):
@@ -123,7 +125,7 @@ def _shown_numbers(data: dict) -> list[str]:
     checks = data["cross_checks"]
     for key in ("sigma_deg", "spread_lines_deg"):
         numbers += [f"{v:.4f}" for v in checks[key].values()]
-    # The first half is the second with the other sign.
+    # The difference of the first half is that of the second with the opposite sign.
     parts = [part for part in checks["parts"] if (part["kind"], part["part"]) != ("half", "first")]
     for part in parts:
         numbers += [f"{v:+.4f}" for v in (part["difference_deg"] or {}).values()]
@@ -158,7 +160,7 @@ def _signed_numbers(places: dict, planes: dict) -> list[str]:
     ]
 
 
-def test_angles_uncertainty_and_effect(content: ReportContent) -> None:
+def test_report_has_angles_uncertainties_and_effects(content: ReportContent) -> None:
     roll, pitch, yaw = content.angles
     assert roll.estimated_deg == pytest.approx(0.43951)
     assert pitch.sigma_deg == pytest.approx(0.0291)
@@ -166,7 +168,7 @@ def test_angles_uncertainty_and_effect(content: ReportContent) -> None:
     assert content.adjustment is not None
     effects = {effect.angle: effect.displacement_m for effect in content.adjustment.effects}
     assert effects["roll"] == pytest.approx([d * np.radians(0.0163) for d in (10, 50, 100)])
-    # Sampled: how far points 10 m away in every direction move, at the worst of them.
+    # Sampled: the largest displacement of points 10 m away in all directions.
     rng = np.random.default_rng(3)
     covariance = np.radians(0.0163), np.radians(0.0291), np.radians(0.0376)
     correlation = np.array(content.adjustment.correlation)
@@ -187,7 +189,7 @@ def test_files_are_identified_by_digest(content: ReportContent, project: Project
     assert line.sha256 == hashlib.sha256(data).hexdigest()
 
 
-def test_missing_file_is_a_warning_and_no_failure(project: Project, tmp_path: Path) -> None:
+def test_a_missing_file_gives_a_warning_in_the_report(project: Project, tmp_path: Path) -> None:
     moved = replace(project, trajectory=tmp_path / "gone.sbet")
     content = sample_content(moved)
     assert content.files[0].sha256 is None
@@ -195,11 +197,11 @@ def test_missing_file_is_a_warning_and_no_failure(project: Project, tmp_path: Pa
     assert "not readable" in html_text(content, {})
 
 
-def test_finished_project_warns_of_nothing(content: ReportContent) -> None:
+def test_finished_project_has_no_warnings(content: ReportContent) -> None:
     assert content.warnings == ()
 
 
-def test_rules_speak_up(project: Project) -> None:
+def test_each_rule_of_the_report_gives_its_warning(project: Project) -> None:
     result = project.result
     assert result is not None
     test = result.chi_square
@@ -221,7 +223,7 @@ def test_rules_speak_up(project: Project) -> None:
     assert found.warnings[0].level is Level.WARNING
 
 
-def test_targets_seen_on_few_lines(project: Project) -> None:
+def test_targets_seen_on_few_lines_give_a_warning(project: Project) -> None:
     first, second, *rest = project.targets
     few = replace(first, sightings=first.sightings[:1], missing={"L2": note("finder.not_alike")})
     some = replace(second, sightings=second.sightings[:2])
@@ -235,7 +237,7 @@ def test_targets_seen_on_few_lines(project: Project) -> None:
     assert f"T1 was not found on L2. {reason}" in html
 
 
-def test_truth_of_a_simulated_survey(project: Project) -> None:
+def test_truth_of_a_simulated_survey_is_reported(project: Project) -> None:
     content = sample_content(replace(project, truth_deg=(0.44, -1.87, 0.6)))
     assert content.angles[0].error_deg == pytest.approx(0.43951 - 0.44)
     assert {"report.simulated", "report.truth_outside"} <= _codes(content)
@@ -244,7 +246,7 @@ def test_truth_of_a_simulated_survey(project: Project) -> None:
     assert note("quantity.roll") not in outside.params["angles"]
 
 
-def test_json_holds_full_precision(content: ReportContent, tmp_path: Path) -> None:
+def test_json_has_full_precision(content: ReportContent, tmp_path: Path) -> None:
     path = tmp_path / "report.json"
     write_json(content, path)
     data = json.loads(path.read_text(encoding="utf-8"))
@@ -270,7 +272,7 @@ def test_pdf_and_html_show_the_numbers_of_the_json(content: ReportContent, tmp_p
     assert "Page 1 of" in text
 
 
-def test_tables_hold_the_numbers_of_the_json(content: ReportContent, tmp_path: Path) -> None:
+def test_tables_have_the_numbers_of_the_json(content: ReportContent, tmp_path: Path) -> None:
     write_json(content, tmp_path / "r.json")
     data = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
     write_tables(content, tmp_path / "r.zip")
@@ -298,7 +300,7 @@ def test_tables_hold_the_numbers_of_the_json(content: ReportContent, tmp_path: P
 
 
 @pytest.mark.parametrize("picked", [True, False])
-def test_uncalibrated_project_says_so_on_page_one(
+def test_page_one_states_that_a_project_is_not_calibrated(
     project: Project, tmp_path: Path, picked: bool
 ) -> None:
     bare = replace(project, result=None, validation=())
@@ -316,7 +318,7 @@ def test_uncalibrated_project_says_so_on_page_one(
     assert "Estimated" not in first
 
 
-def test_html_needs_nothing_beside_it(content: ReportContent, tmp_path: Path) -> None:
+def test_html_loads_no_other_files(content: ReportContent, tmp_path: Path) -> None:
     picture = tmp_path / "view.png"
     figures.site_figure({}, {"T1": (1.0, 2.0)}, {}).savefig(picture, dpi=40)
     path = tmp_path / "report.html"
@@ -331,28 +333,28 @@ def test_html_needs_nothing_beside_it(content: ReportContent, tmp_path: Path) ->
     assert "The view after" in page.words
 
 
-def test_odd_names_come_through(tmp_path: Path) -> None:
-    project = sample_project(tmp_path / "p", target=ODD)
+def test_special_characters_in_names_are_kept(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p", target=SPECIAL_CHARACTERS)
     content = sample_content(project)
-    content = replace(content, project=ODD)
+    content = replace(content, project=SPECIAL_CHARACTERS)
     page = _page(html_text(content, {}))
-    assert page.words.count(ODD) >= 3
+    assert page.words.count(SPECIAL_CHARACTERS) >= 3
     assert "script" not in page.tags
     path = tmp_path / "odd.pdf"
     write_pdf(content, path, {})
     # Long words may be broken, and a long cell into lines.
     text = re.sub(r"[\s\u200b]", "", _pdf_text(path, "-raw"))
-    assert text.count(re.sub(r"\s", "", ODD)) >= 3
+    assert text.count(re.sub(r"\s", "", SPECIAL_CHARACTERS)) >= 3
 
 
-def test_letters_no_font_of_ours_has_are_no_failure(content: ReportContent, tmp_path: Path) -> None:
+def test_letters_missing_in_the_fonts_do_not_fail(content: ReportContent, tmp_path: Path) -> None:
     far = replace(content, project="\u6e2f\u53e3", validation=content.validation[:1])
     far = replace(far, validation=(replace(far.validation[0], name="\u5854"),))
     write_pdf(far, tmp_path / "far.pdf", {})
     assert (tmp_path / "far.pdf").stat().st_size > 10_000
 
 
-def test_what_the_figures_are_drawn_from_is_among_the_tables(
+def test_data_of_the_figures_are_among_the_tables(
     project: Project, content: ReportContent, tmp_path: Path
 ) -> None:
     write_tables(content, tmp_path / "r.zip")
@@ -371,12 +373,12 @@ def test_what_the_figures_are_drawn_from_is_among_the_tables(
     assert [int(row[3]) for row in histogram[1:]] == plane.counts_after.tolist()
     lows = [float(row[0]) for row in histogram[1:]]
     assert lows == pytest.approx(1000 * plane.bin_edges[:-1], abs=1e-3)
-    # The last bin holds all that is farther off.
+    # The last bin holds all larger distances.
     assert [float(row[1]) for row in histogram[1:-1]] == pytest.approx(lows[1:])
     assert histogram[-1][1] == "and beyond"
 
 
-def test_bad_pictures_are_refused_in_one_sentence(content: ReportContent, tmp_path: Path) -> None:
+def test_invalid_pictures_are_refused(content: ReportContent, tmp_path: Path) -> None:
     broken = tmp_path / "broken.png"
     broken.write_bytes(b"no picture")
     with pytest.raises(LispacError, check=has_code("report.picture_invalid", file=str(broken))):
@@ -387,7 +389,7 @@ def test_bad_pictures_are_refused_in_one_sentence(content: ReportContent, tmp_pa
         write_html(content, tmp_path / "r.html", {"View": tmp_path / "view.bmp"})
 
 
-def test_figures_draw_into_the_figure_given(project: Project) -> None:
+def test_figures_are_drawn_into_the_given_figure(project: Project) -> None:
     assert project.result is not None
     figure = histogram_figure(project.validation[0])
     title = figure.axes[0].get_title(loc="left")
@@ -407,7 +409,7 @@ def test_figures_draw_into_the_figure_given(project: Project) -> None:
     assert left > right  # west is positive and lies on the left
 
 
-def test_names_of_near_planes_do_not_meet_on_the_plan() -> None:
+def test_names_of_near_planes_do_not_overlap_on_the_plan() -> None:
     near = {f"V{k}": (20.0 + 0.6 * k, 30.0 - 0.4 * k, 2.0) for k in range(4)}
     targets = {"T1": (20.5, 30.1, 1.0), "T2": (80.0, -10.0, 1.0)}
     figure = figures.site_figure({"L1": [(0, 0), (100, 0)]}, targets, near)

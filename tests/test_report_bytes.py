@@ -1,4 +1,4 @@
-"""The same inputs give the same bytes, in another process, folder and order of hashes."""
+"""Tests that equal inputs give equal bytes in another process, folder and hash order."""
 
 import hashlib
 import os
@@ -22,7 +22,7 @@ from tests.report_sample import MADE, sample_content, sample_project
 from tests.test_report import _pdf_text
 
 ROOT = Path(__file__).resolve().parents[1]
-RUN = """
+SCRIPT = """
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -48,7 +48,7 @@ for page in ("a4", "letter"):
 write_json(content, folder / "r.json")
 write_tables(content, folder / "r.zip")
 """
-KINDS = ("a4.pdf", "letter.pdf", "a4.html", "letter.html", "r.json", "r.zip")
+FILE_NAMES = ("a4.pdf", "letter.pdf", "a4.html", "letter.html", "r.json", "r.zip")
 
 
 def _digests(folder: Path, names: tuple[str, ...]) -> dict[str, str]:
@@ -62,15 +62,15 @@ def test_two_processes_in_two_folders_write_the_same_bytes(tmp_path: Path) -> No
         folder.mkdir(parents=True)
         environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)}
         subprocess.run(
-            [sys.executable, "-c", RUN, str(folder)], check=True, env=environment, cwd=folder,
+            [sys.executable, "-c", SCRIPT, str(folder)], check=True, env=environment, cwd=folder,
             timeout=300,
         )  # fmt: skip
-        found.append(_digests(folder, KINDS))
+        found.append(_digests(folder, FILE_NAMES))
     assert found[0] == found[1]
-    assert len(set(found[0].values())) == len(KINDS)  # the page does make a difference
+    assert len(set(found[0].values())) == len(FILE_NAMES)  # the page size changes the file
 
 
-def test_only_lines_with_the_date_differ_where_it_does(tmp_path: Path) -> None:
+def test_another_date_changes_only_lines_with_the_date(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     texts, others = [], []
     for made in (MADE, MADE + timedelta(days=3)):

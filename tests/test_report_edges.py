@@ -1,4 +1,4 @@
-"""Figures and sections of the report where there is little, or nothing, to show."""
+"""Tests of figures and sections of the report with little or no content."""
 
 from dataclasses import replace
 
@@ -41,7 +41,7 @@ def _text(blocks: list[Block]) -> str:
 
 
 @pytest.mark.parametrize(("count", "rotation"), [(3, 0.0), (4, 40.0)])
-def test_names_of_many_values_are_written_aslant(count: int, rotation: float) -> None:
+def test_labels_of_many_values_are_slanted(count: int, rotation: float) -> None:
     names = ("roll", "pitch", "yaw", "lever_x")[:count]
     axes, _scale = correlation_figure_of(names, np.eye(count)).axes
     labels = axes.get_xticklabels()
@@ -49,21 +49,21 @@ def test_names_of_many_values_are_written_aslant(count: int, rotation: float) ->
     assert len(axes.texts) == count**2
 
 
-def test_a_site_without_anything_has_no_legend() -> None:
+def test_an_empty_site_plan_has_no_legend() -> None:
     assert site_figure({}, {}, {}).legends == []
     (legend,) = site_figure({"L1": [[0.0, 0.0], [5.0, 0.0]]}, {}, {}).legends
     assert [text.get_text() for text in legend.get_texts()] == ["L1"]
 
 
-def test_a_line_of_one_place_has_no_direction() -> None:
-    """It is in the legend, but without an arrow."""
+def test_a_line_of_one_position_has_no_direction() -> None:
+    """It is in the legend but has no arrow."""
     (one,) = site_figure({"L1": [[1.0, 2.0]]}, {}, {}).axes
     (two,) = site_figure({"L1": [[1.0, 2.0], [4.0, 2.0]]}, {}, {}).axes
     assert len(one.lines) == len(two.lines) == 1
     assert len(one.texts) < len(two.texts)
 
 
-def test_a_picture_is_the_figure_as_it_is_drawn() -> None:
+def test_a_picture_shows_the_figure_as_drawn() -> None:
     names, matrix = ("roll", "pitch", "yaw"), np.eye(3)
     (picture,) = svg_pictures(correlation_figure_of, names, matrix)
     assert picture == svg_of(correlation_figure_of(names, matrix))
@@ -81,12 +81,12 @@ def test_errors_of_surveys_are_drawn_over_what_was_predicted() -> None:
         for angle, ratio in zip(("roll", "pitch", "yaw"), found.ratio, strict=True)
     ]
     np.testing.assert_allclose(found.ratio, [1.0, 2.0, 0.5], rtol=0.15)
-    # Every survey is in a bar, those far off in the last one.
+    # Every survey is in a bar; the last bar holds the largest errors.
     for axes in figure.axes:
         assert sum(bar.get_height() for bar in axes.patches) == 400
 
 
-def test_a_comparison_of_an_earlier_version_has_no_profile(project: Project) -> None:
+def test_a_comparison_of_an_earlier_version_has_no_profile_figure(project: Project) -> None:
     plane = project.validation[0]
     old = profile_figure(replace(plane, by_height=None, by_range=None))
     (axes,) = old.axes
@@ -99,7 +99,7 @@ def test_a_comparison_of_an_earlier_version_has_no_profile(project: Project) -> 
 # -- sections --------------------------------------------------------------------------------
 
 
-def test_planes_without_profiles_maps_and_signs_have_no_such_block(project: Project) -> None:
+def test_missing_profiles_maps_and_signed_distances_have_no_blocks(project: Project) -> None:
     first = project.validation[0]
     bare = replace(
         first, by_height=None, by_range=None, maps=(), not_compared=(),
@@ -120,7 +120,7 @@ def test_planes_without_profiles_maps_and_signs_have_no_such_block(project: Proj
     assert "could not be compared" not in _text(less)
 
 
-def test_what_the_lines_see_is_omitted_where_it_was_not_computed(project: Project) -> None:
+def test_observability_is_omitted_where_it_was_not_computed(project: Project) -> None:
     assert project.result is not None
     seen = project.result.observability
     assert seen is not None
@@ -134,7 +134,7 @@ def test_what_the_lines_see_is_omitted_where_it_was_not_computed(project: Projec
         assert (head in _titles(blocks)) == has_table
 
 
-def test_spreads_that_are_known_need_no_excuse(project: Project) -> None:
+def test_known_spreads_have_no_explanation_of_their_absence(project: Project) -> None:
     assert project.cross_checks is not None
     excuse = "at least three targets"
     known = replace(project.cross_checks, spread_targets=project.cross_checks.spread_lines)
@@ -143,7 +143,7 @@ def test_spreads_that_are_known_need_no_excuse(project: Project) -> None:
         assert (excuse in _text(checks_section.cross_check_blocks(content))) == said
 
 
-def test_a_site_that_nothing_is_known_of_is_not_drawn(content: ReportContent) -> None:
+def test_a_site_without_tracks_and_planes_is_not_drawn(content: ReportContent) -> None:
     tracks = tuple(replace(line, track_local_m=()) for line in content.lines)
     drawn = sections.site_blocks(content)
     assert "Site plan in the local frame." in _titles(drawn)
@@ -152,7 +152,7 @@ def test_a_site_that_nothing_is_known_of_is_not_drawn(content: ReportContent) ->
     assert "Lines" in _titles(bare)
 
 
-def test_sightings_held_to_one_shape_are_reported(project: Project) -> None:
+def test_a_zero_surface_sigma_is_explained(project: Project) -> None:
     held = replace(project, settings=replace(project.settings, surface=0.0))
     for made, said in ((held, True), (project, False)):
         cells = [

@@ -1,4 +1,4 @@
-"""Reports of every kind in French: nothing in them is English but the names."""
+"""Tests of French reports of every kind: only names remain as typed."""
 
 import csv
 import json
@@ -59,7 +59,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 def _english_left(content: ReportContent) -> tuple[str, ...]:
-    """What of the report still looks English."""
+    """Return the texts of the French report that contain English words."""
     with in_language("fr"):
         made = drawn_document(undrawn_document(content, {}, FRENCH))
     english = re.compile(r"\b(the|of|and|or|to|is|was|were|are|with|from|by|its|they)\b")
@@ -68,9 +68,9 @@ def _english_left(content: ReportContent) -> tuple[str, ...]:
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
-def test_nothing_stays_english(project: Project, variant: str) -> None:
+def test_no_english_text_remains(project: Project, variant: str) -> None:
     left = _english_left(content_of_sample(VARIANTS[variant](project)))
-    # Made up by the tests of warnings
+    # Text of a sample warning that has no translation
     assert [text for text in left if text != "These lines do not see it."] == []
 
 
@@ -196,7 +196,7 @@ def test_error_budgets_are_in_french(project: Project, known: dict[str, Any]) ->
     assert _english_left(replace(content_of_sample(project), budget=budget)) == ()
 
 
-def test_what_the_user_typed_stays(project: Project) -> None:
+def test_text_typed_by_the_user_is_kept(project: Project) -> None:
     typed = replace(project.identity, vessel="Points", remarks="Roll. Pitch.", company="up")
     options = ReportOptions(language="fr", heading="Good.", closing="yes", company="no")
     document = report_document(content_of_sample(replace(project, identity=typed)), {}, options)
@@ -211,7 +211,7 @@ def test_what_the_user_typed_stays(project: Project) -> None:
     assert signature.fields[:2] == ("Hydrographe", "Entreprise")
 
 
-def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> None:
+def test_french_report_counts_texts_without_translation(project: Project) -> None:
     content = content_of_sample(project)
     document = report_document(content, {}, FRENCH)
     assert document.language == "fr"
@@ -220,7 +220,7 @@ def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> No
     assert report_document(content, {}) == drawn_document(undrawn_document(content, {}))
 
 
-def test_numbers_and_names_are_those_of_the_english_report(project: Project) -> None:
+def test_numbers_and_names_equal_those_of_the_english_report(project: Project) -> None:
     content = content_of_sample(project)
     english, french = (
         [b for s in report_document(content, {}, options).sections for b in s.blocks]
@@ -235,7 +235,7 @@ def test_numbers_and_names_are_those_of_the_english_report(project: Project) -> 
 
 
 def _numbers(text: str, decimal: str, group: str) -> list[str]:
-    # A sigma is an écart-type in most places
+    # Sigma is translated as écart-type in most texts.
     text = re.sub("1[ \u00a0]sigma", "", text)
     found = re.findall(rf"[+\u2212\u00b1]?\d(?:[\d{decimal}{group}]*\d)?", text)
     return [each.replace(group, "").replace(decimal, ".") for each in found]
@@ -245,8 +245,8 @@ NUMBERS_OF_NAMES = re.compile(r"6\.1\.0|LISPAC \d+\.\d+\.\d+\w*|1980-\S+")
 
 
 @pytest.mark.parametrize("variant", ["as it is", "thesis", "parameters", "components"])
-def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, variant: str) -> None:
-    # Without notes of the import: they quote units as the files have them
+def test_texts_tables_and_figures_use_the_decimal_comma(project: Project, variant: str) -> None:
+    # Import notes are excluded: they quote units as written in the files.
     content = replace(content_of_sample(VARIANTS[variant](project)), notes=())
     with in_language("fr"):
         document = undrawn_document(content, {}, FRENCH)
@@ -276,14 +276,14 @@ def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, varian
     assert sum(bool(re.search(r"\d,\d", text)) for text in shown) > 10
 
 
-def test_minus_signs_of_messages_are_true_ones_and_names_stay() -> None:
+def test_messages_have_true_minus_signs_and_unchanged_names() -> None:
     text = with_minus_signs(
         "After, L1 -3 (-50.0 mm ± 7.7 mm) is off by -2 mm: 2025-06-04.", ["L1 -3"]
     )
     assert text == "After, L1 -3 (\u221250.0 mm ± 7.7 mm) is off by \u22122 mm: 2025-06-04."
 
 
-def test_names_that_are_words_stay(tmp_path: Path) -> None:
+def test_names_that_are_english_words_are_not_translated(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "before", target="Points")
     document = report_document(content_of_sample(project), {}, FRENCH)
     tables = {b.title: b for s in document.sections for b in s.blocks if b.kind == "table"}
@@ -304,7 +304,7 @@ def test_no_part_of_a_name_is_translated(tmp_path: Path, name: str, case: int) -
     assert after.count(name) == before.count(name)
 
 
-def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None:
+def test_pdf_html_and_tables_are_french(project: Project, tmp_path: Path) -> None:
     content = content_of_sample(project)
     write_pdf(content, tmp_path / "r.pdf", {}, FRENCH)
     text = _pdf_text(tmp_path / "r.pdf")
@@ -332,7 +332,7 @@ def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None
     assert re.search(r"[+-]\d+\.\d \u00b1 \d+\.\d", planes[1])
 
 
-def test_names_of_makers_need_no_elision(project: Project) -> None:
+def test_names_of_manufacturers_have_no_elision(project: Project) -> None:
     for each in SYSTEMS:
         made = report_content(
             project, headings_deg={}, counts={}, track_local={}, notes=(), generated=MADE,

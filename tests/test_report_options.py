@@ -1,4 +1,4 @@
-"""What can be chosen of a report: page, convention of the values, and a company's template."""
+"""Tests of the options of the report: page size, convention of the values, company template."""
 
 import csv
 import json
@@ -75,7 +75,7 @@ def _content(project: Project, key: str) -> ReportContent:
     return sample_content(project, convention=key)
 
 
-def test_a_template_holds_what_a_company_wants(template: Path) -> None:
+def test_a_template_has_the_settings_of_a_company(template: Path) -> None:
     options = report_options(template)
     assert options == ReportOptions(
         "letter", "applanix", logo=template.parent / "art" / "logo.svg",
@@ -92,7 +92,7 @@ def test_a_template_holds_what_a_company_wants(template: Path) -> None:
 
 
 @pytest.mark.parametrize("language", ["en", "fr"])
-def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> None:
+def test_the_template_of_the_manual_is_valid(language: str, tmp_path: Path) -> None:
     checkout = Path(__file__).resolve().parents[1]
     manual = checkout / "resources" / "manual" / language / "report.md"
     blocks = re.findall(r"(?:^ {4}.*\n)+", manual.read_text(encoding="utf-8"), re.MULTILINE)
@@ -118,7 +118,7 @@ def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> Non
         ('heading = "a\\u0007b"', "report_template.long_text"),
     ],
 )
-def test_a_bad_template_is_refused_in_one_sentence(tmp_path: Path, text: str, said: str) -> None:
+def test_an_invalid_template_is_refused(tmp_path: Path, text: str, said: str) -> None:
     path = tmp_path / "own.toml"
     path.write_text(text, encoding="utf-8")
     with pytest.raises(InputError) as refusal:
@@ -128,7 +128,7 @@ def test_a_bad_template_is_refused_in_one_sentence(tmp_path: Path, text: str, sa
     assert "\n" not in str(refusal.value)
 
 
-def test_a_template_that_is_not_there_or_not_text_is_refused(tmp_path: Path) -> None:
+def test_a_missing_or_binary_template_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="report template") as refusal:
         report_options(tmp_path / "gone.toml")
     assert refusal.value.code == "file.not_found"
@@ -138,7 +138,7 @@ def test_a_template_that_is_not_there_or_not_text_is_refused(tmp_path: Path) -> 
     assert raised.value.code == "report_template.not_toml"
 
 
-def test_a_logo_that_cannot_be_drawn_is_named(
+def test_an_invalid_logo_is_named(
     demo_project: Project, template: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     logo = template.parent / "art" / "logo.svg"
@@ -150,7 +150,7 @@ def test_a_logo_that_cannot_be_drawn_is_named(
     assert not output.exists()
 
 
-def test_letterhead_and_texts_stand_in_pdf_and_html(
+def test_letterhead_and_texts_are_in_pdf_and_html(
     project: Project, template: Path, tmp_path: Path
 ) -> None:
     options = report_options(template)
@@ -199,7 +199,7 @@ def test_page_one_ends_with_the_signature(
     first = _pdf_text(path, "-f", "1", "-l", "1")
     assert all(f"{k}: {remark}" in re.sub(r"\s+", " ", first) for k in range(4))
     assert re.search("Place and date|Lieu et date", first)
-    # Too much for one page: the signature moves on, and what stands above it goes along.
+    # With too much text for one page, the signature moves on with the text above it.
     many = replace(content, warnings=said * 10)
     write_pdf(many, path, {}, options)
     pages = _pdf_text(path).split("\f")
@@ -208,7 +208,7 @@ def test_page_one_ends_with_the_signature(
     assert "Valid until an instrument is moved." in pages[at]
 
 
-def test_pages_have_the_size_that_is_chosen(project: Project, tmp_path: Path) -> None:
+def test_pages_have_the_chosen_size(project: Project, tmp_path: Path) -> None:
     content = sample_content(project)
     boxes = {}
     for page in ("a4", "letter"):
@@ -235,7 +235,7 @@ def test_pages_have_the_size_that_is_chosen(project: Project, tmp_path: Path) ->
         (False, 25, "a4"),
     ],
 )
-def test_pages_are_numbered_wherever_the_contents_stand(
+def test_pages_are_numbered_for_any_position_of_the_contents(
     project: Project, tmp_path: Path, finished: bool, remarks: int, page: Page
 ) -> None:
     if not finished:
@@ -248,14 +248,14 @@ def test_pages_are_numbered_wherever_the_contents_stand(
     assert numbers == [(k + 1, len(numbers)) for k in range(len(numbers))]
     assert len(numbers) > 2
     assert text.count("Boresight calibration report") == len(numbers)  # title, then headers
-    # The contents send the reader to the right page.
+    # The table of contents has the right page number.
     leaves = text.split("\f")
     (at,) = re.findall(r"Settings and input files[ .\u2060]+(\d+)", text)
     assert re.search(r"\d +Settings and input files\s*\n", leaves[int(at) - 1])
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS if each.has_angles])
-def test_angles_of_a_convention_lead_back_to_the_boresight(project: Project, key: str) -> None:
+def test_angles_of_a_convention_convert_back_to_the_boresight(project: Project, key: str) -> None:
     found = _content(project, key).in_convention
     assert found is not None
     assert project.result is not None
@@ -270,7 +270,7 @@ def test_angles_of_a_convention_lead_back_to_the_boresight(project: Project, key
     assert all(angle.sigma_deg for angle in found.angles)
 
 
-def test_applanix_turns_the_pitch_round(project: Project) -> None:
+def test_values_in_the_applanix_convention(project: Project) -> None:
     found = _content(project, "applanix").in_convention
     assert found is not None
     roll, pitch, heading = found.angles
@@ -302,7 +302,7 @@ def test_report_has_values_and_their_uncertainty(
     assert bool(found.angles) == convention_of_key(key).has_angles
 
 
-def test_the_classical_model_says_that_its_sigmas_are_too_small(tmp_path: Path) -> None:
+def test_classical_model_warns_that_its_sigmas_are_too_small(tmp_path: Path) -> None:
     content = sample_content(
         sample_project(tmp_path / "t", model="independent"), convention="qinsy"
     )
@@ -311,7 +311,7 @@ def test_the_classical_model_says_that_its_sigmas_are_too_small(tmp_path: Path) 
     assert message_text(UNCORRELATED_WARNING) in "".join(_page(html_text(content, {})).words)
 
 
-def test_the_matrix_is_that_of_the_boresight(project: Project, tmp_path: Path) -> None:
+def test_matrix_equals_that_of_the_boresight(project: Project, tmp_path: Path) -> None:
     content = sample_content(project)
     assert content.matrix is not None
     assert project.result is not None
@@ -322,7 +322,7 @@ def test_the_matrix_is_that_of_the_boresight(project: Project, tmp_path: Path) -
     )
     np.testing.assert_allclose(back.boresight, project.result.mounting.boresight, atol=1e-14)
     np.testing.assert_allclose(back.lever_arm, LEVER_ARM, atol=1e-15)
-    # By hand: PDAL's body is forward, starboard, down, so Y and Z are turned round.
+    # PDAL's body frame is forward, starboard, down, so Y and Z change sign.
     point = np.array([3.0, -20.0, 5.0])
     ours = project.result.mounting.rotation_body_lidar @ point + LEVER_ARM
     np.testing.assert_allclose((transform @ [*point, 1])[:3], ours * [1, -1, -1], atol=1e-12)
@@ -334,7 +334,7 @@ def test_the_matrix_is_that_of_the_boresight(project: Project, tmp_path: Path) -
     np.testing.assert_allclose(np.array(rows, dtype=float), transform, atol=0.51e-10)
 
 
-def test_what_is_not_estimated_is_not_reported(project: Project) -> None:
+def test_values_are_not_reported_without_a_result(project: Project) -> None:
     content = _content(replace(project, result=None, validation=()), "applanix")
     assert content.in_convention is None
     assert content.matrix is None
@@ -361,12 +361,12 @@ def test_the_command_takes_page_convention_and_template(
     assert not (tmp_path / "none.json").exists()
     assert main(words("r.json", "--convention", "applanix")) == 0
     data = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
-    assert data["calibrated"] is False  # the demo as it is made: nothing is estimated
+    assert data["calibrated"] is False  # the demo before an adjustment
     assert data["in_convention"] is None
 
 
 def test_a_logo_is_recognised_by_its_content(template: Path, tmp_path: Path) -> None:
-    """A PNG begins as one; its name alone does not make a picture."""
+    """A PNG is recognised by its first bytes, not by its name."""
     logo = tmp_path / "art" / "logo.png"
     logo.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(40))
     template.write_text(

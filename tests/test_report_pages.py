@@ -1,4 +1,4 @@
-"""Where the pages of the PDF end: nothing that announces something is left behind."""
+"""Tests of page breaks in the PDF: headings and introductions stay with what follows."""
 
 from pathlib import Path
 from typing import Literal
@@ -21,7 +21,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 def _document(lines: int) -> Document:
-    """A list with its head, and a section, after so many lines on a page of their own."""
+    """Return a document with a list and a section that begin after so many lines of a page."""
     above = Paragraph("\n".join(["above"] * lines))
     return Document(
         "Title", "project", "LISPAC", "now", "good", "CALIBRATED", Table("Details", (), ()), (), (),
@@ -33,7 +33,7 @@ def _document(lines: int) -> Document:
     )  # fmt: skip
 
 
-def test_what_announces_something_stays_with_it(
+def test_headings_and_introductions_stay_with_what_follows(
     project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     content, ends = sample_content(project), set()
@@ -46,12 +46,12 @@ def test_what_announces_something_stays_with_it(
         (below,) = (k for k, page in enumerate(pages) if "under its head" in page)
         assert "2 Headed" in " ".join(pages[below].split()), lines
         ends.add((announced, below))
-    assert ends >= {(1, 1), (1, 2), (2, 2)}  # the ends of the page were met
+    assert ends >= {(1, 1), (1, 2), (2, 2)}  # page breaks occurred at both places
 
 
 @pytest.mark.parametrize("page", ["a4", "letter"])
 @pytest.mark.parametrize("size", [(1400, 1000), (1000, 1000), (500, 900)])
-def test_pictures_of_before_and_after_stand_on_one_page(
+def test_pictures_before_and_after_are_on_one_page(
     project: Project, tmp_path: Path, page: Literal["a4", "letter"], size: tuple[int, int]
 ) -> None:
     pictures = {}

@@ -1,4 +1,4 @@
-"""What the report says of the adjustment's own checks: parameters, reliability, cross-checks."""
+"""Tests of the report's texts on parameters, reliability and cross-checks of the adjustment."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -36,7 +36,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 @pytest.fixture
 def changed(project: Project) -> Changed:
-    """Content of the sample with other values in its result."""
+    """Return a function that makes the content of the sample with changed results."""
 
     def content(**values: Any) -> ReportContent:
         assert project.result is not None
@@ -51,7 +51,7 @@ def _result(project: Project) -> AdjustmentResult:
 
 
 def _warning(content: ReportContent, code: str) -> Mapping[str, Any]:
-    """Parameters of the only warning with this code."""
+    """Return the parameters of the only warning with this code."""
     found = [each.params for each in content.warnings if each.code == code]
     assert len(found) == 1, (code, [caution.code for caution in content.warnings])
     return found[0]
@@ -79,7 +79,7 @@ def _settings(content: ReportContent) -> dict[str, str]:
     return dict(_tables(report_document(content, {}))["Stochastic model"].rows)  # type: ignore[arg-type]
 
 
-def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
+def test_stochastic_model_is_described(project: Project, changed: Changed) -> None:
     said = _settings(sample_content(project))
     assert said["POS errors"].startswith("Correlated in time. All points of one sighting share")
     assert said["Correlation times (position, attitude)"].startswith(
@@ -112,7 +112,9 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
         ({"lidar_sigma_xyz": (0.003, 0.004, 0.005)}, "x 3.0 mm, y 4.0 mm, z 5.0 mm"),
     ],
 )
-def test_lidar_noise_as_given(project: Project, stated: dict[str, Any], shown: str) -> None:
+def test_given_lidar_noise_is_reported(
+    project: Project, stated: dict[str, Any], shown: str
+) -> None:
     other = replace(project, settings=replace(project.settings, **stated))
     assert _settings(sample_content(other))["LiDAR noise, 1 sigma"] == shown
 
@@ -126,7 +128,7 @@ def test_points_are_averaged_or_selected(project: Project, tmp_path: Path) -> No
         assert facts["Point spacing"].startswith(word)
 
 
-def test_variance_components_with_their_intervals(changed: Changed) -> None:
+def test_variance_components_are_reported_with_their_intervals(changed: Changed) -> None:
     found = (
         VarianceComponent("LiDAR", 0.82, 0.78, 0.87, applied=True),
         VarianceComponent("POS position", 1.3, 0.6, 2.9, applied=True),
@@ -148,7 +150,7 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
     )
 
 
-def test_extra_parameters(project: Project, changed: Changed) -> None:
+def test_extra_parameters_are_reported(project: Project, changed: Changed) -> None:
     document = report_document(sample_content(project), {})
     row = _tables(document)["Parameters estimated together with the boresight"].rows[0]
     assert row == (
@@ -173,7 +175,7 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     assert rows[2][2] == "2.00\u00a0ms"
 
 
-def test_heat_map_only_beside_extra_parameters(project: Project, tmp_path: Path) -> None:
+def test_heat_map_is_shown_only_with_extra_parameters(project: Project, tmp_path: Path) -> None:
     def captions(content: ReportContent) -> list[str]:
         blocks = report_document(content, {}).sections[0].blocks
         return [block.caption for block in blocks if block.kind == "picture"]
@@ -182,7 +184,7 @@ def test_heat_map_only_beside_extra_parameters(project: Project, tmp_path: Path)
     assert captions(sample_content(sample_project(tmp_path / "p", model="independent"))) == []
 
 
-def test_released_sighting_is_named_on_page_one(project: Project, changed: Changed) -> None:
+def test_rejected_sighting_is_named_on_page_one(project: Project, changed: Changed) -> None:
     first, second, *rest = _result(project).reliability
     gone = replace(first, rejected=True, shift=0.0483, w=9.34)
     content = changed(reliability=(gone, replace(second, w=-4.2), *rest))
@@ -195,7 +197,7 @@ def test_released_sighting_is_named_on_page_one(project: Project, changed: Chang
     assert [row[-1] for row in rows[:3]] == ["rejected", "disagrees", "agrees"]
 
 
-def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed: Changed) -> None:
+def test_sighting_without_a_check_has_no_numbers(project: Project, changed: Changed) -> None:
     first, *rest = _result(project).reliability
     document = report_document(changed(reliability=(replace(first, detectable=1e5), *rest)), {})
     row = _tables(document)["Agreement of the sightings"].rows[0]
@@ -206,7 +208,9 @@ def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed:
     )
 
 
-def test_more_outliers_than_chance_explains(project: Project, changed: Changed) -> None:
+def test_more_outliers_than_expected_by_chance_give_a_warning(
+    project: Project, changed: Changed
+) -> None:
     reliability = _result(project).reliability
     few = tuple(replace(item, outliers=1) for item in reliability[:3]) + reliability[3:]
     codes = {caution.code for caution in changed(reliability=few).warnings}
@@ -216,7 +220,7 @@ def test_more_outliers_than_chance_explains(project: Project, changed: Changed) 
     assert (found["count"], found["target"], found["line"]) == (60, "T2", "L6")
 
 
-def test_cross_checks_that_disagree(project: Project) -> None:
+def test_cross_checks_that_disagree_give_a_warning(project: Project) -> None:
     checks = project.cross_checks
     assert checks is not None
     plain = _tables(report_document(sample_content(project), {}))
@@ -240,7 +244,7 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     assert part.params["ratio"] == pytest.approx(4.1)
 
 
-def test_failed_chi_square_is_serious_in_the_classical_model_alone(
+def test_failed_chi_square_is_a_warning_only_in_the_classical_model(
     project: Project, changed: Changed
 ) -> None:
     test = replace(_result(project).chi_square, statistic=1e6)
@@ -254,7 +258,7 @@ def test_failed_chi_square_is_serious_in_the_classical_model_alone(
         ] == [(level, code)]
 
 
-def test_spheres_are_called_spheres(project: Project, changed: Changed) -> None:
+def test_spheres_are_named_as_such_in_the_report(project: Project, changed: Changed) -> None:
     first, second = _result(project).targets
     ball = replace(second, sphere=True, plane=np.array([1.0, 2.0, 3.0, 0.1004]))
     content = changed(targets=(first, ball))
@@ -273,7 +277,7 @@ def test_spheres_are_called_spheres(project: Project, changed: Changed) -> None:
     assert shown.rows[1][2] == "sphere, radius\u00a0100.0\u00a0mm"
 
 
-def test_the_classical_model_has_no_reliability(tmp_path: Path) -> None:
+def test_classical_model_has_no_reliability(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p", model="independent")
     content = sample_content(replace(project, cross_checks=None))
     document = report_document(content, {})
@@ -290,7 +294,7 @@ def test_the_classical_model_has_no_reliability(tmp_path: Path) -> None:
     write_pdf(content, tmp_path / "thesis.pdf", {})
 
 
-def test_no_result_has_no_sections_on_checks(project: Project) -> None:
+def test_sections_on_checks_are_omitted_without_a_result(project: Project) -> None:
     content = sample_content(replace(project, result=None, cross_checks=None))
     titles = {section.title for section in report_document(content, {}).sections}
     assert titles.isdisjoint({"Reliability of the sightings", "Cross-checks"})
@@ -298,9 +302,7 @@ def test_no_result_has_no_sections_on_checks(project: Project) -> None:
     assert roughness.startswith("to be estimated from the data")
 
 
-def test_pos_error_figure_marks_what_lies_beyond_the_prior(
-    changed: Changed, project: Project
-) -> None:
+def test_pos_error_figure_marks_errors_beyond_the_prior(changed: Changed, project: Project) -> None:
     first, *rest = _result(project).reliability
     error = np.array([0.03, 0, 0, 0, 0, 0])
     checks = changed(reliability=(replace(first, pos_error=error), *rest)).adjustment
@@ -312,7 +314,7 @@ def test_pos_error_figure_marks_what_lies_beyond_the_prior(
     assert len(figures.pos_error_figures_of(checks.sightings * 5)) == 3
 
 
-def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed: Changed) -> None:
+def test_a_large_sigma_gives_a_warning_with_its_cause(project: Project, changed: Changed) -> None:
     result = _result(project)
     large = result.covariance_all.copy()
     large[0, 0] = np.radians(0.5) ** 2
@@ -325,7 +327,7 @@ def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed:
     assert not [c for c in changed().warnings if "large_sigma" in c.code]
 
 
-def test_noise_is_only_spoken_of_where_some_was_found(project: Project, changed: Changed) -> None:
+def test_noise_is_reported_only_where_it_was_found(project: Project, changed: Changed) -> None:
     result = _result(project)
     failed = replace(result.chi_square, statistic=result.chi_square.upper * 2)
     quiet = tuple(replace(target, noise=1.0) for target in result.targets)
@@ -336,7 +338,7 @@ def test_noise_is_only_spoken_of_where_some_was_found(project: Project, changed:
         assert f"report.{code}" in {each.code for each in content.warnings}
 
 
-def test_one_plane_alone_is_serious(project: Project, changed: Changed) -> None:
+def test_a_single_plane_gives_a_warning(project: Project, changed: Changed) -> None:
     result = _result(project)
     first = result.targets[0]
     assert _warning(changed(targets=(first,)), "adjustment.one_target") == {"target": first.target}
@@ -347,14 +349,14 @@ def test_one_plane_alone_is_serious(project: Project, changed: Changed) -> None:
     ]
 
 
-def test_planes_that_face_one_way_are_serious(project: Project, changed: Changed) -> None:
+def test_planes_of_a_single_orientation_give_a_warning(project: Project, changed: Changed) -> None:
     first, second = _result(project).targets
     content = changed(targets=(first, replace(second, plane=first.plane)))
     levels = [c.level for c in content.warnings if c.code == "adjustment.one_facing"]
     assert levels == [Level.WARNING]
 
 
-def test_accepting_one_facing_is_shown_where_it_is_on(project: Project) -> None:
+def test_accepted_single_orientation_is_shown(project: Project) -> None:
     for accepted in (False, True):
         other = replace(
             project, settings=replace(project.settings, accept_single_orientation=accepted)
@@ -420,7 +422,7 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     }  # fmt: skip
     french = report_document(worse, {}, ReportOptions(language="fr")).notes
     assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
-    # One that is left out is none of the answer's.
+    # A sighting that is not used is not counted.
     left = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))
     out = report_content(
         project.with_target(left), headings_deg={}, counts={}, track_local={}, notes=(),

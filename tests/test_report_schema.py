@@ -1,4 +1,4 @@
-"""The published schema is that of the content, and every report in JSON follows it."""
+"""Tests of the published JSON schema of the report."""
 
 import json
 from dataclasses import asdict, replace
@@ -31,12 +31,12 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
     return sample_project(tmp_path_factory.mktemp("schema") / "harbour").with_identity(FULL)
 
 
-def test_the_file_is_up_to_date() -> None:
+def test_published_schema_is_up_to_date() -> None:
     said = "a content class has changed: run `python -m tests.report_schema`"
     assert PATH.read_text(encoding="utf-8") == schema_text(), said
 
 
-def test_reports_of_every_kind_follow_it(project: Project) -> None:
+def test_reports_of_every_kind_are_valid(project: Project) -> None:
     thesis = sample_project(project.folder.parent / "thesis", model="independent")
     samples = (
         sample_content(project),
@@ -52,14 +52,14 @@ def test_reports_of_every_kind_follow_it(project: Project) -> None:
         assert set(data) == {"schema", "schema_version", *asdict(content)}
 
 
-def test_the_report_of_a_survey_follows_it(demo_project: Project, tmp_path: Path) -> None:
+def test_report_of_a_survey_is_valid(demo_project: Project, tmp_path: Path) -> None:
     path = tmp_path / "r.json"
     write_report(demo_project, load_survey(demo_project), path)
     assert followed(path.read_text(encoding="utf-8"))["calibrated"] is False
 
 
 def _broken(content: ReportContent) -> list[dict[str, Any]]:
-    """What a reader must not be given: keys missing, units as text, words unknown."""
+    """Return invalid reports: missing keys, wrong types, unknown words."""
     found = []
     for change in (
         lambda data: data.pop("identity"),
@@ -77,13 +77,13 @@ def _broken(content: ReportContent) -> list[dict[str, Any]]:
     return found
 
 
-def test_what_is_broken_does_not_pass(project: Project, schema: dict[str, Any]) -> None:
+def test_invalid_reports_are_refused(project: Project, schema: dict[str, Any]) -> None:
     for data in _broken(sample_content(project)):
         with pytest.raises(ValidationError):
             Draft202012Validator(schema).validate(data)
 
 
-def test_the_command_prints_it_and_wants_a_project_else(
+def test_report_command_prints_the_schema_and_otherwise_needs_a_project(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     assert main(["report", "--schema"]) == 0

@@ -1,4 +1,4 @@
-"""Surveys without any fault raise no warning when they are imported, as files and as clouds."""
+"""Tests that surveys without errors are imported without warnings, from files and clouds."""
 
 from collections import Counter
 from itertools import product
@@ -30,7 +30,7 @@ UTM = "EPSG:32619"
 
 
 def simulated(folder: Path, seed: int) -> Project:
-    """A survey with a boresight of its own, as far off as a rough mounting."""
+    """Create a survey with a boresight of its own, as inaccurate as a rough mounting."""
     scene, vessel, scanner = SURVEYS[seed % len(SURVEYS)]
     boresight = np.random.default_rng(seed).uniform(-3, 3, 3)
     made = read_simulation(
@@ -41,7 +41,7 @@ def simulated(folder: Path, seed: int) -> Project:
 
 
 def as_clouds(project: Project, folder: Path) -> Survey:
-    """The lines on the map as another program writes them, read back with what made them."""
+    """Import the lines as georeferenced clouds written by another program."""
     written = georeference_project(project, folder / "clouds", "prior", system=UTM)
     lines = []
     for each in written:
@@ -63,12 +63,12 @@ def warnings_of(folder: Path, seed: int) -> list[str]:
     ]
 
 
-def test_a_right_survey_raises_no_warning(tmp_path: Path) -> None:
+def test_a_survey_without_errors_gives_no_warning(tmp_path: Path) -> None:
     assert warnings_of(tmp_path, 0) == []
 
 
 @pytest.mark.long
-def test_a_hundred_right_surveys_raise_no_warning(tmp_path: Path) -> None:
+def test_a_hundred_surveys_without_errors_give_no_warning(tmp_path: Path) -> None:
     found: Counter[str] = Counter()
     for seed in range(100):
         for code in set(warnings_of(tmp_path / str(seed), seed)):

@@ -1,4 +1,4 @@
-"""Blunders: stray points, and a sighting that is off as a whole."""
+"""Tests of the robustness to outliers and blunders of whole sightings."""
 
 from dataclasses import replace
 
@@ -33,7 +33,7 @@ def survey(seed: int, spacing: float = 0.06) -> Observations:
 
 
 def with_outliers(clean: Observations, seed: int) -> tuple[Observations, np.ndarray]:
-    """5 % of the points 0.1 to 1 m off along the beam."""
+    """Displace 5 % of the points by 0.1 to 1 m along the beam."""
     generator = np.random.default_rng([8, seed])
     stray = generator.random(len(clean)) < 0.05
     points = clean.points_lidar.copy()
@@ -44,7 +44,7 @@ def with_outliers(clean: Observations, seed: int) -> tuple[Observations, np.ndar
 
 
 def shifted(clean: Observations, sighting: int, metres: float) -> Observations:
-    """One sighting displaced along its target's normal."""
+    """Displace one sighting along the normal of its target."""
     normal = fit_shapes(clean, TRUTH)[clean.target_of_sighting[sighting], :3]
     position = clean.position.copy()
     position[clean.sighting == sighting] += metres * normal
@@ -52,19 +52,19 @@ def shifted(clean: Observations, sighting: int, metres: float) -> Observations:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_outliers_move_no_angle_by_a_sigma(seed) -> None:
+def test_outliers_change_no_angle_by_one_sigma(seed) -> None:
     model = StochasticModel(loss="tukey")
     clean = survey(seed)
     dirty, stray = with_outliers(clean, seed)
     before, after = adjust(clean, PRIOR, model), adjust(dirty, PRIOR, model)
     assert (np.abs(after.boresight - before.boresight) < before.sigma).all()
     found = sum(item.outliers for item in after.reliability)
-    # Those of the noise itself: one in a thousand at the test's level
+    # At the level of the test, one point in a thousand is rejected by chance.
     assert stray.sum() <= found < stray.sum() + 0.006 * len(clean)
 
 
-def test_the_losses_are_needed_and_the_sigmas_include_outliers() -> None:
-    """The same points with all weighted alike, with a bounded loss, and a redescending one."""
+def test_robust_losses_reduce_errors_and_sigmas_reflect_outliers() -> None:
+    """The same points with equal weights, with a bounded loss and with a redescending loss."""
     dirty, _ = with_outliers(survey(0), 0)
     errors, sigmas = [], []
     for loss in LOSS_NAMES:
@@ -77,10 +77,10 @@ def test_the_losses_are_needed_and_the_sigmas_include_outliers() -> None:
 
 
 def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, AdjustmentResult]:
-    """What a blunder does to the angles, in their sigmas, besides that its data are lost.
+    """Return the effect of a blunder on the angles, in sigmas, besides the loss of its data.
 
-    Beside the clean survey that is not held to its target where the other was found not to be:
-    a shift of unknown size takes the place of what the sighting said of it.
+    The clean survey is adjusted with the sightings free that were rejected in the other: an unknown
+    shift replaces their contribution.
     """
     model = StochasticModel(loss="tukey")
     found = adjust(dirty, PRIOR, model)
@@ -97,7 +97,7 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
 
 
 @pytest.mark.parametrize("sighting", [0, 3, 7, 10])
-def test_a_shifted_sighting_is_named_and_does_no_harm(sighting) -> None:
+def test_a_shifted_sighting_is_rejected_without_effect_on_the_angles(sighting) -> None:
     clean = survey(20 + sighting)
     done, after = harm(clean, shifted(clean, sighting, 0.05))
     assert clean.sightings[sighting] in after.rejected_sightings
@@ -108,8 +108,8 @@ def test_a_shifted_sighting_is_named_and_does_no_harm(sighting) -> None:
 
 
 @pytest.mark.long  # four of twelve above
-def test_whichever_sighting_is_shifted_it_is_named_and_no_other_line() -> None:
-    """Each of twelve by 5 cm, twice; where its own POS error hides the shift it does little."""
+def test_any_shifted_sighting_is_rejected_and_no_other_line() -> None:
+    """Each of twelve is shifted by 5 cm on two surveys; its POS error may hide a shift."""
     model = StochasticModel(loss="tukey")
     named = 0
     for seed in (3, 4):
@@ -124,8 +124,8 @@ def test_whichever_sighting_is_shifted_it_is_named_and_no_other_line() -> None:
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_another_surface_metres_away_does_no_harm(seed) -> None:
-    """It is named, or its target is seen to scatter and counts for little: both are said."""
+def test_another_surface_metres_away_has_no_effect_on_the_angles(seed) -> None:
+    """The sighting is rejected, or its target is very noisy and has little weight."""
     clean = survey(7000 + seed, 0.1)
     after = adjust(shifted(clean, 10, 3.5), PRIOR, StochasticModel(loss="tukey"))
     assert after.rejected_sightings == (clean.sightings[10],) or after.targets[1].noise > 100
@@ -133,7 +133,7 @@ def test_another_surface_metres_away_does_no_harm(seed) -> None:
 
 
 @pytest.mark.parametrize("loss", ["huber", "tukey"])
-def test_steps_that_foresee_the_weights_lead_where_plain_ones_do(loss) -> None:
+def test_steps_with_updated_weights_converge_to_the_irls_result(loss) -> None:
     dirty, _ = with_outliers(survey(0), 0)
     model = StochasticModel(loss=loss)
     quick = adjust(dirty, PRIOR, model, diagnostics=False)
@@ -146,8 +146,8 @@ def test_steps_that_foresee_the_weights_lead_where_plain_ones_do(loss) -> None:
 
 
 @pytest.mark.parametrize(("seed", "sighting", "metres"), [(1, 10, 3.5), (2, 4, -5.0), (3, 2, -5.0)])
-def test_a_surface_metres_off_is_named_and_does_no_harm(seed, sighting, metres) -> None:
-    """A board of a metre: the plane through its points on all lines would stand across it."""
+def test_a_surface_metres_off_is_rejected_without_effect(seed, sighting, metres) -> None:
+    """The board is 1 m wide: a plane through all its points would stand across it."""
     clean = survey(7000 + seed, 0.1)
     done, after = harm(clean, shifted(clean, sighting, metres))
     assert after.rejected_sightings == (clean.sightings[sighting],)
@@ -155,8 +155,8 @@ def test_a_surface_metres_off_is_named_and_does_no_harm(seed, sighting, metres) 
     assert (done < 1).all()
 
 
-def test_a_start_far_off_lets_go_of_nothing() -> None:
-    """Angles wrong by 8 degrees set every sighting off by metres, by different ones."""
+def test_a_poor_start_rejects_no_sighting() -> None:
+    """Angles wrong by 8 degrees displace every sighting by a different number of metres."""
     clean = survey(5, 0.1)
     model = StochasticModel(loss="tukey")
     far = PRIOR.with_boresight(TRUTH.boresight + np.radians([8.0, -8.0, 8.0]))
@@ -166,7 +166,7 @@ def test_a_start_far_off_lets_go_of_nothing() -> None:
 
 
 def jumped(clean: Observations, line: str, metres: list[float]) -> Observations:
-    """The position off on one whole line, north, west, up."""
+    """Displace the positions of one whole line (north, west, up)."""
     own = np.array([s.line == line for s in clean.sightings])[clean.sighting]
     position = clean.position.copy()
     position[own] += metres
@@ -174,14 +174,14 @@ def jumped(clean: Observations, line: str, metres: list[float]) -> Observations:
 
 
 @pytest.mark.parametrize("line", ["L2", "L4", "L5"])
-def test_a_jump_of_the_position_on_a_line_is_named_and_does_no_harm(line) -> None:
+def test_a_line_with_a_position_jump_is_rejected_without_effect(line) -> None:
     clean = survey(40 + int(line[1]), 0.1)
     done, after = harm(clean, jumped(clean, line, [0.0, 0.1, 0.05]))
     assert {s.line for s in after.rejected_sightings} == {line}
     assert (done < 1).all()
 
 
-def test_boards_that_are_interchanged_on_a_line_are_named_and_do_no_harm() -> None:
+def test_interchanged_boards_on_a_line_are_rejected_without_effect() -> None:
     clean = survey(803, 0.1)
     first, second = (k for k, s in enumerate(clean.sightings) if s.line == "L4")
     sighting = clean.sighting.copy()
@@ -192,8 +192,8 @@ def test_boards_that_are_interchanged_on_a_line_are_named_and_do_no_harm() -> No
     assert (done < 1).all()
 
 
-def test_what_was_rejected_by_mistake_is_restored() -> None:
-    """With two sightings off, the first to be named may be a third one that agrees."""
+def test_a_sighting_rejected_by_mistake_is_restored() -> None:
+    """With two blunders, the first rejected sighting may be a third one that agrees."""
     clean = survey(3, 0.1)
     dirty = shifted(shifted(clean, 2, 0.05), 5, 0.05)
     todo = [Blunder("shift", (3,))]
@@ -206,15 +206,15 @@ def test_what_was_rejected_by_mistake_is_restored() -> None:
     assert set(found.rejected_sightings) == {clean.sightings[2], clean.sightings[5]}
 
 
-def test_clean_surveys_have_no_suspects() -> None:
-    """At one in a hundred by chance, none of twenty is likely."""
+def test_clean_surveys_have_no_rejected_sightings() -> None:
+    """At a level of 1 %, a rejection among twenty surveys is unlikely."""
     model = StochasticModel(loss="tukey")
     named = [adjust(survey(100 + k, 0.12), PRIOR, model).rejected_sightings for k in range(20)]
     assert sum(map(bool, named)) <= 1, named
 
 
 @pytest.mark.parametrize("name", LOSS_NAMES[1:])
-def test_weights_fall_from_one_and_never_rise(name) -> None:
+def test_weights_decrease_from_one(name) -> None:
     loss = Loss(name)
     sizes = np.linspace(0, 10, 200)
     weights = np.array([loss_weight(loss.code, loss.tuning, z) for z in sizes])
@@ -224,7 +224,7 @@ def test_weights_fall_from_one_and_never_rise(name) -> None:
     assert 0.5 < loss.expected_square_share < 1
 
 
-def test_the_scale_is_that_of_the_majority() -> None:
+def test_scale_is_that_of_the_majority_of_residuals() -> None:
     generator = np.random.default_rng(1)
     residuals = 3 * generator.standard_normal(10_000)
     residuals[:2000] += 100

@@ -1,3 +1,5 @@
+"""Tests of rotation matrices, their angles and their derivatives."""
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -11,18 +13,20 @@ tilt = st.floats(-1.5, 1.5)
 
 
 @given(angle, tilt, angle)
-def test_is_the_product_of_three_right_handed_turns(roll: float, pitch: float, yaw: float) -> None:
+def test_matrix_is_the_product_of_three_right_handed_rotations(
+    roll: float, pitch: float, yaw: float
+) -> None:
     expected = Rotation.from_euler("ZYX", [-yaw, pitch, roll]).as_matrix()
     np.testing.assert_allclose(rotation_matrix(roll, pitch, yaw), expected, atol=1e-15)
 
 
 @given(angle, tilt, angle)
-def test_angles_come_back(roll: float, pitch: float, yaw: float) -> None:
+def test_angles_are_recovered(roll: float, pitch: float, yaw: float) -> None:
     back = rotation_angles(rotation_matrix(roll, pitch, yaw))
     np.testing.assert_allclose(back, [roll, pitch, yaw], rtol=0, atol=1e-12)
 
 
-def test_signs_in_words() -> None:
+def test_signs_of_the_angles() -> None:
     forward, left, up = np.eye(3)
     turn = np.radians(1.0)
     assert (rotation_matrix(turn, 0, 0) @ left)[2] > 0, "roll lifts the left side"
@@ -32,7 +36,9 @@ def test_signs_in_words() -> None:
 
 
 @given(angle, tilt, angle)
-def test_derivatives_against_central_differences(roll: float, pitch: float, yaw: float) -> None:
+def test_derivatives_match_central_differences_of_the_matrix(
+    roll: float, pitch: float, yaw: float
+) -> None:
     angles, step = np.array([roll, pitch, yaw]), 1e-6
     derivatives = rotation_derivatives(*angles)
     for k in range(3):
@@ -41,7 +47,7 @@ def test_derivatives_against_central_differences(roll: float, pitch: float, yaw:
         np.testing.assert_allclose(derivatives[k], difference / (2 * step), atol=1e-9)
 
 
-def test_many_at_once_equal_one_by_one() -> None:
+def test_many_rotations_equal_single_ones() -> None:
     angles = np.random.default_rng(1).uniform(-1, 1, (7, 3))
     stacked, derivatives = rotation_matrix(*angles.T), rotation_derivatives(*angles.T)
     for k, row in enumerate(angles):
@@ -50,6 +56,6 @@ def test_many_at_once_equal_one_by_one() -> None:
 
 
 @pytest.mark.parametrize("pitch", [np.pi / 2, -np.pi / 2])
-def test_angles_at_the_pole_still_give_the_rotation(pitch: float) -> None:
+def test_angles_at_the_singularity_reproduce_the_rotation(pitch: float) -> None:
     rotation = rotation_matrix(0.3, pitch, 0.2)
     np.testing.assert_allclose(rotation_matrix(*rotation_angles(rotation)), rotation, atol=1e-7)

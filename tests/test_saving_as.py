@@ -1,4 +1,4 @@
-"""Saving elsewhere: what is copied is whole, and what a killed save leaves is no obstacle."""
+"""Tests of saving a project in another folder, after failed and interrupted saves too."""
 
 import subprocess
 import sys
@@ -24,7 +24,7 @@ from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.few_lines import picked
 
-KILLED = """
+KILLED_SAVE_SCRIPT = """
 import os, signal, sys
 from pathlib import Path
 from lispac.io.project.project_file import read_project
@@ -50,7 +50,7 @@ else:
 
 @pytest.fixture
 def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
-    """Two imported lines."""
+    """A project of two imported lines."""
     source, survey = calibrated
     points, times = survey.scans[survey.lines[0]].take(np.arange(3000))
     lines = []
@@ -66,15 +66,15 @@ def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
 
 
 def names(folder: Path) -> set[str]:
-    """Everything in a folder."""
+    """Return the relative paths of everything in a folder."""
     return {str(path.relative_to(folder)) for path in folder.rglob("*")}
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="ends itself by a signal")
 @pytest.mark.parametrize("when", ["copying", "writing"])
-def test_what_a_killed_save_leaves_is_replaced(project: Project, tmp_path: Path, when: str) -> None:
+def test_files_of_a_killed_save_are_replaced(project: Project, tmp_path: Path, when: str) -> None:
     there = tmp_path / "office"
-    command = [sys.executable, "-c", KILLED, str(project.folder), str(there), when]
+    command = [sys.executable, "-c", KILLED_SAVE_SCRIPT, str(project.folder), str(there), when]
     assert subprocess.run(command, check=False).returncode == -9
     assert not (there / "project.json").exists()
     assert (there / LINES_FOLDER / "one" / UNFINISHED_MARK).exists()
@@ -95,7 +95,7 @@ def test_what_a_killed_save_leaves_is_replaced(project: Project, tmp_path: Path,
         scan.require_sound()
 
 
-def test_a_save_under_way_is_left_alone(project: Project, tmp_path: Path) -> None:
+def test_a_folder_with_a_save_in_progress_is_refused(project: Project, tmp_path: Path) -> None:
     lines = tmp_path / "office" / LINES_FOLDER
     lines.mkdir(parents=True)
     with lock_folder(lines), pytest.raises(ProjectError) as raised:
@@ -103,7 +103,7 @@ def test_a_save_under_way_is_left_alone(project: Project, tmp_path: Path) -> Non
     assert raised.value.code == "project_folder.being_saved"
 
 
-def test_stores_that_are_not_marked_stay(project: Project, tmp_path: Path) -> None:
+def test_complete_stores_are_not_overwritten(project: Project, tmp_path: Path) -> None:
     there, survey = tmp_path / "office", load_survey(project)
     save_project_as(project, survey, there)
     (there / "project.json").unlink()
@@ -115,7 +115,7 @@ def test_stores_that_are_not_marked_stay(project: Project, tmp_path: Path) -> No
 
 
 def again(project: Project) -> Progress:
-    """Import a line again while it is copied, as another window would."""
+    """Return a progress function that imports a line again during its copy, like another window."""
     done: list[str] = []
 
     def report_progress(_fraction: float, step: object = "") -> None:
@@ -155,10 +155,10 @@ def test_a_damaged_column_is_not_copied(project: Project, tmp_path: Path) -> Non
     assert not (tmp_path / "office").exists()
 
 
-def test_what_could_not_be_saved_leaves_its_folder_free(
+def test_a_failed_save_leaves_its_folder_usable(
     calibrated: tuple[Project, Survey], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Once there is room on the disk the same folder can be chosen again."""
+    """When the disk has room again, the same folder can be chosen."""
     project, survey = calibrated
     real = project_file.atomic_write
 
@@ -178,7 +178,7 @@ def test_what_could_not_be_saved_leaves_its_folder_free(
     assert open_project(tmp_path / "kept").targets
 
 
-def test_a_file_is_no_folder_to_save_in(calibrated: tuple[Project, Survey], tmp_path: Path) -> None:
+def test_saving_in_a_file_is_refused(calibrated: tuple[Project, Survey], tmp_path: Path) -> None:
     file = tmp_path / "notes.txt"
     file.write_text("mine")
     with pytest.raises(ProjectError) as raised:
@@ -187,7 +187,7 @@ def test_a_file_is_no_folder_to_save_in(calibrated: tuple[Project, Survey], tmp_
     assert file.read_text() == "mine"
 
 
-def test_a_folder_with_a_project_is_not_saved_over(tmp_path: Path) -> None:
+def test_a_folder_with_a_project_is_not_overwritten(tmp_path: Path) -> None:
     project, survey = picked()
     moved, _ = save_project_as(project, survey, tmp_path / "quay")
     before = (moved.folder / "project.json").read_bytes()
@@ -198,10 +198,10 @@ def test_a_folder_with_a_project_is_not_saved_over(tmp_path: Path) -> None:
     assert (moved.folder / "project.json").read_bytes() == before
 
 
-def test_points_that_were_there_before_stay_where_a_save_fails(
+def test_a_failed_save_keeps_points_that_were_there_before(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A folder of points without its project is perhaps all that is left of one."""
+    """A folder of points without a project may be all that remains of one."""
     project, survey = picked()
     kept = tmp_path / "kept" / "sightings"
     kept.mkdir(parents=True)

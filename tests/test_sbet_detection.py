@@ -1,3 +1,5 @@
+"""Tests of the detection of conventions, units and errors of SBET files."""
+
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +26,7 @@ def has(finding: FilePreview, code: str) -> bool:
     return code in codes(finding.file_warnings)
 
 
-def test_leeward_is_recognised_as_conventions_say(shared_data: Path) -> None:
+def test_leeward_survey_is_detected_with_its_documented_conventions(shared_data: Path) -> None:
     path = shared_data / "leeward" / "sbet.out"
     assert recognise_formats(path, "trajectory")[0][0].key == "sbet"
     assert recognise_formats(path, "trajectory")[0][1] == SURE
@@ -39,7 +41,7 @@ def test_leeward_is_recognised_as_conventions_say(shared_data: Path) -> None:
 
 
 def test_leeward_course_agrees_to_a_hundredth_of_a_degree(shared_data: Path) -> None:
-    """Computed here, not by the detection: azimuth of the velocities less wander is the course."""
+    """The course is computed here from the azimuth of the velocities less the wander angle."""
     records = np.fromfile(shared_data / "leeward" / "sbet.out").reshape(-1, 17)
     north, east, _ = velocity_in_axes("wander-nwu", records[:, 4:7], records[:, 10]).T
     step = records[-1] - records[0]
@@ -61,11 +63,11 @@ def test_real_surveys_are_read_as_before(shared_data: Path) -> None:
         np.testing.assert_allclose(trajectory.attitude, truth(records)["attitude"])
 
 
-AXES = ["wander-nwu", "wander-ned", "ned", "enu", "nwu", "neu"]
+VELOCITY_AXES = ["wander-nwu", "wander-ned", "ned", "enu", "nwu", "neu"]
 
 
 def in_axes(records: np.ndarray, axes: str) -> np.ndarray:
-    """The vessel's velocities turned to other axes, from course and speed alone."""
+    """Return the records with velocities in other axes, computed from course and speed alone."""
     records = records.copy()
     forward, left, up = records[:, 4:7].T.copy()
     azimuth, speed = np.arctan2(-left, forward), np.hypot(forward, left)
@@ -81,8 +83,8 @@ def in_axes(records: np.ndarray, axes: str) -> np.ndarray:
     return records
 
 
-@pytest.mark.parametrize("axes", AXES)
-def test_velocity_frame_is_found(tmp_path: Path, axes: str) -> None:
+@pytest.mark.parametrize("axes", VELOCITY_AXES)
+def test_velocity_frame_is_detected(tmp_path: Path, axes: str) -> None:
     records = in_axes(vessel(wander=np.radians(3)), axes)
     finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert finding.choice["axes"] == axes
@@ -90,7 +92,7 @@ def test_velocity_frame_is_found(tmp_path: Path, axes: str) -> None:
     assert has(finding, "sbet.heading_uncertain") == (not axes.startswith("wander"))
 
 
-def test_true_heading_is_found_where_the_wander_angle_is_large(tmp_path: Path) -> None:
+def test_true_heading_is_detected_with_a_large_wander_angle(tmp_path: Path) -> None:
     records = in_axes(vessel(wander=np.radians(50)), "ned")
     records[:, 9] -= records[:, 10]
     finding = preview_of(write_records(tmp_path / "a.sbet", records))
@@ -106,7 +108,7 @@ def test_frame_without_wander_angle_needs_no_choice(tmp_path: Path) -> None:
     assert not any("wander" in code for code in codes(finding.file_warnings))
 
 
-def test_straight_level_course_leaves_up_open(tmp_path: Path) -> None:
+def test_straight_level_course_does_not_determine_the_vertical_axis(tmp_path: Path) -> None:
     records = vessel()
     records[:, 6] = 0
     records[:, 3] = 10
@@ -115,7 +117,7 @@ def test_straight_level_course_leaves_up_open(tmp_path: Path) -> None:
     assert has(finding, "sbet.several_axes")
 
 
-def test_straight_level_course_leaves_up_open_about_a_wander_angle_too(tmp_path: Path) -> None:
+def test_straight_level_course_with_a_wander_angle_is_ambiguous_too(tmp_path: Path) -> None:
     records = vessel(wander=0.5)
     records[:, 6] = 0
     records[:, 3] = 10
@@ -145,7 +147,7 @@ def test_zero_velocities_are_reported(tmp_path: Path) -> None:
 @pytest.mark.parametrize("roll", ["starboard-down", "port-down"])
 @pytest.mark.parametrize("pitch", ["bow-up", "bow-down"])
 @pytest.mark.parametrize("rates", [(1, 1, 1), (1, -1, -1)])
-def test_signs_are_found_by_the_rates(
+def test_signs_are_detected_from_the_rates(
     tmp_path: Path, roll: str, pitch: str, rates: tuple[int, int, int]
 ) -> None:
     records = vessel()
@@ -159,7 +161,7 @@ def test_signs_are_found_by_the_rates(
     np.testing.assert_allclose(trajectory.attitude, truth(vessel())["attitude"])
 
 
-def test_signs_are_not_judged_by_noise(tmp_path: Path) -> None:
+def test_signs_are_not_derived_from_noise(tmp_path: Path) -> None:
     records = vessel()
     records[:, 14:17] = np.random.default_rng(1).normal(0, 0.01, (len(records), 3))
     finding = preview_of(write_records(tmp_path / "a.sbet", records))
@@ -168,7 +170,7 @@ def test_signs_are_not_judged_by_noise(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("wander", [0.0, 0.05])
-def test_exchanged_positions_are_found(tmp_path: Path, wander: float) -> None:
+def test_exchanged_latitude_and_longitude_are_detected(tmp_path: Path, wander: float) -> None:
     records = vessel(wander=wander)
     records[:, [1, 2]] = records[:, [2, 1]]
     finding = preview_of(write_records(tmp_path / "a.sbet", records))
@@ -178,14 +180,14 @@ def test_exchanged_positions_are_found(tmp_path: Path, wander: float) -> None:
     assert "assumed.longitude_first" in codes(trajectory.assumptions)
 
 
-def test_exchanged_positions_show_in_the_heading_without_velocities(tmp_path: Path) -> None:
+def test_exchanged_positions_are_detected_from_the_heading(tmp_path: Path) -> None:
     records = vessel()
     records[:, [1, 2]] = records[:, [2, 1]]
     records[:, 4:7] = 0
     assert has(preview_of(write_records(tmp_path / "a.sbet", records)), "trajectory.exchanged")
 
 
-def test_degrees_are_found_and_read(tmp_path: Path) -> None:
+def test_degrees_are_detected_and_read(tmp_path: Path) -> None:
     records = vessel()
     angles = [1, 2, 7, 8, 9, 10]
     records[:, angles] = np.degrees(records[:, angles])
@@ -198,7 +200,7 @@ def test_degrees_are_found_and_read(tmp_path: Path) -> None:
     assert recognise_formats(path, "trajectory")[0][0].key == "sbet"
 
 
-def test_big_endian_is_found_and_read(tmp_path: Path) -> None:
+def test_big_endian_is_detected_and_read(tmp_path: Path) -> None:
     path = write_records(tmp_path / "a.sbet", vessel(), order=">")
     assert recognise_formats(path, "trajectory")[0] == (SBET, LIKELY)
     finding = preview_of(path)
@@ -208,7 +210,7 @@ def test_big_endian_is_found_and_read(tmp_path: Path) -> None:
 
 
 RNG = np.random.default_rng(5)
-OTHERS = {
+OTHER_BINARIES = {
     "noise": RNG.integers(0, 256, 136 * 300, dtype=np.uint8).tobytes(),
     "float64 of a size": RNG.uniform(0, 1, 17 * 300).astype("<f8").tobytes(),
     "counting": np.arange(17.0 * 300).astype("<f8").tobytes(),
@@ -224,10 +226,10 @@ OTHERS = {
 """Content of files that are as long as some SBET is."""
 
 
-@pytest.mark.parametrize("name", OTHERS)
+@pytest.mark.parametrize("name", OTHER_BINARIES)
 def test_other_binaries_of_fitting_length_are_not_called_sbet(tmp_path: Path, name: str) -> None:
     path = tmp_path / "a.out"
-    path.write_bytes(OTHERS[name])
+    path.write_bytes(OTHER_BINARIES[name])
     assert path.stat().st_size % 136 == 0
     assert SBET.sniff(path) == IMPOSSIBLE
 
@@ -241,12 +243,12 @@ def test_files_of_points_are_not_called_sbet(tmp_path: Path, shared_data: Path) 
 
 
 @pytest.mark.parametrize("change", ["degrees", "exchanged", "disorder", "end"])
-def test_what_may_be_an_sbet_has_to_end_like_one(tmp_path: Path, change: str) -> None:
+def test_the_last_record_has_to_be_one_of_an_sbet(tmp_path: Path, change: str) -> None:
     records = vessel()
     if change == "degrees":
         records[:, [1, 2, 7, 8, 9, 10]] = np.degrees(records[:, [1, 2, 7, 8, 9, 10]])
     elif change == "exchanged":
-        records[:, 2] -= 1  # beyond what a latitude may be
+        records[:, 2] -= 1  # out of the range of a latitude
         records[:, [1, 2]] = records[:, [2, 1]]
     elif change == "disorder":
         records[[5, 50]] = records[[50, 5]]
@@ -270,7 +272,7 @@ def test_time_base_is_reported(tmp_path: Path, shift: float) -> None:
     assert has(finding, "times.several_bases") == (shift != 0.0)
 
 
-def test_part_of_a_long_file_is_enough(tmp_path: Path) -> None:
+def test_a_long_file_is_detected_from_a_part(tmp_path: Path) -> None:
     records = np.tile(vessel(2000), (40, 1))
     records[:, 0] = 486_000 + np.arange(len(records)) / 50.0
     records.tofile(tmp_path / "a.sbet")
@@ -303,7 +305,7 @@ def test_the_week_rollover_is_resolved_and_reported(tmp_path: Path) -> None:
     assert not has(preview_of(path), "times.decreasing")
 
 
-def test_records_without_a_usable_time_are_counted_and_passed_over(tmp_path: Path) -> None:
+def test_records_without_a_usable_time_are_counted_and_skipped(tmp_path: Path) -> None:
     records = vessel(200)
     records[7, 0] = np.nan
     finding = preview_of(write_records(tmp_path / "a.sbet", records))
@@ -332,10 +334,10 @@ def test_degrees_of_position_alone_give_a_warning(tmp_path: Path) -> None:
     assert not_angles in preview_of(write_records(tmp_path / "b.sbet", records)).file_warnings
 
 
-def test_a_file_that_is_lost_while_it_is_examined(
+def test_a_file_that_is_lost_during_detection_is_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As by a network drive that goes between two readings."""
+    """For example on a network drive that disconnects between two reads."""
     path = write_records(tmp_path / "a.sbet", vessel(200))
     assert len(sample_blocks(path)[0][0]) == sample_blocks(path)[1] == 200
     assert sample_blocks(tmp_path / "absent") == ([], 0)

@@ -1,4 +1,4 @@
-"""Kinds of scanners: where their beams go, how many there are, and what incidence does to them."""
+"""Tests of scanner models: directions and number of beams, and effects of the incidence angle."""
 
 from dataclasses import replace
 
@@ -10,24 +10,26 @@ from lispac.simulation.scene import Scene, Sphere, upright_rectangle
 from lispac.survey.georeferencing import Mounting
 
 ELEVATIONS_DEG = (-30.67, -9.33, 0.0, 10.67)
-TURNING = Scanner(
+SPINNING = Scanner(
     40_000.0, turns_per_second=10.0, window=(-np.pi, np.pi), axis="z", divergence=0.0,
     elevations=tuple(np.radians(ELEVATIONS_DEG)), range_sigma=0.02, angle_sigma=0.0,
 )  # fmt: skip
-ROUND = Scene.of([Sphere("dome", np.zeros(3), 20.0)])
+DOME = Scene.of([Sphere("dome", np.zeros(3), 20.0)])
 WALL = Scene.of([upright_rectangle("wall", (0.0, 4.0), -50.0, 50.0, 200.0, 90)])
-KNOTS = np.arange(0.0, 5.0, 0.05)
-STILL = (KNOTS, np.zeros((len(KNOTS), 3)), np.zeros((len(KNOTS), 3)))
-NOTHING = Mounting(np.zeros(3), np.zeros(3))
+TIMES = np.arange(0.0, 5.0, 0.05)
+STATIONARY_STATES = (TIMES, np.zeros((len(TIMES), 3)), np.zeros((len(TIMES), 3)))
+IDENTITY_MOUNTING = Mounting(np.zeros(3), np.zeros(3))
 
 
 def seen(scanner: Scanner, scene: Scene, *, starboard: bool = False, noise: bool = False) -> Echoes:
     generator = np.random.default_rng(3) if noise else None
-    return scan_scene(scanner, scene, STILL, (1.0, 3.0), starboard, NOTHING, generator)
+    return scan_scene(
+        scanner, scene, STATIONARY_STATES, (1.0, 3.0), starboard, IDENTITY_MOUNTING, generator
+    )
 
 
-def test_beams_keep_their_elevations_and_turn_all_the_way_round() -> None:
-    echoes = seen(TURNING, ROUND)
+def test_beams_keep_their_elevations_over_full_turns() -> None:
+    echoes = seen(SPINNING, DOME)
     assert len(echoes.time) == 2 * 40_000
     x, y, z = (echoes.points_lidar / 20.0).T
     elevation = np.degrees(np.arcsin(z)).reshape(-1, len(ELEVATIONS_DEG))
@@ -38,34 +40,34 @@ def test_beams_keep_their_elevations_and_turn_all_the_way_round() -> None:
     np.testing.assert_allclose(np.diff(echoes.time), 1 / 40_000, atol=1e-9)
 
 
-def test_the_same_beams_about_the_length_of_the_vessel() -> None:
-    echoes = seen(replace(TURNING, axis="x"), ROUND)
+def test_beams_rotate_about_the_longitudinal_axis() -> None:
+    echoes = seen(replace(SPINNING, axis="x"), DOME)
     forward = np.degrees(np.arcsin(echoes.points_lidar[:, 0] / 20.0)).reshape(-1, 4)
     np.testing.assert_allclose(forward, np.tile(ELEVATIONS_DEG, (len(forward), 1)), atol=1e-9)
 
 
 @pytest.mark.parametrize("axis", ["x", "z"])
-def test_beams_deviate_along_the_turn_and_across_it(axis) -> None:
-    """What is read keeps its elevation; from there to what was met it is sigma both ways."""
+def test_angle_noise_acts_along_and_across_the_rotation(axis) -> None:
+    """The recorded beam keeps its elevation; the true beam deviates by sigma both ways."""
     sigma = np.radians(0.05)
-    scanner = replace(TURNING, axis=axis, elevations=(0.0,), range_sigma=0.0, angle_sigma=sigma)
-    echoes = seen(scanner, ROUND, noise=True)
+    scanner = replace(SPINNING, axis=axis, elevations=(0.0,), range_sigma=0.0, angle_sigma=sigma)
+    echoes = seen(scanner, DOME, noise=True)
     about = {"x": 0, "z": 2}[axis]
     assert np.all(echoes.points_lidar[:, about] == 0)
     read, met = echoes.points_lidar / 20.0, echoes.true_points_local / 20.0
     along = np.cross(np.eye(3)[about], read)
     misses = np.stack([np.sum((met - read) * along, axis=1), met[:, about]])
-    # 80,000 beams know it to 0.25 %
+    # 80,000 beams determine sigma to 0.25 %
     np.testing.assert_allclose(misses.std(axis=1), sigma, rtol=0.01)
     assert abs(np.corrcoef(misses)[0, 1]) < 0.015
 
 
 @pytest.mark.parametrize("axis", ["x", "z"])
-def test_starboard_is_the_mirror_image_of_port(axis) -> None:
+def test_scanning_to_starboard_mirrors_scanning_to_port(axis) -> None:
     low, high = np.radians([20.0, 60.0])
-    scanner = replace(TURNING, axis=axis, window=(low, high), elevations=(0.0,))
-    port = seen(scanner, ROUND).points_lidar
-    starboard = seen(scanner, ROUND, starboard=True).points_lidar
+    scanner = replace(SPINNING, axis=axis, window=(low, high), elevations=(0.0,))
+    port = seen(scanner, DOME).points_lidar
+    starboard = seen(scanner, DOME, starboard=True).points_lidar
     up = 2 if axis == "x" else 0
     assert (port[:, 1] > 0).all()
     assert (starboard[:, 1] < 0).all()
@@ -88,11 +90,11 @@ def test_range_noise_grows_with_incidence() -> None:
     for low in range(0, 75, 15):
         own = (np.degrees(incidence) >= low) & (np.degrees(incidence) < low + 15)
         expected = np.sqrt(np.mean((0.01 / np.cos(incidence[own])) ** 2))
-        # 16,000 points: a standard deviation is known to 0.6 %, 4 sigma taken
+        # 16,000 points determine a standard deviation to 0.6 %; the tolerance is 4 sigma
         assert error[own].std() == pytest.approx(expected, rel=0.025)
 
 
-def test_intensity_falls_with_incidence_and_nothing_comes_back_at_a_grazing_angle() -> None:
+def test_intensity_decreases_with_incidence_and_grazing_beams_have_no_echo() -> None:
     scanner = Scanner(200_000.0, 20.0, window=(0.0, np.radians(85)), divergence=0.0)
     every = seen(scanner, WALL)
     incidence = np.arctan2(every.points_lidar[:, 2], every.points_lidar[:, 1])
@@ -104,7 +106,7 @@ def test_intensity_falls_with_incidence_and_nothing_comes_back_at_a_grazing_angl
     assert 69.9 < np.degrees(steepest) <= 70.0
 
 
-def test_nothing_is_recorded_out_of_reach() -> None:
+def test_nothing_is_recorded_beyond_the_maximum_range() -> None:
     scanner = Scanner(50_000.0, 20.0, window=(0.0, 1.2), divergence=0.0)
     near = replace(scanner, min_range=5.0, max_range=6.0)
     ranges = np.linalg.norm(seen(near, WALL).points_lidar, axis=1)

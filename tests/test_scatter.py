@@ -1,4 +1,4 @@
-"""Sigmas raised where parts of the data differ by more than the model of errors foresees."""
+"""Tests of sigmas increased where parts of the data differ more than the error model predicts."""
 
 from dataclasses import replace
 
@@ -20,7 +20,7 @@ from lispac.survey.scan import Scan
 from lispac.workflow.calibration.estimation import observations_of
 from lispac.workflow.calibration.targetless import TargetlessResult, targetless
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.test_targetless import FEW, error, few_surfaces, with_scans
+from tests.test_targetless import FEW_SURFACES, error, few_surfaces, with_scans
 
 Opened = tuple[Project, Survey]
 
@@ -38,7 +38,7 @@ def clean(thinned: Opened, tmp_path_factory: pytest.TempPathFactory) -> Targetle
 def adjusted(
     found: TargetlessResult, survey: Survey, model: StochasticModel
 ) -> tuple[AdjustmentResult, Observations, Mounting]:
-    """The scene's surfaces adjusted again, with the sigmas that the model gives."""
+    """Adjust the surfaces of the scene again, with the sigmas of the model alone."""
     project = found.project
     prior = project.mounting("prior")
     observations = observations_of(project, survey, mounting=found.result.mounting)
@@ -57,8 +57,10 @@ def parts_of(found: SolvedEquations) -> tuple[LinearisedProblem, np.ndarray]:
     return found.linearised, found.origins
 
 
-def test_where_the_model_holds_the_sigmas_stay(thinned: Opened, clean: TargetlessResult) -> None:
-    """On 26 simulated quays they rose by 5 % in the mean and 19 % at most."""
+def test_sigmas_hardly_change_where_the_model_is_right(
+    thinned: Opened, clean: TargetlessResult
+) -> None:
+    """On 26 simulated quays they increased by 5 % on average and by 19 % at most."""
     model = thinned[0].settings.stochastic_model
     plain, observations, prior = adjusted(clean, thinned[1], model)
     raised = raise_sigmas_by_scatter(plain, *parts_of(solved(plain, observations, prior)))
@@ -70,8 +72,8 @@ def test_where_the_model_holds_the_sigmas_stay(thinned: Opened, clean: Targetles
     np.testing.assert_array_equal(raised.boresight, plain.boresight)
 
 
-def test_what_the_model_does_not_know_raises_them(thinned: Opened, clean: TargetlessResult) -> None:
-    """Beams that look elsewhere than stated for half a second, and rightly for the next half."""
+def test_unmodelled_errors_increase_the_sigmas(thinned: Opened, clean: TargetlessResult) -> None:
+    """Beams are rotated in every other half second."""
     project, _ = thinned
 
     def change(_: str, scan: Scan) -> Scan:
@@ -80,19 +82,19 @@ def test_what_the_model_does_not_know_raises_them(thinned: Opened, clean: Target
         points[late] = points[late] @ rotation_matrix(np.radians(0.15), 0.0, 0.0).T
         return Scan(np.ascontiguousarray(points), scan.time, scan.intensity, scan.assumptions)
 
-    found = targetless(*with_scans(thinned, change), count=FEW)
+    found = targetless(*with_scans(thinned, change), count=FEW_SURFACES)
     assert found.raised > 1.5
     assert "adjustment.sigmas_raised" in {each.code for each in result_warnings(found.result, None)}
     assert "adjustment.sigmas_raised" not in {
         each.code for each in result_warnings(clean.result, None)
     }
     assert (found.result.sigma > clean.result.sigma).all()
-    # In the mean all are turned by half of it, which goes to roll and to roll alone.
+    # The mean rotation is half of it and changes only roll.
     off = error(found, project) + [0.075, 0.0, 0.0]
     assert (np.abs(off) < 3 * np.degrees(found.result.sigma)).all(), off
 
 
-def test_without_a_model_of_common_errors_nothing_is_raised(
+def test_sigmas_of_the_classical_model_are_not_increased(
     thinned: Opened, clean: TargetlessResult
 ) -> None:
     model = replace(thinned[0].settings.stochastic_model, pos_errors="independent")
@@ -100,8 +102,10 @@ def test_without_a_model_of_common_errors_nothing_is_raised(
     assert SolvedEquations.of(plain, observations, prior) is None
 
 
-def test_two_surfaces_determine_no_surface_sigma(thinned: Opened, clean: TargetlessResult) -> None:
-    """What hangs on few parts says so by its sigma; what is told of the lines stays finite."""
+def test_excess_variances_of_few_surfaces_are_finite(
+    thinned: Opened, clean: TargetlessResult
+) -> None:
+    """Few surfaces hardly determine their variance, but no value is infinite or negative."""
     model = thinned[0].settings.stochastic_model
     few = replace(clean.project, targets=clean.project.targets[:4], result=None)
     prior = few.mounting("prior")

@@ -1,4 +1,4 @@
-"""Scenes, vessels and scanners from TOML: those supplied are sound, and mistakes are told."""
+"""Tests of scenes, vessels and scanners read from TOML files, and of errors in such files."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -61,7 +61,7 @@ height_m = 1
 facing_deg = 270
 """
 LINE = SCENE[SCENE.index("[[lines]]") : SCENE.index("[[surfaces]]")]
-WHITE = WhiteNoise((0.01, 0.01, 0.01), (0.001, 0.001, 0.001))
+WHITE_NOISE = WhiteNoise((0.01, 0.01, 0.01), (0.001, 0.001, 0.001))
 VESSEL = resource_path("vessels") / "launch.toml"
 SCANNER = resource_path("scanners") / "profiler.toml"
 
@@ -74,7 +74,7 @@ def edited(folder: Path, text: str, old: str, new: str) -> Path:
 
 
 @pytest.mark.parametrize("kind", PART_KINDS)
-def test_everything_supplied_is_sound(kind: str) -> None:
+def test_all_supplied_files_are_valid(kind: str) -> None:
     titles = supplied_titles(kind)
     assert len(titles) >= 3
     assert len(set(titles.values())) == len(titles)
@@ -85,8 +85,8 @@ def test_everything_supplied_is_sound(kind: str) -> None:
         assert len(read_simulation(name).setup.targets) >= 2
 
 
-def test_the_port_is_that_of_the_built_in_survey(port: SimulatedSurvey) -> None:
-    """To the last bit: scene, vessel and scanner from their files against those in the code."""
+def test_the_port_scene_equals_the_built_in_survey(port: SimulatedSurvey) -> None:
+    """Simulations from the files and from the code are identical to the last bit."""
     made = simulate_survey(read_simulation("port").setup, seed=2019)
     for ours, theirs in zip(made.scene.surfaces, port.scene.surfaces, strict=True):
         assert (ours.name, ours.reflectance) == (theirs.name, theirs.reflectance)
@@ -106,7 +106,7 @@ def test_the_port_is_that_of_the_built_in_survey(port: SimulatedSurvey) -> None:
     np.testing.assert_array_equal(made.mounting.values, port.mounting.values)
 
 
-def test_the_launch_and_the_profiler_are_those_of_the_built_in_survey() -> None:
+def test_the_launch_and_the_profiler_equal_those_of_the_built_in_survey() -> None:
     vessel = read_vessel(VESSEL)
     assert vessel.handling == SMALL_VESSEL
     assert vessel.pos == HYDROGRAPHIC_INS
@@ -115,8 +115,8 @@ def test_the_launch_and_the_profiler_are_those_of_the_built_in_survey() -> None:
     assert read_scanner(SCANNER)[1] == Scanner(POINTS_PER_SECOND)
 
 
-def test_a_survey_of_days_is_refused(tmp_path: Path) -> None:
-    """Before anything is sailed: a million metres at 2.2 m/s are 126 hours."""
+def test_a_survey_of_several_days_is_refused(tmp_path: Path) -> None:
+    """A million metres at 2.2 m/s are 126 hours; this is checked before the simulation."""
     path = edited(tmp_path, SCENE, "run_in_m = 5", "run_in_m = 1_000_000")
     with pytest.raises(InputError) as raised:
         read_simulation(str(path))
@@ -126,7 +126,7 @@ def test_a_survey_of_days_is_refused(tmp_path: Path) -> None:
     assert raised.value.message.params["limit"] == 12 * 3600
 
 
-def test_a_pos_with_many_errors() -> None:
+def test_a_pos_may_have_several_errors() -> None:
     pos = read_vessel(resource_path("vessels") / "launch-outage.toml").pos
     assert isinstance(pos, CombinedModel)
     assert [type(part) for part in pos.parts] == [
@@ -137,7 +137,7 @@ def test_a_pos_with_many_errors() -> None:
     )
 
 
-def test_scanners_have_their_beams() -> None:
+def test_scanners_have_the_beams_of_their_files() -> None:
     beams = {name: read_scanner(resource_path("scanners") / f"{name}.toml")[1] for name in (
         "velodyne-hdl-32e", "ouster-os1-128", "hesai-pandar-xt32", "zf-9012",
     )}  # fmt: skip
@@ -150,7 +150,7 @@ def test_scanners_have_their_beams() -> None:
     )
 
 
-def test_a_mesh_lies_beside_its_scene_and_hides_the_board(tmp_path: Path) -> None:
+def test_a_mesh_is_read_beside_its_scene_and_occludes_the_board(tmp_path: Path) -> None:
     write_mesh(
         tmp_path / "hut.stl", as_mesh(tilted_rectangle("hut", (0.0, -8.0, 5.0), 3.0, 3.0, 270, 0))
     )
@@ -222,7 +222,7 @@ def test_a_mesh_lies_beside_its_scene_and_hides_the_board(tmp_path: Path) -> Non
         ('title = "A board"', 'title = " "', "toml.not_text", {"key": "title", "value": "' '"}),
     ],
 )  # fmt: skip
-def test_mistakes_in_a_scene_are_reported(
+def test_errors_in_a_scene_file_are_reported(
     old: str, new: str, code: str, params: dict[str, object], tmp_path: Path
 ) -> None:
     path = edited(tmp_path, SCENE, old, new)
@@ -234,7 +234,7 @@ def test_mistakes_in_a_scene_are_reported(
     assert str(told.value).count("\n") == 0
 
 
-def test_a_number_where_tables_should_be(tmp_path: Path) -> None:
+def test_a_number_instead_of_tables_is_refused(tmp_path: Path) -> None:
     head = SCENE[: SCENE.index("[origin]")]
     for text, code, key in (
         (f"{head}origin = 3\n" + SCENE[SCENE.index("[pattern]") :], "toml.not_a_table", "origin"),
@@ -250,7 +250,7 @@ def test_a_number_where_tables_should_be(tmp_path: Path) -> None:
         assert told.value.message.params["key"] == key
 
 
-def test_a_ball_is_where_its_scene_says(tmp_path: Path) -> None:
+def test_a_ball_has_the_position_of_its_scene_file(tmp_path: Path) -> None:
     ball = 'kind = "sphere"\nname = "B1"\nrole = "target"\ncentre_m = [1, -10, 5]\nradius_m = 0.3'
     path = edited(tmp_path, SCENE, "[[surfaces]]", f"[[surfaces]]\n{ball}\n[[surfaces]]")
     read = read_scene(path)
@@ -275,7 +275,7 @@ def test_a_ball_is_where_its_scene_says(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_mistakes_in_a_vessel_are_reported(
+def test_errors_in_a_vessel_file_are_reported(
     old: str, new: str, code: str, params: dict[str, str], tmp_path: Path
 ) -> None:
     with pytest.raises(InputError) as told:
@@ -294,7 +294,7 @@ def test_mistakes_in_a_vessel_are_reported(
         ("title", "unverified = 1\ntitle", "toml.not_true_or_false", {"key": "unverified"}),
     ],
 )
-def test_mistakes_in_a_scanner_are_reported(
+def test_errors_in_a_scanner_file_are_reported(
     old: str, new: str, code: str, params: dict[str, object], tmp_path: Path
 ) -> None:
     with pytest.raises(InputError) as told:
@@ -316,7 +316,7 @@ def test_mistakes_in_a_scanner_are_reported(
         ),
     ],
 )
-def test_a_scene_that_cannot_be_sailed_is_refused(text: str, said: str, tmp_path: Path) -> None:
+def test_an_impossible_scene_is_refused(text: str, said: str, tmp_path: Path) -> None:
     path = edited(tmp_path, text, "title", "title")
     with pytest.raises(InputError) as told:
         read_simulation(str(path))
@@ -328,22 +328,25 @@ def test_a_scene_that_cannot_be_sailed_is_refused(text: str, said: str, tmp_path
     ("pos", "times"),
     [
         (PosErrorModel((0.1, 0.1, 0.1), (0.1, 0.1, 0.1), 120.0, 240.0), (120.0, 240.0)),
-        (WHITE, (300.0, 600.0)),
-        (CombinedModel((WHITE, PosErrorModel((0.1,) * 3, (0.1,) * 3, 90.0, 80.0))), (90.0, 80.0)),
-        (CombinedModel((WHITE, WHITE)), (300.0, 600.0)),
+        (WHITE_NOISE, (300.0, 600.0)),
+        (
+            CombinedModel((WHITE_NOISE, PosErrorModel((0.1,) * 3, (0.1,) * 3, 90.0, 80.0))),
+            (90.0, 80.0),
+        ),
+        (CombinedModel((WHITE_NOISE, WHITE_NOISE)), (300.0, 600.0)),
     ],
 )
-def test_the_surveyor_knows_the_correlation_times_where_there_are_any(
+def test_settings_of_the_project_have_the_simulated_correlation_times(
     pos: PosErrors, times: tuple[float, float], tmp_path: Path
 ) -> None:
-    """Of errors that are not correlated in time the usual ones are stated."""
+    """The default correlation times are set if the errors are not correlated in time."""
     made = read_simulation(str(edited(tmp_path, SCENE, "title", "title")))
     settings = _surveyor_settings(replace(made, setup=replace(made.setup, pos=pos)))
     assert (settings.position_time, settings.attitude_time) == times
     assert settings.lever_arm == LEVER_ARM
 
 
-def test_a_file_is_no_folder_for_a_survey(tmp_path: Path) -> None:
+def test_simulating_into_a_file_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "notes.txt"
     path.write_text("mine")
     with pytest.raises(ProjectError) as told:

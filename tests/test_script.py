@@ -1,4 +1,4 @@
-"""The script of a project makes it again from its raw files, with the same numbers."""
+"""Tests of the script of a project, which reproduces it from its raw files."""
 
 import shutil
 from dataclasses import replace
@@ -30,28 +30,28 @@ from tests.script_runs import run, run_in_process, same_part
 
 
 @given(st.lists(st.integers(0, 10**12), max_size=60))
-def test_numbers_of_points_come_back_in_their_order(numbers: list[int]) -> None:
+def test_point_numbers_keep_their_order(numbers: list[int]) -> None:
     text = numbers_text(np.array(numbers, dtype=np.int64))
     assert point_numbers(text).tolist() == numbers
     assert "".join(map(eval, split_text_code(text).split("\n"))) == text
     assert all(len(piece) <= MAX_PIECE_LENGTH + 24 for piece in split_text_code(text).split("\n"))
 
 
-def test_runs_of_numbers_are_short() -> None:
+def test_runs_of_point_numbers_are_written_briefly() -> None:
     assert numbers_text(np.array([7, 8, 9, 20, 3, 4])) == "7+3 20 3+2"
 
 
 @pytest.mark.parametrize(
     "text", ["7+", "a", "-3", "1.5", "1+2+3", "9" * 40, "1+999999999 1+999999999"]
 )
-def test_what_is_no_number_of_a_point_is_refused(text: str) -> None:
+def test_invalid_point_numbers_are_refused(text: str) -> None:
     with pytest.raises(InputError) as raised:
         point_numbers(text)
     assert raised.value.code in ("pick.not_a_number", "pick.too_many_numbers")
 
 
 @given(st.text(), st.floats(allow_nan=False, allow_infinity=False), st.integers())
-def test_values_are_written_as_python_reads_them(text: str, number: float, whole: int) -> None:
+def test_values_are_written_as_python_literals(text: str, number: float, whole: int) -> None:
     values = (text, number, np.float64(number), whole, None, True, (text,), [number], {text: whole})
     assert eval(python_literal(values)) == values
     reading = lispac.Reading("las", ((text, text),), number)
@@ -80,8 +80,8 @@ def estimated(demo_project: Project) -> Project:
 
 
 @pytest.fixture
-def answered(quay: lispac.OpenProject, estimated: Project) -> lispac.OpenProject:
-    """With two targets and a boresight."""
+def estimated_quay(quay: lispac.OpenProject, estimated: Project) -> lispac.OpenProject:
+    """A project with two targets and an estimated boresight."""
     quay.project = estimated
     return quay
 
@@ -91,16 +91,14 @@ def made(quay: lispac.OpenProject) -> Script:
 
 
 def same_numbers(quay: lispac.OpenProject, script: Script, folder: Path) -> lispac.OpenProject:
-    """The project that the script makes, whose report is that of this one."""
+    """Run the script, check that its report equals that of `quay`, and open its project."""
     quay.report(folder / "wanted.json")
     found = run_in_process(script.text, folder / "again")
     assert found == same_part(folder / "wanted.json")
     return lispac.open(folder / "again")
 
 
-def test_everything_that_is_done_to_targets_comes_back(
-    quay: lispac.OpenProject, tmp_path: Path
-) -> None:
+def test_all_edits_of_targets_are_reproduced(quay: lispac.OpenProject, tmp_path: Path) -> None:
     seeded(quay, "T1", "V2")
     usual = demo_seeds()
     quay.seed(
@@ -131,7 +129,7 @@ def test_everything_that_is_done_to_targets_comes_back(
     script = made(quay)
     assert script.messages == ()
     assert "its points were edited manually" in script.text
-    # One seed a line is more than one seed can say.
+    # A target with one seed per line cannot be written as a single seed.
     assert script.text.count("project.put(") == 2
     assert script.text.count("project.seed(") == 3
     again = same_numbers(quay, script, tmp_path)
@@ -147,7 +145,7 @@ def test_everything_that_is_done_to_targets_comes_back(
 
 
 @pytest.mark.long
-def test_targets_found_with_another_prior_and_proposed_ones_keep_their_points(
+def test_points_of_proposed_targets_and_of_another_prior_are_kept(
     quay: lispac.OpenProject, tmp_path: Path
 ) -> None:
     seeded(quay, "T1", "T2")
@@ -160,7 +158,7 @@ def test_targets_found_with_another_prior_and_proposed_ones_keep_their_points(
     same_numbers(quay, script, tmp_path)
 
 
-def test_nothing_is_done_that_was_not(quay: lispac.OpenProject, tmp_path: Path) -> None:
+def test_script_has_no_steps_that_were_not_done(quay: lispac.OpenProject, tmp_path: Path) -> None:
     before = quay.project
     seeded(quay, "T1")
     quay.project = before
@@ -185,10 +183,10 @@ def test_imported_lines_are_imported(demo_project: Project, tmp_path: Path) -> N
     assert (tmp_path / "again" / "lines").is_dir()
 
 
-def test_what_is_found_in_the_files_is_reported_where_the_project_tells_it(
+def test_notes_of_the_import_are_reported_where_the_project_has_them(
     demo_project: Project, tmp_path: Path
 ) -> None:
-    """Just made, a project has notes that it does not have when it is opened."""
+    """A new project has notes that it no longer has when it is opened."""
     raw = demo_project.folder / "raw"
     quay = lispac.new(
         tmp_path / "quay", lines=[raw / "L1_000.laz"], trajectory=raw / "trajectory.sbet",
@@ -202,7 +200,7 @@ def test_what_is_found_in_the_files_is_reported_where_the_project_tells_it(
     same_numbers(again, made(again), tmp_path / "opened")
 
 
-def test_raw_files_that_are_gone_are_reported(demo_project: Project, tmp_path: Path) -> None:
+def test_missing_raw_files_are_reported(demo_project: Project, tmp_path: Path) -> None:
     raw = Path(shutil.copytree(demo_project.folder / "raw", tmp_path / "raw"))
     quay = lispac.new(
         tmp_path / "quay", lines=[raw / "L1_000.laz", raw / "L2_180.laz"], lever_arm=(0, 0, 0),
@@ -210,13 +208,13 @@ def test_raw_files_that_are_gone_are_reported(demo_project: Project, tmp_path: P
     )  # fmt: skip
     quay.import_lines()
     (raw / "L2_180.laz").unlink()
-    quay.survey  # noqa: B018  what is imported needs its file no more
+    quay.survey  # noqa: B018  imported lines no longer need their files
     (remark,) = made(quay).messages
     assert remark == note("script.missing_files", files=[str(raw / "L2_180.laz")])
 
 
 def reference(folder: Path) -> Path:
-    """Surveyed points on T2, which leans by 45 deg about the west axis."""
+    """Write surveyed points on T2, which is inclined by 45 deg about the west axis."""
     from tests.static_scans import on_plane
 
     corners = on_plane("T2", np.array([-0.4, 0.4, 0.4, -0.4]), np.array([-0.4, -0.4, 0.4, 0.4]))
@@ -227,10 +225,10 @@ def reference(folder: Path) -> Path:
 
 
 @pytest.mark.parametrize("beside", [pytest.param(True, marks=pytest.mark.long), False])
-def test_a_check_is_repeated_where_its_reference_is_found(
-    answered: lispac.OpenProject, tmp_path: Path, beside: bool
+def test_a_check_is_repeated_if_its_reference_exists(
+    estimated_quay: lispac.OpenProject, tmp_path: Path, beside: bool
 ) -> None:
-    quay = answered
+    quay = estimated_quay
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     quay.check(reference(elsewhere), search_distance=0.8)
@@ -245,10 +243,10 @@ def test_a_check_is_repeated_where_its_reference_is_found(
     assert remark == note("script.no_reference", file="board.csv")
 
 
-def test_a_check_that_its_file_alone_does_not_repeat_is_reported(
-    answered: lispac.OpenProject, tmp_path: Path
+def test_a_check_that_cannot_be_repeated_from_its_file_is_reported(
+    estimated_quay: lispac.OpenProject, tmp_path: Path
 ) -> None:
-    quay = answered
+    quay = estimated_quay
     found = quay.check(reference(tmp_path))
     quay.project = quay.project.with_absolute(replace(found, system="a system of one's own"))
     quay.save_as(tmp_path / "quay")
@@ -257,8 +255,10 @@ def test_a_check_that_its_file_alone_does_not_repeat_is_reported(
     assert remark.params["system"] == "a system of one's own"
 
 
-def test_an_answer_that_the_steps_do_not_lead_to_is_reported(answered: lispac.OpenProject) -> None:
-    quay, result = answered, answered.result
+def test_a_result_that_the_steps_do_not_reproduce_is_reported(
+    estimated_quay: lispac.OpenProject,
+) -> None:
+    quay, result = estimated_quay, estimated_quay.result
     off = result.mounting.with_boresight(result.boresight + np.radians([0.0, 0.004, 0.0]))
     quay.project = quay.project.with_result(replace(result, mounting=off))
     (remark,) = made(quay).messages
@@ -267,13 +267,13 @@ def test_an_answer_that_the_steps_do_not_lead_to_is_reported(answered: lispac.Op
     assert english_text(remark).split(":")[0] in made(quay).text.replace("\n# ", " ")
 
 
-def test_names_cannot_bring_steps_of_their_own(quay: lispac.OpenProject, tmp_path: Path) -> None:
-    """The folder's name goes into comments, and into texts of the script."""
+def test_names_cannot_inject_code(quay: lispac.OpenProject, tmp_path: Path) -> None:
+    """The name of the folder is written into comments and strings of the script."""
     quay.save_as(tmp_path / "a'b\"\nimport nothing_of_the_kind\n#")
     run(made(quay).text, tmp_path / "again")
 
 
-def test_the_command_prints_and_writes_it(
+def test_the_command_prints_and_writes_the_script(
     demo_project: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "steps.py"

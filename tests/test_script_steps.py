@@ -1,4 +1,4 @@
-"""Single steps of a project's script: how lines are read, targets put whole, checks repeated."""
+"""Tests of single steps of a project's script: lines, edited targets and repeated checks."""
 
 from dataclasses import replace
 from math import radians
@@ -21,7 +21,7 @@ from tests.few_lines import on_board, picked, picked_and_estimated
 
 
 class Steps:
-    """What a script does to a project, written down."""
+    """Recorder of the targets that a script puts and rejects."""
 
     def __init__(self) -> None:
         self.put_there: list[Target] = []
@@ -34,14 +34,14 @@ class Steps:
         self.rejected.append(names)
 
 
-PLACE = note("finder.place", north=0.5, west=-15.0, up=8.25)
-PLANE = Target(
+SEARCH_PLACE = note("finder.place", north=0.5, west=-15.0, up=8.25)
+PLANE_TARGET = Target(
     "T1", "target", (0.5, -15.0, 8.25), 0.012, 1.5,
     (
         PickedSighting("L1", np.arange(40, 90), 0.0021, fingerprint="90-a", by_hand=True),
         PickedSighting("L2", np.array([3, 9]), 0.0019, used=False, fingerprint="12-b", one_in=4),
     ),
-    missing={"L3": error("finder.no_plane", place=PLACE, threshold=0.012)},
+    missing={"L3": error("finder.no_plane", place=SEARCH_PLACE, threshold=0.012)},
     expected=ExpectedTarget(1.2, 1.0, radians(45.0)), choices=FinderChoices(min_points=45),
 )  # fmt: skip
 
@@ -49,14 +49,14 @@ PLANE = Target(
 @pytest.mark.parametrize(
     "target",
     [
-        PLANE,
-        replace(PLANE, missing={}, expected=None, used=False),
-        replace(PLANE, expected=None, shape="sphere", sphere_radius=0.145),
-        replace(PLANE, expected=None, shape="sphere", choices=FinderChoices()),
+        PLANE_TARGET,
+        replace(PLANE_TARGET, missing={}, expected=None, used=False),
+        replace(PLANE_TARGET, expected=None, shape="sphere", sphere_radius=0.145),
+        replace(PLANE_TARGET, expected=None, shape="sphere", choices=FinderChoices()),
     ],
 )
-def test_a_target_edited_by_hand_is_put_with_all_it_has(target: Target) -> None:
-    """Read as Python reads it, and nothing of the survey is asked for."""
+def test_a_target_edited_by_hand_is_reproduced_completely(target: Target) -> None:
+    """The step is executed as Python code and needs nothing of the survey."""
     project, survey = picked()
     steps = Steps()
     for step in target_steps(project, survey, target, no_progress):
@@ -75,7 +75,7 @@ def test_a_target_edited_by_hand_is_put_with_all_it_has(target: Target) -> None:
     assert steps.rejected == rejected
 
 
-def test_lines_stand_in_the_script_as_they_are_read(tmp_path: Path) -> None:
+def test_script_gives_the_reading_of_each_line(tmp_path: Path) -> None:
     project, survey = picked()
     data = tmp_path / "data"
     shifted = Reading("las", (("crs", "EPSG:32619"),), -18.0)
@@ -112,7 +112,7 @@ def test_lines_stand_in_the_script_as_they_are_read(tmp_path: Path) -> None:
     assert given["resolved"] is True
     stated = given["lines"]
     assert isinstance(stated, list)
-    assert stated[0] == data / "L1.laz"  # its name and its way of being read are the usual ones
+    assert stated[0] == data / "L1.laz"  # default name and reading
     assert stated[1:] == list(lines[1:])
     (remark,) = script.messages
     assert remark.code == "script.missing_files"
@@ -121,7 +121,7 @@ def test_lines_stand_in_the_script_as_they_are_read(tmp_path: Path) -> None:
 
 @pytest.fixture
 def checked(tmp_path: Path) -> tuple[Project, Survey, Path]:
-    """A project checked against a list that lies in its own folder."""
+    """A project checked against a list of points in its own folder."""
     project, survey = picked_and_estimated()
     project = replace(project, folder=tmp_path / "quay", trajectory=tmp_path / "raw" / "pos.sbet")
     project = replace(
@@ -138,10 +138,10 @@ def checked(tmp_path: Path) -> tuple[Project, Survey, Path]:
 
 
 @pytest.mark.parametrize("beside", [True, False])
-def test_a_check_is_repeated_with_the_very_file_of_that_name(
+def test_a_check_is_repeated_with_the_original_file(
     checked: tuple[Project, Survey, Path], beside: bool
 ) -> None:
-    """Beside the lines lies another list of that name, or one of the same size besides."""
+    """The folder of the lines has another list of the same name, in one case of the same size."""
     project, survey, path = checked
     other = path.read_text().replace("B0", "C0") if beside else "another list"
     (project.trajectory.parent / "board.csv").write_text(other)
@@ -150,7 +150,7 @@ def test_a_check_is_repeated_with_the_very_file_of_that_name(
     assert not any(remark.params.get("file") == "board.csv" for remark in script.messages)
 
 
-def test_a_list_that_was_changed_since_is_not_taken_for_the_reference(
+def test_a_check_is_not_repeated_with_a_changed_list(
     checked: tuple[Project, Survey, Path],
 ) -> None:
     project, survey, path = checked

@@ -1,4 +1,4 @@
-"""The steps of the window as Python: `import lispac`."""
+"""Tests of the Python API `import lispac`, which has the steps of the window."""
 
 import ast
 import json
@@ -25,7 +25,7 @@ TRUTH = (0.27, -1.14, 0.36)
 
 @pytest.fixture
 def quay(demo_project: Project, tmp_path: Path) -> lispac.OpenProject:
-    """The built-in survey as a new project, nothing picked."""
+    """The built-in survey as a new project without targets."""
     raw = demo_project.folder / "raw"
     return lispac.new(
         tmp_path / "quay",
@@ -45,7 +45,7 @@ def seeded(quay: lispac.OpenProject, *names: str) -> lispac.OpenProject:
     return quay
 
 
-def test_every_name_is_there_and_type_checkers_know_it() -> None:
+def test_every_public_name_exists_and_is_typed() -> None:
     tree = ast.parse((CHECKOUT / "lispac" / "__init__.py").read_text(encoding="utf-8"))
     (typed,) = (node for node in tree.body if isinstance(node, ast.If))
     stated = {
@@ -61,7 +61,7 @@ def test_every_name_is_there_and_type_checkers_know_it() -> None:
         lispac.seeed  # noqa: B018
 
 
-def test_the_steps_are_those_of_the_command_line(
+def test_steps_give_the_results_of_the_command_line(
     quay: lispac.OpenProject, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = quay.project.folder
@@ -104,7 +104,7 @@ def test_the_example_of_the_manual_runs(language: str, told_as: str, tmp_path: P
         check=False,
         env={
             "PYTHONPATH": str(CHECKOUT), "HOME": str(tmp_path), "PYTHONUTF8": "1",
-            # What has been compiled for the other tests
+            # Use the compiled code of the other tests.
             **{name: os.environ[name] for name in ("NUMBA_CACHE_DIR",) if name in os.environ},
         },
         timeout=300,
@@ -120,7 +120,7 @@ def test_the_example_of_the_manual_runs(language: str, told_as: str, tmp_path: P
     assert lispac.open(tmp_path / "quay").project.target("T2").sighting("L3_045").used is False
 
 
-def test_edits(quay: lispac.OpenProject, tmp_path: Path) -> None:
+def test_edits_of_targets_through_the_api(quay: lispac.OpenProject, tmp_path: Path) -> None:
     seeded(quay, "T1", "V1")
     before = quay.project
     quay.reject("T1", "L1_000")
@@ -151,7 +151,7 @@ def test_edits(quay: lispac.OpenProject, tmp_path: Path) -> None:
     assert path.stat().st_size > 1000
 
 
-def test_a_point_of_a_line_is_a_seed(quay: lispac.OpenProject) -> None:
+def test_a_point_of_a_line_can_be_a_seed(quay: lispac.OpenProject) -> None:
     target = seeded(quay, "T1").project.target("T1")
     sighting = target.sighting("L2_180")
     number = int(sighting.indices[len(sighting.indices) // 2])
@@ -188,7 +188,7 @@ def test_proposed_targets_are_accepted(quay: lispac.OpenProject) -> None:
         (lambda quay: quay.boresight_deg, "project.not_estimated"),
     ],
 )
-def test_what_is_refused_changes_nothing(opened, step, said: str) -> None:
+def test_refused_steps_change_nothing(opened, step, said: str) -> None:
     before = opened.project
     with pytest.raises(lispac.LispacError) as raised:
         step(opened)
@@ -198,13 +198,13 @@ def test_what_is_refused_changes_nothing(opened, step, said: str) -> None:
 
 @pytest.fixture(scope="module")
 def opened(demo_project: Project) -> lispac.OpenProject:
-    """With one target on one line, which gives no answer; not to be changed."""
+    """A project with one target on one line, which has no result; tests must not change it."""
     quay = lispac.open(demo_project.folder)
     quay.seed("T1", demo_seeds()["T1"][1], line="L1_000")
     return quay
 
 
-def test_points_are_put_only_where_they_belong(opened: lispac.OpenProject) -> None:
+def test_points_are_put_only_on_the_line_they_belong_to(opened: lispac.OpenProject) -> None:
     (sighting,) = opened.project.target("T1").sightings
 
     def target(line: str, numbers: str, fingerprint: str) -> lispac.Target:
@@ -227,7 +227,7 @@ def test_points_are_put_only_where_they_belong(opened: lispac.OpenProject) -> No
     opened.project = before
 
 
-def test_wrong_words_of_a_script_are_reported_as_python_does(tmp_path: Path) -> None:
+def test_wrong_arguments_raise_the_usual_python_errors(tmp_path: Path) -> None:
     with pytest.raises(TypeError, match="lidar_sigm"):
         lispac.new(tmp_path, lines=[], trajectory="t", lever_arm=(0, 0, 0), lidar_sigm=1.0)
     with pytest.raises(lispac.LispacError) as raised:

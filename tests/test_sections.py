@@ -1,4 +1,4 @@
-"""Sections through lines, and distances and angles between points."""
+"""Tests of sections through lines and of distances and angles between points."""
 
 from dataclasses import replace
 
@@ -28,7 +28,7 @@ def sorted_rows(points: np.ndarray) -> np.ndarray:
     return points[np.lexsort(points.T)]
 
 
-def test_a_long_strip_is_read_piece_by_piece_and_no_point_is_lost_or_doubled(
+def test_a_long_strip_is_read_in_pieces_with_every_point_once(
     calibrated: tuple[Project, Survey],
 ) -> None:
     _, survey = calibrated
@@ -43,7 +43,7 @@ def test_a_long_strip_is_read_piece_by_piece_and_no_point_is_lost_or_doubled(
     assert (np.abs(whole) <= [section.width / 2, section.height / 2]).all()
 
 
-def test_the_strip_keeps_true_scale() -> None:
+def test_section_axes_keep_the_scale() -> None:
     section = Section(np.array([5.0, -3.0, 1.0]), np.array([0.6, 0.8, 0.0]),
                       np.array([0.0, 0.0, 1.0]), 4.0, 2.0, 0.1)  # fmt: skip
     right, up, across = 1.25, -0.75, 0.04
@@ -54,7 +54,7 @@ def test_the_strip_keeps_true_scale() -> None:
 
 
 @pytest.mark.parametrize("level", [False, True])
-def test_across_a_board_the_vessel_is_on_the_left_or_below(level: bool) -> None:
+def test_vessel_is_left_of_or_below_the_board(level: bool) -> None:
     centre, eye = np.array([10.0, 20.0, 3.0]), np.array([0.0, 0.0, 5.0])
     for sign in (-1, 1):
         normal = sign * np.array([0.6, 0.8, 0.0])
@@ -62,20 +62,22 @@ def test_across_a_board_the_vessel_is_on_the_left_or_below(level: bool) -> None:
         ahead = section.up if level else section.right
         np.testing.assert_allclose(ahead, [0.6, 0.8, 0.0], atol=1e-15)
         np.testing.assert_allclose(np.cross(section.right, section.up), section.across)
-    # A flat target has no direction of its own: the strip runs away from the vessel.
+    # A horizontal target has no horizontal direction: the strip leads away from the vessel.
     flat = section_across_target(centre, np.array([0.02, 0.0, 1.0]), eye)
     np.testing.assert_allclose(flat.right, np.array([1, 2, 0]) / np.sqrt(5), atol=1e-15)
 
 
-def test_the_common_normal_is_that_of_each_group_though_they_stand_apart() -> None:
+def test_common_normal_ignores_offsets_between_groups() -> None:
     rng = np.random.default_rng(1)
     board = np.column_stack([rng.normal(0, 0.002, 500), rng.uniform(-0.6, 0.6, (500, 2))])
-    # Shifted sideways and away, the plane through all of them would be turned by 40 degrees.
+    # A plane through all the shifted groups would be rotated by 40 degrees.
     groups = [board, board + [0.5, 0.6, 0.0], board + [1.0, 1.2, 0.0]]
     np.testing.assert_allclose(np.abs(common_normal(groups)), [1, 0, 0], atol=0.01)
 
 
-def test_misalignment_is_seen_before_and_gone_after(calibrated: tuple[Project, Survey]) -> None:
+def test_misalignment_is_visible_only_before_the_calibration(
+    calibrated: tuple[Project, Survey],
+) -> None:
     project, survey = calibrated
     for level in (False, True):
         before, after = section_at_target(project, survey, "T1", level=level)
@@ -89,7 +91,7 @@ def test_misalignment_is_seen_before_and_gone_after(calibrated: tuple[Project, S
                     sorted_rows(points),
                     sorted_rows(cut.section.to_section_axes(clouds[line].sample)), atol=1e-9,
                 )  # fmt: skip
-            # Each line's stroke: the board, within 0.15 m of the middle.
+            # Trace of the board on each line near the middle
             strokes = [
                 np.median(points[np.abs(points[:, 1 - level]) < 0.3][:, int(level)])
                 for points in cut.points.values()
@@ -98,7 +100,7 @@ def test_misalignment_is_seen_before_and_gone_after(calibrated: tuple[Project, S
             assert np.ptp(strokes) == pytest.approx(cut.separation, abs=0.03)
 
 
-def test_without_a_result_there_is_only_before(calibrated: tuple[Project, Survey]) -> None:
+def test_sections_without_a_result_show_the_prior_only(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     alone = replace(project, result=None)
     assert [cut.which for cut in section_at_target(alone, survey, "T1")] == ["prior"]
@@ -109,7 +111,7 @@ def test_without_a_result_there_is_only_before(calibrated: tuple[Project, Survey
     assert cut.section.height == pytest.approx(3.0)
 
 
-def test_what_cannot_be_cut_is_reported(calibrated: tuple[Project, Survey]) -> None:
+def test_impossible_sections_are_refused(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     with pytest.raises(InputError, match="above each other"):
         section_between(np.zeros(3), np.array([0.0, 0.0, 4.0]))
@@ -122,7 +124,9 @@ def test_what_cannot_be_cut_is_reported(calibrated: tuple[Project, Survey]) -> N
 
 
 @given(places, places)
-def test_a_distance_has_its_parts_and_a_way_back(first: np.ndarray, second: np.ndarray) -> None:
+def test_a_distance_has_components_and_a_reverse_azimuth(
+    first: np.ndarray, second: np.ndarray
+) -> None:
     there, back = measure_distance(first, second), measure_distance(second, first)
     assert there.slope == pytest.approx(np.linalg.norm(second - first))
     assert there.slope == pytest.approx(np.hypot(there.horizontal, there.vertical))
@@ -137,7 +141,7 @@ def test_a_distance_has_its_parts_and_a_way_back(first: np.ndarray, second: np.n
     ("way", "azimuth_deg"),
     [((2, 0, 0), 0), ((0, -2, 0), 90), ((-2, 0, 0), 180), ((0, 2, 0), 270), ((0, 0, 2), 0)],
 )
-def test_azimuths_go_from_north_by_east_and_straight_up_there_is_none(
+def test_azimuths_are_clockwise_from_north_and_undefined_vertically(
     way: tuple[int, ...], azimuth_deg: float
 ) -> None:
     found = measure_distance(np.ones(3), np.ones(3) + way)
@@ -146,7 +150,7 @@ def test_azimuths_go_from_north_by_east_and_straight_up_there_is_none(
 
 
 @given(st.floats(0, np.pi), places, st.floats(-3, 3), st.floats(-1.5, 1.5), st.floats(-3, 3))
-def test_an_angle_is_the_same_however_it_lies(
+def test_angles_do_not_depend_on_orientation(
     turned: float, corner: np.ndarray, roll: float, pitch: float, heading: float
 ) -> None:
     rotation = rotation_matrix(roll, pitch, heading)

@@ -1,4 +1,4 @@
-"""Lists of target coordinates as people write them, and what is said of unusable ones."""
+"""Tests of lists of target coordinates in various notations, and of invalid lists."""
 
 from pathlib import Path
 
@@ -7,7 +7,7 @@ import pytest
 from lispac.errors import InputError
 from lispac.io.text.seed_file import PointList, is_point_list, read_point_list
 
-THREE = [("T1", (12.5, -3.25, 1.0)), ("V1", (40.0, 18.5, 22.0)), ("T2", (15.9, -3.0, 1.1))]
+THREE_SEEDS = [("T1", (12.5, -3.25, 1.0)), ("V1", (40.0, 18.5, 22.0)), ("T2", (15.9, -3.0, 1.1))]
 
 
 def written(folder: Path, text: str, *, encoding: str = "utf-8") -> Path:
@@ -37,14 +37,14 @@ def named(found: PointList) -> list[tuple[str, tuple[float, float, float]]]:
         '"T2","15.9","-3","1.1"\n',
     ],
 )
-def test_read_as_it_was_meant(tmp_path: Path, text: str) -> None:
+def test_lists_are_read_in_various_notations(tmp_path: Path, text: str) -> None:
     for encoding in ("utf-8", "utf-8-sig", "utf-16"):
         path = written(tmp_path, text, encoding=encoding)
-        assert named(read_point_list(path)) == THREE
+        assert named(read_point_list(path)) == THREE_SEEDS
         assert is_point_list(path)
 
 
-def test_roles_and_points_without_names(tmp_path: Path) -> None:
+def test_roles_are_read_and_unnamed_points_are_named(tmp_path: Path) -> None:
     found = read_point_list(written(tmp_path, "A 1 2 3 v\nB 4 5 6 T\nC 7 8 9\n"))
     assert [point.role for point in found.points] == ["validation", "target", None]
     found = read_point_list(written(tmp_path, "1.5 2 3\n4 5 6\n"))
@@ -56,7 +56,7 @@ def test_roles_and_points_without_names(tmp_path: Path) -> None:
     assert [point.name for point in found.points] == ["101", "102"]
 
 
-def test_columns_named_or_given_decide_the_order(tmp_path: Path) -> None:
+def test_named_or_given_columns_decide_the_order(tmp_path: Path) -> None:
     text = "pt,northing,easting,elevation,description\n1,5041635.7,614119.5,8.1,board\n"
     on_map = (614119.5, 5041635.7, 8.1)
     found = read_point_list(written(tmp_path, text), local=False)
@@ -67,13 +67,13 @@ def test_columns_named_or_given_decide_the_order(tmp_path: Path) -> None:
     assert named(stated) == [("1", on_map)]
     words = read_point_list(bare, columns=["point", "northing", "easting", "h"], local=False)
     assert named(words) == [("1", on_map)]
-    # With names of its own above, what is stated goes before them.
+    # Given columns take precedence over those named in the file.
     path = written(tmp_path, text)
     again = read_point_list(path, columns=["-", "y", "x", "z", "name"], local=False)
     assert named(again) == [("board", on_map)]
 
 
-def test_degrees_minutes_and_seconds(tmp_path: Path) -> None:
+def test_degrees_minutes_and_seconds_are_read(tmp_path: Path) -> None:
     text = "name;latitude;longitude;h\nT1;45°31'08.04\"N;W073:32:20.4;-17.5\n"
     found = read_point_list(written(tmp_path, text), local=False, degrees=True)
     longitude, latitude, height = found.points[0].coordinates
@@ -110,7 +110,7 @@ def test_degrees_minutes_and_seconds(tmp_path: Path) -> None:
         ("T1 1 2 3\n\0\n", "row 2", "text.not_text", {}),
     ],
 )  # fmt: skip
-def test_refused_with_file_and_row(
+def test_invalid_lists_are_refused_with_file_and_row(
     tmp_path: Path, text: str, row: str, code: str, params: dict[str, object]
 ) -> None:
     path = written(tmp_path, text)
@@ -126,7 +126,7 @@ def test_refused_with_file_and_row(
     assert not is_point_list(path)
 
 
-def test_a_cloud_is_no_list(tmp_path: Path) -> None:
+def test_a_cloud_is_not_read_as_a_list(tmp_path: Path) -> None:
     path = written(tmp_path, "".join(f"P{k} {k} 2 3\n" for k in range(1001)))
     with pytest.raises(InputError, match="more than 1,000 rows") as refused:
         read_point_list(path)
@@ -139,8 +139,10 @@ def test_a_cloud_is_no_list(tmp_path: Path) -> None:
     ("text", "sigma", "plane"),
     [("P1 1 2 3 0.004 quay\n", 0.004, "quay"), ("P1 1 2 3 0.004\n", 0.004, "")],
 )
-def test_check_points_by_their_order(tmp_path: Path, text: str, sigma: float, plane: str) -> None:
-    """Of check points the fifth column is the sigma; a list of targets has no such one."""
+def test_columns_of_check_points_are_found_by_their_order(
+    tmp_path: Path, text: str, sigma: float, plane: str
+) -> None:
+    """The fifth column of check points is the sigma; lists of targets have no sigma."""
     (point,) = read_point_list(written(tmp_path, text), check=True).points
     assert (point.name, point.coordinates) == ("P1", (1.0, 2.0, 3.0))
     assert (point.sigma, point.plane) == (sigma, plane)

@@ -1,4 +1,4 @@
-"""Targets picked from a list of coordinates, by the workflow and at the command line."""
+"""Tests of targets picked from a list of coordinates, by workflow and command line."""
 
 import json
 import shutil
@@ -23,7 +23,7 @@ from tests.command_errors import command_error
 from tests.test_cli import run
 
 SEEDS = demo_seeds()
-CODE = "EPSG:32618"
+UTM = "EPSG:32618"
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +34,7 @@ def survey(demo_project: Project) -> Survey:
 
 @pytest.fixture
 def folder(demo_project: Project, tmp_path: Path) -> Path:
-    """A copy of the built-in survey's project with nothing picked."""
+    """A copy of the project of the built-in survey without targets."""
     return Path(shutil.copytree(demo_project.folder, tmp_path / "demo"))
 
 
@@ -46,7 +46,7 @@ def rows(*names: str, offset: float = 0.0) -> str:
 
 
 def refused(capsys: pytest.CaptureFixture[str], folder: Path, text: str, *words: object) -> str:
-    """A list that must be refused: exit 1, one line, and the project as it was."""
+    """Pick from a list that must be refused: exit 1, one line, and an unchanged project."""
     path = folder.parent / "targets.txt"
     path.write_text(text)
     before = (folder / PROJECT_FILE_NAME).read_bytes()
@@ -58,7 +58,7 @@ def refused(capsys: pytest.CaptureFixture[str], folder: Path, text: str, *words:
     return err
 
 
-def test_a_list_gives_what_single_picks_give(
+def test_picking_from_a_list_equals_single_picks(
     capsys: pytest.CaptureFixture[str], folder: Path, survey: Survey, demo_project: Project
 ) -> None:
     path = folder.parent / "targets.csv"
@@ -86,16 +86,16 @@ def test_a_list_gives_what_single_picks_give(
         np.testing.assert_array_equal(sighting.indices, other.indices)
 
 
-def test_in_a_coordinate_system_as_json(
+def test_seeds_in_a_coordinate_system_are_picked_with_json_output(
     capsys: pytest.CaptureFixture[str], folder: Path, survey: Survey
 ) -> None:
     places = np.array([SEEDS[name][1] for name in ("T1", "T2")])
-    on_map = coordinate_system(CODE).from_local(places, survey.trajectory.frame)
+    on_map = coordinate_system(UTM).from_local(places, survey.trajectory.frame)
     path = folder.parent / "targets.txt"
     path.write_text(
         "".join(f"B{k} {n:.4f} {e:.4f} {h:.4f}\n" for k, (e, n, h) in enumerate(on_map))
     )
-    words = ["pick", folder, "--seeds", path, "--crs", CODE]
+    words = ["pick", folder, "--seeds", path, "--crs", UTM]
     refusal = command_error(*words)
     assert refusal.code == "coordinates.swapped_projected"
     assert "row 1: B0: " in str(refusal)
@@ -105,9 +105,9 @@ def test_in_a_coordinate_system_as_json(
     found: list[dict[str, Any]] = json.loads(out)["seeds"]
     np.testing.assert_allclose([seed["seed_m"] for seed in found], places, atol=2e-4)
     assert all(len(seed["lines"]) == 6 for seed in found)
-    # The same for a seed that is typed.
+    # The same for a typed seed
     east, north, height = on_map[0]
-    typed = ["--seed", east, north, height, "--crs", CODE, "--name", "S1", "--json"]
+    typed = ["--seed", east, north, height, "--crs", UTM, "--name", "S1", "--json"]
     code, out, err = run(capsys, "pick", folder, *typed)
     assert code == 0, err
     assert {k: v["points"] for k, v in json.loads(out)["lines"].items()} == {
@@ -115,7 +115,9 @@ def test_in_a_coordinate_system_as_json(
     }
 
 
-def test_refused_whole(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
+def test_a_list_with_errors_is_refused_as_a_whole(
+    capsys: pytest.CaptureFixture[str], folder: Path
+) -> None:
     good = rows("T1")
     assert "row 2: the row has 2 columns" in refused(capsys, folder, good + "T2;1\n")
     assert "row 2: the name T1 is already in row 1" in refused(capsys, folder, good + "T1;1;2;3\n")
@@ -128,7 +130,7 @@ def test_refused_whole(capsys: pytest.CaptureFixture[str], folder: Path) -> None
     assert "at any of the 2 seeds. A (row 1): " in none
 
 
-def test_a_name_that_is_taken_is_refused_or_replaced(
+def test_an_existing_name_is_refused_or_replaced(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:
     path = folder.parent / "first.txt"
@@ -156,13 +158,13 @@ def test_a_name_that_is_taken_is_refused_or_replaced(
         [],
     ],
 )
-def test_options_that_do_not_go_together(
+def test_incompatible_options_are_refused(
     capsys: pytest.CaptureFixture[str], words: list[object]
 ) -> None:
     assert run(capsys, "pick", "nowhere", *words)[0] == 2
 
 
-def test_names_and_roles_where_the_list_has_none(
+def test_missing_names_and_roles_get_defaults(
     demo_project: Project, survey: Survey, tmp_path: Path
 ) -> None:
     path = tmp_path / "targets.txt"
@@ -176,7 +178,7 @@ def test_names_and_roles_where_the_list_has_none(
     ]  # fmt: skip
 
 
-def test_the_same_surface_twice_is_reported(
+def test_a_duplicate_target_in_a_list_is_reported(
     demo_project: Project, survey: Survey, tmp_path: Path
 ) -> None:
     path = tmp_path / "targets.txt"
@@ -188,7 +190,7 @@ def test_the_same_surface_twice_is_reported(
     assert outcomes[1].message.code == "overlap.same_surface_twice"
 
 
-def test_cancelled_half_way_and_seeds_that_cannot_be_searched(
+def test_cancelled_lists_and_seeds_that_cannot_be_searched(
     demo_project: Project, survey: Survey, tmp_path: Path
 ) -> None:
     path = tmp_path / "targets.txt"

@@ -1,4 +1,4 @@
-"""The sensor library: its figures and sources, one's own sensors, and what they are used for."""
+"""Tests of the sensor library: its values and sources, user-defined sensors, and their use."""
 
 import tomllib
 from dataclasses import replace
@@ -25,20 +25,22 @@ from lispac.workflow.project.projects import open_project
 from tests.command_errors import command_error
 from tests.test_cli import answer, new_words, run
 
-MINE = ScannerSpecification('Maker\'s "new" one\\2', 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
-INS = PosSpecification(
+OWN_SCANNER = ScannerSpecification(
+    'Maker\'s "new" one\\2', 0.004, 0.0125, 0.3, "Data sheet of 2026-03"
+)
+OWN_INS = PosSpecification(
     "My INS",
     (PosAccuracy("ppk", (0.01, 0.011, 0.02), (0.004, 0.005, 0.009), "Certificate 12", True),),
 )
 NOT_VERIFIED = "not verified: check the data sheet"
-FIGURES = {
+SOURCED_VALUES = {
     "zf-9012": (0.0087, 0.02, 0.5),
     "ouster-os1-128": (0.015, 0.01, 3.14),
 }
 """Metres, degrees, milliradians: the thesis's table 1.1; the OS1 data sheet (0.18 deg)."""
 
 
-def test_every_sensor_of_the_program_has_sigmas_and_a_source(tmp_path: Path) -> None:
+def test_every_supplied_sensor_has_sigmas_and_a_source(tmp_path: Path) -> None:
     found = sensors.read_library(tmp_path)
     assert found.messages == ()
     assert {s.name for s in found.scanners} >= {
@@ -59,7 +61,7 @@ def test_every_sensor_of_the_program_has_sigmas_and_a_source(tmp_path: Path) -> 
             assert states["degraded"].attitude_sigma_deg > states["rtk"].attitude_sigma_deg
 
 
-def test_what_the_program_says_of_its_own_sensors_is_translated(tmp_path: Path) -> None:
+def test_notes_on_supplied_sensors_are_translated(tmp_path: Path) -> None:
     found = sensors.read_library(tmp_path)
     for figures in (
         *(scanner.figures for scanner in found.scanners),
@@ -71,13 +73,13 @@ def test_what_the_program_says_of_its_own_sensors_is_translated(tmp_path: Path) 
         assert french != sensors.source_text(figures)
 
 
-@pytest.mark.parametrize("name", FIGURES)
-def test_figures_are_those_of_the_source(tmp_path: Path, name: str) -> None:
+@pytest.mark.parametrize("name", SOURCED_VALUES)
+def test_values_equal_those_of_the_source(tmp_path: Path, name: str) -> None:
     found = sensors.read_library(tmp_path).scanner(name)
-    assert (found.range_sigma, found.angle_sigma_deg, found.divergence_mrad) == FIGURES[name]
+    assert (found.range_sigma, found.angle_sigma_deg, found.divergence_mrad) == SOURCED_VALUES[name]
 
 
-def test_what_cannot_be_seen_says_so(tmp_path: Path) -> None:
+def test_unverified_values_are_marked(tmp_path: Path) -> None:
     found = sensors.read_library(tmp_path)
     assert NOT_VERIFIED in sensors.source_text(found.scanner("riegl-vux-1"))
     assert NOT_VERIFIED not in sensors.source_text(found.scanner("zf-9012"))
@@ -88,14 +90,14 @@ def test_what_cannot_be_seen_says_so(tmp_path: Path) -> None:
     assert state.attitude_sigma_deg == (0.01, 0.01, 0.01)
 
 
-def test_the_simulator_reads_the_same_scanners(tmp_path: Path) -> None:
+def test_the_simulator_has_the_same_scanners(tmp_path: Path) -> None:
     for sensor in sensors.read_library(tmp_path).scanners:
         title, scanner = read_scanner(resource_path("scanners") / f"{sensor.name}.toml")
         assert (title, scanner.range_sigma) == (sensor.figures.title, sensor.figures.range_sigma)
 
 
-def test_own_sensors_come_back_and_go(tmp_path: Path) -> None:
-    for figures in (MINE, INS):
+def test_user_defined_sensors_are_saved_and_removed(tmp_path: Path) -> None:
+    for figures in (OWN_SCANNER, OWN_INS):
         name = sensors.store_sensor(tmp_path, figures)
         found = sensors.read_library(tmp_path)
         (own,) = [s for s in (*found.scanners, *found.pos) if s.is_user_defined]
@@ -109,14 +111,14 @@ def test_own_sensors_come_back_and_go(tmp_path: Path) -> None:
         assert sensors.read_library(tmp_path) == sensors.read_library(tmp_path / "none")
 
 
-def test_an_own_file_takes_the_place_of_one_of_the_program(tmp_path: Path) -> None:
-    sensors.write_specification(tmp_path / "scanners" / "zf-9012.toml", MINE)
+def test_a_user_file_replaces_a_supplied_one(tmp_path: Path) -> None:
+    sensors.write_specification(tmp_path / "scanners" / "zf-9012.toml", OWN_SCANNER)
     found = sensors.read_library(tmp_path)
-    assert found.scanner("zf-9012") == MINE
+    assert found.scanner("zf-9012") == OWN_SCANNER
     assert len(found.scanners) == len(sensors.read_library(tmp_path / "none").scanners)
 
 
-def test_a_broken_own_file_is_named_and_the_rest_is_there(tmp_path: Path) -> None:
+def test_an_invalid_user_file_is_named_and_the_others_are_read(tmp_path: Path) -> None:
     path = tmp_path / "pos" / "mine.toml"
     path.parent.mkdir()
     path.write_text('title = "INS"\n[rtk]\nposition_m = [0.01, 0, 0.02]\n')
@@ -129,13 +131,13 @@ def test_a_broken_own_file_is_named_and_the_rest_is_there(tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("figures", "code"),
     [
-        (replace(MINE, title=" "), "sensor.no_title"),
-        (replace(MINE, source=""), "sensor.no_source"),
-        (replace(MINE, source="a\nb"), "sensor.long_text"),
+        (replace(OWN_SCANNER, title=" "), "sensor.no_title"),
+        (replace(OWN_SCANNER, source=""), "sensor.no_source"),
+        (replace(OWN_SCANNER, source="a\nb"), "sensor.long_text"),
         (PosSpecification("INS", ()), "sensor.no_sigmas"),
     ],
 )
-def test_what_cannot_be_kept_is_refused(
+def test_invalid_sensors_are_refused(
     tmp_path: Path, figures: ScannerSpecification | PosSpecification, code: str
 ) -> None:
     with pytest.raises(InputError) as raised:
@@ -144,10 +146,10 @@ def test_what_cannot_be_kept_is_refused(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_names_are_used_once_and_the_programs_own_stay(tmp_path: Path) -> None:
-    sensors.store_sensor(tmp_path, MINE)
+def test_names_are_unique_and_supplied_sensors_are_kept(tmp_path: Path) -> None:
+    sensors.store_sensor(tmp_path, OWN_SCANNER)
     with pytest.raises(InputError) as raised:
-        sensors.store_sensor(tmp_path, MINE)
+        sensors.store_sensor(tmp_path, OWN_SCANNER)
     assert raised.value.code == "sensor.title_taken"
     supplied = next(s for s in sensors.read_library(tmp_path).scanners if not s.is_user_defined)
     with pytest.raises(InputError) as raised:
@@ -155,7 +157,7 @@ def test_names_are_used_once_and_the_programs_own_stay(tmp_path: Path) -> None:
     assert raised.value.code == "sensor.supplied"
 
 
-def test_the_folder_is_that_of_the_system(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_user_sensors_are_in_the_data_folder_of_the_system(monkeypatch: pytest.MonkeyPatch) -> None:
     place = QStandardPaths.StandardLocation.GenericConfigLocation
     assert user_folder() == Path(QStandardPaths.writableLocation(place)) / "lispac"
 
@@ -173,7 +175,7 @@ def own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_the_list_has_every_sensor_with_its_source(
     capsys: pytest.CaptureFixture[str], own: Path
 ) -> None:
-    sensors.store_sensor(own, MINE)
+    sensors.store_sensor(own, OWN_SCANNER)
     listed = answer(capsys, "sensors")
     assert listed["folder"] == str(own)
     assert listed["scanners"]["maker-s-new-one-2"]["user_defined"]
@@ -181,11 +183,11 @@ def test_the_list_has_every_sensor_with_its_source(
     code, out, _ = run(capsys, "sensors")
     assert code == 0
     assert "8.7 mm   0.0200 deg   0.50 mrad  Z+F PROFILER 9012" in out
-    assert f"{MINE.title} (user-defined)" in out
+    assert f"{OWN_SCANNER.title} (user-defined)" in out
     assert out.count(NOT_VERIFIED) >= 5
 
 
-def test_a_new_project_takes_sigmas_and_names_from_the_library(
+def test_a_new_project_has_sigmas_and_names_of_the_library(
     capsys: pytest.CaptureFixture[str], own: Path, tmp_path: Path, demo_project: object
 ) -> None:
     raw = demo_project.folder / "raw"  # type: ignore[attr-defined]
@@ -199,7 +201,7 @@ def test_a_new_project_takes_sigmas_and_names_from_the_library(
     assert project.settings.lidar_beam_sigma == (0.0087, 0.02)
     assert project.settings.lidar_sigma == 0.0087 != usual.lidar_sigma
     assert project.settings.attitude_sigma_deg == (0.005, 0.005, 0.01)
-    assert project.settings.position_sigma == (0.1, 0.1, 0.2)  # what is stated goes before
+    assert project.settings.position_sigma == (0.1, 0.1, 0.2)  # given values take precedence
     assert project.identity.scanner == "Z+F PROFILER 9012"
     assert project.identity.pos == "SBG Systems Apogee"
     with (resource_path("scanners") / "zf-9012.toml").open("rb") as file:
@@ -214,7 +216,7 @@ def test_a_new_project_takes_sigmas_and_names_from_the_library(
         ("--pos", "sextant", "sensor.no_pos"),
     ],
 )
-def test_what_the_library_lacks_is_reported(
+def test_unknown_sensors_are_reported(
     own: Path, tmp_path: Path, option: str, word: str, code: str
 ) -> None:
     words = [
@@ -228,7 +230,7 @@ def test_what_the_library_lacks_is_reported(
     assert not (tmp_path / "quay").exists()
 
 
-def test_a_pos_without_sigmas(tmp_path: Path) -> None:
+def test_a_pos_without_sigmas_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text('title = "My INS"\n')
     with pytest.raises(InputError) as told:

@@ -1,4 +1,4 @@
-"""The directions in which a target's shape may change."""
+"""Tests of the directions in which the shape parameters of a target may change."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ def normals() -> np.ndarray:
     return drawn / np.linalg.norm(drawn, axis=1)[:, None]
 
 
-def test_two_unit_vectors_and_the_normal_are_at_right_angles() -> None:
+def test_tangents_are_unit_vectors_normal_to_each_other() -> None:
     frames = np.concatenate([orthogonal_vectors(normals()), normals()[:, :, None]], axis=2)
     unit = np.broadcast_to(np.eye(3), frames.shape)
     np.testing.assert_allclose(np.swapaxes(frames, 1, 2) @ frames, unit, rtol=0, atol=1e-14)
@@ -20,8 +20,8 @@ def test_two_unit_vectors_and_the_normal_are_at_right_angles() -> None:
     )
 
 
-def test_turns_leave_the_centre_on_the_plane_and_the_shift_moves_it_by_its_length() -> None:
-    """Change of ``n . c + d`` and of ``|n|`` to first order."""
+def test_tilts_keep_the_centre_on_the_plane_and_the_offset_moves_it() -> None:
+    """Compare the first-order changes of ``n . c + d`` and of ``|n|``."""
     centres = np.random.default_rng(2).normal(0, 50, (len(normals()), 3))
     tangents = plane_tangents(normals(), centres)
     at_centre = np.einsum("mi,mij->mj", centres, tangents[:, :3]) + tangents[:, 3]

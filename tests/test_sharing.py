@@ -1,4 +1,4 @@
-"""What is made once for all processes of a run."""
+"""Tests of objects that are made once for all processes of a test run."""
 
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -10,7 +10,7 @@ from tests.sharing import make_once
 
 
 class Factory:
-    """Stands for the factory of folders, with one of its own."""
+    """Stand-in for `TempPathFactory` with a base folder of its own."""
 
     def __init__(self, base: Path) -> None:
         self.base = base
@@ -19,7 +19,7 @@ class Factory:
         return self.base
 
 
-def test_one_makes_and_the_others_wait_for_it(
+def test_one_process_makes_the_object_and_others_wait(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PYTEST_XDIST_WORKER", "gw0")
@@ -38,7 +38,7 @@ def test_one_makes_and_the_others_wait_for_it(
     assert asked == [tmp_path / "thing"]
 
 
-def test_what_failed_is_tried_by_the_next(tmp_path: Path) -> None:
+def test_a_failed_attempt_is_repeated_by_the_next_process(tmp_path: Path) -> None:
     def fails(_folder: Path) -> int:
         raise ZeroDivisionError
 

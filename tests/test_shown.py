@@ -1,4 +1,4 @@
-"""The same words, units and limits in the window, the report and the command line."""
+"""Tests that window, report and command line agree in words, units and limits."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -43,7 +43,7 @@ def sample(tmp_path: Path) -> Sample:
         ("latency", 0.0021, "+2.10 ms"),
     ],
 )
-def test_a_value_is_shown_alike_everywhere(
+def test_a_value_is_shown_equally_everywhere(
     capsys: pytest.CaptureFixture[str], sample: Sample, name: str, value: float, words: str
 ) -> None:
     result = replace(sample[0], parameters=(ParameterEstimate(name, 0.0, None, value, 0.1, 3.0),))
@@ -82,7 +82,7 @@ def test_json_keeps_metres_degrees_and_seconds(sample: Sample) -> None:
     assert (said["unit"], said["value"], said["sigma"]) == ("s", 0.0021, 0.0001)
 
 
-def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sample) -> None:
+def test_sightings_that_disagree_in_the_report_are_marked(sample: Sample) -> None:
     result = sample[0]
     critical = critical_test_value(result)
     assert critical is not None
@@ -98,7 +98,7 @@ def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sa
     assert all(len(row.cells) == len(window_columns(SIGHTINGS_TABLE)) for row in rows)
 
 
-def test_the_spread_has_one_name_and_the_halves_are_reported_once(
+def test_spread_has_the_same_name_everywhere_and_halves_are_reported_once(
     capsys: pytest.CaptureFixture[str], sample: Sample, tmp_path: Path
 ) -> None:
     result, checks = sample
@@ -123,7 +123,7 @@ def test_the_spread_has_one_name_and_the_halves_are_reported_once(
     assert any("Jackknife, one line omitted" in row[0] for t in tables for row in t.rows)
 
 
-def test_halves_are_compared_only_where_both_have_an_answer(sample: Sample) -> None:
+def test_halves_are_compared_only_if_both_have_a_result(sample: Sample) -> None:
     checks = sample[1]
     first, second = (part for part in checks.parts if part.kind == "half")
     lone = replace(
@@ -137,7 +137,9 @@ def test_halves_are_compared_only_where_both_have_an_answer(sample: Sample) -> N
         assert [row.name for row in rows] == names
 
 
-def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> None:
+def test_singular_and_plural_are_correct(
+    capsys: pytest.CaptureFixture[str], sample: Sample
+) -> None:
     result = sample[0]
     one = replace(
         result, targets=result.targets[:1], sightings=result.sightings[:1],
@@ -152,7 +154,7 @@ def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> 
 @pytest.mark.parametrize(
     ("component", "code"),
     [
-        # Raised where the data say more, though the stated sigma is within the interval
+        # Increased by the data, although the given sigma is within the interval
         (VarianceComponent("POS position", 2.4, 0.9, 7.2, applied=True), "component.larger"),
         (VarianceComponent("POS attitude", 2.4, 0.2, 29.0, applied=True), "component.larger"),
         (VarianceComponent("LiDAR", 0.5, 0.4, 0.6, applied=True), "component.smaller"),
@@ -161,7 +163,7 @@ def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> 
         (VarianceComponent("LiDAR", 1.04, 1.01, 1.07), "component.too_small"),
     ],
 )
-def test_a_variance_component_is_reported_alike_everywhere(
+def test_a_variance_component_is_reported_equally_everywhere(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, component: VarianceComponent, code: str
 ) -> None:
     project = sample_project(tmp_path)
@@ -188,7 +190,7 @@ def test_a_variance_component_is_reported_alike_everywhere(
 @pytest.mark.parametrize(
     ("units", "significant"), [(1.95, False), (-1.97, True), (2.5, True), (3.1, True)]
 )
-def test_a_value_is_significant_beyond_one_limit_everywhere(
+def test_the_limit_of_significance_is_the_same_everywhere(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, units: float, significant: bool
 ) -> None:
     project = sample_project(tmp_path)
@@ -208,13 +210,13 @@ def test_a_value_is_significant_beyond_one_limit_everywhere(
     assert content.adjustment.parameters[0].significant is significant
 
 
-def test_a_value_without_a_number_is_neither() -> None:
+def test_a_value_without_a_number_has_no_significance() -> None:
     assert (
         ParameterEstimate("lever_z", 0.0, None, reason=note("parameter.kept")).significant is None
     )
 
 
-def test_the_point_farthest_off_is_reported_with_its_time_everywhere(
+def test_the_point_with_the_largest_residual_has_its_time_everywhere(
     sample: Sample, tmp_path: Path
 ) -> None:
     result = sample[0]

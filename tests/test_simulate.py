@@ -1,4 +1,4 @@
-"""``lispac simulate``: files that the rest of the program works with, and the truth beside them."""
+"""Tests of ``lispac simulate``: usable survey files, and the truth beside them."""
 
 import errno
 import json
@@ -56,7 +56,9 @@ def true_mounting(folder: Path) -> Mounting:
     )  # fmt: skip
 
 
-def test_from_simulation_to_boresight(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_boresight_of_a_simulation_is_estimated(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     folder = tmp_path / "marine"
     shown = json.loads(done(
         capsys, "simulate", "marine", "--output", folder, "--seed", 7,
@@ -76,10 +78,10 @@ def test_from_simulation_to_boresight(tmp_path: Path, capsys: pytest.CaptureFixt
     assert {target.role for target in project.targets} == {"target", "validation"}
 
 
-def test_files_and_truth_close_with_all_errors(
+def test_true_mounting_reproduces_the_surfaces_with_all_errors(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """From the files alone, the true mounting puts every labelled point on its surface."""
+    """With data from the files alone, every labelled point is on its surface."""
     folder = tmp_path / "exact"
     done(
         capsys, "simulate", "marine", "--output", folder, "--points-per-second", 20_000,
@@ -116,7 +118,7 @@ def test_files_and_truth_close_with_all_errors(
         assert abs(setup.scene[name].distance(np.array([place], float))[0]) < 1e-4
 
 
-BALL = """
+BALL_SURFACE = """
 [[surfaces]]
 kind = "sphere"
 name = "B{k}"
@@ -128,11 +130,13 @@ reflectance = 0.85
 
 
 @pytest.mark.long
-def test_balls_take_part_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_balls_of_a_scene_are_used_in_the_adjustment(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     scene, folder = tmp_path / "balls.toml", tmp_path / "balls"
     text = (resource_path("scenes") / "marine.toml").read_text()
     for k, (north, up) in enumerate(((-2.5, 6.0), (3.0, 7.5), (0.2, 10.5))):
-        text += BALL.format(k=k + 1, north=north, up=up)
+        text += BALL_SURFACE.format(k=k + 1, north=north, up=up)
     scene.write_text(text)
     shown = json.loads(done(
         capsys, "simulate", scene, "--output", folder, "--points-per-second", 60_000, "--json"
@@ -150,12 +154,12 @@ def test_balls_take_part_too(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert (np.abs(error) < 3 * np.degrees(project.result.sigma)).all()
 
 
-def test_balls_of_a_scene_get_a_list_of_seeds_of_their_own(
+def test_balls_of_a_scene_have_their_own_list_of_seeds(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     scene, folder = tmp_path / "balls.toml", tmp_path / "balls"
     text = (resource_path("scenes") / "marine.toml").read_text()
-    scene.write_text(text + BALL.format(k=1, north=-2.5, up=6.0))
+    scene.write_text(text + BALL_SURFACE.format(k=1, north=-2.5, up=6.0))
     rows = done(
         capsys, "simulate", scene, "--output", folder, "--points-per-second", 2_000
     ).splitlines()  # fmt: skip
@@ -168,7 +172,7 @@ def test_balls_of_a_scene_get_a_list_of_seeds_of_their_own(
     assert [float(value) for value in place] == pytest.approx([-2.5, -12.5, 6.0], abs=0.26)
 
 
-REPLAYED = """
+REPLAY_SCENE = """
 title = "A wall beside a recorded trajectory"
 vessel = "launch"
 scanner = "{scanner}"
@@ -192,7 +196,7 @@ facing_deg = 270
 
 
 def recorded(folder: Path, capsys: pytest.CaptureFixture[str]) -> tuple[Trajectory, float]:
-    """A trajectory that another simulation was sailed along, and when its first line began."""
+    """Simulate a trajectory to be replayed; return it and the start time of its first line."""
     done(
         capsys, "simulate", "marine", "--output", folder / "first", "--points-per-second", 5_000,
         "--no-pos-errors",
@@ -206,7 +210,7 @@ def test_a_recorded_trajectory_is_replayed(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     states, start = recorded(tmp_path, capsys)
-    text = REPLAYED.format(scanner="velodyne-hdl-32e", start=start, stop=start + 4.0)
+    text = REPLAY_SCENE.format(scanner="velodyne-hdl-32e", start=start, stop=start + 4.0)
     (tmp_path / "wall.toml").write_text(text)
     folder = tmp_path / "replayed"
     options = ("--points-per-second", 20_000, "--output", folder)
@@ -233,19 +237,23 @@ def test_a_recorded_trajectory_is_replayed(
     np.testing.assert_allclose(sigma.position, np.tile([0.012, 0.012, 0.020], (len(sigma.time), 1)))
 
 
-def test_what_cannot_be_replayed_is_refused(
+def test_unsuitable_trajectories_are_not_replayed(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     _, start = recorded(tmp_path, capsys)
     scene = tmp_path / "wall.toml"
     for text, said in (
-        (REPLAYED.format(scanner="profiler", start=10, stop=20), "Correct start_s and stop_s"),
+        (REPLAY_SCENE.format(scanner="profiler", start=10, stop=20), "Correct start_s and stop_s"),
         (
-            REPLAYED.format(scanner="profiler", start=start, stop=start + 1).replace("46.8", "40"),
+            REPLAY_SCENE.format(scanner="profiler", start=start, stop=start + 1).replace(
+                "46.8", "40"
+            ),
             "km from",
         ),
         (
-            REPLAYED.format(scanner="profiler", start=start, stop=start + 1).replace("true", "no"),
+            REPLAY_SCENE.format(scanner="profiler", start=start, stop=start + 1).replace(
+                "true", "no"
+            ),
             "does not exist",
         ),
     ):
@@ -258,7 +266,9 @@ def test_what_cannot_be_replayed_is_refused(
     assert refusal.code == "simulate.lines_by_heading"
 
 
-def test_mistakes_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_wrong_options_of_simulate_are_reported(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     refusal = command_error("simulate", "prot", "--output", tmp_path / "a")
     assert refusal.code == "simulate.no_scene"
     assert refusal.message is not None
@@ -298,7 +308,7 @@ def test_mistakes_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert not (tmp_path / "a").exists()
 
 
-def test_the_list(capsys: pytest.CaptureFixture[str]) -> None:
+def test_list_names_scenes_vessels_and_scanners(capsys: pytest.CaptureFixture[str]) -> None:
     shown = done(capsys, "simulate", "--list")
     for name in ("port", "terrestrial", "marine", "launch", "van", "zf-9012", "velodyne-hdl-32e"):
         assert f"  {name} " in shown
@@ -325,7 +335,7 @@ def test_the_same_seed_gives_the_same_files(
     assert other["trajectory.sbet"] != first["trajectory.sbet"]
 
 
-def test_a_simulation_that_cannot_be_written_leaves_the_earlier_one(
+def test_a_failed_simulation_keeps_the_earlier_one(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     words = ("simulate", "port", "--points-per-second", 2000, "--output")

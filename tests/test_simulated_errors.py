@@ -1,7 +1,7 @@
-"""The simulator against the georeferencing equation: each error of the mounting, and all of them.
+"""Tests of the simulator against the georeferencing equation, for each error of the mounting.
 
-Where a beam goes is worked out by the ray caster, where its point comes to lie by `georeference`,
-and its range by the closed form: three ways that share no code.
+The ray caster computes the beams, `georeference` the positions of their points, and the closed form
+their ranges. The three share no code.
 """
 
 from dataclasses import replace
@@ -25,9 +25,9 @@ from lispac.simulation.scene import (
 from lispac.survey.georeferencing import MOUNTING_VALUE_NAMES, Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
 
-LARGEST = np.array([*np.radians([3, 3, 3]), 1.0, 1.0, 1.0, 0.2, np.radians(2.0), 0.3])
+LARGEST_ERRORS = np.array([*np.radians([3, 3, 3]), 1.0, 1.0, 1.0, 0.2, np.radians(2.0), 0.3])
 """Of each value of a mounting, in the order of `MOUNTING_VALUE_NAMES`."""
-NOMINAL = np.array([0, 0, 0, -0.24, 0.06, 2.17, 0, 0, 0])
+NOMINAL_VALUES = np.array([0, 0, 0, -0.24, 0.06, 2.17, 0, 0, 0])
 SCENE = Scene.of(
     [
         upright_rectangle("wall", (0.0, 15.0), 0.0, 14.0, 30.0, 90),
@@ -36,12 +36,12 @@ SCENE = Scene.of(
         Cylinder("mast", 2.5, 12.0, -3.0, 9.0, 0.5),
     ]
 )
-KNOTS = np.arange(0.0, 12.0, 0.05)
+TIMES = np.arange(0.0, 12.0, 0.05)
 STATES = (
-    KNOTS,
-    np.stack([0.8 * (KNOTS - 6), 0.03 * np.sin(KNOTS), 0.05 * np.cos(1.3 * KNOTS)], axis=1),
+    TIMES,
+    np.stack([0.8 * (TIMES - 6), 0.03 * np.sin(TIMES), 0.05 * np.cos(1.3 * TIMES)], axis=1),
     np.radians(
-        np.stack([0.9 * np.sin(0.9 * KNOTS), 0.4 * np.cos(KNOTS), 2 + 0.3 * np.sin(KNOTS)], axis=1)
+        np.stack([0.9 * np.sin(0.9 * TIMES), 0.4 * np.cos(TIMES), 2 + 0.3 * np.sin(TIMES)], axis=1)
     ),
 )
 TRAJECTORY = LocalTrajectory(LocalFrame(0.8, -1.2, 30.0), *STATES)
@@ -67,22 +67,24 @@ def farthest_off(echoes: Echoes, mounting: Mounting) -> float:
 
 @pytest.mark.parametrize("scanner", [PROFILER, SPINNING], ids=["profiler", "spinning"])
 @pytest.mark.parametrize("value", MOUNTING_VALUE_NAMES)
-def test_each_error_alone_is_taken_back_by_the_true_mounting(value: str, scanner: Scanner) -> None:
+def test_each_error_alone_is_corrected_by_the_true_mounting(value: str, scanner: Scanner) -> None:
     k = MOUNTING_VALUE_NAMES.index(value)
     for sign in (-1.0, 1.0):
-        values = NOMINAL.copy()
-        values[k] += sign * LARGEST[k]
+        values = NOMINAL_VALUES.copy()
+        values[k] += sign * LARGEST_ERRORS[k]
         mounting = Mounting.of_values(values)
         echoes = scanned(mounting, scanner)
         assert len(echoes.time) > 1000
         assert farthest_off(echoes, mounting) < 1e-9
-        assert farthest_off(echoes, Mounting.of_values(NOMINAL)) > 1e-3, "the error does nothing"
+        assert farthest_off(echoes, Mounting.of_values(NOMINAL_VALUES)) > 1e-3, (
+            "the error does nothing"
+        )
 
 
 @settings(max_examples=25, deadline=None)
 @given(st.lists(st.floats(-1, 1), min_size=9, max_size=9))
-def test_all_errors_together_are_taken_back_by_the_true_mounting(shares: list[float]) -> None:
-    mounting = Mounting.of_values(NOMINAL + LARGEST * shares)
+def test_all_errors_together_are_corrected_by_the_true_mounting(shares: list[float]) -> None:
+    mounting = Mounting.of_values(NOMINAL_VALUES + LARGEST_ERRORS * shares)
     assert farthest_off(scanned(mounting), mounting) < 1e-9
 
 
@@ -93,8 +95,10 @@ def read_ranges(echoes: Echoes) -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.mark.parametrize("scanner", [PROFILER, SPINNING], ids=["profiler", "spinning"])
 def test_ray_casting_and_closed_form_agree(scanner: Scanner) -> None:
-    """Float64 on both sides: they differ by rounding, 1e-14 m, far below the promised 1e-6 m."""
-    mounting = Mounting.of_values(NOMINAL + LARGEST * [1, -1, 0.7, 0.5, -1, 0.2, 1, -1, 1])
+    """They differ by rounding of float64, 1e-14 m, far below the required 1e-6 m."""
+    mounting = Mounting.of_values(
+        NOMINAL_VALUES + LARGEST_ERRORS * [1, -1, 0.7, 0.5, -1, 0.2, 1, -1, 1]
+    )
     echoes = scanned(mounting, scanner)
     ranges, beams = read_ranges(echoes)
     poses = TRAJECTORY.at(echoes.time + mounting.latency)
@@ -115,7 +119,7 @@ def test_ray_casting_and_closed_form_agree(scanner: Scanner) -> None:
     assert np.abs(ranges[known] - formula[known]).max() < 1e-11
 
 
-def test_closed_form_of_what_is_missed() -> None:
+def test_closed_form_of_beams_without_an_echo() -> None:
     beams = np.array([[0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]])
     poses = replace(TRAJECTORY.at(np.full(3, 6.0)), position=np.zeros((3, 3)),
                     attitude=np.zeros((3, 3)))  # fmt: skip
@@ -131,17 +135,17 @@ def test_closed_form_of_what_is_missed() -> None:
 
 
 def test_signs_of_offsets() -> None:
-    """A range offset is what has to be added to readings, a latency to times."""
-    still = (KNOTS, np.zeros((len(KNOTS), 3)), np.zeros((len(KNOTS), 3)))
+    """Range offsets are added to readings and latencies to times."""
+    still = (TIMES, np.zeros((len(TIMES), 3)), np.zeros((len(TIMES), 3)))
     plain, long = (
         scan_scene(PROFILER, SCENE, still, (1.0, 3.0), False, mounting, None)
         for mounting in (Mounting(np.zeros(3), np.zeros(3), offset) for offset in (0.0, 0.1))
     )
     np.testing.assert_allclose(read_ranges(plain)[0] - read_ranges(long)[0], 0.1, atol=1e-12)
-    late = scanned(Mounting.of_values(NOMINAL + [0, 0, 0, 0, 0, 0, 0, 0, 0.25]))
+    late = scanned(Mounting.of_values(NOMINAL_VALUES + [0, 0, 0, 0, 0, 0, 0, 0, 0.25]))
     shifted = (STATES[0] - 0.25, *STATES[1:])
     early = scan_scene(
-        PROFILER, SCENE, shifted, (1.0, 11.0), False, Mounting.of_values(NOMINAL), None
+        PROFILER, SCENE, shifted, (1.0, 11.0), False, Mounting.of_values(NOMINAL_VALUES), None
     )  # fmt: skip
     np.testing.assert_allclose(late.time, early.time, atol=1e-12)
     np.testing.assert_allclose(late.points_lidar, early.points_lidar, atol=1e-9)

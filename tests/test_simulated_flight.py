@@ -1,4 +1,4 @@
-"""Recorded trajectories replayed: a real flight with a spinning scanner, and one with gaps."""
+"""Tests of replayed trajectories: a real flight with a spinning scanner, and one with gaps."""
 
 import json
 from dataclasses import replace
@@ -20,7 +20,7 @@ from lispac.workflow.planning.simulated_setup import read_simulation
 from lispac.workflow.project.projects import open_project
 from tests.test_meshes import as_mesh, write_mesh
 
-SITE = """
+SITE_SCENE = """
 title = "Boards under a recorded flight"
 vessel = "van"
 scanner = "scanner.toml"
@@ -50,7 +50,7 @@ height_m = 200
 facing_deg = 0
 elevation_deg = 90
 """
-BOARD = """
+BOARD_SURFACE = """
 [[surfaces]]
 kind = "board"
 name = "{name}"
@@ -70,13 +70,13 @@ BOARDS = (
 def test_a_real_flight_over_boards_and_a_mesh(
     shared_data: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The states of a drone survey, an HDL-32E on its side, two lines: the boresight put in."""
+    """Two lines of a drone survey with an HDL-32E on its side; the simulated boresight is found."""
     write_mesh(tmp_path / "hut.ply", as_mesh(tilted_rectangle("hut", (-6, 26, -16), 4, 4, 180, 80)))
     spinning = (resource_path("scanners") / "velodyne-hdl-32e.toml").read_text()
     (tmp_path / "scanner.toml").write_text(spinning.replace('axis = "z"', 'axis = "x"'))
-    text = SITE.format(trajectory=shared_data / "lanl_truck" / "trajectory.sbet")
+    text = SITE_SCENE.format(trajectory=shared_data / "lanl_truck" / "trajectory.sbet")
     for name, centre, facing, elevation in BOARDS:
-        text += BOARD.format(name=name, centre=centre, facing=facing, elevation=elevation)
+        text += BOARD_SURFACE.format(name=name, centre=centre, facing=facing, elevation=elevation)
     (tmp_path / "site.toml").write_text(text)
     folder = tmp_path / "flown"
     for words in (
@@ -98,7 +98,7 @@ def test_a_real_flight_over_boards_and_a_mesh(
 
 
 def test_errors_on_a_trajectory_with_gaps_and_bursts_have_their_sigmas() -> None:
-    """States that stand unevenly: a burst, a gap, and 50 a second."""
+    """The states are uneven in time: a burst, a gap, and 50 per second."""
     time = np.concatenate(
         [np.arange(0, 60, 0.02), 60 + np.arange(500) * 1e-4, np.arange(100, 160, 0.02)]
     )

@@ -1,4 +1,4 @@
-"""The built-in survey: its geometry closes exactly, and its errors are what they claim to be."""
+"""Tests of the built-in survey: exact geometry, and errors with their nominal statistics."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ from lispac.simulation.simulated_survey import SimulatedLine, SimulatedSurvey, p
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 
-SPARSE = 20_000.0  # pulses per second where density does not matter
+SPARSE_PULSES = 20_000.0  # pulses per second where density does not matter
 
 
 @pytest.fixture
@@ -22,7 +22,7 @@ def survey(port: SimulatedSurvey) -> SimulatedSurvey:
 
 
 def placed(survey: SimulatedSurvey, line: SimulatedLine, boresight=None) -> np.ndarray:
-    """Georeference with what a user would read from the files of the survey."""
+    """Georeference a line with the data that a user reads from the files of the survey."""
     t = survey.trajectory
     attitude = np.stack([t.roll, t.pitch, t.heading], axis=1)
     reported = Trajectory(t.time, t.latitude, t.longitude, t.height, attitude)
@@ -42,20 +42,20 @@ def distances_to_surfaces(survey: SimulatedSurvey, line: SimulatedLine, points) 
 @pytest.mark.parametrize(
     "boresight_deg", [(0.0, 0.0, 0.0), (2.0, 2.0, 2.0), (-1.7, 0.4, -2.9), (0.3, -3.1, 1.2)]
 )
-def test_without_errors_every_point_lies_on_its_surface(boresight_deg):
+def test_points_without_errors_are_on_their_surfaces(boresight_deg):
     exact = port_survey(
-        points_per_second=SPARSE, boresight_deg=boresight_deg, noise=False, pos_errors=False
+        points_per_second=SPARSE_PULSES, boresight_deg=boresight_deg, noise=False, pos_errors=False
     )
     for line in exact.lines:
         assert line.label.min() >= 0
         points = placed(exact, line)
-        # Latitude and longitude in radians carry about 1e-9 m
+        # Latitude and longitude in radians are exact to about 1e-9 m.
         assert np.abs(distances_to_surfaces(exact, line, points)).max() < 1e-8
         np.testing.assert_allclose(points, line.true_points_local, atol=1e-8)
 
 
-def test_a_wrong_boresight_does_not_close():
-    exact = port_survey(points_per_second=SPARSE, noise=False, pos_errors=False)
+def test_a_wrong_boresight_moves_points_off_their_surfaces():
+    exact = port_survey(points_per_second=SPARSE_PULSES, noise=False, pos_errors=False)
     for angle in range(3):
         boresight = exact.boresight.copy()
         boresight[angle] += np.radians(0.001)
@@ -66,15 +66,15 @@ def test_a_wrong_boresight_does_not_close():
         assert worst > 1e-4
 
 
-def test_a_scanner_turning_in_a_plane(survey):
+def test_beams_of_the_profiler_are_in_a_plane(survey):
     for line in survey.lines:
         assert np.all(line.points_lidar[:, 0] == 0)
         assert np.all(np.diff(line.time) > 0)
         assert np.linalg.norm(line.points_lidar, axis=1).max() < 91
 
 
-def test_noise_and_labels(survey):
-    """Placed from the true states, a point misses its surface by the scanner's noise alone."""
+def test_noise_of_labelled_points_is_that_of_the_scanner(survey):
+    """Georeferenced with the true states, points are off their surface by scanner noise only."""
     calm = port_survey(pos_errors=False)
     for line in calm.lines:
         points = placed(calm, line)
@@ -105,7 +105,7 @@ def test_validation_planes_are_seen_from_opposite_lines(survey):
         assert len(pairs) >= 4, (name, seen)
 
 
-def test_site_is_arranged_as_given(survey):
+def test_site_has_the_documented_layout(survey):
     scanner_height = survey.trajectory.true_position_local[:, 2].mean() + survey.lever_arm[2]
     for name, size in zip(TARGET_NAMES, [(1.23, 1.22), (1.23, 0.76)], strict=True):
         board = survey.scene[name]
@@ -122,12 +122,12 @@ def test_site_is_arranged_as_given(survey):
     assert [line.heading_deg for line in survey.lines] == pytest.approx([0, 180, 45, 225, 315, 135])
 
 
-def test_seeds_lie_on_planes(survey):
+def test_seeds_are_on_their_planes(survey):
     for name, seed in {**survey.targets, **survey.validation}.items():
         assert survey.scene[name].distance(seed[None])[0] == pytest.approx(0, abs=1e-12)
 
 
-def test_motion_is_smooth_and_unbroken(survey):
+def test_motion_is_smooth_and_continuous(survey):
     t = survey.trajectory
     interval = np.diff(t.time)
     np.testing.assert_allclose(interval, 0.005, atol=1e-9)
@@ -139,8 +139,8 @@ def test_motion_is_smooth_and_unbroken(survey):
         assert t.time[0] + 10 < line.time[0] < line.time[-1] < t.time[-1] - 10
 
 
-def test_heading_is_against_north_at_the_vessel():
-    exact = port_survey(points_per_second=SPARSE, noise=False, pos_errors=False)
+def test_heading_refers_to_north_at_the_vessel():
+    exact = port_survey(points_per_second=SPARSE_PULSES, noise=False, pos_errors=False)
     t = exact.trajectory
     convergence = np.unwrap(t.heading) - t.true_attitude[:, 2]
     convergence -= 2 * np.pi * np.round(convergence / (2 * np.pi))
@@ -149,7 +149,7 @@ def test_heading_is_against_north_at_the_vessel():
     np.testing.assert_allclose(convergence, expected, atol=1e-7)
 
 
-def test_the_nearest_surface_hides_the_others():
+def test_the_nearest_surface_occludes_the_others():
     scene = Scene.of(
         [
             upright_rectangle("wall", (10.0, 0.0), 0.0, 5.0, 6.0, 180),
@@ -167,7 +167,7 @@ def test_the_nearest_surface_hides_the_others():
     assert cosines[:4] == pytest.approx([1, 1, 1, 1])
 
 
-def test_rays_end_at_their_range_and_behind_is_nothing():
+def test_rays_end_at_their_range_and_do_not_go_backwards():
     scene = Scene.of([tilted_rectangle("roof", (0.0, 0.0, 3.0), 2.0, 2.0, 0, 45)])
     up = np.array([[0.0, 0.0, 1.0]])
     ranges, labels, cosines = scene.intersect(np.zeros((1, 3)), up)
@@ -177,14 +177,14 @@ def test_rays_end_at_their_range_and_behind_is_nothing():
 
 
 def test_no_point_is_behind_the_pier(survey):
-    """What the pier hides is not seen: no echo from inside or behind its block."""
+    """No echo comes from inside or behind the block of the pier."""
     for line in survey.lines:
         n, w, u = line.true_points_local.T
         inside = (np.abs(n) < 10.9) & (w < -15.1) & (w > -59.9) & (u < 9.3)
         assert not inside.any()
 
 
-def test_gauss_markov_statistics():
+def test_gauss_markov_errors_have_their_statistics():
     sigma, tau, interval = 0.012, 300.0, 1.0
     runs = np.stack(
         [
@@ -192,7 +192,7 @@ def test_gauss_markov_statistics():
             for stream in np.random.default_rng(7).spawn(400)
         ]
     )
-    # 400 independent runs: a standard deviation is known to 1 / sqrt(800) = 3.5 %, 4 sigma taken
+    # 400 runs determine a standard deviation to 1 / sqrt(800) = 3.5 %; the tolerance is 4 sigma
     for sample in (0, 1, 500, 3999):
         assert runs[:, sample].std() == pytest.approx(sigma, rel=0.15)
     for lag in (100, 300, 900):
@@ -214,19 +214,21 @@ def test_pos_errors_have_their_sigmas():
     assert np.abs(correlations).max() < 0.1
 
 
-def test_reported_trajectory_errs_by_the_model(survey):
+def test_errors_of_the_reported_trajectory_follow_the_model(survey):
     t = survey.trajectory
     reported = LocalFrame(*survey.origin).to_local(t.latitude, t.longitude, t.height)
     error = reported - t.true_position_local
     assert 0.001 < np.abs(error).max() < 0.1
     assert np.abs(np.diff(error, axis=0)).max() < 0.001
-    exact = port_survey(points_per_second=SPARSE, pos_errors=False).trajectory
+    exact = port_survey(points_per_second=SPARSE_PULSES, pos_errors=False).trajectory
     difference = np.degrees(np.stack([t.roll - exact.roll, t.pitch - exact.pitch], axis=1))
     assert 0.0005 < np.abs(difference).max() < 0.05
 
 
 def test_the_same_seed_gives_the_same_survey():
-    first, second, other = (port_survey(points_per_second=SPARSE, seed=seed) for seed in (5, 5, 6))
+    first, second, other = (
+        port_survey(points_per_second=SPARSE_PULSES, seed=seed) for seed in (5, 5, 6)
+    )
     np.testing.assert_array_equal(first.trajectory.latitude, second.trajectory.latitude)
     np.testing.assert_array_equal(first.trajectory.heading, second.trajectory.heading)
     for a, b in zip(first.lines, second.lines, strict=True):
@@ -235,7 +237,7 @@ def test_the_same_seed_gives_the_same_survey():
     assert not np.array_equal(first.trajectory.latitude, other.trajectory.latitude)
 
 
-def test_progress_is_reported_and_can_stop():
+def test_simulation_reports_progress_and_can_be_cancelled():
     told: list[float] = []
 
     def stop_at_half(fraction: float, step: Step | None = None) -> None:
@@ -244,11 +246,11 @@ def test_progress_is_reported_and_can_stop():
             raise Cancelled
 
     with pytest.raises(Cancelled):
-        port_survey(points_per_second=SPARSE, progress=stop_at_half)
+        port_survey(points_per_second=SPARSE_PULSES, progress=stop_at_half)
     assert told == pytest.approx([1 / 6, 2 / 6, 3 / 6])
 
 
-def test_memory_stays_small(survey):
+def test_memory_of_the_simulation_is_limited(survey):
     t = survey.trajectory
     arrays = [v for x in (t, *survey.lines) for v in vars(x).values() if hasattr(v, "nbytes")]
     assert sum(a.nbytes for a in arrays) < 300e6

@@ -1,4 +1,4 @@
-"""Lines of few points past a short trajectory: what of them is read, and what is refused."""
+"""Tests of lines with few points along a short trajectory: reading, writing and refusals."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -50,10 +50,10 @@ def project(folder: Path, tmp_path: Path) -> Project:
 
 
 @pytest.mark.parametrize("latency", [0.0, 4.0, -4.0])
-def test_points_that_a_latency_takes_out_of_the_trajectory_are_skipped(
+def test_points_outside_the_trajectory_by_the_latency_are_skipped(
     project: Project, folder: Path, latency: float
 ) -> None:
-    """A line with all its times inside, but not with the latency added to them."""
+    """All times of the line are within the trajectory, but not with the latency added."""
     times = START + np.linspace(1, 39, 3801)
     line = LineSource("all", write_line(folder / "all.las", times))
     project = project.with_settings(replace(project.settings, latency=latency))
@@ -70,7 +70,7 @@ def test_points_that_a_latency_takes_out_of_the_trajectory_are_skipped(
 
 
 @pytest.mark.parametrize("first", [0, 3, 4, 700, 1000])
-def test_an_import_taken_up_again_has_the_rest_with_its_places(
+def test_a_resumed_import_has_the_remaining_points_and_positions(
     project: Project, first: int
 ) -> None:
     (line,) = project.lines
@@ -97,7 +97,7 @@ def test_a_line_without_points_is_not_imported(project: Project, folder: Path) -
 # -- projects -------------------------------------------------------------------------------------
 
 
-def test_a_file_that_is_a_line_already_is_not_added_again(project: Project, folder: Path) -> None:
+def test_an_existing_line_is_not_added_again(project: Project, folder: Path) -> None:
     again = LineSource("again", folder / "L1.laz")
     with pytest.raises(ProjectError) as caught:
         with_lines_added(project, [again])
@@ -109,11 +109,11 @@ def test_a_file_that_is_a_line_already_is_not_added_again(project: Project, fold
     assert more.lines[0] == project.lines[0]
 
 
-def test_where_nothing_is_unsaved_nothing_is_found(project: Project) -> None:
+def test_no_unsaved_project_is_found_where_there_is_none(project: Project) -> None:
     assert read_unsaved_project(project.folder) is None
 
 
-def test_a_folder_that_went_away_is_not_made_anew(project: Project) -> None:
+def test_a_deleted_folder_is_not_created_again(project: Project) -> None:
     require_folder(project)
     project.folder.rename(project.folder.with_name("elsewhere"))
     with pytest.raises(InputError) as caught:
@@ -126,7 +126,7 @@ def test_a_folder_that_went_away_is_not_made_anew(project: Project) -> None:
 # -- reading --------------------------------------------------------------------------------------
 
 
-def test_a_file_that_no_format_of_its_kind_knows_is_refused(folder: Path) -> None:
+def test_a_file_without_a_matching_format_is_refused(folder: Path) -> None:
     path = folder / "letter.md"
     with pytest.raises(InputError) as caught:
         detect_reading(path, "trajectory", Reading())
@@ -135,7 +135,7 @@ def test_a_file_that_no_format_of_its_kind_knows_is_refused(folder: Path) -> Non
     assert default_or_detected_reading(path, "trajectory", Reading()) == (Reading(), ())
 
 
-def test_an_accuracy_of_another_day_is_refused(project: Project, folder: Path) -> None:
+def test_accuracies_of_another_day_are_refused(project: Project, folder: Path) -> None:
     rows = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
     for first in (START - 1000, START + 1000):
         rows[:, 0] = first + np.arange(41)
@@ -150,8 +150,8 @@ def test_an_accuracy_of_another_day_is_refused(project: Project, folder: Path) -
         }  # fmt: skip
 
 
-def test_named_columns_are_kept_to_for_a_text_and_for_no_other_file(folder: Path) -> None:
-    """What a user names of a table is not looked for in it; a LAS file has no columns to name."""
+def test_named_columns_apply_to_text_files_only(folder: Path) -> None:
+    """No format is detected for a table whose columns the user named; LAS files have no columns."""
     table = folder / "L3.txt"
     np.savetxt(table, [[START + 1, 1.0, 2.0, 3.0], [START + 2, 1.0, 2.0, 3.0]], fmt="%.4f")
     assert default_or_detected_reading(table, "points", Reading(), columns=True) == (Reading(), ())
@@ -159,7 +159,7 @@ def test_named_columns_are_kept_to_for_a_text_and_for_no_other_file(folder: Path
     assert found == default_or_detected_reading(folder / "L1.laz", "points", Reading())
 
 
-def test_what_is_shown_is_what_is_placed_with_a_picture_at_hand(project: Project) -> None:
+def test_displayed_clouds_are_the_georeferenced_clouds(project: Project) -> None:
     survey = load_survey(project)
     told: list[Step | None] = []
     shown = survey.displayed_clouds(
@@ -174,10 +174,10 @@ def test_what_is_shown_is_what_is_placed_with_a_picture_at_hand(project: Project
 # -- writing --------------------------------------------------------------------------------------
 
 
-def test_a_table_with_named_columns_is_written_as_the_line_it_is(
+def test_a_table_with_named_columns_is_written_like_a_las_line(
     project: Project, folder: Path, tmp_path: Path
 ) -> None:
-    """As the same points in LAS are, to the rounding of the two files."""
+    """The results differ only by the rounding of the two files."""
     times, points = START + np.linspace(2, 12, 300), fan(300)
     table = folder / "table.txt"
     np.savetxt(table, np.column_stack([points[:, 2], times, points[:, :2]]), fmt="%.6f")
@@ -192,10 +192,10 @@ def test_a_table_with_named_columns_is_written_as_the_line_it_is(
 
 
 @pytest.mark.parametrize("there", [False, True])
-def test_what_cannot_be_written_leaves_no_folder_of_its_own(
+def test_a_failed_export_leaves_no_new_folder(
     project: Project, folder: Path, tmp_path: Path, there: bool
 ) -> None:
-    """A line of another day is refused; a folder that was there before stays."""
+    """A line of another day is refused; a folder that existed before is kept."""
     late = write_line(folder / "late.las", START + 9000 + np.linspace(0, 1, 50))
     lines = (LineSource("late", late),)
     out = tmp_path / "new" / "out"

@@ -1,4 +1,4 @@
-"""Seed to sphere, in one line and in all: balls on masts, before walls, beside balls."""
+"""Tests of finding a sphere from a seed, in one line and in all: masts, walls, other balls."""
 
 import numpy as np
 import pytest
@@ -16,20 +16,20 @@ from tests.error_codes import has_code
 from tests.message_codes import codes
 
 SETTINGS = FinderSettings()
-ANY = RadiusRange()
-FOOT = CENTRE - [0.0, 0.0, 0.099]
+ANY_RADIUS = RadiusRange()
+MAST_TOP = CENTRE - [0.0, 0.0, 0.099]
 SCENES = {
     "alone": {},
-    "on a mast": {"mast": (FOOT, 0.02)},
+    "on a mast": {"mast": (MAST_TOP, 0.02)},
     "before a wall": {"wall": 20.6},
-    "close to a wall": {"wall": 20.13, "mast": (FOOT, 0.02)},
+    "close to a wall": {"wall": 20.13, "mast": (MAST_TOP, 0.02)},
 }
 
 
 @pytest.mark.parametrize("scene", SCENES)
-@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY])
+@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY_RADIUS])
 @pytest.mark.parametrize("noise", [0.0, 0.002, 0.004])
-def test_a_ball_is_cut_from_what_is_around_it(scene, searched, noise):
+def test_a_ball_is_separated_from_its_surroundings(scene, searched, noise):
     rng = np.random.default_rng(1)
     points, label = cast(rng, [BALL], noise=noise, **SCENES[scene])
     patch = find_sphere(points, front(BALL), searched, SETTINGS)
@@ -37,29 +37,29 @@ def test_a_ball_is_cut_from_what_is_around_it(scene, searched, noise):
     off = np.abs(BALL.distances(points[patch.indices]))
     assert on.mean() > 0.98
     assert off.max() < max(4.5 * noise, 0.003)
-    # Beyond 80 degrees 3 % of what is seen of a ball is left out, and the mixed pixels there.
+    # Points beyond 80 degrees (3 % of the visible ball) are excluded, with the mixed pixels there.
     assert np.count_nonzero(on) > 0.85 * np.count_nonzero(label == 0)
     assert patch.rms < 1.1 * noise + 5e-4
     assert 0.3 < patch.share < 0.46
     np.testing.assert_array_equal(patch.indices, np.unique(patch.indices))
-    # Millimetres of noise over some hundred points; the radius takes the depth with it.
+    # The noise averages out over hundreds of points; an unknown radius also changes the depth.
     assert np.linalg.norm(patch.centre - CENTRE) < (0.001 if searched.known else 0.003)
     assert abs(patch.sphere.radius - 0.1) < 0.003
 
 
 @pytest.mark.parametrize("radius", [0.06, 0.0725, 0.15, 0.4])
-def test_balls_of_other_radii_are_found_without_knowing_it(radius):
+def test_balls_of_unknown_radius_are_found(radius):
     ball = Sphere(CENTRE, radius)
     points, label = cast(np.random.default_rng(2), [ball], wall=21.0)
-    patch = find_sphere(points, front(ball, off=(0.5, 0.5)), ANY, SETTINGS)
+    patch = find_sphere(points, front(ball, off=(0.5, 0.5)), ANY_RADIUS, SETTINGS)
     assert abs(patch.sphere.radius - radius) < 0.003
     assert (label[patch.indices] == 0).mean() > 0.98
 
 
-@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY])
+@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY_RADIUS])
 @pytest.mark.parametrize("turn_deg", range(0, 360, 45))
-def test_a_seed_on_the_edge_or_a_little_off_the_ball_will_do(searched, turn_deg):
-    points, label = cast(np.random.default_rng(3), [BALL], mast=(FOOT, 0.02), wall=20.6)
+def test_a_seed_on_the_edge_or_slightly_off_the_ball_is_enough(searched, turn_deg):
+    points, label = cast(np.random.default_rng(3), [BALL], mast=(MAST_TOP, 0.02), wall=20.6)
     angle = np.radians(turn_deg)
     aside = np.array([np.cos(angle), 0.0, np.sin(angle)])
     for seed in (CENTRE + 0.099 * aside, CENTRE + 0.14 * aside, front(BALL, gap=0.03), CENTRE):
@@ -68,8 +68,8 @@ def test_a_seed_on_the_edge_or_a_little_off_the_ball_will_do(searched, turn_deg)
         assert (label[patch.indices] == 0).mean() > 0.98
 
 
-@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY])
-def test_beside_another_ball_the_one_clicked_is_found(searched):
+@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY_RADIUS])
+def test_the_clicked_one_of_two_balls_is_found(searched):
     balls = [BALL, Sphere(CENTRE + [0.21, 0.02, 0.0], 0.1)]
     points, label = cast(np.random.default_rng(4), balls, wall=20.6)
     for k, ball in enumerate(balls):
@@ -79,23 +79,27 @@ def test_beside_another_ball_the_one_clicked_is_found(searched):
             assert (label[patch.indices] == k).mean() > 0.98
 
 
-def test_the_same_input_gives_the_same_answer_and_order_does_not_matter():
-    points, _ = cast(np.random.default_rng(5), [BALL], mast=(FOOT, 0.02), wall=20.4)
+def test_result_is_reproducible_and_independent_of_the_point_order():
+    points, _ = cast(np.random.default_rng(5), [BALL], mast=(MAST_TOP, 0.02), wall=20.4)
     points[5] = np.nan
-    first = find_sphere(points, front(BALL), ANY, SETTINGS)
-    again = find_sphere(points.copy(), front(BALL), ANY, SETTINGS, index=PointGrid(points, 0.5))
+    first = find_sphere(points, front(BALL), ANY_RADIUS, SETTINGS)
+    again = find_sphere(
+        points.copy(), front(BALL), ANY_RADIUS, SETTINGS, index=PointGrid(points, 0.5)
+    )
     np.testing.assert_array_equal(first.indices, again.indices)
     np.testing.assert_array_equal(first.centre, again.centre)
     order = np.random.default_rng(0).permutation(len(points))
-    shuffled = find_sphere(points[order], front(BALL), ANY, SETTINGS)
+    shuffled = find_sphere(points[order], front(BALL), ANY_RADIUS, SETTINGS)
     np.testing.assert_array_equal(np.sort(order[shuffled.indices]), first.indices)
     np.testing.assert_allclose(shuffled.centre, first.centre, rtol=0, atol=1e-9)
 
 
-def test_large_coordinates_cost_nothing():
+def test_large_coordinates_lose_no_accuracy():
     points, _ = cast(np.random.default_rng(6), [BALL], wall=20.4)
     far = np.array([5_400_000.0, -330_000.0, 20.0])
-    near, away = (find_sphere(points + o, front(BALL) + o, ANY, SETTINGS) for o in (0.0, far))
+    near, away = (
+        find_sphere(points + o, front(BALL) + o, ANY_RADIUS, SETTINGS) for o in (0.0, far)
+    )
     np.testing.assert_array_equal(near.indices, away.indices)
     np.testing.assert_allclose(away.centre - far, near.centre, rtol=0, atol=1e-7)
 
@@ -110,7 +114,7 @@ def plate(rng):
 
 
 def box(rng):
-    """The corner of a box, seen from outside: three faces."""
+    """Return points of the corner of a box seen from outside (three faces)."""
     faces = rng.uniform(0.0, 0.4, (3, 1500, 3))
     for k in range(3):
         faces[k, :, k] = 0.0
@@ -122,24 +126,24 @@ def bush(rng):
 
 
 def post(radius):
-    """A maker of upright posts, seen from the side."""
+    """Return a function that makes upright posts seen from the side."""
     return lambda rng: cast(rng, [], mast=(CENTRE + [0.0, 0.0, 9.0], radius), wall=21.0)[0]
 
 
 @pytest.mark.parametrize(
     "make", [wall, plate, box, bush, post(0.03), post(0.06), post(0.1), post(0.2)]
 )
-@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY])
+@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY_RADIUS])
 @pytest.mark.parametrize("draw", range(4))
-def test_what_is_no_ball_is_refused(make, searched, draw):
+def test_objects_that_are_not_balls_are_refused(make, searched, draw):
     points = make(np.random.default_rng(draw))
     seed = points[np.argmin(np.linalg.norm(points - CENTRE, axis=1))]
     with pytest.raises(SphereNotFound, match=r"\.$"):
         find_sphere(points, seed, searched, SETTINGS)
 
 
-def test_a_shallow_dish_is_too_little_of_a_ball():
-    """An end cap of a tank: round with 0.4 m, twenty degrees of half angle."""
+def test_a_shallow_dish_is_refused():
+    """An end cap of a tank with a radius of 0.4 m and a half angle of 20 degrees."""
     rng = np.random.default_rng(10)
     ball = Sphere(CENTRE, 0.4)
     points, _ = cast(rng, [ball], mixed=0.0)
@@ -149,7 +153,7 @@ def test_a_shallow_dish_is_too_little_of_a_ball():
         SphereNotFound,
         check=has_code("finder.sphere_small_part", share=pytest.approx(0.03, abs=0.005)),
     ):
-        find_sphere(dish, seed, ANY, SETTINGS)
+        find_sphere(dish, seed, ANY_RADIUS, SETTINGS)
 
 
 def test_an_uneven_plate_within_a_wide_threshold_is_reported_as_flat():
@@ -166,7 +170,7 @@ def test_a_small_ball_before_a_large_one_is_found_where_it_was_clicked():
     balls = [Sphere(CENTRE, 0.06), Sphere(CENTRE + [0.35, 0.1, 0.0], 0.28)]
     points, label = cast(np.random.default_rng(12), balls, wall=20.9)
     for k, ball in enumerate(balls):
-        patch = find_sphere(points, front(ball), ANY, SETTINGS)
+        patch = find_sphere(points, front(ball), ANY_RADIUS, SETTINGS)
         assert np.linalg.norm(patch.centre - ball.centre) < 0.003
         assert (label[patch.indices] == k).mean() > 0.98
 
@@ -186,9 +190,9 @@ def test_a_small_ball_before_a_large_one_is_found_where_it_was_clicked():
         (np.zeros((500, 3)), np.zeros(2), "finder.seed", {}),
     ],
 )
-def test_without_points_the_reason_is_given(points, seed, code, params):
+def test_a_search_without_points_gives_the_reason(points, seed, code, params):
     with pytest.raises(SphereNotFound, check=has_code(code, **params)):
-        find_sphere(points, seed, ANY, SETTINGS)
+        find_sphere(points, seed, ANY_RADIUS, SETTINGS)
 
 
 @pytest.mark.parametrize(
@@ -209,17 +213,17 @@ def test_a_ball_elsewhere_or_of_another_radius_is_refused(aside, searched, code)
 
 
 @pytest.mark.parametrize("span", [(0.0, 0.1), (0.2, 0.1), (0.1, np.nan), (0.1, np.inf)])
-def test_radii_that_cannot_be_are_refused(span):
+def test_impossible_radii_are_refused(span):
     with pytest.raises(InputError, check=has_code("finder.radii")):
         RadiusRange(*span)
 
 
 def moved_lines(balls, count=4, *, shift=1.5, tilt_deg=3.0, seed=8):
-    """The same scene as each line would see it with a wrong boresight."""
+    """Return the same scene as each line sees it with a wrong boresight."""
     rng = np.random.default_rng(seed)
     clouds, labels, centres = {}, {}, {}
     for k in range(count):
-        points, label = cast(rng, balls, mast=(FOOT, 0.02), wall=21.0)
+        points, label = cast(rng, balls, mast=(MAST_TOP, 0.02), wall=21.0)
         turn = rotation_matrix(*rng.uniform(-1, 1, 3) * np.radians(tilt_deg) * (k > 0))
         direction = rng.normal(size=3)
         step = direction / np.linalg.norm(direction) * shift * (k > 0)
@@ -229,9 +233,9 @@ def moved_lines(balls, count=4, *, shift=1.5, tilt_deg=3.0, seed=8):
     return clouds, labels, centres
 
 
-@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY])
+@pytest.mark.parametrize("searched", [RadiusRange.of_known_radius(0.1), ANY_RADIUS])
 @pytest.mark.parametrize("first_line", ["L1", None])
-def test_a_ball_is_found_where_each_line_puts_it(searched, first_line):
+def test_a_ball_is_found_at_its_position_on_each_line(searched, first_line):
     clouds, labels, centres = moved_lines([BALL])
     clicked = clouds["L1"][np.argmin(np.linalg.norm(clouds["L1"] - front(BALL), axis=1))]
     found, missing = find_spheres_in_lines(
@@ -256,12 +260,14 @@ def test_equal_balls_near_each_other_are_not_swapped():
             assert np.linalg.norm(patch.centre - centres[name][k]) < 0.003, (name, k)
 
 
-def test_a_line_without_the_ball_says_so():
+def test_a_line_without_the_ball_has_a_reason():
     clouds, _, _ = moved_lines([BALL], 2)
     clouds["away"] = clouds["L1"] + [50.0, 0, 0]
     clouds["empty"] = np.empty((0, 3))
     clouds["wall"] = cast(np.random.default_rng(9), [], wall=21.0)[0]
-    found, missing = find_spheres_in_lines(clouds, front(BALL), ANY, SETTINGS, first_line="L1")
+    found, missing = find_spheres_in_lines(
+        clouds, front(BALL), ANY_RADIUS, SETTINGS, first_line="L1"
+    )
     assert set(found) == {"L1", "L2"}
     assert set(missing) == {"away", "empty", "wall"}
     assert missing["away"].code == "finder.line_no_points"
@@ -271,22 +277,22 @@ def test_a_seed_in_empty_space_or_an_unknown_line_is_refused():
     clouds, _, _ = moved_lines([BALL], 2)
     up = CENTRE + [0, 0, 100]
     with pytest.raises(SphereNotFound, check=has_code("finder.no_sphere_in_lines")):
-        find_spheres_in_lines(clouds, up, ANY, SETTINGS)
+        find_spheres_in_lines(clouds, up, ANY_RADIUS, SETTINGS)
     with pytest.raises(SphereNotFound, check=has_code("finder.no_points")):
-        find_spheres_in_lines(clouds, up, ANY, SETTINGS, first_line="L1")
+        find_spheres_in_lines(clouds, up, ANY_RADIUS, SETTINGS, first_line="L1")
     with pytest.raises(SphereNotFound, check=has_code("finder.unknown_line", line="L9")):
-        find_spheres_in_lines(clouds, CENTRE, ANY, SETTINGS, first_line="L9")
+        find_spheres_in_lines(clouds, CENTRE, ANY_RADIUS, SETTINGS, first_line="L9")
     with pytest.raises(SphereNotFound, check=has_code("finder.no_line_for_sphere")):
-        find_spheres_in_lines({}, CENTRE, ANY, SETTINGS)
+        find_spheres_in_lines({}, CENTRE, ANY_RADIUS, SETTINGS)
     with pytest.raises(SphereNotFound, check=has_code("finder.seed")):
-        find_spheres_in_lines(clouds, np.zeros(2), ANY, SETTINGS)
+        find_spheres_in_lines(clouds, np.zeros(2), ANY_RADIUS, SETTINGS)
 
 
 def test_the_search_reports_progress_and_can_be_cancelled():
     clouds, _, _ = moved_lines([BALL], 3)
     calls = []
     find_spheres_in_lines(
-        clouds, front(BALL), ANY, SETTINGS, first_line="L1",
+        clouds, front(BALL), ANY_RADIUS, SETTINGS, first_line="L1",
         progress=lambda fraction, message="": calls.append((fraction, message)),
     )  # fmt: skip
     assert calls[-1][0] == 1.0
@@ -296,4 +302,6 @@ def test_the_search_reports_progress_and_can_be_cancelled():
         raise Cancelled
 
     with pytest.raises(Cancelled):
-        find_spheres_in_lines(clouds, front(BALL), ANY, SETTINGS, first_line="L1", progress=cancel)
+        find_spheres_in_lines(
+            clouds, front(BALL), ANY_RADIUS, SETTINGS, first_line="L1", progress=cancel
+        )

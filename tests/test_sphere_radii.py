@@ -1,4 +1,4 @@
-"""Balls whose radius differs from line to line: the cause is found among what changes it."""
+"""Tests of the cause of radii that differ between lines."""
 
 from dataclasses import replace
 
@@ -38,7 +38,7 @@ def changed(data: Observations, cause: str) -> Observations:
 
 
 @pytest.mark.parametrize("seed", range(10))
-def test_radii_of_a_right_survey_agree(seed: int) -> None:
+def test_radii_of_a_survey_without_errors_agree(seed: int) -> None:
     assert find_radius_discrepancies(survey(seed), TRUTH) == ()
 
 
@@ -51,7 +51,7 @@ def test_a_wrong_sign_of_the_attitude_is_named(seed: int, cause: str) -> None:
         assert each.largest - each.smallest > 0.01
 
 
-def test_an_error_of_one_line_is_not_blamed_on_a_sign() -> None:
+def test_an_error_of_one_line_is_not_attributed_to_a_sign() -> None:
     data = survey(0)
     own = np.array([each.line == "L2" for each in data.sightings])[data.sighting]
     points = np.where(own[:, None], data.points_lidar * [1.3, 1.0, 1.0], data.points_lidar)
@@ -59,7 +59,7 @@ def test_an_error_of_one_line_is_not_blamed_on_a_sign() -> None:
     assert all(each.cause == "" for each in found)
 
 
-def test_the_result_of_an_adjustment_has_them() -> None:
+def test_the_result_of_an_adjustment_has_radius_discrepancies() -> None:
     data = average_points_in_cells(changed(survey(1), "pitch_sign"), TRUTH, 0.02)
     result = adjust(data, TRUTH, StochasticModel(loss="tukey"))
     assert {each.cause for each in result.radius_discrepancies} == {"pitch_sign"}

@@ -1,4 +1,4 @@
-"""The sphere value, its fit from a cap, and the share of the surface that points span."""
+"""Tests of spheres: the fit to a cap, and the visible share of the surface."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ RADII = [0.05, 0.1, 0.145, 1.0]
 
 
 def cap(rng, sphere, half_angle_deg, count=400, *, towards=(0.3, -1.0, 0.2), noise=0.0):
-    """Points spread evenly over a cap of a sphere, off its surface by normal noise."""
+    """Return points spread evenly over a cap of a sphere with normal noise of the distance."""
     axis = np.asarray(towards, float) / np.linalg.norm(towards)
     across = np.linalg.svd(axis[None, :])[2][1:]
     height = rng.uniform(np.cos(np.radians(half_angle_deg)), 1.0, count)
@@ -33,18 +33,18 @@ def test_distances_are_signed_and_positive_outside():
 @pytest.mark.parametrize("radius", RADII)
 @pytest.mark.parametrize("half_angle_deg", [20, 60, 90, 180])
 @pytest.mark.parametrize("origin", [(0, 0, 0), (500_000, 5_000_000, 30)])
-def test_a_cap_without_noise_gives_the_sphere_back(known, radius, half_angle_deg, origin):
+def test_a_cap_without_noise_determines_the_sphere_exactly(known, radius, half_angle_deg, origin):
     true = Sphere(np.array(origin, float), radius)
     points = cap(np.random.default_rng(1), true, half_angle_deg)
     sphere = fit_sphere(points, radius if known else None)
-    # At UTM northings a coordinate is only good to a nanometre, and a short cap magnifies that.
+    # UTM northings are rounded to about a nanometre, which a small cap magnifies.
     tolerance = 1e-10 if origin == (0, 0, 0) else 2e-8
     np.testing.assert_allclose(sphere.centre, true.centre, rtol=0, atol=tolerance)
     assert sphere.radius == pytest.approx(radius, abs=tolerance)
 
 
 @pytest.mark.parametrize(("known", "half_angle_deg"), [(True, 40), (True, 85), (False, 85)])
-def test_errors_are_as_large_as_the_noise_makes_them(known, half_angle_deg):
+def test_errors_follow_from_error_propagation(known, half_angle_deg):
     """The spread over many draws equals that of first-order error propagation."""
     true = Sphere(np.array([3.0, -20.0, 5.0]), 0.1)
     noise, draws = 0.002, 300
@@ -58,11 +58,11 @@ def test_errors_are_as_large_as_the_noise_makes_them(known, half_angle_deg):
     size = 3 if known else 4
     spread = np.sqrt(np.mean(np.square(errors), axis=0))[:size]
     sigma = np.sqrt(np.mean(expected, axis=0))
-    # A root mean square of 300 draws is itself good to one part in 24; four of these.
+    # 300 draws determine an RMS to one part in 24; the tolerance is four of these.
     np.testing.assert_allclose(spread, sigma, rtol=4.0 / np.sqrt(2 * draws))
 
 
-def test_fit_is_least_squares_and_weights_count():
+def test_fit_is_weighted_least_squares():
     rng = np.random.default_rng(4)
     points = cap(rng, Sphere(np.ones(3), 0.1), 80, 300, noise=0.004)
     for radius in (None, 0.1):
@@ -98,7 +98,7 @@ def flat(rng, noise):
         (np.eye(4)[:, :3], np.nan, "target.sphere_radius"),
     ],
 )
-def test_what_determines_no_sphere_is_refused(points, radius, code):
+def test_points_that_determine_no_sphere_are_refused(points, radius, code):
     with pytest.raises(SphereNotFound, check=has_code(code)):
         fit_sphere(points, radius)
 
@@ -111,7 +111,7 @@ def centre_or_reason(points, radius=None):
 
 
 def test_a_known_radius_helps_where_a_free_one_is_undetermined():
-    """Eight degrees of half angle are a bulge of 1 mm on a ball of 0.1 m."""
+    """The cap of a ball of 0.1 m with a half angle of 8 degrees is 1 mm high."""
     true = Sphere(np.zeros(3), 0.1)
     helped = 0
     for draw in range(50):
@@ -119,14 +119,14 @@ def test_a_known_radius_helps_where_a_free_one_is_undetermined():
         free, known = centre_or_reason(points), centre_or_reason(points, 0.1)
         if isinstance(known, str):
             assert known == "target.sphere_side"
-        else:  # never on the wrong side, which would be 0.2 m off
+        else:  # never on the wrong side, with an error of 0.2 m
             assert np.linalg.norm(known) < 0.01
             helped += isinstance(free, str) and free == "target.sphere_little_curved"
     assert helped > 20
 
 
 @pytest.mark.parametrize("half_angle_deg", [20, 45, 90, 150])
-def test_share_is_that_of_the_cap(half_angle_deg):
+def test_visible_share_is_that_of_the_cap(half_angle_deg):
     sphere = Sphere(np.array([5.0, 6.0, 7.0]), 0.2)
     points = cap(np.random.default_rng(6), sphere, half_angle_deg, 20_000)
     wanted = (1.0 - np.cos(np.radians(half_angle_deg))) / 2.0
@@ -137,7 +137,7 @@ def test_share_is_that_of_the_cap(half_angle_deg):
 
 @pytest.mark.parametrize("scale", [1e-9, 1e9])
 @pytest.mark.parametrize("radius", [None, 0.1])
-def test_only_the_ratio_of_weights_counts(scale, radius):
+def test_only_the_ratios_of_weights_matter(scale, radius):
     rng = np.random.default_rng(8)
     points = cap(rng, Sphere(np.array([3.0, -20.0, 5.0]), 0.1), 60, noise=0.001)
     weights = rng.uniform(0.5, 2.0, len(points))
@@ -148,8 +148,8 @@ def test_only_the_ratio_of_weights_counts(scale, radius):
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
 @pytest.mark.parametrize("seed", range(3))
-def test_a_cap_as_rough_as_it_is_curved_is_refused_on_whichever_side_its_centre_is(seed, side):
-    """5 cm across of a metre's ball bulge by 0.3 mm, in noise of 2 mm."""
+def test_a_cap_with_more_noise_than_curvature_is_refused(seed, side):
+    """A 5 cm cap of a ball of 1 m is 0.3 mm high; the noise is 2 mm."""
     rng = np.random.default_rng(seed)
     points = rng.uniform(-0.025, 0.025, (30, 3)) * [1, 1, 0]
     points[:, 2] = side * (rng.normal(0, 0.002, 30) - (points**2).sum(axis=1) / 2)

@@ -1,4 +1,4 @@
-"""Spheres in the adjustment and through the whole program: closed loops, noise, picks, files."""
+"""Tests of spheres in the adjustment and from a seed to a saved project."""
 
 import json
 from dataclasses import replace
@@ -30,11 +30,11 @@ from tests.ball_survey import BALLS, BORESIGHT_DEG, NAMES, BallSurvey, make_ball
 
 LEVER_ARM = np.array([-0.2, 0.04, 2.4])
 TRUTH = Mounting(LEVER_ARM, np.radians([2.0, 2.0, 2.0]))
-PLACES = ((0.0, 15.0, 5.0), (1.5, 12.0, 3.0), (-1.5, 20.0, 7.0))
+CENTRES = ((0.0, 15.0, 5.0), (1.5, 12.0, 3.0), (-1.5, 20.0, 7.0))
 
 
 def three_balls(known):
-    return [Ball(f"S{k + 1}", place, 0.1, known) for k, place in enumerate(PLACES)]
+    return [Ball(f"S{k + 1}", place, 0.1, known) for k, place in enumerate(CENTRES)]
 
 
 def prior(angle_deg):
@@ -46,7 +46,7 @@ def prior(angle_deg):
 
 @pytest.mark.parametrize("scanner", [(0.0, 0.0, 2.0), (-15.0, 15.0, 30.0)])
 def test_the_cap_of_a_ball_faces_the_scanner(scanner):
-    ball = Ball("S1", PLACES[0], 0.2)
+    ball = Ball("S1", CENTRES[0], 0.2)
     points = ball.points(0.004, np.random.default_rng(0), np.array(scanner))
     towards = np.array(scanner) - ball.centre
     from_centre = points - ball.centre
@@ -59,17 +59,17 @@ def test_the_cap_of_a_ball_faces_the_scanner(scanner):
 @pytest.mark.parametrize("model", POS_ERROR_MODELS)
 @pytest.mark.parametrize(
     ("known", "with_board", "start_deg"),
-    # Without the radius a ball of 0.1 m and the first guess, 0.7 m off with all angles at zero,
-    # have little to do with each other; a board beside it then needs a prior within some tenths.
+    # Angles of zero displace the points by 0.7 m. With a board and balls of unknown radius (true
+    # radius 0.1 m) the prior must be correct to a few tenths of a degree.
     [(True, False, 0.0), (False, False, 0.0), (True, True, 0.0), (False, True, 1.7)],
 )
-def test_closed_loop_without_noise(model, known, with_board, start_deg):
+def test_true_boresight_is_recovered_without_noise(model, known, with_board, start_deg):
     targets = [*three_balls(known), *(THESIS_BOARDS[1:] if with_board else ())]
     exact = error_free_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(1))
     assert set(exact.radii.values()) == {0.1 if known else None}
     result = adjust(exact, prior(start_deg), StochasticModel(model))
     np.testing.assert_allclose(np.degrees(result.boresight), 2.0, rtol=0, atol=1e-6)
-    for found, place in zip(result.targets, PLACES, strict=False):
+    for found, place in zip(result.targets, CENTRES, strict=False):
         np.testing.assert_allclose(found.plane, [*place, 0.1], atol=1e-8)
         assert found.sphere
     assert result.rms_after < 1e-9
@@ -78,10 +78,14 @@ def test_closed_loop_without_noise(model, known, with_board, start_deg):
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize(
     ("known", "with_board", "start_deg"),
-    [(True, False, 0.0), (True, True, 0.0), (False, True, 1.95)],  # near, as above
+    [
+        (True, False, 0.0),
+        (True, True, 0.0),
+        (False, True, 1.95),
+    ],  # near the true angles, for the reason given above
 )
 def test_error_is_within_the_given_sigma(seed, known, with_board, start_deg):
-    """POS errors drift and the LiDAR is noisy, as the model says."""
+    """The data have drifting POS errors and LiDAR noise, as in the model."""
     targets = [*three_balls(known), *(THESIS_BOARDS[1:] if with_board else ())]
     exact = error_free_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(seed))
     noisy = add_errors(exact, HYDROGRAPHIC_INS, np.random.default_rng(100 + seed))
@@ -102,7 +106,7 @@ def balls(tmp_path_factory) -> BallSurvey:
 
 @pytest.fixture(scope="module")
 def picked(balls) -> Project:
-    """Three balls, the radius of the second not known, and the board."""
+    """A project with three balls (the radius of the second is unknown) and the board."""
     project = balls.project
     for name, radius in (("S1", 0.15), ("S2", None), ("S3", 0.2)):
         project = picking.pick_target(
@@ -129,7 +133,7 @@ def test_a_ball_is_picked_in_every_line(balls, picked):
 
 
 @pytest.mark.parametrize("board", [False, True])
-def test_balls_give_the_boresight_and_survive_saving(balls, picked, board):
+def test_balls_determine_the_boresight_and_are_saved(balls, picked, board):
     project = picked if board else picked.without_target("T1")
     project = calibration.estimate(project, balls.survey, reselections=1, cross_check=False)
     assert project.result is not None
@@ -150,7 +154,7 @@ def test_balls_give_the_boresight_and_survive_saving(balls, picked, board):
     assert observations.radii == {"S1": 0.15, "S2": None, "S3": 0.2}
 
 
-def test_one_line_can_have_a_seed_of_its_own(balls, picked):
+def test_a_line_can_have_its_own_seed(balls, picked):
     target = picked.target("S1")
     lost = replace(
         target,
@@ -171,7 +175,7 @@ def test_one_line_can_have_a_seed_of_its_own(balls, picked):
     assert raised.value.code == "pick.is_sphere"
 
 
-def test_a_wall_is_no_ball(balls):
+def test_a_wall_is_not_picked_as_a_ball(balls):
     with pytest.raises(SphereNotFound):
         picking.pick_target(
             balls.project, balls.survey, balls.seed("wall"), name="S9", shape="sphere"
@@ -187,7 +191,7 @@ def test_a_wall_is_no_ball(balls):
         ({"shape": "sphere", "sphere_radius": float("nan")}, "target.invalid_radius"),
     ],
 )
-def test_what_makes_no_sense_is_refused(balls, asked, code):
+def test_invalid_import_options_are_refused(balls, asked, code):
     with pytest.raises(ProjectError, check=lambda e: e.code == code):
         picking.pick_target(balls.project, balls.survey, balls.seed("S1"), name="S1", **asked)
 
@@ -212,7 +216,7 @@ def test_the_command_line_picks_balls(balls, capsys):
     assert (said["shape"], said["sphere_radius_m"]) == ("sphere", 0.15)
     assert set(said["lines"]) == set(balls.survey.lines)
     for line in said["lines"].values():
-        # Placed without a boresight, so a degree of error at 15 m
+        # Georeferenced without a boresight: an error of one degree at 15 m
         assert np.linalg.norm(np.array(line["centre_m"]) - BALLS["S1"][0]) < 0.5
         assert line["sphere_radius_m"] == 0.15
         assert 0.3 < line["visible_share"] < 0.5

@@ -1,4 +1,4 @@
-"""Figures in the words of standards, against sampled boresights and planes a known way apart."""
+"""Tests of the S-44 and USGS values against sampled boresights and planes of known distance."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -24,7 +24,7 @@ def _result(folder: Path, boresight_deg: tuple[float, float, float]) -> Adjustme
 
 
 @pytest.mark.parametrize("boresight_deg", [(0.4, -1.9, 0.4), (90.0, 35.0, -120.0)])
-def test_no_beam_moves_farther_than_given_and_one_does_that_far(
+def test_contributions_equal_those_of_the_worst_beam(
     tmp_path: Path, boresight_deg: tuple[float, float, float]
 ) -> None:
     result = _result(tmp_path, boresight_deg)
@@ -33,7 +33,7 @@ def test_no_beam_moves_farther_than_given_and_one_does_that_far(
     true = rotation_matrix(*result.boresight)
     turns = np.stack([rotation_matrix(*angles) for angles in draws]) @ true.T - np.eye(3)
     beams = rng.normal(size=(1500, 3))
-    # The farthest vertical movement is that of a level beam: some of them are.
+    # Level beams move farthest vertically, so some beams are level.
     beams[:400, 2] = 0
     beams /= np.linalg.norm(beams, axis=1)[:, None]
     distance = EFFECT_DISTANCES_M[1]
@@ -50,20 +50,20 @@ def test_no_beam_moves_farther_than_given_and_one_does_that_far(
     assert at.thu95_m == pytest.approx(2.45 * worst_plane, rel=0.03)
 
 
-def test_roll_alone_moves_a_level_beam_up_and_down(tmp_path: Path) -> None:
+def test_contribution_of_roll_alone_is_distance_times_angle(tmp_path: Path) -> None:
     result = _result(tmp_path, (0.0, 0.0, 0.0))
     only_roll = replace(
         result, estimated=("roll", "pitch", "yaw"),
         covariance_all=np.diag([np.radians(0.02) ** 2, 0, 0]), parameters=(),
     )  # fmt: skip
     for at in s44_contributions(only_roll):
-        # A beam to the side goes up, one straight up to the side: both by distance times angle.
+        # A lateral beam moves vertically and a vertical one laterally, by distance times angle.
         assert at.tvu95_m == pytest.approx(1.96 * np.radians(0.02) * at.distance_m, rel=1e-9)
         assert at.thu95_m == pytest.approx(2.45 * np.radians(0.02) * at.distance_m, rel=1e-9)
 
 
 @pytest.mark.parametrize("offset", [0.0, 0.002, 0.02])
-def test_rms_of_planes_a_known_way_apart(offset: float) -> None:
+def test_rms_of_planes_of_known_distance(offset: float) -> None:
     rng = np.random.default_rng(11)
     noise = 0.001
     a, b = (np.column_stack([rng.uniform(0, 2, (6000, 2)), np.zeros(6000)]) for _ in range(2))
@@ -75,17 +75,17 @@ def test_rms_of_planes_a_known_way_apart(offset: float) -> None:
     assert found is not None
     assert found.rms is not None
     assert found.rms**2 == pytest.approx(found.mean**2 + _variance(found, a, b), rel=0.2)
-    # What is left of the noise in the means of a dozen points of each line is below it by far.
+    # The means of about a dozen points of each line have far less noise than the points.
     assert found.rms == pytest.approx(offset, abs=0.6 * noise)
 
 
 def _variance(found, a: np.ndarray, b: np.ndarray) -> float:
-    """Of a difference of means of the points in a cylinder, 10 cm across, of each line."""
+    """Return the variance of a difference of means in a cylinder of 10 cm diameter."""
     per_cylinder = len(a) / 4 * np.pi * 0.05**2
     return 2 * 0.001**2 / per_cylinder
 
 
-def test_all_planes_together_are_weighed_by_their_places(tmp_path: Path) -> None:
+def test_the_value_of_all_planes_is_weighted_by_their_places(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     found = swath_overlap(project.validation)
     assert [each.plane for each in found] == ["V1", "V2", "V3", ""]
@@ -97,7 +97,7 @@ def test_all_planes_together_are_weighed_by_their_places(tmp_path: Path) -> None
     assert found[-1].rmsd_before_m == pytest.approx(np.sqrt(np.mean(scales**2 + 0.002**2)))
 
 
-def test_a_comparison_of_an_earlier_version_makes_no_table(tmp_path: Path) -> None:
+def test_a_comparison_of_an_earlier_version_has_no_table(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     plane = project.validation[0]
     pair = plane.pairs[0]
@@ -109,7 +109,7 @@ def test_a_comparison_of_an_earlier_version_makes_no_table(tmp_path: Path) -> No
     assert "Swath overlap difference" not in html_text(bare, {})
 
 
-def test_the_wording_names_the_standards_and_their_editions(tmp_path: Path) -> None:
+def test_the_report_names_the_standards_and_their_editions(tmp_path: Path) -> None:
     words = " ".join(_page(html_text(sample_content(sample_project(tmp_path)), {})).words)
     assert "IHO S-44, edition 6.1.0" in words
     assert "contribution of the boresight alone" in words

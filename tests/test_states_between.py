@@ -1,4 +1,4 @@
-"""A trajectory with velocities and angular rates follows the motion between its states."""
+"""Tests of trajectory interpolation with velocities and angular rates."""
 
 from pathlib import Path
 
@@ -12,13 +12,13 @@ from lispac.survey.state_densification import MAX_INTERPOLATION_ERROR, attitude_
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.survey.trajectory_sampling import interpolation_error
 
-PLACES = {"north": (48.0, -69.0), "antimeridian": (-17.0, 180.0), "south": (-33.8, 18.4)}
+ORIGINS_DEG = {"north": (48.0, -69.0), "antimeridian": (-17.0, 180.0), "south": (-33.8, 18.4)}
 DURATION = 60.0
 Array = np.ndarray
 
 
 def motion(time: Array) -> tuple[Array, Array, Array, Array]:
-    """Position (north, west, up), velocity, attitude (bow up) and its derivatives, in waves."""
+    """Return position (north, west, up), velocity, attitude (bow up) and its rates on waves."""
     roll, pitch, heave = 2 * np.pi / np.array([6.0, 4.5, 7.0])
     turn = 2 * np.pi / 25.0
     heading = 0.3 + 3.0 * np.sin(turn * time)
@@ -44,7 +44,7 @@ def motion(time: Array) -> tuple[Array, Array, Array, Array]:
 
 
 def body_rates(attitude: Array, rates: Array) -> Array:
-    """Angular rates about forward, starboard, down: the kinematic equations the other way round."""
+    """Return angular rates about forward, starboard and down by the kinematic equations."""
     roll, pitch, _ = attitude.T
     dr, dp, dh = rates.T
     return np.stack(
@@ -54,10 +54,10 @@ def body_rates(attitude: Array, rates: Array) -> Array:
 
 
 def sbet(path: Path, rate: float, place: str = "north", wander: float = 0.2) -> LocalFrame:
-    """The motion as an SBET with velocities in the wander frame; angles wrapped as in files."""
+    """Write the motion as an SBET with velocities in the wander frame and wrapped angles."""
     time = np.arange(0.0, DURATION, 1 / rate)
     position, velocity, attitude, rates = motion(time)
-    frame = LocalFrame(*np.radians(PLACES[place]), 20.0)
+    frame = LocalFrame(*np.radians(ORIGINS_DEG[place]), 20.0)
     latitude, longitude, height = frame.to_geodetic(position)
     records = np.zeros((len(time), 17))
     records[:, 0] = 300_000 + time
@@ -76,7 +76,7 @@ def sbet(path: Path, rate: float, place: str = "north", wander: float = 0.2) -> 
 
 
 def errors(path: Path, frame: LocalFrame, track: Trajectory) -> tuple[float, float]:
-    """Largest errors between the states, metres and radians."""
+    """Return the largest interpolation errors in metres and radians."""
     local = LocalTrajectory.of(track, frame)
     time = np.random.default_rng(3).uniform(1.0, DURATION - 2.0, 5000)
     position, _, attitude, _ = motion(time)
@@ -92,21 +92,23 @@ def linear(track: Trajectory) -> Trajectory:
     return replace(track, velocity=None, attitude_rate=None)
 
 
-@pytest.mark.parametrize("place", PLACES)
+@pytest.mark.parametrize("place", ORIGINS_DEG)
 @pytest.mark.parametrize("axes", ["unknown", "wander-nwu"])
-def test_at_10_hz_errors_are_five_times_smaller(tmp_path: Path, place: str, axes: str) -> None:
+def test_interpolation_errors_at_10_hz_are_five_times_smaller(
+    tmp_path: Path, place: str, axes: str
+) -> None:
     path = tmp_path / "a.sbet"
     frame = sbet(path, 10.0, place)
     track = read_sbet(path, SbetOptions(axes=axes))
     straight, curved = errors(path, frame, linear(track)), errors(path, frame, track)
-    # Away from the middle of the frame north turns, by 1e-5 rad over 40 m.
+    # North turns by 1e-5 rad over the 40 m from the origin of the frame.
     assert straight[0] > 5e-4
     assert curved[0] < straight[0] / 5
     assert curved[1] < straight[1] / 5
     assert curved[0] < 2 * MAX_INTERPOLATION_ERROR[0] + 1e-5
 
 
-def test_dense_states_are_left_as_they_are(tmp_path: Path) -> None:
+def test_dense_states_are_not_changed(tmp_path: Path) -> None:
     path = tmp_path / "a.sbet"
     frame = sbet(path, 200.0)
     track = read_sbet(path)
@@ -135,7 +137,7 @@ def test_the_states_of_the_file_are_kept(tmp_path: Path) -> None:
         (14, lambda v: -v, 3), (15, lambda v: np.degrees(v), 4), (14, lambda v: 0 * v, 3),
     ],
 )  # fmt: skip
-def test_derivatives_that_contradict_the_states_are_not_used(
+def test_rates_that_contradict_the_states_are_not_used(
     tmp_path: Path, column: int, change: object, component: int
 ) -> None:
     path = tmp_path / "a.sbet"
@@ -153,7 +155,7 @@ def test_derivatives_that_contradict_the_states_are_not_used(
     assert [each.code for each in local.messages] == ["trajectory.rates_not_used"]
 
 
-def test_no_curve_over_a_gap(tmp_path: Path) -> None:
+def test_gaps_are_not_interpolated_with_a_curve(tmp_path: Path) -> None:
     path = tmp_path / "a.sbet"
     frame = sbet(path, 10.0)
     records = np.fromfile(path, "<f8").reshape(-1, 17)
@@ -164,7 +166,7 @@ def test_no_curve_over_a_gap(tmp_path: Path) -> None:
     assert not local.covers(np.array([records[230, 0]])).any()
 
 
-def test_raw_points_come_back(tmp_path: Path) -> None:
+def test_raw_points_are_recovered_exactly(tmp_path: Path) -> None:
     path = tmp_path / "a.sbet"
     frame = sbet(path, 10.0)
     local = LocalTrajectory.of(read_sbet(path), frame)
@@ -176,7 +178,7 @@ def test_raw_points_come_back(tmp_path: Path) -> None:
     np.testing.assert_allclose(back, points, rtol=0, atol=1e-9)
 
 
-def test_the_given_bound_holds(tmp_path: Path) -> None:
+def test_errors_are_within_the_reported_bound(tmp_path: Path) -> None:
     path = tmp_path / "a.sbet"
     frame = sbet(path, 10.0)
     track = read_sbet(path)
@@ -187,7 +189,7 @@ def test_the_given_bound_holds(tmp_path: Path) -> None:
     assert np.quantile(bound, 0.95, axis=0).max() < np.quantile(straight, 0.95, axis=0).max() / 3
 
 
-def test_a_cubic_is_met_exactly() -> None:
+def test_a_cubic_is_interpolated_exactly() -> None:
     rng = np.random.default_rng(4)
     c = rng.normal(size=(4, 5))
     u, span = rng.uniform(0, 1, (50, 1)), np.full((50, 1), 0.7)

@@ -1,4 +1,4 @@
-"""Clouds without time: their places, as written by other libraries."""
+"""Tests of clouds without times, as written by other libraries."""
 
 from pathlib import Path
 
@@ -28,7 +28,7 @@ def test_e57_without_time_has_its_poses_applied(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["scan.las", "scan.laz"])
-def test_las_without_time(tmp_path: Path, name: str) -> None:
+def test_las_without_time_is_read(tmp_path: Path, name: str) -> None:
     header = laspy.LasHeader(version="1.2", point_format=2)
     header.scales = np.full(3, 1e-4)
     las = laspy.LasData(header)
@@ -47,7 +47,7 @@ def test_las_without_time(tmp_path: Path, name: str) -> None:
         ("intensity,x,y,z", "ixyz", ","),
     ],
 )
-def test_text(tmp_path: Path, head: str, order: str, separator: str) -> None:
+def test_texts_without_time_are_read(tmp_path: Path, head: str, order: str, separator: str) -> None:
     columns = {"x": XYZ[:, 0], "y": XYZ[:, 1], "z": XYZ[:, 2], "i": np.arange(len(XYZ))}
     rows = np.column_stack([columns[name] for name in order])
     path = tmp_path / "scan.txt"
@@ -67,7 +67,7 @@ def test_text(tmp_path: Path, head: str, order: str, separator: str) -> None:
         ("1 2 3\n4 5 inf\n", "static_scan.unusable_coordinate"),
     ],
 )
-def test_texts_that_are_refused(tmp_path: Path, text: str, code: str) -> None:
+def test_unsuitable_texts_are_refused(tmp_path: Path, text: str, code: str) -> None:
     path = tmp_path / "scan.txt"
     path.write_text(text)
     with pytest.raises(InputError, check=has_code(code)):

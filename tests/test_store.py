@@ -1,4 +1,4 @@
-"""The store for big lines: what goes in comes out, a region is found, damage is noticed."""
+"""Tests of the store for large lines: contents, searches, and resumed imports."""
 
 import json
 from collections.abc import Iterator
@@ -25,7 +25,7 @@ __all__ = ["small"]
 pytestmark = pytest.mark.usefixtures("small")
 
 
-def test_every_point_comes_back_once_with_all_its_columns(tmp_path: Path) -> None:
+def test_every_point_is_stored_once_with_all_its_columns(tmp_path: Path) -> None:
     found = stored(tmp_path / "L1")
     numbers = found.numbers(np.arange(len(found)))
     np.testing.assert_array_equal(np.sort(numbers), np.arange(len(LINE)))
@@ -75,11 +75,11 @@ def test_the_progress_counts_the_points_read_and_ordered(tmp_path: Path) -> None
 
 
 def test_fingerprint_is_that_of_the_points_in_memory(tmp_path: Path) -> None:
-    """Picks of a project made from the file still mean the same points."""
+    """Sightings of a project made from the file still refer to the same points."""
     assert stored(tmp_path).fingerprint == Scan(LINE.xyz, LINE.time).fingerprint
 
 
-def test_coordinates_lose_less_than_eight_micrometres_within_250_m(tmp_path: Path) -> None:
+def test_coordinates_are_rounded_by_less_than_eight_micrometres(tmp_path: Path) -> None:
     far = replace(LINE, xyz=np.random.default_rng(1).uniform(-140, 140, LINE.xyz.shape))
     found = stored(tmp_path, far)
     off = np.abs(found.points_lidar - far.xyz[found.numbers(np.arange(len(far)))])
@@ -87,20 +87,20 @@ def test_coordinates_lose_less_than_eight_micrometres_within_250_m(tmp_path: Pat
 
 
 @pytest.mark.parametrize("size", [1, 7, 333, 1000, 5000, 10**6])
-def test_how_a_file_is_read_in_pieces_does_not_matter(tmp_path: Path, size: int) -> None:
+def test_store_does_not_depend_on_the_size_of_pieces(tmp_path: Path, size: int) -> None:
     line = Line(2_300)
     one = stored(tmp_path / "one", line, 450).manifest
     other = stored(tmp_path / "other", line, size).manifest
     assert files_of(one) == files_of(other)
 
 
-def test_what_all_points_share_takes_no_room(tmp_path: Path) -> None:
+def test_constant_columns_take_no_space(tmp_path: Path) -> None:
     manifest = stored(tmp_path).manifest
     without = {column.name for column in manifest.attributes if not column.file}
     assert without == {"return_number", "colour mode"}
 
 
-def test_columns_take_no_more_room_than_their_values_need(tmp_path: Path) -> None:
+def test_columns_have_the_smallest_sufficient_type(tmp_path: Path) -> None:
     manifest = stored(tmp_path).manifest
     assert {c.name: (c.dtype, c.shape) for c in manifest.columns} == {
         "xyz": ("<f4", (3,)), "time": ("<f8", ()), "number": ("<u4", ()), "before": ("<u4", ()),
@@ -115,7 +115,7 @@ def test_columns_take_no_more_room_than_their_values_need(tmp_path: Path) -> Non
     assert manifest.bytes == sum(column.size for column in manifest.files)
 
 
-def test_order_is_by_cell_and_cells_are_few_runs(tmp_path: Path) -> None:
+def test_points_are_ordered_by_cell_in_few_runs(tmp_path: Path) -> None:
     found = stored(tmp_path)
     local = place(found.points_lidar.astype(float), found.time)
     side = found.manifest.side
@@ -126,7 +126,9 @@ def test_order_is_by_cell_and_cells_are_few_runs(tmp_path: Path) -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(centre=st.tuples(*(st.floats(-30, 60),) * 3), radius=st.floats(0.01, 30), far=st.booleans())
-def test_region_is_what_brute_force_finds(region: StoredLine, centre, radius, far) -> None:
+def test_points_in_a_region_equal_those_of_brute_force(
+    region: StoredLine, centre, radius, far
+) -> None:
     centre = np.array(centre) * (1000 if far else 1)
     rows, local = region.within(centre, radius, place)
     every = place(region.points_lidar.astype(float), region.time)
@@ -142,7 +144,9 @@ def test_region_is_what_brute_force_finds(region: StoredLine, centre, radius, fa
     centre=st.tuples(*(st.floats(-10, 40),) * 3), radius=st.floats(0.5, 8),
     turn=st.tuples(*(st.floats(-0.05, 0.05),) * 3),
 )  # fmt: skip
-def test_region_with_another_boresight(region: StoredLine, centre, radius, turn) -> None:
+def test_points_in_a_region_with_another_boresight(
+    region: StoredLine, centre, radius, turn
+) -> None:
     rotation = rotation_matrix(*turn)
     angle = np.arccos(np.clip((np.trace(rotation) - 1) / 2, -1, 1))
     margin = 2 * np.sin(angle / 2) * region.manifest.reach + 1e-6
@@ -158,18 +162,18 @@ def test_region_with_another_boresight(region: StoredLine, centre, radius, turn)
 
 @pytest.fixture(scope="module")
 def region(tmp_path_factory) -> StoredLine:
-    """A stored line that is only read."""
+    """A stored line that tests only read."""
     return stored(tmp_path_factory.mktemp("region") / "L1", Line(4_000, stray=True))
 
 
-def test_reads_little_for_a_small_region(tmp_path: Path) -> None:
+def test_a_small_region_reads_few_points(tmp_path: Path) -> None:
     found = stored(tmp_path, Line(40_000))
     runs = found.near(np.array([10.0, 20.0, 3.0]), 1.0)
     rows, _ = found.within(np.array([10.0, 20.0, 3.0]), 1.0, place)
     assert 0 < len(rows) <= (runs[:, 1] - runs[:, 0]).sum() < 0.1 * len(found)
 
 
-def test_coarse_level_is_a_fair_sample(tmp_path: Path) -> None:
+def test_coarse_level_is_an_even_sample(tmp_path: Path) -> None:
     line = Line(30_000)
     found = stored(tmp_path, line)
     coarse = found.coarse
@@ -186,7 +190,7 @@ def test_coarse_level_is_a_fair_sample(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("halvings", [1, 3])
-def test_beginning_of_every_cell_is_a_fair_sample(tmp_path: Path, halvings: int) -> None:
+def test_beginning_of_every_cell_is_an_even_sample(tmp_path: Path, halvings: int) -> None:
     line = Line(30_000)
     found = stored(tmp_path, line)
     runs = found.near(np.zeros(3), 1e6, halvings=halvings)
@@ -200,16 +204,18 @@ def test_beginning_of_every_cell_is_a_fair_sample(tmp_path: Path, halvings: int)
 
 
 def is_fair(sample: np.ndarray, whole: np.ndarray) -> bool:
-    """Whether parts of the range hold as much of the sample as of the whole."""
+    """Test whether the sample is distributed over the range like the whole."""
     edges = np.quantile(whole, np.linspace(0, 1, 21))
     edges[0], edges[-1] = -np.inf, np.inf
     counts = np.histogram(sample, edges)[0]
     expected = len(sample) / 20
-    return bool(((counts - expected) ** 2 / expected).sum() < 45)  # chi square, 19, 99.93 %
+    return bool(
+        ((counts - expected) ** 2 / expected).sum() < 45
+    )  # chi square with 19 degrees of freedom, 99.93 %
 
 
-def test_points_on_one_spot_are_never_in_memory_together(tmp_path: Path, monkeypatch) -> None:
-    """A vessel at rest: half of the points of a cell share one octave."""
+def test_points_of_one_cell_are_never_all_in_memory(tmp_path: Path, monkeypatch) -> None:
+    """A stationary vessel: half of the points of a cell share one octave."""
     line = Line(9_000)
     line.xyz[:] = [1.2, 2.2, 3.2] + np.random.default_rng(0).normal(0, 1e-3, line.xyz.shape)
     line.time[:] = np.linspace(0, 1e-3, len(line))
@@ -230,14 +236,14 @@ def test_points_on_one_spot_are_never_in_memory_together(tmp_path: Path, monkeyp
     assert is_fair(found.time[rows], line.time)
 
 
-def test_cells_grow_where_points_are_sparse(tmp_path: Path) -> None:
+def test_cells_are_larger_for_sparse_points(tmp_path: Path) -> None:
     sparse = Line(3_000)
     sparse.xyz *= 30
     assert stored(tmp_path, sparse).manifest.side > 2.0
 
 
 @pytest.mark.parametrize("when", range(0, 24, 3))
-def test_cancelled_import_goes_on_where_it_stood(tmp_path: Path, when: int) -> None:
+def test_cancelled_import_is_resumed(tmp_path: Path, when: int) -> None:
     whole = stored(tmp_path / "whole").manifest
     folder = tmp_path / "L1"
     with pytest.raises(Cancelled):
@@ -256,7 +262,7 @@ def test_cancelled_import_goes_on_where_it_stood(tmp_path: Path, when: int) -> N
     assert files_of(open_store(folder, "L1").manifest) == files_of(whole)
 
 
-def test_block_that_was_damaged_is_read_again(tmp_path: Path) -> None:
+def test_a_damaged_block_is_read_again(tmp_path: Path) -> None:
     whole = stored(tmp_path / "whole").manifest
     folder = tmp_path / "L1"
     with pytest.raises(Cancelled):
@@ -280,7 +286,7 @@ def test_blocks_of_another_file_are_not_used(tmp_path: Path) -> None:
     assert source.asked == [0]
 
 
-def test_new_import_replaces_the_old_one_at_its_end(tmp_path: Path) -> None:
+def test_a_new_import_replaces_the_old_one_only_when_complete(tmp_path: Path) -> None:
     old = stored(tmp_path)
     other = Line(1_200, seed=9)
     with pytest.raises(Cancelled):
@@ -291,7 +297,7 @@ def test_new_import_replaces_the_old_one_at_its_end(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["columns-2", "store.json"]
 
 
-def test_stopped_right_after_the_manifest_is_imported(tmp_path: Path, monkeypatch) -> None:
+def test_import_stopped_after_writing_the_manifest_is_complete(tmp_path: Path, monkeypatch) -> None:
     def write_and_stop(folder: Path, manifest: Manifest) -> None:
         write_manifest(folder, manifest)
         raise KeyboardInterrupt
@@ -303,7 +309,7 @@ def test_stopped_right_after_the_manifest_is_imported(tmp_path: Path, monkeypatc
 
 
 @given(st.binary(max_size=300), st.binary(max_size=300))
-def test_checksums_are_joined(first: bytes, second: bytes) -> None:
+def test_checksums_of_pieces_are_combined(first: bytes, second: bytes) -> None:
     from zlib import crc32
 
     joined = combine_crc32(crc32(first), crc32(second), len(second))
@@ -311,7 +317,7 @@ def test_checksums_are_joined(first: bytes, second: bytes) -> None:
 
 
 def test_the_names_in_a_manifest_are_those_of_version_3(tmp_path: Path) -> None:
-    """A renamed field needs another version, and `layout` the former name, or stores are lost."""
+    """A renamed field needs a new version and an alias in `layout`, or stores become unreadable."""
     write_store(tmp_path, RECIPE, LINE.pieces(1000), place)
     content = json.loads((tmp_path / "store.json").read_text())
     store = content["store"]

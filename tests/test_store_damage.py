@@ -1,4 +1,4 @@
-"""The store where files are damaged, disks are full, and folders cannot be written."""
+"""Tests of the store with damaged files, full disks and read-only folders."""
 
 import errno
 import json
@@ -30,7 +30,7 @@ pytestmark = pytest.mark.usefixtures("small")
 
 @pytest.mark.parametrize("name", ["xyz", "time", "number", "row", "octaves", "coarse_xyz"])
 @pytest.mark.parametrize("kept", [0.0, 0.5, None])
-def test_column_cut_short_or_missing_is_refused(tmp_path: Path, name: str, kept) -> None:
+def test_a_truncated_or_missing_column_is_refused(tmp_path: Path, name: str, kept) -> None:
     stored(tmp_path)
     path = tmp_path / "columns-1" / f"{name}.npy"
     if kept is None:
@@ -44,7 +44,7 @@ def test_column_cut_short_or_missing_is_refused(tmp_path: Path, name: str, kept)
     )
 
 
-def test_flipped_bit_is_noticed(tmp_path: Path) -> None:
+def test_a_flipped_bit_is_detected(tmp_path: Path) -> None:
     found = stored(tmp_path)
     for column in found.manifest.files:
         path = tmp_path / "columns-1" / column.file
@@ -66,10 +66,8 @@ def test_flipped_bit_is_noticed(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["octaves", "starts"])
-def test_where_points_lie_is_checked_though_the_file_seems_unchanged(
-    tmp_path: Path, name: str
-) -> None:
-    """Where these are wrong a search finds other points, and nothing tells."""
+def test_files_used_by_searches_are_always_checked(tmp_path: Path, name: str) -> None:
+    """Errors in these files make searches return wrong points without notice."""
     stored(tmp_path)
     open_store(tmp_path, "L1")
     path = tmp_path / "columns-1" / f"{name}.npy"
@@ -86,7 +84,7 @@ def test_where_points_lie_is_checked_though_the_file_seems_unchanged(
 def test_impossible_coordinates_with_right_checksums_are_refused(
     tmp_path: Path, value: float, count: int | None
 ) -> None:
-    """By the check of an import, wherever they are in the line."""
+    """They are found by the check of the import, anywhere in the line."""
     stored(tmp_path / "L1")
     manifest = layout.read_manifest(tmp_path / "L1")
     assert manifest is not None
@@ -115,12 +113,12 @@ def test_a_copied_store_is_checked_once(tmp_path: Path, monkeypatch: pytest.Monk
     assert opening(copy) == []
     os.utime(copy / "columns-1" / "time.npy", ns=(0, 5))
     monkeypatch.setattr(layout, "write_text_atomically", refuse)
-    for _ in range(2):  # a folder that may only be read
+    for _ in range(2):  # a read-only folder
         assert opening(copy)
 
 
 def refuse(*_: object) -> None:
-    """What a folder that may only be read answers."""
+    """Raise the error of a read-only folder."""
     raise OSError(errno.EROFS, "Read-only file system")
 
 
@@ -136,7 +134,7 @@ def test_a_store_without_times_is_checked_and_then_has_them(tmp_path: Path) -> N
     assert open_store(tmp_path, "L1").manifest == manifest
 
 
-def test_a_line_imported_again_meanwhile_says_so(tmp_path: Path) -> None:
+def test_a_line_imported_again_meanwhile_is_refused(tmp_path: Path) -> None:
     opened = stored(tmp_path)
     assert len(opened.time)
     stored(tmp_path)
@@ -148,7 +146,7 @@ def test_a_line_imported_again_meanwhile_says_so(tmp_path: Path) -> None:
     assert len(opened.time)
 
 
-def test_a_line_that_is_being_imported_says_so(tmp_path: Path) -> None:
+def test_a_line_that_is_being_imported_is_refused(tmp_path: Path) -> None:
     (tmp_path / "spool").mkdir()
     with lock_folder(tmp_path), pytest.raises(ProjectError) as refused:
         open_store(tmp_path, "L1")
@@ -181,7 +179,7 @@ def test_damaged_manifest_is_refused_and_imported_again(tmp_path: Path, harm, co
     assert files_of(stored(tmp_path).manifest) == files_of(whole)
 
 
-def test_newer_store_is_not_touched(tmp_path: Path) -> None:
+def test_a_store_of_a_newer_version_is_not_changed(tmp_path: Path) -> None:
     stored(tmp_path)
     path = tmp_path / "store.json"
     path.write_text(
@@ -206,7 +204,7 @@ def test_store_of_another_line_is_refused(tmp_path: Path) -> None:
     assert reason_code(refused.value) == "store.other_line"
 
 
-def test_not_imported(tmp_path: Path) -> None:
+def test_a_line_that_is_not_imported_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ProjectError, match="L1: ") as refused:
         open_store(tmp_path / "L1", "L1")
     assert refused.value.code == "store.not_imported"
@@ -219,7 +217,7 @@ def test_one_import_of_a_line_at_a_time(tmp_path: Path) -> None:
     stored(tmp_path)
 
 
-def test_error_of_the_file_leaves_nothing(tmp_path: Path) -> None:
+def test_an_error_of_the_file_leaves_no_store(tmp_path: Path) -> None:
     def broken(first: int) -> Iterator[PointPiece]:
         yield from list(LINE.pieces(1000)(first))[:4]
         raise InputError("a.las: cut short; copy it again.")
@@ -245,7 +243,7 @@ def test_attributes_that_change_within_a_line_are_refused(tmp_path: Path) -> Non
     )
 
 
-def test_attribute_that_is_no_number_is_refused(tmp_path: Path) -> None:
+def test_attributes_that_are_not_numbers_are_refused(tmp_path: Path) -> None:
     def words(first: int) -> Iterator[PointPiece]:
         for piece in LINE.pieces(1000)(first):
             yield replace(piece, extra={"label": np.array(["a"] * len(piece))})
@@ -257,8 +255,8 @@ def test_attribute_that_is_no_number_is_refused(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="mounts a small disk")
 @pytest.mark.parametrize("size", ["100k", "350k", "500k", "650k"])
-def test_full_disk_leaves_nothing(tmp_path: Path, size: str) -> None:
-    """In a block, in the columns, and in the column whose values come in any order."""
+def test_a_full_disk_leaves_no_store(tmp_path: Path, size: str) -> None:
+    """The disk fills in a block, in the columns, or in the column written in random order."""
     disk = tmp_path / "disk"
     disk.mkdir()
     command = ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(disk)]
@@ -274,7 +272,7 @@ def test_full_disk_leaves_nothing(tmp_path: Path, size: str) -> None:
         subprocess.run(["umount", str(disk)], check=True)
 
 
-def test_folder_that_cannot_be_made(tmp_path: Path) -> None:
+def test_a_folder_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
     (tmp_path / "lines").write_text("a file in the way")
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path / "lines" / "L1", RECIPE, LINE.pieces(1000), place)
@@ -289,7 +287,7 @@ def test_folder_that_cannot_be_made(tmp_path: Path) -> None:
         {"first_time": -1e308, "last_time": 1e308}, {"reach": 1e300}, {"reach": -1.0},
     ],
 )  # fmt: skip
-def test_manifests_that_no_import_writes_are_refused(tmp_path: Path, given) -> None:
+def test_invalid_manifests_are_refused(tmp_path: Path, given) -> None:
     found = stored(tmp_path)
     write_manifest(tmp_path, replace(found.manifest, **given))
     with pytest.raises(ProjectError):

@@ -1,4 +1,4 @@
-"""The parts of the store one by one, where what they are given is not the usual."""
+"""Tests of the parts of the store with unusual input."""
 
 import errno
 import hashlib
@@ -42,8 +42,8 @@ pytestmark = pytest.mark.usefixtures("small")
 
 
 @pytest.mark.parametrize("intensity", ["own", "shared", "none"])
-def test_a_line_whose_file_omits_nothing(tmp_path: Path, intensity: str) -> None:
-    """Its numbers are those of the file, and its sample has the intensities that there are."""
+def test_a_line_without_skipped_points_keeps_its_numbers(tmp_path: Path, intensity: str) -> None:
+    """Numbers are those of the file; the sample has intensities if the file has them."""
     line = Line(80)
     if intensity == "shared":
         line.extra["intensity"] = np.full(80, 7, np.uint16)
@@ -62,8 +62,8 @@ def test_a_line_whose_file_omits_nothing(tmp_path: Path, intensity: str) -> None
         np.testing.assert_array_equal(found.intensities(numbers), given[numbers])
 
 
-def test_few_points_in_crowded_cells_all_come(tmp_path: Path) -> None:
-    """The cells about a small sphere hold far more than are wanted, the sphere does not."""
+def test_all_points_of_a_small_sphere_in_crowded_cells_are_found(tmp_path: Path) -> None:
+    """The cells around the small sphere have more points than the limit; the sphere has fewer."""
     found = stored(tmp_path)
     every = place(found.points_lidar.astype(float), found.time)
     centre = every[100]
@@ -77,7 +77,7 @@ def test_few_points_in_crowded_cells_all_come(tmp_path: Path) -> None:
     assert halvings > 0
 
 
-def test_a_line_imported_again_while_it_is_opened_is_opened_anew(
+def test_a_line_imported_again_during_opening_is_opened_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first = stored(tmp_path, Line(80)).manifest
@@ -94,7 +94,7 @@ def test_a_line_imported_again_while_it_is_opened_is_opened_anew(
     assert found.manifest.folder != first.folder
 
 
-def test_a_manifest_newer_than_what_was_examined_stays(tmp_path: Path) -> None:
+def test_a_newer_manifest_is_not_replaced(tmp_path: Path) -> None:
     old = stored(tmp_path, Line(80)).manifest
     now = stored(tmp_path, Line(90)).manifest
     replace_manifest(tmp_path, old, replace(old, reach=98.0))
@@ -103,7 +103,7 @@ def test_a_manifest_newer_than_what_was_examined_stays(tmp_path: Path) -> None:
     assert read_manifest(tmp_path) == replace(now, reach=99.0)
 
 
-def test_a_column_of_what_no_import_writes_is_damage(tmp_path: Path) -> None:
+def test_a_column_of_text_is_damage(tmp_path: Path) -> None:
     manifest = stored(tmp_path, Line(80)).manifest
     odd = replace(manifest.attributes[0], dtype="<U4")
     write_manifest(tmp_path, replace(manifest, attributes=(odd, *manifest.attributes[1:])))
@@ -144,7 +144,7 @@ def test_a_column_of_another_type_than_given_is_damage(tmp_path: Path) -> None:
         ),
     ],
 )  # fmt: skip
-def test_errors_of_the_system_while_writing_have_codes(
+def test_system_errors_during_writing_have_codes(
     tmp_path: Path, failure: OSError, size: int | None, code: str, params: dict[str, object]
 ) -> None:
     with (
@@ -157,7 +157,7 @@ def test_errors_of_the_system_while_writing_have_codes(
     assert refused.value.message.params == {"folder": str(tmp_path), **params}
 
 
-def test_room_that_an_import_needs_is_shown_in_megabytes(tmp_path: Path) -> None:
+def test_space_needed_by_an_import_is_shown_in_megabytes(tmp_path: Path) -> None:
     with (
         pytest.raises(ProjectError) as refused,
         writing_errors_as_project_errors(tmp_path, lambda: 40_000_000),
@@ -166,8 +166,8 @@ def test_room_that_an_import_needs_is_shown_in_megabytes(tmp_path: Path) -> None
     assert " 40.0 MB" in str(refused.value)
 
 
-def test_a_block_cut_short_on_the_disk_is_not_taken_for_whole(tmp_path: Path) -> None:
-    """Cut after it was checked: what the import then says is that it cannot be read back."""
+def test_a_truncated_block_is_detected(tmp_path: Path) -> None:
+    """The block is truncated after its check; the import reports that it cannot be read back."""
     line = Line(4000)
 
     def cutting(xyz: np.ndarray, time: np.ndarray) -> np.ndarray:
@@ -192,7 +192,7 @@ def test_a_file_without_a_point_is_refused_and_leaves_nothing(tmp_path: Path) ->
     assert refused.value.message == error("store.not_imported", line="L1")
 
 
-def test_more_points_than_can_be_numbered_are_refused(tmp_path: Path) -> None:
+def test_too_many_points_to_be_numbered_are_refused(tmp_path: Path) -> None:
     def far_on(first: int) -> Iterator[PointPiece]:
         yield PointPiece(
             np.ones((1, 3)),
@@ -209,10 +209,10 @@ def test_more_points_than_can_be_numbered_are_refused(tmp_path: Path) -> None:
     )
 
 
-def test_a_lock_whose_file_was_removed_meanwhile_is_taken_anew(
+def test_a_lock_whose_file_was_removed_meanwhile_is_acquired_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As the last holder does it right after this one has opened the file."""
+    """The previous holder removes the file just after this one has opened it."""
     take, gone = locks._lock, iter([True])
 
     def too_late(handle: int) -> None:
@@ -229,7 +229,7 @@ def test_a_lock_whose_file_was_removed_meanwhile_is_taken_anew(
     assert not is_import_running(tmp_path)
 
 
-def test_a_lock_that_a_process_left_behind_is_not_held(tmp_path: Path) -> None:
+def test_a_lock_file_of_an_ended_process_is_not_locked(tmp_path: Path) -> None:
     assert not is_import_running(tmp_path)
     (tmp_path / LOCK_FILE).touch()
     assert not is_import_running(tmp_path)
@@ -237,7 +237,7 @@ def test_a_lock_that_a_process_left_behind_is_not_held(tmp_path: Path) -> None:
         assert is_import_running(tmp_path)
 
 
-def test_the_original_is_known_by_its_time_or_by_all_of_its_content(tmp_path: Path) -> None:
+def test_the_original_is_identified_by_its_time_or_its_content(tmp_path: Path) -> None:
     path, content = tmp_path / "a.las", bytes(range(256)) * 300
     path.write_bytes(content)
     os.utime(path, ns=(0, 10**18))
@@ -251,13 +251,13 @@ def test_the_original_is_known_by_its_time_or_by_all_of_its_content(tmp_path: Pa
     for changed in (content[:40_000] + b"x" + content[40_001:], content + b"x", content[:-1]):
         copy.write_bytes(changed)
         assert not is_original_unchanged(original, copy)
-    # Size and time as they were are believed
+    # An unchanged size and time are trusted.
     copy.write_bytes(content[::-1])
     os.utime(copy, ns=(5, 10**18))
     assert is_original_unchanged(original, copy)
 
 
-def test_equal_keys_stay_as_they_stand() -> None:
+def test_equal_keys_keep_their_order() -> None:
     keys = np.random.default_rng(4).integers(0, 5, 3000).astype(np.uint64)
     np.testing.assert_array_equal(stable_order(keys), np.lexsort([np.arange(3000), keys]))
 
@@ -270,15 +270,15 @@ def test_a_sample_is_never_larger_than_requested() -> None:
     assert 4000 < np.count_nonzero(is_in_coarse_sample(many, 100_000, 5000)) <= 5000
 
 
-def test_anything_that_can_be_gone_through_is_read_ahead() -> None:
+def test_any_iterable_is_read_ahead() -> None:
     assert list(read_ahead(iter([3, 1, 2]), depth=2)) == [3, 1, 2]
 
 
-def test_nothing_is_lost_where_the_reader_is_slower(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_item_is_lost_with_a_slow_consumer(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("lispac.survey.store.read_ahead.POLL_INTERVAL_S", 0.001)
     found = []
     for piece in read_ahead(iter(range(5))):
-        time.sleep(0.02)  # many looks at a full queue
+        time.sleep(0.02)  # longer than many polls of the full queue
         found.append(piece)
     assert found == [0, 1, 2, 3, 4]
 
@@ -288,13 +288,13 @@ def test_no_runs_have_no_rows() -> None:
     assert (rows.shape, rows.dtype) == ((0,), np.int64)
 
 
-def test_a_column_is_called_after_its_attribute_in_letters_that_every_disk_has() -> None:
+def test_file_names_of_columns_are_portable() -> None:
     assert attribute_file_name(3, "Ring / angle é") == "attribute-03-Ring___angle__.npy"
     assert attribute_file_name(12, "a" * 60) == f"attribute-12-{'a' * 40}.npy"
 
 
 @pytest.mark.parametrize("rows", [1, 7, 64, 1000])
-def test_runs_are_taken_some_rows_at_a_time(rows: int) -> None:
+def test_runs_are_split_into_a_number_of_rows(rows: int) -> None:
     ends = np.cumsum(np.random.default_rng(rows).integers(1, 30, 40))
     runs = ends.reshape(-1, 2)
     some = list(split_runs(runs, rows))

@@ -1,4 +1,4 @@
-"""Reasons in a project file are messages: they are shown in the language in use."""
+"""Tests of messages stored in project files and shown in the current language."""
 
 import json
 import shutil
@@ -17,21 +17,21 @@ from lispac.workflow.checking.warnings import warnings_of
 from tests.report_sample import sample_project
 
 DATA = Path(__file__).parent / "data"
-PLACE = note("finder.place", north=0.6, west=-14.7, up=5.1)
-MISSING = error("finder.few_points", count=12, radius=1.0, needed=50, place=PLACE)
-ENGLISH = "Only 12 points"
+SEARCH_PLACE = note("finder.place", north=0.6, west=-14.7, up=5.1)
+MISSING_REASON = error("finder.few_points", count=12, radius=1.0, needed=50, place=SEARCH_PLACE)
+ENGLISH_TEXT = "Only 12 points"
 
 
 @pytest.mark.parametrize("saved_in", ["en", "fr"])
 def test_reasons_are_shown_in_the_language_in_use(tmp_path: Path, saved_in: str) -> None:
     project = sample_project(tmp_path / "p")
-    target = replace(project.targets[0], missing={"L9": MISSING})
+    target = replace(project.targets[0], missing={"L9": MISSING_REASON})
     with in_language(saved_in):
         write_project(
-            project.with_target(target).with_validation(project.validation, {"V1": MISSING})
+            project.with_target(target).with_validation(project.validation, {"V1": MISSING_REASON})
         )
     opened = read_project(project.folder)
-    assert opened.target(target.name).missing == {"L9": MISSING}
+    assert opened.target(target.name).missing == {"L9": MISSING_REASON}
     (found,) = [
         each for each in warnings_of(opened, None) if each.code == "project.not_found_on_line"
     ]
@@ -40,14 +40,14 @@ def test_reasons_are_shown_in_the_language_in_use(tmp_path: Path, saved_in: str)
         each for each in warnings_of(opened, None) if each.code == "report.not_compared"
     ]
     for message in (found, not_compared):
-        assert ENGLISH in message_text(message)
+        assert ENGLISH_TEXT in message_text(message)
         with in_language("fr"):
             french = message_text(message)
-        assert ENGLISH not in french
+        assert ENGLISH_TEXT not in french
         assert "12" in french
 
 
-def test_a_sentence_of_a_former_project_stays(tmp_path: Path) -> None:
+def test_a_text_of_a_former_project_is_kept(tmp_path: Path) -> None:
     shutil.copytree(DATA / "project-8", tmp_path / "old")
     (reason,) = read_project(tmp_path / "old").targets[0].missing.values()
     text = "The line has no points within 4.5 m of the seed."
@@ -55,7 +55,7 @@ def test_a_sentence_of_a_former_project_stays(tmp_path: Path) -> None:
     assert message_text(reason) == text
 
 
-def test_results_of_a_former_project_have_its_sentences() -> None:
+def test_results_of_a_former_project_keep_their_texts() -> None:
     content = json.loads((DATA / "project-8" / PROJECT_FILE_NAME).read_text(encoding="utf-8"))
     project = read_project(DATA / "project-8")
     assert project.result is not None
@@ -77,7 +77,7 @@ def test_results_of_a_former_project_have_its_sentences() -> None:
 
 def test_a_message_with_an_unknown_code_is_refused(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
-    write_project(project.with_validation(project.validation, {"V1": MISSING}))
+    write_project(project.with_validation(project.validation, {"V1": MISSING_REASON}))
     path = project.folder / PROJECT_FILE_NAME
     path.write_text(path.read_text().replace("finder.few_points", "finder.no_such_code"))
     with pytest.raises(ProjectError) as raised:

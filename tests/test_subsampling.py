@@ -1,4 +1,4 @@
-"""The subsampling study: the same adjustment as any other, once a distance."""
+"""Tests of the subsampling study, which repeats an adjustment for each distance."""
 
 from dataclasses import replace
 
@@ -21,11 +21,11 @@ def test_each_row_is_an_adjustment(calibrated: tuple[Project, Survey]) -> None:
     settings = replace(project.settings, subsample=0.2)
     alone = estimate(project, survey, settings=settings, cross_check=False).result
     assert alone is not None
-    # An estimate also selects the points with its own distance; here all rows have one selection.
+    # An estimate selects points with its own distance; here all rows share one selection.
     assert rows[-1].points == pytest.approx(alone.points, rel=0.02)
     assert (np.abs(rows[-1].boresight - alone.boresight) < 0.2 * alone.sigma).all()
     np.testing.assert_allclose(rows[-1].sigma, alone.sigma, rtol=0.05)
-    # The sightings' common errors stay whatever the density: sigmas hardly change, nor do angles.
+    # Errors common to a sighting do not depend on density: sigmas and angles hardly change.
     for row in rows[:2]:
         assert (np.abs(row.boresight - rows[-1].boresight) < 0.5 * row.sigma).all()
         np.testing.assert_allclose(row.sigma, rows[-1].sigma, rtol=0.15)
@@ -33,7 +33,7 @@ def test_each_row_is_an_adjustment(calibrated: tuple[Project, Survey]) -> None:
     assert project.settings.subsample != 0.2
 
 
-def test_what_cannot_be_studied(calibrated: tuple[Project, Survey]) -> None:
+def test_invalid_studies_are_refused(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     for distances in ((), (-0.1,), (0.1, float("nan"))):
         with pytest.raises(InputError) as raised:

@@ -1,4 +1,4 @@
-"""Targets and surfaces where no object, or more than one, fits the search."""
+"""Tests of searches for targets and surfaces that match no object or several objects."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ from lispac.targets.spheres_across_lines import _two_spheres_error, find_spheres
 from tests.error_codes import has_code
 
 
-def test_an_inclination_that_is_not_known_is_not_compared() -> None:
+def test_an_unknown_inclination_is_not_compared() -> None:
     upright, size = np.array([0.0, 1.0, 0.0]), np.array([1.2, 1.0])
     assert deviations_from_expected(ExpectedTarget(1.2, 1.0), size, upright) == ()
     assert deviations_from_expected(ExpectedTarget(1.2, 1.0, np.radians(45.0)), size, upright) == (
@@ -38,15 +38,15 @@ def _cube(seed: int, off: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> np.nd
     return np.random.default_rng(seed).uniform(-0.5, 0.5, (400, 3)) + off
 
 
-def test_clouds_that_no_translation_lays_onto_each_other_have_no_shift() -> None:
+def test_clouds_too_far_apart_have_no_shift() -> None:
     first = _cube(1)
     assert find_shifts(first, np.ones(400), _cube(1, (30.0, 0.0, 0.0)), 0.5) == []
     (found, *_) = find_shifts(first, np.ones(400), first + [0.2, 0.0, 0.0], 0.5)
     np.testing.assert_allclose(found.vector, [0.2, 0.0, 0.0], atol=0.05)
 
 
-def test_a_line_like_nothing_about_the_target_is_reported() -> None:
-    """There are points within reach of the seed, but none where the target could have moved."""
+def test_a_line_without_similar_surroundings_is_reported() -> None:
+    """Points are within the search radius, but none where the target could have moved."""
     settings = FinderSettings(radius=2.0, max_shift=0.3)
     reference = WeightedSurroundings(_cube(1), np.ones(400))
     for off, code in (
@@ -57,7 +57,7 @@ def test_a_line_like_nothing_about_the_target_is_reported() -> None:
             find_shifts_into_line(_cube(2, off), None, reference, np.zeros(3), settings)
 
 
-def test_two_matches_that_cannot_both_be_meant_are_refused() -> None:
+def test_two_contradicting_matches_are_refused() -> None:
     shifts = [CloudShift(np.array([k, 0.0, 0.0]), 0.9) for k in (0.0, 1.0)]
 
     def match(shift: CloudShift) -> tuple[str, float]:
@@ -73,7 +73,7 @@ def test_two_matches_that_cannot_both_be_meant_are_refused() -> None:
 
 
 def _ball(centre: tuple[float, float, float], radius: float = 0.15) -> np.ndarray:
-    """The half of a ball that is seen from the east."""
+    """Return points of the half of a ball that is visible from the east."""
     away = np.random.default_rng(3).normal(size=(3000, 3))
     away /= np.linalg.norm(away, axis=1, keepdims=True)
     return centre + radius * away[away[:, 1] < -0.2]
@@ -92,7 +92,7 @@ def _balls(second: np.ndarray) -> dict[str, str]:
     return missing
 
 
-def test_two_balls_alike_beside_where_one_was_are_ambiguous() -> None:
+def test_two_equal_balls_near_the_target_are_ambiguous() -> None:
     assert _balls(_ball((0.4, 15.0, 5.0))) == {}
     similar = np.vstack([_ball((0.6, 15.0, 5.0)), _ball((-0.6, 15.0, 5.0))])
     (reason,) = _balls(similar).values()
@@ -107,7 +107,7 @@ def test_a_ball_of_another_size_is_not_the_target() -> None:
     assert reason.params["expected"] == pytest.approx(0.15, abs=0.002)
 
 
-def test_a_ball_found_twice_is_no_contradiction() -> None:
+def test_the_same_ball_found_twice_is_no_contradiction() -> None:
     def found(centre: tuple[float, float, float]) -> SpherePatch:
         return find_sphere(_ball(centre), np.array(centre), RadiusRange(0.1, 0.5), FinderSettings())
 
@@ -119,19 +119,19 @@ def test_a_ball_found_twice_is_no_contradiction() -> None:
     assert message.params["distance"] == pytest.approx(0.5, abs=0.005)
 
 
-def test_through_points_in_one_plane_goes_no_ball() -> None:
+def test_points_in_a_plane_determine_no_ball() -> None:
     level = np.random.default_rng(1).uniform(-5.0, 5.0, (300, 3)) * [1.0, 1.0, 0.0]
     assert draw_spheres(level, np.ones(300), 0.05, 0.5, FinderSettings()) == []
 
 
 def _board(centre: tuple[float, float, float]) -> np.ndarray:
-    """A square metre that faces east."""
+    """Return points of a board of one square metre that faces east."""
     rng = np.random.default_rng(5)
     flat = rng.uniform(-0.5, 0.5, (2500, 2))
     return np.column_stack([flat[:, 0], rng.normal(0.0, 0.002, 2500), flat[:, 1]]) + centre
 
 
-def test_two_boards_alike_at_different_depths_are_ambiguous() -> None:
+def test_two_equal_boards_at_different_depths_are_ambiguous() -> None:
     place = (0.0, 15.0, 5.0)
     similar = np.vstack([_board((0.8, 15.2, 5.0)), _board((-0.8, 14.8, 5.0))])
     _, missing = find_in_lines(
@@ -142,8 +142,8 @@ def test_two_boards_alike_at_different_depths_are_ambiguous() -> None:
     assert missing["L2"].params["distance"] == pytest.approx(1.65, abs=0.01)
 
 
-def test_a_speck_of_a_ball_does_not_determine_its_position() -> None:
-    """Four points a tenth of a micrometre apart, of a ball of a metre."""
+def test_a_tiny_part_of_a_ball_does_not_determine_its_position() -> None:
+    """Four points 0.1 micrometres apart on a ball with a radius of 1 m."""
     speck = 1e-7 * np.array([(0.0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 1e-3)])
     with pytest.raises(SphereNotFound, check=has_code("target.sphere_small_part")):
         fit_sphere(speck, 1.0)
@@ -159,7 +159,7 @@ def test_a_scene_without_surfaces_has_no_region() -> None:
     np.testing.assert_array_equal(found.at(leaves[:5]), np.full(5, -1))
 
 
-def test_of_no_planes_none_is_water() -> None:
+def test_no_planes_contain_no_water() -> None:
     fields = dict.fromkeys(LinePlanes.__dataclass_fields__, np.zeros(0))
     none = LinePlanes(**{**fields, "centre": np.zeros((0, 3)), "normal": np.zeros((0, 3))})
     assert is_water(none).shape == (0,)
@@ -173,7 +173,7 @@ def test_of_no_planes_none_is_water() -> None:
         ([0.0, 0.0, 0.0], [1.0, 0.0, 1.0], "patch_test.box_size"),
     ],
 )
-def test_a_box_that_is_none_is_refused(centre: list, size: list, code: str) -> None:
+def test_an_invalid_box_is_refused(centre: list, size: list, code: str) -> None:
     with pytest.raises(InputError, check=has_code(code, name="mast")):
         object_of_box("mast", ObjectBox(np.array(centre), np.array(size)))
     sound = ObjectBox(np.zeros(3), np.ones(3))
@@ -182,30 +182,30 @@ def test_a_box_that_is_none_is_refused(centre: list, size: list, code: str) -> N
 
 # -- the patch test --------------------------------------------------------------------------
 
-NOTHING = ObjectSample(
+EMPTY_SAMPLE = ObjectSample(
     (), np.zeros((0, 3)), Poses(np.zeros((0, 3)), np.zeros((0, 3))),
     Mounting(np.zeros(3), np.zeros(3)),
 )  # fmt: skip
 
 
-def test_where_no_lines_meet_there_is_no_mismatch() -> None:
-    mismatch = Mismatch(NOTHING, ())
+def test_lines_without_overlap_have_no_mismatch() -> None:
+    mismatch = Mismatch(EMPTY_SAMPLE, ())
     assert np.isnan(mismatch(np.zeros(3)))
     assert np.isnan(mismatch.mismatch_curve(np.zeros(3), 0, np.radians([-1.0, 1.0]))).all()
 
 
-def test_angles_that_never_come_to_rest_are_reported_as_not_converged(
+def test_angles_that_never_converge_are_reported(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Every step is a degree: all steps are taken, and none is the last."""
+    """Every step is one degree, so the maximum number of steps is taken."""
     monkeypatch.setattr(
         mismatch_minimisation, "_angle_step", lambda _, __, turned: np.radians(np.ones(len(turned)))
     )
-    found = mismatch_minimisation.minimise_mismatch(NOTHING, (), np.zeros(3), (0, 2))
+    found = mismatch_minimisation.minimise_mismatch(EMPTY_SAMPLE, (), np.zeros(3), (0, 2))
     assert not found.converged
     steps = mismatch_minimisation.MAX_STEPS * len(mismatch_minimisation.LOSS_SCALES)
     np.testing.assert_allclose(np.degrees(found.boresight), [steps, 0.0, steps])
-    one_by_one = mismatch_minimisation.minimise_angle_by_angle(NOTHING, (), np.zeros(3))
+    one_by_one = mismatch_minimisation.minimise_angle_by_angle(EMPTY_SAMPLE, (), np.zeros(3))
     assert (one_by_one.rounds, one_by_one.converged) == (mismatch_minimisation.MAX_ROUNDS, False)
     np.testing.assert_allclose(
         np.degrees(one_by_one.boresight), [mismatch_minimisation.MAX_ROUNDS] * 3

@@ -1,4 +1,4 @@
-"""The system a cloud is written in: what lines say of theirs is kept, or it is asked for."""
+"""Tests of the coordinate system of an export: that of the input clouds, or required."""
 
 import shutil
 import struct
@@ -28,14 +28,14 @@ Made = Callable[..., Project]
 
 
 def flat_geoid(path: Path, height: float) -> Path:
-    """A grid about Quebec of one height, in NOAA's format."""
+    """Write a geoid grid of constant height around Quebec in NOAA's format."""
     values = np.full(12, height, ">f4").tobytes()
     path.write_bytes(struct.pack(">4d2i", 45.0, -73.0, 1.0, 1.0, 3, 4) + values)
     return path
 
 
 def on_map(**given: str) -> Reading:
-    """How a cloud on the map is read."""
+    """Return the reading of a georeferenced cloud."""
     said = {
         "frame": "georeferenced", "unit": "metre", "crs": NAD83, "height": "", "height_unit": "",
         "trajectory_datum": "", "epoch": "", "time_base": "gps-week",
@@ -45,7 +45,7 @@ def on_map(**given: str) -> Reading:
 
 @pytest.fixture
 def raw(tmp_path: Path) -> Project:
-    """A line in the scanner frame."""
+    """A project of one line in the scanner frame."""
     local = track()
     latitude, longitude, height = local.frame.to_geodetic(local.position)
     write_sbet(
@@ -66,7 +66,7 @@ def raw(tmp_path: Path) -> Project:
 
 @pytest.fixture
 def cloud(raw: Project, tmp_path: Path) -> Callable[..., LineSource]:
-    """Write the line to the map and have it read from there."""
+    """Return a function that georeferences the line and returns it as an input line."""
 
     def made(name: str, epoch: float | None = None, code: str = NAD83, **given: str) -> LineSource:
         (done,) = georeference_project(
@@ -89,12 +89,12 @@ def dated(raw: Project, cloud: Callable[..., LineSource], tmp_path: Path) -> Pro
 
 
 def apart(one: Path, two: Path) -> float:
-    """Largest difference of two clouds, metres."""
+    """Return the largest difference of two clouds in metres."""
     return float(np.abs(laspy.read(one).xyz - laspy.read(two).xyz).max())
 
 
 @pytest.mark.parametrize("what", ["epoch", "datum", "geoid", "unit"])
-def test_lines_that_differ_in_more_than_the_code_are_not_written_alike(
+def test_lines_with_different_systems_are_not_exported_together(
     raw: Project, cloud: Callable[..., LineSource], tmp_path: Path, what: str
 ) -> None:
     if what == "geoid":
@@ -115,14 +115,14 @@ def test_lines_that_differ_in_more_than_the_code_are_not_written_alike(
     assert "one: " in str(raised.value)
     assert "two: " in str(raised.value)
     assert not (tmp_path / "out").exists()
-    for line in lines:  # each alone comes out as it is
+    for line in lines:  # a single line is exported unchanged
         (done,) = georeference_project(
             project, tmp_path / "alone", "prior", lines=[line.name], ending="las"
         )
         assert apart(done.path, line.path) < 2e-4
 
 
-def test_an_epoch_that_changes_nothing_does_not_set_lines_apart(
+def test_an_epoch_without_effect_is_no_difference(
     raw: Project, cloud: Callable[..., LineSource], tmp_path: Path
 ) -> None:
     lines = (
@@ -133,9 +133,7 @@ def test_an_epoch_that_changes_nothing_does_not_set_lines_apart(
     assert len(georeference_project(project, tmp_path / "out", "prior")) == 2
 
 
-def test_a_code_is_written_with_the_datum_that_the_lines_name(
-    dated: Project, tmp_path: Path
-) -> None:
+def test_a_code_is_exported_with_the_datum_of_the_lines(dated: Project, tmp_path: Path) -> None:
     source = dated.lines[0].path
     assert trajectory_datum_of(dated.lines) == (ITRF, 2023.5)
     dated.folder.mkdir()
@@ -145,16 +143,16 @@ def test_a_code_is_written_with_the_datum_that_the_lines_name(
         (path,), notes = export(dated, survey, request)
         assert apart(path, source) < 2e-4
         assert any(each.params.get("datum") == "ITRF2014" for each in notes)
-    found = output_system_of(dated, survey.trajectory, NAD83)  # targets go the same way
+    found = output_system_of(dated, survey.trajectory, NAD83)  # the same for targets
     assert found is not None
     assert any(each.params.get("datum") == "ITRF2014" for each in found.assumptions)
     request = ExportRequest("lines", tmp_path / "none", "prior", "las", NAD83, trajectory_datum="")
-    (path,), notes = export(dated, survey, request)  # said plainly: nothing is shifted
+    (path,), notes = export(dated, survey, request)  # an empty datum requests no transformation
     assert apart(path, source) > 1.0
     assert "assumed.datum" in {each.code for each in notes}
 
 
-def test_lines_of_two_datums_ask_for_one(
+def test_lines_of_two_datums_need_a_given_one(
     raw: Project, cloud: Callable[..., LineSource], tmp_path: Path
 ) -> None:
     lines = (cloud("one", 2023.5), cloud("two", 2010.0))

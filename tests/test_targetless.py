@@ -1,4 +1,4 @@
-"""The boresight from the scene alone, against surveys whose truth others have set."""
+"""Tests of the boresight from natural surfaces alone, against known truth."""
 
 import json
 from collections.abc import Callable
@@ -34,15 +34,15 @@ Opened = tuple[Project, Survey]
 Disturb = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
 
-FEW = 16
-"""Surfaces that are adjusted: as good as all, and quicker."""
-WET = 10
-"""One point of the water for so many of the scene."""
+FEW_SURFACES = 16
+"""Number of surfaces to adjust: as accurate as all, and faster."""
+WATER_DIVISOR = 10
+"""Number of points of the scene per point of the water."""
 
 
 @pytest.fixture(scope="module")
 def thinned(sparse_project: Project) -> Opened:
-    """The built-in survey with a sixth of its points, and nothing picked."""
+    """The built-in survey with a sixth of its points and without targets."""
     assert not sparse_project.targets
     return sparse_project, load_survey(sparse_project)
 
@@ -53,12 +53,14 @@ def clean(thinned: Opened, tmp_path_factory: pytest.TempPathFactory) -> Targetle
 
 
 def few_surfaces(thinned: Opened, factory: pytest.TempPathFactory) -> TargetlessResult:
-    """The answer of the scene as it is, which other files hold theirs against as well."""
-    return make_once(factory, "few surfaces", lambda _folder: targetless(*thinned, count=FEW))
+    """Return the result of the unchanged scene, which other test modules use too."""
+    return make_once(
+        factory, "few surfaces", lambda _folder: targetless(*thinned, count=FEW_SURFACES)
+    )
 
 
 def error(found: TargetlessResult, project: Project) -> np.ndarray:
-    """Of roll, pitch and yaw, degrees."""
+    """Return the errors of roll, pitch and yaw in degrees."""
     return np.degrees(found.result.boresight) - project.truth_deg
 
 
@@ -88,8 +90,8 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
     assert clean.result.observability is not None
 
 
-def test_the_weakest_direction_is_that_of_the_given_covariance(clean: TargetlessResult) -> None:
-    """Also where the scatter of subsets has raised the sigmas."""
+def test_eigenvalues_of_the_observability_match_the_covariance(clean: TargetlessResult) -> None:
+    """Both include an increase of the sigmas by the scatter of subsets."""
     observability = clean.result.observability
     assert observability is not None
     spread = np.linalg.eigvalsh(clean.result.covariance)
@@ -99,21 +101,21 @@ def test_the_weakest_direction_is_that_of_the_given_covariance(clean: Targetless
 @pytest.mark.parametrize(
     "off", [(2.0, -2.0, 2.0), pytest.param((-2.0, 2.0, -2.0), marks=pytest.mark.long)]
 )
-def test_a_prior_two_degrees_off_gives_the_same_answer(
+def test_a_prior_two_degrees_off_gives_the_same_result(
     thinned: Opened, clean: TargetlessResult, off: tuple[float, float, float]
 ) -> None:
     project, survey = thinned
     wrong = tuple(float(a + b) for a, b in zip(project.truth_deg, off, strict=True))
     project = project.with_settings(replace(project.settings, boresight_deg=wrong))
-    found = targetless(project, survey.with_prior(project.mounting("prior")), count=FEW)
+    found = targetless(project, survey.with_prior(project.mounting("prior")), count=FEW_SURFACES)
     assert (np.abs(error(found, project)) < 3 * np.degrees(found.result.sigma)).all()
-    # The same scene, cut elsewhere: nothing but the noise of the choice may differ.
+    # The surfaces are cut elsewhere from the same scene: only noise may differ.
     moved = np.abs(found.result.boresight - clean.result.boresight)
     assert (moved < found.result.sigma).all(), np.degrees(moved)
 
 
 def leaves_and_waves(opened: Opened, truth: Mounting) -> Opened:
-    """All that stands north of the middle becomes leaves, and water with waves lies about."""
+    """Replace all points north of the middle by foliage, and add water with waves."""
     survey, rng = opened[1], np.random.default_rng(3)
     middle = np.median(np.concatenate([c.sample[:, 0] for c in survey.clouds.values()]))
 
@@ -122,7 +124,7 @@ def leaves_and_waves(opened: Opened, truth: Mounting) -> Opened:
         north = place_points(scan.points_lidar, poses, truth)[:, 0] > middle
         stretch = 1 + np.where(north, rng.uniform(-0.06, 0.06, len(north)), 0.0)
         leaves = scan.points_lidar * stretch[:, None]
-        some = np.sort(rng.choice(len(scan.time), len(scan.time) // WET, replace=False))
+        some = np.sort(rng.choice(len(scan.time), len(scan.time) // WATER_DIVISOR, replace=False))
         time, poses = scan.time[some], survey.trajectory.at(scan.time[some])
         water = poses.position + rng.uniform(-15.0, 15.0, (len(some), 3))
         water[:, 2] = 0.08 * np.sin(1.2 * water[:, 0] + 0.7 * water[:, 1] - 2.0 * time)
@@ -136,7 +138,7 @@ def leaves_and_waves(opened: Opened, truth: Mounting) -> Opened:
 
 
 def jumped(opened: Opened, truth: Mounting, wrong: str) -> Opened:
-    """One line lies 5 cm aside, as after a jump of the GNSS between two lines."""
+    """Shift one line by 5 cm, as by a jump of the GNSS between two lines."""
 
     def change(name: str, scan: Scan) -> Scan:
         if name != wrong:
@@ -152,11 +154,9 @@ def jumped(opened: Opened, truth: Mounting, wrong: str) -> Opened:
 
 
 @pytest.mark.long
-def test_leaves_over_half_the_scene_and_water_do_little(
-    thinned: Opened, clean: TargetlessResult
-) -> None:
-    """By how much over many surveys: `test_targetless_clutter`."""
-    found = targetless(*leaves_and_waves(thinned, true_mounting(thinned[0])), count=FEW)
+def test_foliage_and_water_have_little_effect(thinned: Opened, clean: TargetlessResult) -> None:
+    """`test_targetless_clutter` measures the effect on many surveys."""
+    found = targetless(*leaves_and_waves(thinned, true_mounting(thinned[0])), count=FEW_SURFACES)
     off, sigma = np.abs(error(found, thinned[0])), np.degrees(found.result.sigma)
     assert (off < 3 * sigma).all(), (off, sigma)
     assert (found.result.sigma < 3 * clean.result.sigma).all()
@@ -165,24 +165,24 @@ def test_leaves_over_half_the_scene_and_water_do_little(
     assert not ((np.abs(planes[:, 2]) > 0.95) & (heights < 0.5)).any(), "water was taken"
 
 
-def test_a_line_whose_position_jumped_is_named(thinned: Opened, clean: TargetlessResult) -> None:
+def test_a_line_with_a_position_jump_is_named(thinned: Opened, clean: TargetlessResult) -> None:
     project, survey = thinned
     wrong = list(survey.scans)[2]
-    found = targetless(*jumped(thinned, true_mounting(project), wrong), count=FEW)
+    found = targetless(*jumped(thinned, true_mounting(project), wrong), count=FEW_SURFACES)
     off, sigma = np.abs(error(found, project)), np.degrees(found.result.sigma)
     assert (off < 3 * sigma).all(), (off, sigma)
     assert found.disagreeing == (wrong,)
     assert found.messages[-1] == note("targetless.lines_disagree", lines=(wrong,))
 
 
-def test_one_line_and_lines_that_share_nothing_are_refused(thinned: Opened) -> None:
+def test_one_line_and_lines_without_overlap_are_refused(thinned: Opened) -> None:
     project, survey = thinned
     name, other = list(survey.scans)[:2]
     alone = replace(survey, scans={name: survey.scans[name]}, clouds={name: survey.clouds[name]})
     with pytest.raises(AdjustmentError) as raised:
         targetless(project, alone)
     assert raised.value.code == "targetless.single_line"
-    turn = rotation_matrix(np.pi, 0.0, 0.0)  # one line looks the other way
+    turn = rotation_matrix(np.pi, 0.0, 0.0)  # one line scans to the other side
 
     def change(each: str, scan: Scan) -> Scan:
         if each == name:
@@ -200,8 +200,8 @@ def test_one_line_and_lines_that_share_nothing_are_refused(thinned: Opened) -> N
     assert raised.value.code == "targetless.few_surfaces"
 
 
-def test_two_lines_alone_are_warned_of(demo_project: Project) -> None:
-    """On the two real surveys of two lines the answer is off by several of its sigmas."""
+def test_two_lines_give_a_warning(demo_project: Project) -> None:
+    """On the two real surveys of two lines the result is off by several sigmas."""
     project, survey = demo_project, load_survey(demo_project)
     pair = list(survey.scans)[::2][:2]
     two = replace(
@@ -209,7 +209,7 @@ def test_two_lines_alone_are_warned_of(demo_project: Project) -> None:
         scans={name: survey.scans[name] for name in pair},
         clouds={name: survey.clouds[name] for name in pair},
     )
-    found = targetless(project, two, count=FEW)
+    found = targetless(project, two, count=FEW_SURFACES)
     assert (np.abs(error(found, project)) < 3 * np.degrees(found.result.sigma)).all()
     serious = {each.code for each in result_warnings(found.result, None) if each.is_serious}
     assert "adjustment.line_unchecked" in serious
@@ -231,8 +231,8 @@ def test_harbour_from_the_command_line(
     assert open_project(project).result is None
 
 
-def test_targets_and_the_scene_determine_more_together(thinned: Opened) -> None:
-    """And what is seen of a target's board is not counted twice."""
+def test_targets_and_natural_surfaces_are_combined(thinned: Opened) -> None:
+    """Points of a target's board are not used twice."""
     project, survey = thinned
     for name in ("T1", "T2"):
         project = pick_target(project, survey, demo_seeds()[name][1], name=name)
@@ -258,18 +258,18 @@ def test_targets_and_the_scene_determine_more_together(thinned: Opened) -> None:
             assert not any((sighting.line, n) in taken for n in sighting.indices.tolist())
 
 
-def test_what_cannot_be_mixed_is_refused(
+def test_invalid_combinations_are_refused(
     capsys: pytest.CaptureFixture[str], thinned: Opened, tmp_path: Path
 ) -> None:
     with pytest.raises(AdjustmentError) as raised:
-        targetless(*thinned, count=FEW, with_targets=True)
+        targetless(*thinned, count=FEW_SURFACES, with_targets=True)
     assert raised.value.code == "targetless.no_target"
     code, out, err = run(capsys, "targetless", tmp_path, "--save", "--with-targets")
     assert (code, out) == (2, "")
     assert "not independent" in err
 
 
-def test_a_kept_result_is_the_boresight_of_a_project_without_targets(
+def test_an_accepted_result_is_the_boresight_of_a_project_without_targets(
     thinned: Opened, clean: TargetlessResult, tmp_path: Path
 ) -> None:
     project, survey = thinned
@@ -289,12 +289,12 @@ def test_a_kept_result_is_the_boresight_of_a_project_without_targets(
     codes = {each["code"] for each in report["warnings"]}
     assert "report.not_calibrated" not in codes
     assert {each.code for each in clean.messages} <= codes
-    # Another run takes the place of the first.
+    # Another run replaces the first.
     again = with_targetless_result(kept, clean)
     assert len(again.targets) == len(kept.targets)
 
 
-def test_a_kept_result_stands_beside_the_targets_of_a_project(
+def test_an_accepted_result_is_kept_beside_the_targets(
     thinned: Opened, clean: TargetlessResult
 ) -> None:
     project, survey = thinned

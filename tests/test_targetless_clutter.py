@@ -1,4 +1,4 @@
-"""What leaves, water and a line that jumped cost the scene's answer, on many simulated surveys."""
+"""Test of the effect of foliage, water and a displaced line on many simulated surveys."""
 
 from pathlib import Path
 
@@ -6,21 +6,24 @@ import numpy as np
 import pytest
 
 from lispac.workflow.calibration.targetless import targetless
-from tests.test_targetless import FEW, jumped, leaves_and_waves
+from tests.test_targetless import FEW_SURFACES, jumped, leaves_and_waves
 from tests.test_targetless_coverage import surveyed
 
 SCENES = 60
-"""The ratio of two root mean squares of three angles each is known to 10 % by so many."""
+"""Number that determines the ratio of two RMS values of three angles to 10 %."""
 
-SURPRISING = 0.78
-"""Share of jumps of five sigmas of the position that are told from POS errors, five sixths of them
-left to the line: a non-central chi-square, three directions, 0.001 by chance."""
+DETECTABLE_SHARE = 0.78
+"""Share of jumps of five position sigmas that are distinguished from POS errors.
+
+Of a jump, five sixths remain with its line. By a non-central chi-square distribution with three
+degrees of freedom, at a level of 0.001.
+"""
 
 
 @pytest.mark.long
 @pytest.mark.timeout(7200)
-def test_clutter_costs_little_and_the_line_is_named(tmp_path: Path) -> None:
-    """In short `test_targetless` asks the same of one survey."""
+def test_clutter_has_little_effect_and_the_displaced_line_is_named(tmp_path: Path) -> None:
+    """`test_targetless` does the same quickly with a single survey."""
     errors: dict[str, list[np.ndarray]] = {"clean": [], "clutter": [], "jump": []}
     named, innocent, clean = [], [], []
     for seed in range(1, 1 + SCENES):
@@ -34,7 +37,7 @@ def test_clutter_costs_little_and_the_line_is_named(tmp_path: Path) -> None:
             ("clutter", leaves_and_waves(opened, truth)),
             ("jump", jumped(opened, truth, wrong)),
         ):
-            found = targetless(*each, count=FEW)
+            found = targetless(*each, count=FEW_SURFACES)
             errors[name].append(found.result.boresight - truth.boresight)
             if name == "clean":
                 clean.append(bool(found.disagreeing))
@@ -53,6 +56,8 @@ def test_clutter_costs_little_and_the_line_is_named(tmp_path: Path) -> None:
     )
     assert cost["clutter"] < 1.5
     assert cost["jump"] < 1.5
-    assert np.mean(named) > SURPRISING - 3 * np.sqrt(SURPRISING * (1 - SURPRISING) / SCENES)
-    # By chance in six of a thousand surveys: more than four of sixty do not come by chance
+    assert np.mean(named) > DETECTABLE_SHARE - 3 * np.sqrt(
+        DETECTABLE_SHARE * (1 - DETECTABLE_SHARE) / SCENES
+    )
+    # Six of 1,000 surveys have a false alarm; more than four of 60 are very unlikely.
     assert np.mean(clean) <= 4 / SCENES

@@ -1,6 +1,6 @@
-"""Whether the sigmas of the scene's answer hold, on many simulated surveys.
+"""Test of the sigmas from natural surfaces, on many simulated surveys.
 
-They are of one quay, each with noise and POS errors of its own.
+All are of the same quay, each with its own noise and POS errors.
 """
 
 from pathlib import Path
@@ -18,12 +18,12 @@ from lispac.workflow.project.projects import create_project
 from lispac.workflow.project.survey import Survey, load_survey
 
 NOISE = 0.0019
-"""Metres: of the simulated scanner."""
+"""Range noise of the simulated scanner, metres."""
 SCENES = 200
 
 
 def surveyed(folder: Path, seed: int) -> tuple[Project, Survey, Mounting]:
-    """A quay, and the mounting that it was surveyed with."""
+    """Simulate a survey of the quay; return it with its true mounting."""
     made = port_survey(points_per_second=20_000.0, seed=seed)
     trajectory, accuracy = write_trajectory(made, folder / RAW_FOLDER)
     latitude, longitude, height = made.origin
@@ -40,7 +40,7 @@ def surveyed(folder: Path, seed: int) -> tuple[Project, Survey, Mounting]:
 
 
 def significance(folder: Path, seed: int) -> np.ndarray:
-    """Errors of roll, pitch, yaw over their sigmas."""
+    """Return the errors of roll, pitch and yaw divided by their sigmas."""
     *opened, truth = surveyed(folder, seed)
     found = targetless(*opened, count=16).result
     return (found.boresight - truth.boresight) / found.sigma
@@ -48,8 +48,8 @@ def significance(folder: Path, seed: int) -> np.ndarray:
 
 @pytest.mark.long
 @pytest.mark.timeout(7200)
-def test_intervals_hold_what_they_say(tmp_path: Path) -> None:
-    """In short `test_targetless` asks the same of one survey."""
+def test_confidence_intervals_have_their_nominal_coverage(tmp_path: Path) -> None:
+    """`test_targetless` does the same quickly with a single survey."""
     found = []
     for seed in range(1, 1 + SCENES):
         folder = tmp_path / str(seed)

@@ -1,4 +1,4 @@
-"""Names of files cannot steer the terminal."""
+"""Tests that file names cannot send control sequences to the terminal."""
 
 import io
 import sys
@@ -10,7 +10,7 @@ from lispac.cli.main import main
 
 
 class Terminal(io.TextIOWrapper):
-    """A stream that says it is a terminal."""
+    """Stream that claims to be a terminal."""
 
     def isatty(self) -> bool:
         return True

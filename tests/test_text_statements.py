@@ -1,4 +1,4 @@
-"""What the header of a text file states is used: names, units, hemispheres."""
+"""Tests that names, units and hemispheres in the header of a text file are used."""
 
 from pathlib import Path
 
@@ -21,7 +21,7 @@ ELEVATION = np.degrees(np.arcsin(XYZ[:, 2] / RANGE))
 
 
 def points(path: Path, head: str, *columns: np.ndarray) -> PointChunk:
-    """Points of a file as they are read with what a look finds."""
+    """Read the points of a file with the detected options."""
     np.savetxt(path, np.column_stack(columns), fmt="%.9f", delimiter=",", header=head, comments="")
     text = format_of("text")
     (chunk,) = text.read(path, text.preview(path, {}).choice)
@@ -38,7 +38,7 @@ def points(path: Path, head: str, *columns: np.ndarray) -> PointChunk:
         ("elevation,azimuth,time,x,y,height", "eatxyz"),
     ],
 )
-def test_an_elevation_beside_a_range_or_coordinates_is_an_angle(
+def test_an_elevation_with_a_range_or_coordinates_is_an_angle(
     tmp_path: Path, head: str, order: str
 ) -> None:
     columns = {
@@ -49,12 +49,12 @@ def test_an_elevation_beside_a_range_or_coordinates_is_an_angle(
     np.testing.assert_allclose(chunk.xyz, XYZ, atol=1e-8)
 
 
-def test_an_elevation_is_a_height_where_nothing_else_is(tmp_path: Path) -> None:
+def test_an_elevation_without_another_height_is_a_height(tmp_path: Path) -> None:
     chunk = points(tmp_path / "a.csv", "time,x,y,elevation", TIME, *XYZ.T)
     np.testing.assert_allclose(chunk.xyz, XYZ, atol=1e-8)
 
 
-def test_exact_names_go_before_synonyms(tmp_path: Path) -> None:
+def test_exact_names_take_precedence_over_synonyms(tmp_path: Path) -> None:
     chunk = points(tmp_path / "a.csv", "t,seconds,time,east,x,y,z", 0 * TIME, TIME + 5, TIME,
                    XYZ[:, 0] + 9, *XYZ.T)  # fmt: skip
     np.testing.assert_allclose(chunk.xyz, XYZ, atol=1e-8)
@@ -83,7 +83,7 @@ def test_the_unit_of_coordinates_is_used(tmp_path: Path, unit: str, metres: floa
 # -- trajectories ---------------------------------------------------------------------------------
 
 LATITUDE, LONGITUDE = -33.85 + 1e-6 * np.arange(50), -69.25 - 1e-6 * np.arange(50)
-REST = "Height,Roll,Pitch,Heading"
+OTHER_COLUMNS = "Height,Roll,Pitch,Heading"
 
 
 def dm(value: float) -> str:
@@ -129,7 +129,7 @@ def trajectory(path: Path) -> Trajectory:
 @pytest.mark.parametrize("notation", NOTATIONS)
 def test_positions_in_any_notation_are_read(tmp_path: Path, notation: str) -> None:
     names, row = NOTATIONS[notation]
-    lines = [f"Time,{names},{REST}"]
+    lines = [f"Time,{names},{OTHER_COLUMNS}"]
     lines += [
         f"{t:.3f},{row(a, o)},12.5,1.0,-2.0,200.0"
         for t, a, o in zip(TIME, LATITUDE, LONGITUDE, strict=True)
@@ -144,7 +144,7 @@ def test_positions_in_any_notation_are_read(tmp_path: Path, notation: str) -> No
 def test_a_sign_and_a_hemisphere_contradict_each_other(tmp_path: Path) -> None:
     path = tmp_path / "track.csv"
     rows = [f"{t:.3f},-33.85,S,-69.25,W,12.5,1,2,200" for t in TIME]
-    path.write_text("\n".join([f"Time,Latitude,N/S,Longitude,E/W,{REST}", *rows]))
+    path.write_text("\n".join([f"Time,Latitude,N/S,Longitude,E/W,{OTHER_COLUMNS}", *rows]))
     with pytest.raises(InputError, match="row 2: the latitude") as refused:
         trajectory(path)
     assert refused.value.code == "trajectory.sign_and_hemisphere"
@@ -156,12 +156,12 @@ def test_the_time_of_a_trajectory_has_the_unit_of_its_name(
 ) -> None:
     path = tmp_path / "track.csv"
     rows = [f"{t * factor:.3f},-33.85,-69.25,12.5,1,2,200" for t in TIME]
-    path.write_text("\n".join([f"{name},Latitude,Longitude,{REST}", *rows]))
+    path.write_text("\n".join([f"{name},Latitude,Longitude,{OTHER_COLUMNS}", *rows]))
     np.testing.assert_allclose(trajectory(path).time, TIME, rtol=1e-9)
 
 
 @given(st.floats(-180, 180))
-def test_every_notation_of_an_angle_gives_it_back(value: float) -> None:
+def test_angles_are_read_in_every_notation(value: float) -> None:
     sign = "-" if value < 0 else ""
     assert abs(degrees_and_minutes(sign + dm(value)) - value) < 1e-8
     assert abs(degrees_minutes_seconds(dms(value, sign)) - value) < 1e-8

@@ -1,4 +1,4 @@
-"""Units, directions and hemispheres in text: used, or refused with the cause, never ignored."""
+"""Tests of units, axis directions and hemispheres in text: used or refused, never ignored."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -20,7 +20,7 @@ TIME = 1000 + 0.1 * np.arange(COUNT)
 LATITUDE, LONGITUDE = -33.85 + 1e-6 * np.arange(COUNT), -69.25 - 2e-6 * np.arange(COUNT)
 HEADING = float(np.degrees(np.arctan2(-2 * np.cos(np.radians(33.85)), 1))) % 360
 HEIGHT, ROLL, PITCH = 12.5, 1.0, -2.0
-REST = f"{HEIGHT},{ROLL},{PITCH},{HEADING:.6f}"
+OTHERS = f"{HEIGHT},{ROLL},{PITCH},{HEADING:.6f}"
 XYZ = np.stack([0.1 * np.arange(COUNT), 5 + 0.02 * np.arange(COUNT), -2 + 0.0 * TIME], axis=1)
 Row = Callable[[float, float, float], str]
 
@@ -54,42 +54,42 @@ def read(path: Path) -> Trajectory:
     return found.with_positions_only()
 
 
-T = "Time,Latitude,Longitude,Height,Roll,Pitch,Heading"
-RIGHT: dict[str, tuple[str, Row]] = {
+HEAD = "Time,Latitude,Longitude,Height,Roll,Pitch,Heading"
+ACCEPTED: dict[str, tuple[str, Row]] = {
     "E/O is French": (
         "Time,Latitude,N/S,Longitude,E/O,Height,Roll,Pitch,Heading",
-        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{REST}",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{OTHERS}",
     ),
     "O/W is German": (
         "Time,Latitude,N/S,Longitude,O/W,Height,Roll,Pitch,Heading",
-        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},W,{REST}",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},W,{OTHERS}",
     ),
     "words": (
         "Time,Latitude,A,Longitude,B,Height,Roll,Pitch,Heading",
-        lambda t, a, o: f"{t:.2f},{-a:.9f},Sud,{-o:.9f},Ouest,{REST}",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},Sud,{-o:.9f},Ouest,{OTHERS}",
     ),
     "row of units": (
-        f"{T}\ns,deg,deg,ft,rad,rad,rad",
+        f"{HEAD}\ns,deg,deg,ft,rad,rad,rad",
         lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{HEIGHT / 0.3048:.6f},"
         f"{np.radians(ROLL):.9f},{np.radians(PITCH):.9f},{np.radians(HEADING):.9f}",
     ),
     "row of units with directions": (
-        f"{T}\n[ms],[deg S],[deg W],[m],[deg],[deg],[deg]",
-        lambda t, a, o: f"{1000 * t:.1f},{-a:.9f},{-o:.9f},{REST}",
+        f"{HEAD}\n[ms],[deg S],[deg W],[m],[deg],[deg],[deg]",
+        lambda t, a, o: f"{1000 * t:.1f},{-a:.9f},{-o:.9f},{OTHERS}",
     ),
     "LongitudeW": (
-        T.replace("Longitude", "LongitudeW"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{-o:.9f},{REST}",
+        HEAD.replace("Longitude", "LongitudeW"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{-o:.9f},{OTHERS}",
     ),
     "LatitudeS and LongitudeW": (
-        T.replace("Longitude", "LongitudeW").replace("Latitude", "LatitudeS"),
-        lambda t, a, o: f"{t:.2f},{-a:.9f},{-o:.9f},{REST}",
+        HEAD.replace("Longitude", "LongitudeW").replace("Latitude", "LatitudeS"),
+        lambda t, a, o: f"{t:.2f},{-a:.9f},{-o:.9f},{OTHERS}",
     ),
     "an elevation in degrees beside a height": (
-        f"{T},Elevation [deg]", lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST},45.0",
+        f"{HEAD},Elevation [deg]", lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{OTHERS},45.0",
     ),
     "an altitude": (
-        T.replace("Height", "Altitude"), lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}",
+        HEAD.replace("Height", "Altitude"), lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{OTHERS}",
     ),
     "gons": (
         "Time,Latitude [deg],Longitude [deg],Height [m],Roll [gon],Pitch [gon],Heading [gon]",
@@ -107,34 +107,34 @@ RIGHT: dict[str, tuple[str, Row]] = {
         f"{HEADING:.6f}",
     ),
     "fathoms": (
-        T.replace("Height", "Height [fathoms]"),
+        HEAD.replace("Height", "Height [fathoms]"),
         lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{HEIGHT / 1.8288:.9f},{ROLL},{PITCH},"
         f"{HEADING:.6f}",
     ),
     "NMEA with its zeros": (
         "Time,Latitude,N/S,Longitude,E/W,Height,Roll,Pitch,Heading",
-        lambda t, a, o: f"{t:.2f},{minutes(a, 2)},S,{minutes(o, 3)},W,{REST}",
+        lambda t, a, o: f"{t:.2f},{minutes(a, 2)},S,{minutes(o, 3)},W,{OTHERS}",
     ),
     "NMEA with letters behind": (
-        T, lambda t, a, o: f"{t:.2f},{minutes(a, 2)}S,{minutes(o, 3)}W,{REST}",
+        HEAD, lambda t, a, o: f"{t:.2f},{minutes(a, 2)}S,{minutes(o, 3)}W,{OTHERS}",
     ),
     "hyphens between degrees, minutes and seconds": (
-        T, lambda t, a, o: f"{t:.2f},-{seconds(a, '-')},-{seconds(o, '-')},{REST}",
+        HEAD, lambda t, a, o: f"{t:.2f},-{seconds(a, '-')},-{seconds(o, '-')},{OTHERS}",
     ),
     "French": (
         "Temps;Latitude;N/S;Longitude;E/O;Hauteur;Roulis;Tangage;Cap",
-        lambda t, a, o: f"{t:.2f};{-a:.9f};S;{-o:.9f};O;{REST.replace(',', ';')}",
+        lambda t, a, o: f"{t:.2f};{-a:.9f};S;{-o:.9f};O;{OTHERS.replace(',', ';')}",
     ),
     "minutes of time": (
-        T.replace("Time", "Time [min]"),
-        lambda t, a, o: f"{t / 60:.9f},{a:.9f},{o:.9f},{REST}",
+        HEAD.replace("Time", "Time [min]"),
+        lambda t, a, o: f"{t / 60:.9f},{a:.9f},{o:.9f},{OTHERS}",
     ),
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("notation", RIGHT)
-def test_what_the_header_states_is_used(tmp_path: Path, notation: str) -> None:
-    found = read(write(tmp_path / "track.csv", *RIGHT[notation]))
+@pytest.mark.parametrize("notation", ACCEPTED)
+def test_units_and_hemispheres_of_the_header_are_used(tmp_path: Path, notation: str) -> None:
+    found = read(write(tmp_path / "track.csv", *ACCEPTED[notation]))
     np.testing.assert_allclose(found.time - found.time[0], TIME - TIME[0], rtol=0, atol=1e-5)
     np.testing.assert_allclose(np.degrees(found.latitude), LATITUDE, rtol=0, atol=1e-8)
     np.testing.assert_allclose(np.degrees(found.longitude), LONGITUDE, rtol=0, atol=1e-8)
@@ -143,12 +143,12 @@ def test_what_the_header_states_is_used(tmp_path: Path, notation: str) -> None:
     np.testing.assert_allclose(turned, np.tile([ROLL, PITCH, HEADING], (COUNT, 1)), atol=1e-5)
 
 
-def test_positions_near_the_origin_of_latitudes_in_minutes(tmp_path: Path) -> None:
-    """Degrees and minutes of less than 3 degrees look like degrees but for their zeros."""
+def test_degrees_and_minutes_near_the_origin_are_recognised(tmp_path: Path) -> None:
+    """Below 3 degrees, such values differ from decimal degrees only by their leading zeros."""
     head = "Time,Latitude,N/S,Longitude,E/W,Height,Roll,Pitch,Heading"
     path = write(
         tmp_path / "track.csv", head,
-        lambda t, a, o: f"{t:.2f},{minutes(a + 34, 2)},N,{minutes(o + 70, 3)},E,{REST}",
+        lambda t, a, o: f"{t:.2f},{minutes(a + 34, 2)},N,{minutes(o + 70, 3)},E,{OTHERS}",
     )  # fmt: skip
     found = read(path)
     np.testing.assert_allclose(np.degrees(found.latitude), LATITUDE + 34, rtol=0, atol=1e-8)
@@ -158,46 +158,46 @@ def test_positions_near_the_origin_of_latitudes_in_minutes(tmp_path: Path) -> No
 REFUSED: dict[str, tuple[str, Row, str]] = {
     "O alone": (
         "Time,Latitude,N/S,Longitude,Hemisphere of longitude,Height,Roll,Pitch,Heading",
-        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{REST}", "trajectory.letter_o",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{OTHERS}", "trajectory.letter_o",
     ),
     "degrees that count to O": (
-        T.replace("Longitude", "Longitude [deg O]"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{-o:.9f},{REST}", "trajectory.unknown_unit",
+        HEAD.replace("Longitude", "Longitude [deg O]"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{-o:.9f},{OTHERS}", "trajectory.unknown_unit",
     ),
     "grad": (
-        T.replace("Heading", "Heading [grad]"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "trajectory.unknown_unit",
+        HEAD.replace("Heading", "Heading [grad]"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{OTHERS}", "trajectory.unknown_unit",
     ),
     "a unit that nobody knows": (
-        T.replace("Height", "Height [cubits]"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "trajectory.unknown_unit",
+        HEAD.replace("Height", "Height [cubits]"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{OTHERS}", "trajectory.unknown_unit",
     ),
     "three columns": (
         "Time,LatDeg,LatMin,LatSec,LonDeg,LonMin,LonSec,Height,Roll,Pitch,Heading",
-        lambda t, a, o: f"{t:.2f},{seconds(a, ',')},{seconds(o, ',')},{REST}",
+        lambda t, a, o: f"{t:.2f},{seconds(a, ',')},{seconds(o, ',')},{OTHERS}",
         "trajectory.several_columns",
     ),
     "letters of the other coordinate": (
-        T, lambda t, a, o: f"{t:.2f},{-a:.9f}W,{-o:.9f}S,{REST}", "text.unusable_value",
+        HEAD, lambda t, a, o: f"{t:.2f},{-a:.9f}W,{-o:.9f}S,{OTHERS}", "text.unusable_value",
     ),
     "west by the title and negative": (
-        T.replace("Longitude", "LongitudeW"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "trajectory.negative_west",
+        HEAD.replace("Longitude", "LongitudeW"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{OTHERS}", "trajectory.negative_west",
     ),
     "seconds of arc between blanks": (
-        T.replace(",", " "),
-        lambda t, a, o: f"{t:.2f} -{seconds(a, ' ')} -{seconds(o, ' ')} {REST.replace(',', ' ')}",
+        HEAD.replace(",", " "),
+        lambda t, a, o: f"{t:.2f} -{seconds(a, ' ')} -{seconds(o, ' ')} {OTHERS.replace(',', ' ')}",
         "trajectory.unnamed_columns",
     ),
     "an angle in metres": (
-        T.replace("Roll", "Roll [m]"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "trajectory.not_an_angle",
+        HEAD.replace("Roll", "Roll [m]"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{OTHERS}", "trajectory.not_an_angle",
     ),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("case", REFUSED)
-def test_what_is_ambiguous_is_refused_with_the_cause(tmp_path: Path, case: str) -> None:
+def test_ambiguous_columns_are_refused_with_the_cause(tmp_path: Path, case: str) -> None:
     head, row, code = REFUSED[case]
     with pytest.raises(InputError, match=r"track\.csv") as refused:
         read(write(tmp_path / "track.csv", head, row))
@@ -205,10 +205,10 @@ def test_what_is_ambiguous_is_refused_with_the_cause(tmp_path: Path, case: str) 
 
 
 @pytest.mark.parametrize(("name", "sign"), [("eo", -1), ("ow", 1)])
-def test_the_letter_o_can_be_explained(tmp_path: Path, name: str, sign: int) -> None:
+def test_the_hemisphere_letter_o_has_an_option(tmp_path: Path, name: str, sign: int) -> None:
     path = write(
         tmp_path / "track.csv", "Time,Latitude,N/S,Longitude,Hem,Height,Roll,Pitch,Heading",
-        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{REST}",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{OTHERS}",
     )  # fmt: skip
     columns = f"time latitude latitude_hemisphere longitude {name} height roll pitch heading"
     format = format_of("ascii-trajectory")
@@ -219,8 +219,8 @@ def test_the_letter_o_can_be_explained(tmp_path: Path, name: str, sign: int) -> 
 
 @pytest.mark.parametrize("rows", [5, 90, 5000])
 def test_rows_before_the_first_fix_are_counted(tmp_path: Path, rows: int) -> None:
-    head = "\n".join([T, *(f"{100 + 0.1 * k:.1f},0.0,0,0,0,0,0" for k in range(rows))])
-    path = write(tmp_path / "track.csv", head, lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}")
+    head = "\n".join([HEAD, *(f"{100 + 0.1 * k:.1f},0.0,0,0,0,0,0" for k in range(rows))])
+    path = write(tmp_path / "track.csv", head, lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{OTHERS}")
     found = read(path)
     np.testing.assert_allclose(np.degrees(found.latitude), LATITUDE, rtol=0, atol=1e-8)
     (message,) = found.messages
@@ -231,18 +231,18 @@ def test_rows_before_the_first_fix_are_counted(tmp_path: Path, rows: int) -> Non
 @pytest.mark.parametrize(
     ("head", "angle", "codes"),
     [
-        (T, HEADING, []),
-        (f"{T},Yaw", HEADING, []),  # the exact name goes before its synonym
-        (f"{T.replace('Heading', 'Yaw')},Azimuth", HEADING, ["text.two_columns"]),
+        (HEAD, HEADING, []),
+        (f"{HEAD},Yaw", HEADING, []),  # the exact name takes precedence over its synonym
+        (f"{HEAD.replace('Heading', 'Yaw')},Azimuth", HEADING, ["text.two_columns"]),
         (
-            T.replace("Heading", "Heading [deg]"), np.radians(HEADING),
+            HEAD.replace("Heading", "Heading [deg]"), np.radians(HEADING),
             ["trajectory.angles_in_radians"],
         ),
-        (T.replace("Time", "Time [ticks]"), HEADING, ["text.unknown_unit"]),
-        (T.replace("Heading", "Heading (mag)"), HEADING, ["text.magnetic_heading"]),
+        (HEAD.replace("Time", "Time [ticks]"), HEADING, ["text.unknown_unit"]),
+        (HEAD.replace("Heading", "Heading (mag)"), HEADING, ["text.magnetic_heading"]),
     ],
 )  # fmt: skip
-def test_titles_that_contradict_are_warnings(
+def test_contradicting_titles_give_warnings(
     tmp_path: Path, head: str, angle: float, codes: list[str]
 ) -> None:
     path = write(
@@ -254,9 +254,9 @@ def test_titles_that_contradict_are_warnings(
     assert all(each.level is Level.WARNING for each in messages)
 
 
-def test_an_option_against_the_header_is_a_warning(tmp_path: Path) -> None:
-    head = T.replace("Height", "Height [ft]")
-    path = write(tmp_path / "track.csv", head, lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}")
+def test_an_option_that_contradicts_the_header_gives_a_warning(tmp_path: Path) -> None:
+    head = HEAD.replace("Height", "Height [ft]")
+    path = write(tmp_path / "track.csv", head, lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{OTHERS}")
     format = format_of("ascii-trajectory")
     (message,) = format.preview(path, {"heights": "metres"}).messages
     assert (message.code, message.params["option"]) == ("text.unit_overridden", "heights")
@@ -293,7 +293,7 @@ def test_units_of_points_are_used(tmp_path: Path, head: str, second: float, metr
     np.testing.assert_allclose(chunk.time, TIME, rtol=1e-10)
 
 
-def test_an_elevation_in_degrees_is_no_height(tmp_path: Path) -> None:
+def test_an_elevation_in_degrees_is_not_a_height(tmp_path: Path) -> None:
     head = "time,x,y,elevation [deg],h"
     chunk = points(tmp_path / "a.csv", head, TIME, XYZ[:, 0], XYZ[:, 1], 0 * TIME + 7, XYZ[:, 2])
     np.testing.assert_allclose(chunk.xyz, XYZ, atol=1e-8)
@@ -308,7 +308,7 @@ def test_an_elevation_in_degrees_is_no_height(tmp_path: Path) -> None:
         ("time,range,azimuth,elevation", "text.polar_coordinates"),
     ],
 )
-def test_units_of_points_that_differ_are_refused(tmp_path: Path, head: str, code: str) -> None:
+def test_different_units_of_one_point_are_refused(tmp_path: Path, head: str, code: str) -> None:
     with pytest.raises(InputError, match=r"a\.csv") as refused:
         points(tmp_path / "a.csv", head, TIME, *XYZ.T)
     assert refused.value.code == code
@@ -325,7 +325,7 @@ def test_units_of_points_that_differ_are_refused(tmp_path: Path, head: str, code
         ("time [ticks],x,y,z,i", {}, ["text.unknown_unit"]),
     ],
 )  # fmt: skip
-def test_titles_of_points_that_contradict_are_warnings(
+def test_contradicting_titles_of_points_give_warnings(
     tmp_path: Path, head: str, choice: dict[str, str], codes: list[str]
 ) -> None:
     path = tmp_path / "a.csv"
@@ -353,14 +353,14 @@ def test_units_of_seeds_are_used(tmp_path: Path, head: str, factor: float) -> No
     assert point.coordinates == pytest.approx((100 * factor, 200 * factor, 50 * factor))
 
 
-def test_feet_of_seeds_are_those_of_the_system(tmp_path: Path) -> None:
+def test_feet_of_seeds_are_the_feet_of_the_coordinate_system(tmp_path: Path) -> None:
     path, foot = tmp_path / "seeds.csv", 1200 / 3937
     path.write_text("name,easting [ft],northing [ft],height [m]\nT1,100,200,50\n")
     (point,) = read_point_list(path, local=False, metres=(foot, foot, foot)).points
     assert point.coordinates == pytest.approx((100, 200, 50 / foot))
 
 
-def test_seeds_to_the_west_and_in_radians(tmp_path: Path) -> None:
+def test_seeds_in_degrees_west_and_radians_are_read(tmp_path: Path) -> None:
     path = tmp_path / "seeds.csv"
     path.write_text("name,latitude [rad],longitude [deg W],h\nT1,0.5,70.5,3\n")
     (point,) = read_point_list(path, local=False, degrees=True).points
@@ -387,7 +387,7 @@ def test_hemispheres_of_seeds_are_not_ignored(
 
 
 @pytest.mark.parametrize("title", ["lon [deg W]", "lon [rad]"])
-def test_longitudes_of_points_in_another_way_are_refused(tmp_path: Path, title: str) -> None:
+def test_longitudes_of_points_in_other_notations_are_refused(tmp_path: Path, title: str) -> None:
     with pytest.raises(InputError) as refused:
         points(tmp_path / "a.csv", f"time,{title},lat,h", TIME, *XYZ.T)
     assert refused.value.code == "text.not_degrees"
@@ -423,7 +423,7 @@ def test_seeds_in_another_unit_are_refused(tmp_path: Path, title: str) -> None:
         ("E", "E", "", ""),
     ],
 )
-def test_titles_are_taken_apart(title: str, name: str, unit: str, direction: str) -> None:
+def test_titles_are_parsed(title: str, name: str, unit: str, direction: str) -> None:
     assert split_title(title)[0] == name
     assert title_unit(title) == unit
     assert direction_of(title) == direction
@@ -439,7 +439,7 @@ def test_titles_are_taken_apart(title: str, name: str, unit: str, direction: str
         (["E", "N", "h", "s"], False), (["", "", ""], False), (["1", "2", "3"], False),
     ],
 )  # fmt: skip
-def test_a_row_of_units_is_known(row: list[str], units: bool) -> None:
+def test_a_row_of_units_is_recognised(row: list[str], units: bool) -> None:
     assert is_units_row(row) == units
 
 
@@ -447,7 +447,7 @@ def test_a_row_of_units_is_known(row: list[str], units: bool) -> None:
     ("title", "base"),
     [("time_tai [s]", "tai"), ("TAI", "tai"), ("Unix_Time", "unix"), ("time [s]", None)],
 )
-def test_the_name_of_the_times_states_their_base(
+def test_the_name_of_a_time_column_gives_its_base(
     tmp_path: Path, title: str, base: str | None
 ) -> None:
     path = tmp_path / "L1.csv"

@@ -1,4 +1,4 @@
-"""Spatial subsampling: what is kept, how far apart, and that order does not matter."""
+"""Tests of spatial subsampling: selected points, distances, independence of the order."""
 
 from dataclasses import replace
 
@@ -26,7 +26,7 @@ DISTANCES = st.floats(0.02, 3.0)
 
 @settings(max_examples=80, deadline=None)
 @given(points=POINTS, distance=DISTANCES)
-def test_one_point_per_cube_and_every_point_has_one_near(points, distance):
+def test_one_point_per_cell_is_kept_near_every_point(points, distance):
     kept = thin_points(points, distance)
     assert np.array_equal(kept, np.unique(kept))
     cells = np.floor(points / distance)
@@ -44,18 +44,18 @@ def test_the_order_of_the_points_does_not_matter(points, distance, seed):
         points[thin_points(points, distance)],
         points[order][thin_points(points[order], distance)],
     )
-    # Adding zero turns -0.0 into 0.0, which only bytes tell apart.
+    # Adding zero turns -0.0 into 0.0, which differ only in their bytes.
     assert sorted(map(tuple, kept + 0.0)) == sorted(map(tuple, shuffled + 0.0))
 
 
 @pytest.mark.parametrize("distance", [0.0, -1.0])
-def test_no_distance_keeps_every_point_that_has_coordinates(distance):
+def test_zero_distance_keeps_every_finite_point(distance):
     points = np.random.default_rng(1).normal(size=(50, 3))
     points[3] = np.nan
     np.testing.assert_array_equal(thin_points(points, distance), np.delete(np.arange(50), 3))
 
 
-def test_a_dense_board_is_left_with_about_one_point_per_cell():
+def test_a_dense_board_is_reduced_to_about_one_point_per_cell():
     rng = np.random.default_rng(2)
     points = np.stack(
         [rng.uniform(0, 1.2, 20_000), np.full(20_000, 0.05), rng.uniform(0, 1.2, 20_000)], 1
@@ -64,13 +64,13 @@ def test_a_dense_board_is_left_with_about_one_point_per_cell():
 
 
 @pytest.mark.parametrize("distance", [np.nan, np.inf])
-def test_a_distance_that_is_no_number_is_refused(distance):
+def test_an_invalid_distance_is_refused(distance):
     with pytest.raises(InputError):
         thin_points(np.zeros((3, 3)), distance)
 
 
 @pytest.mark.parametrize("pos_errors", ["correlated", "independent"])
-def test_observations_of_plane_files_are_thinned_as_those_of_a_project(pos_errors: str) -> None:
+def test_observations_of_plane_files_are_thinned_like_a_project(pos_errors: str) -> None:
     mounting = Mounting(np.array([0.1, 0.0, 2.0]), np.radians([0.3, -0.2, 0.4]))
     whole = planar_survey(mounting, points=400)
     chosen = Settings((0.1, 0.0, 2.0), subsample=0.2, pos_errors=pos_errors)

@@ -1,3 +1,5 @@
+"""Tests of time bases, their detection, and the coverage of lines by the trajectory."""
+
 from datetime import UTC, datetime
 
 import numpy as np
@@ -37,7 +39,7 @@ EPOCH = datetime(1980, 1, 6, tzinfo=UTC)
 
 
 def gps(year: int, month: int, day: int, second: float = 0.0) -> float:
-    """GPS seconds of a UTC instant, with the leap seconds counted by hand."""
+    """Return GPS seconds of a UTC instant; the number of leap seconds is written out here."""
     date = datetime(year, month, day, tzinfo=UTC)
     leap = sum(changed <= date.date() for changed in LEAP_SECOND_DATES)
     return (date - EPOCH).total_seconds() + second + leap
@@ -50,8 +52,8 @@ def times(start: float, seconds: float, rate: float = 10.0) -> np.ndarray:
     return start + np.arange(int(seconds * rate)) / rate
 
 
-def test_known_instants() -> None:
-    """1 January 2017, 00:00 UTC: GPS 1167264018, week 1930, 18 s of leap (IGS, IERS)."""
+def test_known_instants_are_converted() -> None:
+    """1 January 2017, 00:00 UTC is GPS 1167264018, week 1930, with 18 leap seconds (IGS, IERS)."""
     instant = np.array([1_167_264_018.0])
     assert from_gps(instant, base_of_key("unix"))[0] == 1_483_228_800
     assert from_gps(instant, base_of_key("gps-week"))[0] == 1_167_264_018 - 1930 * 604_800
@@ -63,7 +65,7 @@ def test_known_instants() -> None:
     assert leap_seconds_at_gps(0.0) == 0
 
 
-def test_a_leap_second_counts_from_the_start_of_its_day_on() -> None:
+def test_a_leap_second_applies_from_the_start_of_its_day() -> None:
     for count, date in enumerate(LEAP_SECOND_DATES, start=1):
         start = (datetime(date.year, date.month, date.day, tzinfo=UTC) - EPOCH).total_seconds()
         assert leap_seconds(np.array([start - 0.5, start, start + 0.5])).tolist() == [
@@ -83,11 +85,11 @@ def leaps_inside(sample: np.ndarray) -> bool:
 
 
 @given(surveys)
-def test_there_and_back_is_where_we_were(survey: tuple) -> None:
+def test_conversion_and_its_inverse_give_the_original_times(survey: tuple) -> None:
     start, span, base = survey
     sample = np.linspace(start, start + span, 50)
     if base.utc and leaps_inside(sample):
-        return  # UTC has the same name for two instants there
+        return  # two instants have the same UTC time there
     back = to_gps(from_gps(sample, base), base, near=start)
     np.testing.assert_allclose(back, sample, atol=1e-6, rtol=0)
 
@@ -97,18 +99,18 @@ def test_own_base_is_always_plausible(survey: tuple) -> None:
     start, span, base = survey
     values = from_gps(np.linspace(start, start + span, 50), base)
     if base.key == "utc-hour" and values.max() >= 2 * HOUR:
-        return  # only writers that start again at the full hour count from it
+        return  # hour-based times always restart at the full hour
     early = base.key == "gps-adjusted" and values.min() >= 0 and values.max() < WEEK
     assert early or base in plausible_bases(values)
 
 
 @given(surveys, st.sampled_from(TIME_BASES), st.floats(0.1, 0.9))
-def test_points_of_any_base_come_onto_the_trajectory(survey, other, where) -> None:
+def test_points_of_any_time_base_match_the_trajectory(survey, other, where) -> None:
     start, span, base = survey
     track = np.linspace(start, start + span + 600, 500)
     line = np.linspace(start + where * span, start + where * span + 60, 20)
     if leaps_inside(track) or ("utc-hour" in (base.key, other.key) and span > HOUR / 2):
-        return  # by the times alone a longer survey has several hours that fit
+        return  # times alone match several hours of a longer survey
     found = find_time_matches(
         from_gps(line, base), from_gps(track, other), point_bases=[base], trajectory_bases=[other]
     )
@@ -121,14 +123,14 @@ def test_points_of_any_base_come_onto_the_trajectory(survey, other, where) -> No
 
 
 @given(st.floats(0, WEEK - 1), st.sampled_from([DAY, WEEK]), st.floats(0.01, 20))
-def test_wrapped_times_are_unrolled(start: float, period: float, step: float) -> None:
+def test_wrapped_times_are_made_continuous(start: float, period: float, step: float) -> None:
     true = start + step * np.arange(300)
     back, count = unroll_times(true % period)
     np.testing.assert_allclose(back - back[0], true - true[0], rtol=0, atol=1e-6)
     assert count == int(true[-1] // period - true[0] // period)
 
 
-def test_other_steps_back_are_left_alone() -> None:
+def test_other_backward_steps_are_not_unrolled() -> None:
     disordered = np.array([1000.0, 1001.0, 900.0, 1002.0, 90_000.0, 500.0])
     np.testing.assert_array_equal(unroll_times(disordered)[0], disordered)
 
@@ -144,7 +146,9 @@ def test_other_steps_back_are_left_alone() -> None:
         ("unix", "gps-week", None),
     ],
 )
-def test_usual_mixtures(points: str, track: str, shift: float | None) -> None:
+def test_common_pairs_of_time_bases_are_matched(
+    points: str, track: str, shift: float | None
+) -> None:
     trajectory = from_gps(times(SURVEY, 3600), base_of_key(track))
     line = from_gps(times(SURVEY + 900, 120), base_of_key(points))
     found = find_time_matches(line, trajectory)
@@ -156,14 +160,14 @@ def test_usual_mixtures(points: str, track: str, shift: float | None) -> None:
         assert found[0].shift == 0
 
 
-def test_ambiguity_is_reported() -> None:
+def test_an_ambiguous_time_base_is_reported() -> None:
     found = find_time_matches(times(50_400, 60), times(50_000, 3600))
     assert found[0].shift == 0
     assert 18.0 in [match.shift for match in equally_good_matches(found)]
     assert not equally_good_matches(find_time_matches(times(50_400, 60), times(50_400, 60)))
 
 
-def test_leap_seconds_taken_from_today_are_reported() -> None:
+def test_use_of_the_current_leap_seconds_is_reported() -> None:
     day, week = base_of_key("utc-day"), base_of_key("gps-week")
     found = find_time_matches(
         times(50_400, 60), times(2 * DAY + 50_000, 3600), point_bases=[day], trajectory_bases=[week]
@@ -172,7 +176,7 @@ def test_leap_seconds_taken_from_today_are_reported() -> None:
     np.testing.assert_allclose(found[0].applied(np.array([50_400.0])), 2 * DAY + 50_418)
 
 
-def test_line_after_midnight_comes_onto_the_same_trajectory() -> None:
+def test_a_line_after_midnight_matches_the_trajectory() -> None:
     track = times(2 * DAY - 600, 1200)  # seconds of the week, over the midnight of Monday
     after = find_time_matches(times(60, 30), track)
     np.testing.assert_allclose(after[0].applied(np.array([60.0])), 2 * DAY + 60)
@@ -180,19 +184,19 @@ def test_line_after_midnight_comes_onto_the_same_trajectory() -> None:
     np.testing.assert_allclose(before[0].applied(np.array([DAY - 60])), 2 * DAY - 60)
 
 
-def test_line_after_the_week_rolled_over() -> None:
+def test_a_line_after_the_end_of_the_week_matches_the_trajectory() -> None:
     track = times(WEEK - 600, 1200)
     found = find_time_matches(times(60, 30), track)
     assert found[0].shift in (WEEK, WEEK - 18, WEEK + 18)
     assert any(match.shift == WEEK for match in found)
 
 
-def test_no_match_is_reported() -> None:
+def test_missing_matches_are_reported() -> None:
     assert find_time_matches(np.array([5e13]), times(0, 60)) == ()
     assert find_time_matches(np.zeros(0), times(0, 60)) == ()
 
 
-def test_date_has_to_be_known() -> None:
+def test_an_unknown_date_is_refused() -> None:
     with pytest.raises(InputError, check=has_code("time.no_date")):
         to_gps(np.array([5.0]), base_of_key("gps-week"))
     with pytest.raises(InputError, check=has_code("time.unknown_base")):
@@ -203,7 +207,7 @@ def through_32_bits(values: np.ndarray) -> np.ndarray:
     return values.astype(np.float32).astype(np.float64)
 
 
-def test_lost_precision_is_found() -> None:
+def test_lost_precision_is_detected() -> None:
     quality = assess_times(through_32_bits(times(400_825, 20, 200)))
     assert quality.resolution == 1 / 32
     assert quality.duplicates > 3000
@@ -220,20 +224,20 @@ def test_lost_precision_is_found() -> None:
         np.array([400_825.0, 400_826.0, 400_831.0]),
         np.array([5.0]),
         times(0, 3, 10),
-        np.array([1e39, 2e39, 4e39]),  # more than 32 bits can hold
+        np.array([1e39, 2e39, 4e39]),  # out of the range of 32 bits
         np.array([1.0, 2.0, np.inf]),
     ],
 )
-def test_sound_times_have_no_warnings(sound: np.ndarray) -> None:
+def test_valid_times_have_no_warnings(sound: np.ndarray) -> None:
     assert assess_times(sound).messages("a") == ()
 
 
-def test_disorder_is_counted() -> None:
+def test_duplicate_and_backward_times_are_counted() -> None:
     quality = assess_times(np.array([0.1, 0.2, 0.2, 0.3, 0.15, 0.4, 0.4, np.nan]))
     assert (quality.duplicates, quality.backward, quality.first_disorder) == (2, 1, 2)
 
 
-def test_coverage_by_hand() -> None:
+def test_coverage_of_a_small_example() -> None:
     track = np.array([0.0, 1.0, 2.0, 10.0, 11.0, 20.0, 21.0])
     line = np.array([-1.0, 0.5, 2.0, 5.0, 9.0, 10.0, 10.5, 15.0, 20.5, 25.0])
     found = assess_coverage(line, track, 1.5)
@@ -252,7 +256,7 @@ def test_coverage_by_hand() -> None:
 def test_coverage_counts_every_point_once(line, steps, cut) -> None:
     track, sample = np.cumsum([0.0, *steps]), np.array(line)
     found = assess_coverage(sample, track, 2.0)
-    for k, time in enumerate(sample):  # the slow way, one by one
+    for k, time in enumerate(sample):  # by definition, point by point
         outside = time < track[0] or time > track[-1]
         gap = any(
             track[j] < time < track[j + 1] and track[j + 1] - track[j] > 2
@@ -268,7 +272,7 @@ def test_coverage_counts_every_point_once(line, steps, cut) -> None:
     )  # fmt: skip
 
 
-def test_coverage_of_nothing() -> None:
+def test_coverage_of_empty_arrays() -> None:
     empty = assess_coverage(np.zeros(0), times(0, 5), 1)
     assert np.isnan([empty.start, empty.end]).all()
     assert (empty.count, empty.outside, empty.in_gaps, empty.gaps) == (0, 0, 0, ())
@@ -280,7 +284,7 @@ def test_coverage_of_nothing() -> None:
     assert (none.count, none.outside, none.in_gaps, none.gaps) == (0, 0, 0, ())
 
 
-def test_surveys_are_of_the_years_2000_to_2045() -> None:
+def test_times_outside_2000_to_2045_are_not_plausible() -> None:
     def known(*when: int) -> bool:
         second = datetime(*when, tzinfo=UTC).timestamp()
         return base_of_key("unix") in plausible_bases(np.array([second]))
@@ -302,7 +306,7 @@ def test_tai_is_37_s_ahead_of_utc_and_19_s_ahead_of_gps(start: float) -> None:
     np.testing.assert_allclose(tai - full, GPS_EPOCH + 19.0, atol=1e-5)
 
 
-def test_unix_times_may_be_ptp_and_both_are_named() -> None:
+def test_times_that_may_be_unix_or_ptp_have_both_matches() -> None:
     track = gps(2024, 5, 31) + np.linspace(3000, 4000, 500)
     line = track[200:260]
     for key in ("unix", "tai"):
@@ -319,8 +323,8 @@ def test_unix_times_may_be_ptp_and_both_are_named() -> None:
 
 
 @given(st.integers(0, 167), st.floats(60, 3000), st.floats(10, 1500))
-def test_seconds_of_the_hour_come_onto_the_trajectory(hour: int, begin: float, span: float) -> None:
-    """Within the hour and across it, as a Velodyne counts them."""
+def test_seconds_of_the_hour_match_the_trajectory(hour: int, begin: float, span: float) -> None:
+    """Within one hour and over its end, in the times of a Velodyne."""
     start = gps(2024, 6, 2) + hour * HOUR + 18 + begin
     track = start + np.linspace(-60, span + 60, 800)
     line = start + np.linspace(0, span, 300)

@@ -1,4 +1,4 @@
-"""Lines with a time rollover (midnight, end of week) keep all their points."""
+"""Tests that lines with a time rollover (midnight, end of week) keep all their points."""
 
 from pathlib import Path
 
@@ -29,7 +29,7 @@ from tests.trajectory_files import vessel, write_records
 
 
 def survey_about(folder: Path, period: float, order: str = "sorted") -> tuple[Path, Path]:
-    """A trajectory of 40 s about the end of a period, and a line of 36 s in the same times."""
+    """Write a trajectory of 40 s around the end of a period, and a line of 36 s in these times."""
     records = vessel(2000)
     records[:, 0] = np.mod(records[:, 0] - START + period - 20, period)
     write_records(folder / "pos.sbet", records)
@@ -48,7 +48,7 @@ def made(folder: Path, track: Path, line: Path, reading=Reading()):  # noqa: B00
 
 @pytest.mark.parametrize("order", ["sorted", "tiles"])
 @pytest.mark.parametrize("period", [DAY, WEEK])
-def test_no_point_is_lost_on_any_way(period: float, order: str, tmp_path: Path) -> None:
+def test_no_point_is_lost_in_import_and_export(period: float, order: str, tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, period, order)
     project, survey = made(tmp_path / "p", track, line)
     held = np.sort(survey.scans["L"].time)
@@ -74,7 +74,7 @@ def test_no_point_is_lost_on_any_way(period: float, order: str, tmp_path: Path) 
 
 @pytest.mark.parametrize("shift", [0.0, 18.0])
 @pytest.mark.parametrize("rollover", ["midnight", "week-end", "none"])
-def test_times_moved_back_are_those_of_the_file(rollover: str, shift: float) -> None:
+def test_conversion_to_file_times_is_the_inverse(rollover: str, shift: float) -> None:
     reading = Reading("", (("time_rollover", rollover),), shift)
     period = {"midnight": DAY, "week-end": WEEK, "none": 0.0}[rollover]
     written = np.array([period - 0.5, 0.0, 3.0]) if period else np.array([5.0, 6.5])
@@ -84,7 +84,7 @@ def test_times_moved_back_are_those_of_the_file(rollover: str, shift: float) -> 
     assert reading.to_file_time(moved).tolist() == written.tolist()
 
 
-def test_two_times_can_show_a_rollover_and_one_cannot() -> None:
+def test_a_rollover_is_found_from_two_times() -> None:
     assert find_rollover(np.array([DAY - 3.0, 2.0])) == "midnight"
     assert find_rollover(np.array([2.0, WEEK - 3.0])) == "week-end"
     assert find_rollover(np.array([DAY - 3.0])) == ""
@@ -95,7 +95,7 @@ def test_two_times_can_show_a_rollover_and_one_cannot() -> None:
     assert find_rollover(np.array([DAY - 3.0, np.nan, 2.0])) == ""
 
 
-def test_an_option_states_it_or_takes_it_back(tmp_path: Path, capsys) -> None:
+def test_an_option_sets_or_disables_the_rollover(tmp_path: Path, capsys) -> None:
     track, line = survey_about(tmp_path, WEEK)
     _, survey = made(tmp_path / "none", track, line, Reading("", (("time_rollover", "none"),)))
     assert survey.scans["L"].time.max() < WEEK
@@ -109,7 +109,7 @@ def test_an_option_states_it_or_takes_it_back(tmp_path: Path, capsys) -> None:
     assert load_survey(open_project(tmp_path / "p")).scans["later"].time.min() == WEEK + 1
 
 
-def test_text_and_given_time_bases_resolve_rollovers_too(tmp_path: Path) -> None:
+def test_rollovers_are_resolved_in_text_and_with_given_time_bases(tmp_path: Path) -> None:
     track, _ = survey_about(tmp_path, DAY)
     utc = np.mod(DAY - 20 - 18 + np.linspace(20, 38, 500), DAY)
     rows = "\n".join(f"{t:.6f} 0 10 {k % 7}" for k, t in enumerate(utc))
@@ -126,7 +126,7 @@ def test_text_and_given_time_bases_resolve_rollovers_too(tmp_path: Path) -> None
     assert survey.scans["L"].time.max() == pytest.approx(DAY + 18)
 
 
-def test_the_dialogue_resolves_a_rollover_and_says_so(tmp_path: Path) -> None:
+def test_the_import_dialog_resolves_and_reports_a_rollover(tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, WEEK)
     input_files = import_files(InputFiles(), track, line)
     entry = named(input_files, "L.las")
@@ -143,7 +143,7 @@ def test_the_dialogue_resolves_a_rollover_and_says_so(tmp_path: Path) -> None:
     assert "import.points_outside" in codes_about(back, "L.las")
 
 
-def test_a_long_line_is_counted_on_by_a_sample(tmp_path: Path, monkeypatch) -> None:
+def test_a_rollover_of_a_long_line_is_found_from_a_sample(tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setattr("lispac.io.points.line_times.MAX_POINTS_READ_WHOLE", 10_000)
     times = np.mod(DAY - 5000 + np.linspace(0, 5400, 60_000), DAY)
     line = write_line(tmp_path / "long.las", times)
@@ -156,16 +156,16 @@ def test_a_long_line_is_counted_on_by_a_sample(tmp_path: Path, monkeypatch) -> N
     "times",
     [
         np.linspace(40_000, 41_000, 500)[::-1],  # backward
-        np.r_[np.linspace(30_000, 30_100, 50), np.linspace(0, 100, 50)],  # another line behind
-        np.r_[np.linspace(DAY - 4000, DAY - 3900, 50), np.linspace(0, 10, 50)],  # an hour missing
-        np.linspace(DAY - 50, DAY + 50, 500),  # counted on already
-        np.linspace(0, DAY - 1, 5000),  # a day
+        np.r_[np.linspace(30_000, 30_100, 50), np.linspace(0, 100, 50)],  # an earlier line appended
+        np.r_[np.linspace(DAY - 4000, DAY - 3900, 50), np.linspace(0, 10, 50)],  # a gap of an hour
+        np.linspace(DAY - 50, DAY + 50, 500),  # already continuous
+        np.linspace(0, DAY - 1, 5000),  # a whole day
         np.linspace(5, 50, 100),
         np.r_[-1.0, DAY - 1],
         np.r_[np.nan, DAY - 1],
     ],
 )  # fmt: skip
-def test_other_steps_are_left_alone(times: np.ndarray) -> None:
+def test_other_steps_are_not_rollovers(times: np.ndarray) -> None:
     assert find_rollover(times) == ""
     assert resolve_rollover(times, "") is times
     assert restore_rollover(times, "none") is times
@@ -214,7 +214,7 @@ def test_an_sbet_with_a_rollover_needs_no_options(tmp_path, capsys) -> None:
     assert is_shown("assumed.time_rollover", told)
 
 
-def test_a_sorted_trajectory_asks_for_a_line_that_is_not_counted_on(tmp_path: Path) -> None:
+def test_a_sorted_trajectory_needs_a_line_without_resolved_rollover(tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, DAY)
     records = np.fromfile(track).reshape(-1, 17)
     write_records(track, records[np.argsort(records[:, 0])])

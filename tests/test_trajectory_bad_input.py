@@ -1,4 +1,4 @@
-"""Files that are not what they should be: one sentence with file, place and action."""
+"""Tests of invalid trajectory files: refused with the file, the place and an action."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -22,7 +22,7 @@ TEXT = ("exail-text", "pospac-text", "ascii-trajectory", "exail-sigmas", "pospac
 def outcome(
     task: Callable[[Path, Mapping[str, str]], object], path: Path, choice: Mapping[str, str]
 ) -> tuple[object, str]:
-    """What a reader gives, or the sentence it refuses with; other errors come through."""
+    """Return the result of a reader or the text of its refusal; other errors are raised."""
     try:
         return task(path, choice), ""
     except InputError as error:
@@ -30,7 +30,7 @@ def outcome(
 
 
 def good(key: str, path: Path) -> Path:
-    """A sound file of that format."""
+    """Write a valid file of this format."""
     records = vessel(200)
     if key == "sbet":
         return write_records(path, records)
@@ -49,13 +49,13 @@ def good(key: str, path: Path) -> Path:
 
 
 def refused(key: str, path: Path, choice: dict[str, str] | None = None) -> str:
-    """Code and text of `error_of`."""
+    """Return code and text of the error of `error_of`."""
     error = error_of(key, path, choice)
     return f"{error.code} {error}".lstrip()
 
 
 def error_of(key: str, path: Path, choice: dict[str, str] | None = None) -> InputError:
-    """The error a file is refused with: its text names the file and says what to do."""
+    """Return the error of a refused file, whose text names the file and an action."""
     with pytest.raises(InputError) as error:
         format_of(key).read(path, choice or {})
     told = str(error.value)
@@ -70,7 +70,7 @@ def error_of(key: str, path: Path, choice: dict[str, str] | None = None) -> Inpu
 
 
 def examine(key: str, path: Path) -> None:
-    """A preview gives its warnings or is refused with a sentence; nothing else comes out."""
+    """Preview a file, which must give warnings or a refusal and no other error."""
     finding, told = outcome(format_of(key).preview, path, {})
     file_warnings = finding.file_warnings if isinstance(finding, FilePreview) else ()
     assert finding is not None or str(path) in told
@@ -80,19 +80,19 @@ def examine(key: str, path: Path) -> None:
     )
 
 
-EVERY = BINARY + TEXT
+ALL_FORMATS = BINARY + TEXT
 
 
-@pytest.mark.parametrize("key", EVERY)
-def test_sound_file_is_read(tmp_path: Path, key: str) -> None:
+@pytest.mark.parametrize("key", ALL_FORMATS)
+def test_a_valid_file_is_read(tmp_path: Path, key: str) -> None:
     path = good(key, tmp_path / "a.dat")
     format = format_of(key)
     assert format.sniff(path) > 0
     assert len(format.read(path, format.preview(path, {}).choice).time) == 200
 
 
-@pytest.mark.parametrize("key", EVERY)
-def test_missing_empty_and_folder(tmp_path: Path, key: str) -> None:
+@pytest.mark.parametrize("key", ALL_FORMATS)
+def test_missing_and_empty_files_and_folders_are_refused(tmp_path: Path, key: str) -> None:
     (tmp_path / "empty").touch()
     for name, words in (("none", "not_found"), ("empty", "empty|nothing"), (".", "file.folder")):
         path = tmp_path / name
@@ -102,7 +102,7 @@ def test_missing_empty_and_folder(tmp_path: Path, key: str) -> None:
 
 
 @pytest.mark.parametrize("key", BINARY)
-def test_cut_short_binary(tmp_path: Path, key: str) -> None:
+def test_truncated_binary_files_are_refused(tmp_path: Path, key: str) -> None:
     path = good(key, tmp_path / "a.out")
     path.write_bytes(path.read_bytes()[:-20])
     assert "file.partial_record" in refused(key, path)
@@ -111,7 +111,7 @@ def test_cut_short_binary(tmp_path: Path, key: str) -> None:
 
 
 @pytest.mark.parametrize("key", TEXT)
-def test_cut_short_text_names_the_row(tmp_path: Path, key: str) -> None:
+def test_truncated_text_names_the_row(tmp_path: Path, key: str) -> None:
     path = good(key, tmp_path / "a.txt")
     path.write_text(path.read_text()[:-75])
     rows = len(path.read_text().splitlines())
@@ -121,8 +121,8 @@ def test_cut_short_text_names_the_row(tmp_path: Path, key: str) -> None:
     )
 
 
-@pytest.mark.parametrize("key", EVERY)
-def test_other_content(tmp_path: Path, key: str) -> None:
+@pytest.mark.parametrize("key", ALL_FORMATS)
+def test_files_of_other_content_are_refused(tmp_path: Path, key: str) -> None:
     rng = np.random.default_rng(3)
     contents = {
         "noise": rng.integers(0, 256, 136 * 80, dtype=np.uint8).tobytes(),
@@ -158,7 +158,7 @@ def put(rows: object, columns: object, value: object) -> Callable[[np.ndarray], 
 
 def exchange(records: np.ndarray) -> None:
     records[:, [1, 2]] = records[:, [2, 1]]
-    records[:, 1] -= np.radians(50)  # past 90 deg of latitude
+    records[:, 1] -= np.radians(50)  # beyond a latitude of 90 deg
 
 
 def in_degrees(records: np.ndarray) -> None:
@@ -170,7 +170,7 @@ def through_32_bits(records: np.ndarray) -> None:
     records[:, 0] = records[:, 0].astype(np.float32)
 
 
-SBET_MATRIX = {
+SBET_OUTCOMES = {
     "not a number": (put(4, 8, np.nan), "file.record_not_finite .* record 5 "),
     "infinite": (put(6, 1, np.inf), "file.record_not_finite .* record 7 "),
     "duplicate time": (
@@ -196,16 +196,16 @@ SBET_CODES: dict[str, tuple[Callable[[np.ndarray], None], str, dict[str, object]
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("case", SBET_MATRIX)
-def test_sbet_matrix(tmp_path: Path, case: str) -> None:
-    change, words = SBET_MATRIX[case]
+@pytest.mark.parametrize("case", SBET_OUTCOMES)
+def test_changed_sbet_records_are_read_refused_or_reported(tmp_path: Path, case: str) -> None:
+    change, words = SBET_OUTCOMES[case]
     path = records_with(change)(tmp_path / "a.sbet")
     assert re.search(words, refused("sbet", path))
     examine("sbet", path)
 
 
 @pytest.mark.parametrize("case", SBET_CODES)
-def test_states_of_an_sbet_that_cannot_be(tmp_path: Path, case: str) -> None:
+def test_impossible_states_of_an_sbet_are_refused(tmp_path: Path, case: str) -> None:
     change, code, params = SBET_CODES[case]
     path = records_with(change)(tmp_path / "a.sbet")
     message = error_of("sbet", path).message
@@ -215,18 +215,18 @@ def test_states_of_an_sbet_that_cannot_be(tmp_path: Path, case: str) -> None:
     examine("sbet", path)
 
 
-def test_sbet_of_another_byte_order(tmp_path: Path) -> None:
+def test_an_sbet_of_the_other_byte_order(tmp_path: Path) -> None:
     path = write_records(tmp_path / "a.sbet", vessel(200), order=">")
     refused("sbet", path)
     assert "sbet.big_endian" in codes(format_of("sbet").preview(path, {}).file_warnings)
 
 
-def test_one_record_is_no_trajectory(tmp_path: Path) -> None:
+def test_a_single_record_is_refused(tmp_path: Path) -> None:
     path = write_records(tmp_path / "a.sbet", vessel(200)[:1])
     assert error_of("sbet", path).code == "sbet.one_record"
 
 
-def test_negative_smrmsg(tmp_path: Path) -> None:
+def test_negative_accuracies_of_an_smrmsg_are_refused(tmp_path: Path) -> None:
     path = good("smrmsg", tmp_path / "a.out")
     records = np.fromfile(path).reshape(-1, 10)
     records[3, 2] = -1
@@ -236,14 +236,14 @@ def test_negative_smrmsg(tmp_path: Path) -> None:
 
 
 def edited(key: str, path: Path, edit: Callable[[list[str]], list[str]]) -> Path:
-    """A sound text file with its rows changed."""
+    """Write a valid text file with its rows changed."""
     good(key, path)
     path.write_text("\n".join(edit(path.read_text().splitlines())) + "\n")
     return path
 
 
 def field(row: int, column: int, value: str) -> Callable[[list[str]], list[str]]:
-    """Puts a value into a field of a row counted from the end."""
+    """Return an edit that sets a field of a row counted from the end."""
 
     def edit(lines: list[str]) -> list[str]:
         fields = lines[-row].split("\t" if "\t" in lines[-row] else None)
@@ -258,7 +258,9 @@ def field(row: int, column: int, value: str) -> Callable[[list[str]], list[str]]
 @pytest.mark.parametrize(
     ("key", "column"), [("exail-text", 2), ("pospac-text", 5), ("ascii-trajectory", 1)]
 )
-def test_value_that_is_no_number(tmp_path: Path, key: str, column: int, value: str) -> None:
+def test_a_value_that_is_not_a_number_is_refused(
+    tmp_path: Path, key: str, column: int, value: str
+) -> None:
     path = edited(key, tmp_path / "a.txt", field(3, column, value or "-"))
     row = len(path.read_text().splitlines()) - 2
     assert f"row {row}: " in refused(key, path)
@@ -272,7 +274,9 @@ def test_value_that_is_no_number(tmp_path: Path, key: str, column: int, value: s
         ("ascii-trajectory", 0, "486001"),
     ],
 )
-def test_backward_time_in_text(tmp_path: Path, key: str, column: int, value: str) -> None:
+def test_backward_times_in_text_are_reported(
+    tmp_path: Path, key: str, column: int, value: str
+) -> None:
     path = edited(key, tmp_path / "a.txt", field(3, column, value))
     row = len(path.read_text().splitlines()) - 2
     told = refused(key, path)
@@ -282,7 +286,7 @@ def test_backward_time_in_text(tmp_path: Path, key: str, column: int, value: str
 
 
 @pytest.mark.parametrize(("key", "name"), [("exail-text", "pitch"), ("pospac-text", "PITCH")])
-def test_missing_column(tmp_path: Path, key: str, name: str) -> None:
+def test_a_missing_column_is_refused(tmp_path: Path, key: str, name: str) -> None:
     def edit(lines: list[str]) -> list[str]:
         return [line.replace(name, "other") for line in lines]
 
@@ -297,12 +301,12 @@ def test_missing_column(tmp_path: Path, key: str, name: str) -> None:
 
 
 @pytest.mark.parametrize("key", ["exail-text", "pospac-text"])
-def test_text_without_its_header(tmp_path: Path, key: str) -> None:
+def test_text_without_its_header_is_refused(tmp_path: Path, key: str) -> None:
     path = edited(key, tmp_path / "a.txt", lambda lines: lines[-200:])
     assert error_of(key, path).code == f"trajectory.{key.removesuffix('-text')}_header"
 
 
-def test_standard_deviations_missing(tmp_path: Path) -> None:
+def test_missing_standard_deviations_are_refused(tmp_path: Path) -> None:
     path = good("exail-text", tmp_path / "a.txt")
     message = error_of("exail-sigmas", path).message
     assert message is not None
@@ -337,11 +341,11 @@ def test_standard_deviations_missing(tmp_path: Path) -> None:
         ({"heading": "grid"}, "trajectory.grid_heading", {}),
     ],
 )  # fmt: skip
-def test_choices_that_do_not_fit(
+def test_invalid_choices_are_refused(
     tmp_path: Path, choice: dict[str, str], code: str | None, params: dict[str, object]
 ) -> None:
     path = good("ascii-trajectory", tmp_path / "a.txt")
-    if code is None:  # both are on Earth: only the course can tell
+    if code is None:  # both are on Earth: only the course shows the exchange
         assert format_of("ascii-trajectory").read(path, choice)
         return
     message = error_of("ascii-trajectory", path, choice).message
@@ -350,7 +354,7 @@ def test_choices_that_do_not_fit(
     assert dict(message.params).items() >= params.items()
 
 
-def test_exchanged_positions_past_the_pole(tmp_path: Path) -> None:
+def test_exchanged_positions_beyond_the_pole_are_refused(tmp_path: Path) -> None:
     rows = "\n".join(f"{k} -123.5 45.5 10 0 0 90" for k in range(1000, 1010))
     (tmp_path / "a.txt").write_text(rows)
     message = error_of("ascii-trajectory", tmp_path / "a.txt").message
@@ -367,7 +371,9 @@ def test_exchanged_positions_past_the_pole(tmp_path: Path) -> None:
         ("EPSG:32618", None),
     ],
 )
-def test_coordinate_systems(tmp_path: Path, crs: str, code: str | None) -> None:
+def test_wrong_coordinate_systems_of_trajectories_are_refused(
+    tmp_path: Path, crs: str, code: str | None
+) -> None:
     rows = "\n".join(f"{k} 600000 5040000 10 0 0 90" for k in range(1000, 1010))
     (tmp_path / "a.txt").write_text(rows)
     columns = "time easting northing height roll pitch heading"
@@ -379,7 +385,7 @@ def test_coordinate_systems(tmp_path: Path, crs: str, code: str | None) -> None:
     assert error_of("ascii-trajectory", tmp_path / "a.txt", choice).code == code
 
 
-def test_file_without_permission(tmp_path: Path) -> None:
+def test_a_file_without_permission_is_refused(tmp_path: Path) -> None:
     path = good("sbet", tmp_path / "a.sbet")
     path.chmod(0)
     try:

@@ -1,4 +1,4 @@
-"""Messages about points, accuracies and time bases that do not fit the trajectory."""
+"""Tests of messages about points, accuracies and time bases that do not match the trajectory."""
 
 from pathlib import Path
 
@@ -27,7 +27,7 @@ def made(folder: Path, track: Path, line: Path, reading=Reading(), **more):  # n
     )  # fmt: skip
 
 
-def test_gaps_are_distinguished_from_the_ends_for_lines_on_the_map_too(tmp_path: Path) -> None:
+def test_gaps_and_ends_are_distinguished_for_georeferenced_lines(tmp_path: Path) -> None:
     records = vessel(2000)
     time = records[:, 0] - START
     write_records(tmp_path / "gap.sbet", records[(time < 10) | (time > 14)])
@@ -46,7 +46,7 @@ def test_gaps_are_distinguished_from_the_ends_for_lines_on_the_map_too(tmp_path:
 
 
 def too_short_of(survey: Survey) -> list[Message]:
-    """Messages that the accuracies do not cover the whole trajectory."""
+    """Return the messages that the accuracies do not cover the whole trajectory."""
     return [each for each in survey.notes if each.code == "import.accuracy_too_short"]
 
 
@@ -69,7 +69,7 @@ def test_accuracies_that_cover_half_the_trajectory_are_reported(tmp_path: Path) 
     assert too_short_of(survey) == []
 
 
-def test_a_base_that_the_values_suggested_is_reported_as_such(tmp_path: Path) -> None:
+def test_a_time_base_derived_from_the_values_is_reported_as_such(tmp_path: Path) -> None:
     records = vessel(2000)
     gps = 2278 * WEEK + records[:, 0]
     records[:, 0] = gps - 18 + GPS_EPOCH

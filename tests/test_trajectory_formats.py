@@ -1,3 +1,5 @@
+"""Tests of reading trajectories in all formats."""
+
 import calendar
 from pathlib import Path
 
@@ -34,7 +36,7 @@ ASCII, EXAIL, POSPAC = (format_of(key) for key in ("ascii-trajectory", "exail-te
 
 
 def agrees(trajectory: Trajectory, records: np.ndarray, *, place: float = 2e-11) -> None:
-    """Position to a tenth of a millimetre and attitude to the digits of the file."""
+    """Compare positions to 0.1 mm and attitudes to the digits of the file."""
     right = truth(records)
     np.testing.assert_allclose(trajectory.latitude, right["latitude"], rtol=0, atol=place)
     np.testing.assert_allclose(trajectory.longitude, right["longitude"], rtol=0, atol=place)
@@ -43,7 +45,7 @@ def agrees(trajectory: Trajectory, records: np.ndarray, *, place: float = 2e-11)
     np.testing.assert_allclose(np.remainder(turned + np.pi, 2 * np.pi) - np.pi, 0, atol=2e-7)
 
 
-def test_list_is_consistent() -> None:
+def test_list_of_formats_is_consistent() -> None:
     every = (*TRAJECTORY_FORMATS, *ACCURACY_FORMATS, *POINT_FORMATS)
     assert len({format.key for format in every}) == len(every)
     for kind, formats in (("trajectory", TRAJECTORY_FORMATS), ("accuracy", ACCURACY_FORMATS)):
@@ -94,7 +96,7 @@ def test_formats_of_real_files_are_distinguished(shared_data: Path) -> None:
     assert recognise_formats(harbour / "none", "trajectory") == []
 
 
-def test_delph_export(tmp_path: Path) -> None:
+def test_delph_export_is_read(tmp_path: Path) -> None:
     records = vessel(500)
     path = write_delph(tmp_path / "nav.txt", records)
     assert recognise_formats(path, "trajectory")[0] == (EXAIL, SURE)
@@ -114,7 +116,7 @@ def test_delph_export(tmp_path: Path) -> None:
     assert unix in trajectory.assumptions
 
 
-def test_delph_export_goes_by_names_not_by_position(tmp_path: Path) -> None:
+def test_delph_columns_are_found_by_name(tmp_path: Path) -> None:
     records = vessel(50)
     lines = write_delph(tmp_path / "nav.txt", records).read_text().splitlines()
     moved = []
@@ -148,7 +150,7 @@ def test_delph_units_and_signs_come_from_the_header(tmp_path: Path) -> None:
     np.testing.assert_allclose(trajectory.height, records[:, 3] * 0.3048, rtol=0, atol=1e-4)
 
 
-def test_delph_standard_deviations(tmp_path: Path) -> None:
+def test_delph_standard_deviations_are_read(tmp_path: Path) -> None:
     path = write_delph(tmp_path / "nav.txt", vessel(50), sigmas=True)
     ((format, _),) = recognise_formats(path, "accuracy")
     assert format.key == "exail-sigmas"
@@ -159,7 +161,7 @@ def test_delph_standard_deviations(tmp_path: Path) -> None:
     assert recognise_formats(write_delph(tmp_path / "bare.txt", vessel(50)), "accuracy") == []
 
 
-def test_pospac_export(tmp_path: Path) -> None:
+def test_pospac_export_is_read(tmp_path: Path) -> None:
     records = vessel(500)
     path = write_pospac(tmp_path / "export.txt", records)
     assert recognise_formats(path, "trajectory")[0] == (POSPAC, SURE)
@@ -196,7 +198,7 @@ def test_pospac_units_come_from_the_header(tmp_path: Path) -> None:
 
 
 def table(records: np.ndarray, factor: float = 180 / np.pi) -> np.ndarray:
-    """Time, latitude, longitude, height, roll, pitch, heading."""
+    """Return rows of time, latitude, longitude, height, roll, pitch and heading."""
     angles = records[:, [1, 2, 7, 8, 9]] * factor
     return np.column_stack([records[:, 0], angles[:, :2], records[:, 3], angles[:, 2:]])
 
@@ -205,7 +207,7 @@ def table(records: np.ndarray, factor: float = 180 / np.pi) -> np.ndarray:
 @pytest.mark.parametrize(
     "header", ["", "Time{0}Lat (deg){0}Lon (deg){0}H{0}Roll{0}Pitch{0}Heading"]
 )
-def test_generic_text(tmp_path: Path, separator: str, header: str) -> None:
+def test_generic_text_is_read(tmp_path: Path, separator: str, header: str) -> None:
     records = vessel(100)
     path = tmp_path / "a.txt"
     if separator == " ":
@@ -224,7 +226,7 @@ def test_generic_text(tmp_path: Path, separator: str, header: str) -> None:
     assert "assumed.given_columns" in codes(trajectory.assumptions)
 
 
-def test_mapping_is_the_string_that_was_saved(tmp_path: Path) -> None:
+def test_saved_column_mapping_is_used(tmp_path: Path) -> None:
     records = vessel(100)
     columns = table(records, 1.0)[:, [6, 5, 4, 0, 3, 2, 1, 0]]
     columns[:, 7] = 99
@@ -240,7 +242,7 @@ def test_mapping_is_the_string_that_was_saved(tmp_path: Path) -> None:
     assert message_text(found.facts["Rate"]) == "50.0 per second"
 
 
-def test_signs_are_turned_as_given(tmp_path: Path) -> None:
+def test_given_signs_are_applied(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(50)), "%.12f")
     up = ASCII.read(tmp_path / "a.txt", {}).attitude
     other = ASCII.read(tmp_path / "a.txt", {"pitch": "bow-down", "roll": "port-down"})
@@ -248,7 +250,7 @@ def test_signs_are_turned_as_given(tmp_path: Path) -> None:
     assert "assumed.roll_port_down" in codes(other.assumptions)
 
 
-def test_radians_are_found(tmp_path: Path) -> None:
+def test_radians_are_detected(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(100), 1.0), "%.14f")
     finding = ASCII.preview(tmp_path / "a.txt", {})
     assert (finding.choice["position"], finding.choice["attitude"]) == ("radians", "radians")
@@ -256,7 +258,7 @@ def test_radians_are_found(tmp_path: Path) -> None:
     agrees(ASCII.read(tmp_path / "a.txt", finding.choice), vessel(100))
 
 
-def test_degrees_minutes_seconds_clock_and_feet(tmp_path: Path) -> None:
+def test_text_with_degrees_minutes_seconds_clock_and_feet(tmp_path: Path) -> None:
     rows = [
         "06/27,14:00:00.0,45 30 00.000 N,73 30 36.000 W,32.80839895,1,2,359",
         "06/27,14:00:00.5,45 30 00.036 N,73 30 36.000 W,32.80839895,1,2,1",
@@ -276,7 +278,7 @@ def test_degrees_minutes_seconds_clock_and_feet(tmp_path: Path) -> None:
     np.testing.assert_allclose(trajectory.time, [50_400, 50_400.5])
 
 
-def test_date_and_clock_over_midnight(tmp_path: Path) -> None:
+def test_date_and_clock_continue_over_midnight(tmp_path: Path) -> None:
     rows = ["date time lat lon h roll pitch heading"]
     rows += [f"2024-02-{d} {c} 45 -73 9 0 0 90" for d, c in ((28, "23:59:59.5"), (29, "00:00:00"))]
     (tmp_path / "a.txt").write_text("\n".join(rows))
@@ -290,14 +292,14 @@ def test_date_and_clock_over_midnight(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("heading", ["true", "grid"])
-def test_eastings_and_northings(tmp_path: Path, heading: str) -> None:
+def test_eastings_and_northings_are_read(tmp_path: Path, heading: str) -> None:
     records = vessel(200)
     lon, lat = np.degrees(records[:, 2]), np.degrees(records[:, 1])
     utm = pyproj.Transformer.from_crs("EPSG:4326", "EPSG:32618", always_xy=True)
     east, north = utm.transform(lon, lat)
     columns = table(records)
     columns[:, 1], columns[:, 2] = east, north
-    if heading == "grid":  # by the azimuth of the meridian in the grid, 100 m northward
+    if heading == "grid":  # compared with the grid azimuth of the meridian over 100 m
         east_up, north_up = utm.transform(lon, lat + 0.001)
         columns[:, 6] += np.degrees(np.arctan2(east_up - east, north_up - north))
     np.savetxt(tmp_path / "a.txt", columns, "%.12f")
@@ -313,7 +315,7 @@ def test_eastings_and_northings(tmp_path: Path, heading: str) -> None:
     assert note("assumed.grid_positions", system="EPSG:32618") in trajectory.assumptions
 
 
-def test_feet_in_a_row_of_names_are_found(tmp_path: Path) -> None:
+def test_feet_in_a_row_of_names_are_detected(tmp_path: Path) -> None:
     header = "Time,Lat(rad),Lon(rad),Height(ft),Roll(deg),Pitch(deg),Heading(deg)"
     columns = table(vessel(50))
     columns[:, 1:3] = vessel(50)[:, 1:3]
@@ -332,7 +334,7 @@ def test_heights_above_the_sea_are_reported(tmp_path: Path) -> None:
     assert "assumed.heights_above_sea" in codes(trajectory.assumptions)
 
 
-def test_exchanged_columns_show_in_the_course(tmp_path: Path) -> None:
+def test_exchanged_columns_are_detected_from_the_course(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(2000))[:, [0, 2, 1, 3, 4, 5, 6]], "%.12f")
     assert "trajectory.exchanged" in codes(ASCII.preview(tmp_path / "a.txt", {}).file_warnings)
 
@@ -357,17 +359,17 @@ def test_preview_of_a_long_file_reads_head_and_tail(tmp_path: Path) -> None:
         ("12D30M36S", 12.51), ("0 0 36 S", -0.01), ("45.5", 45.5), ("-0 30 0", -0.5),
     ],
 )  # fmt: skip
-def test_degrees_minutes_seconds(text: str, degrees: float) -> None:
+def test_degrees_minutes_seconds_are_parsed(text: str, degrees: float) -> None:
     assert degrees_minutes_seconds(text) == pytest.approx(degrees)
 
 
 @pytest.mark.parametrize("text", ["", "N", "45 61 0", "1 2 3 4", "-45 0 0 S", "abc", "45 -3 0"])
-def test_what_is_not_degrees_minutes_seconds(text: str) -> None:
+def test_invalid_degrees_minutes_seconds_are_refused(text: str) -> None:
     with pytest.raises(ValueError):
         degrees_minutes_seconds(text)
 
 
-def test_clock_and_day() -> None:
+def test_clock_times_and_days_are_parsed() -> None:
     assert clock_seconds("14:03:07.25") == 14 * 3600 + 3 * 60 + 7.25
     assert date_seconds("2024/02/29") == calendar.timegm((2024, 2, 29, 0, 0, 0))
     for parse, text in (
@@ -380,7 +382,7 @@ def test_clock_and_day() -> None:
             parse(text)
 
 
-def test_heading_may_count_on_over_full_turns(tmp_path: Path) -> None:
+def test_heading_may_exceed_a_full_turn(tmp_path: Path) -> None:
     records = vessel(12_000)  # 240 s at 4 deg/s
     assert records[-1, 9] > 5 * np.pi
     np.savetxt(tmp_path / "a.txt", table(records), "%.12f")
@@ -393,6 +395,6 @@ def test_heading_may_count_on_over_full_turns(tmp_path: Path) -> None:
     assert refused.value.code == "trajectory.attitude_in_row"
 
 
-def test_binary_accuracy_is_no_trajectory(tmp_path: Path) -> None:
+def test_an_smrmsg_is_not_a_trajectory(tmp_path: Path) -> None:
     write_records(tmp_path / "a.out", vessel(100))
     assert recognise_formats(tmp_path / "a.out", "accuracy") == []

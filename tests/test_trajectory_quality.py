@@ -1,4 +1,4 @@
-"""How good the trajectory was on each line, against how the built-in survey was made."""
+"""Tests of the quality of the trajectory on each line."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ def survey(demo_project: Project) -> Survey:
     return load_survey(demo_project)
 
 
-def test_the_built_in_survey(survey: Survey) -> None:
+def test_quality_of_the_built_in_survey(survey: Survey) -> None:
     found = trajectory_on_lines(survey)
     assert [each.line for each in found] == list(survey.scans)
     for each in found:
@@ -25,10 +25,12 @@ def test_the_built_in_survey(survey: Survey) -> None:
         ends = survey.trajectory.at(np.array([scan.first_time, scan.last_time])).position
         straight = np.linalg.norm(ends[1] - ends[0]) / each.duration_s
         assert each.duration_s == scan.last_time - scan.first_time
-        assert straight <= each.speed_m_s * 1.01 < 1.2 * straight  # it rolls beside its course
+        assert (
+            straight <= each.speed_m_s * 1.01 < 1.2 * straight
+        )  # roll adds to the motion of the INS
         assert each.interval_s == pytest.approx(0.005, rel=1e-3)
         assert each.longest_gap_s == pytest.approx(0.005, rel=1e-2)
-        # As `make_demo` states them, drifting within a few per cent.
+        # The sigmas of `make_demo`, which drift by a few per cent
         assert each.sigma_horizontal_m == pytest.approx(np.hypot(0.012, 0.012), rel=0.2)
         assert each.sigma_vertical_m == pytest.approx(0.020, rel=0.2)
         assert each.sigma_roll_pitch_deg == pytest.approx(0.008, rel=0.2)
@@ -36,7 +38,7 @@ def test_the_built_in_survey(survey: Survey) -> None:
         assert all(0.05 < motion < 5.0 for motion in each.motion_deg)
 
 
-def test_a_gap_is_seen_on_its_line(survey: Survey) -> None:
+def test_a_gap_is_reported_on_its_line(survey: Survey) -> None:
     name, scan = next(iter(survey.scans.items()))
     middle = 0.5 * (scan.first_time + scan.last_time)
     whole = survey.trajectory
@@ -49,8 +51,8 @@ def test_a_gap_is_seen_on_its_line(survey: Survey) -> None:
     assert all(each.longest_gap_s < 0.01 for line, each in found.items() if line != name)
 
 
-def test_a_line_beside_a_trajectory_that_has_one_state_there_is_skipped() -> None:
-    """Of which nothing can be said: neither a speed nor an interval."""
+def test_a_line_outside_the_trajectory_is_skipped() -> None:
+    """The trajectory ends before L2, so neither speed nor interval are defined."""
     _, survey = picked()
     whole = survey.trajectory
     second = survey.scans["L2"]

@@ -1,4 +1,4 @@
-"""The error of linear interpolation between states is bounded, and reported where it matters."""
+"""Tests of the bound of the error of linear interpolation, and of the warning about it."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ ACCURACY = TrajectoryAccuracy.constant(np.full(3, 0.02), np.radians([0.01, 0.01,
 
 
 def states(time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """A vessel on course, rolling and pitching by some degrees; metres and radians."""
+    """Return position and attitude of a vessel that rolls and pitches (metres, radians)."""
     position = np.stack([2 * time, 0.2 * np.sin(time / 4), 0.1 * np.sin(1.2 * time)], axis=1)
     attitude = np.radians(
         np.stack(
@@ -30,7 +30,7 @@ def trajectory(rate: float) -> LocalTrajectory:
 
 
 @pytest.mark.parametrize("rate", [5.0, 10.0, 50.0])
-def test_the_bound_is_the_error_of_interpolation(rate: float) -> None:
+def test_the_bound_approximates_the_interpolation_error(rate: float) -> None:
     track = trajectory(rate)
     bound = interpolation_error(track)
     middle = 0.5 * (track.time[:-1] + track.time[1:])
@@ -42,7 +42,7 @@ def test_the_bound_is_the_error_of_interpolation(rate: float) -> None:
 
 
 @pytest.mark.parametrize(("rate", "warned"), [(200.0, False), (50.0, False), (10.0, True)])
-def test_a_rate_too_low_for_the_motion_is_a_warning(rate: float, warned: bool) -> None:
+def test_a_rate_too_low_for_the_motion_gives_a_warning(rate: float, warned: bool) -> None:
     messages = interpolation_messages(
         trajectory(rate), ACCURACY, {"L1": np.linspace(10.0, 30.0, 500)}
     )
@@ -53,7 +53,7 @@ def test_a_rate_too_low_for_the_motion_is_a_warning(rate: float, warned: bool) -
         assert message.params["share"] > 0.1
 
 
-def test_the_rate_is_that_of_the_file_where_states_are_inserted() -> None:
+def test_the_reported_rate_is_that_of_the_file() -> None:
     time, tick = np.arange(0, 60, 0.5), 1e-4
     own, rates = (
         np.hstack(states(time)),
@@ -72,7 +72,7 @@ def test_the_rate_is_that_of_the_file_where_states_are_inserted() -> None:
 LINES = {"L1": np.linspace(5.0, 25.0, 500), "L2": np.linspace(40.0, 55.0, 500)}
 
 
-def test_turns_between_the_lines_do_not_count() -> None:
+def test_turns_between_the_lines_are_ignored() -> None:
     time = np.arange(0, 60, 0.1)
     position, attitude = states(time)
     attitude[:, :2] = 0.0
@@ -82,8 +82,8 @@ def test_turns_between_the_lines_do_not_count() -> None:
     assert interpolation_messages(track, ACCURACY, {"turn": np.linspace(29.0, 33.0, 500)}) != ()
 
 
-def test_intervals_without_points_do_not_count() -> None:
-    """A trajectory cut to the points: bursts 0.2 us apart, 0.4 s of waves between them."""
+def test_intervals_without_points_are_ignored() -> None:
+    """Bursts of states 0.2 us apart have gaps of 0.4 s with waves between them."""
     time = np.concatenate([0.4 * k + 2e-7 * np.arange(200) for k in range(100)])
     position, attitude = states(time)
     track = LocalTrajectory(FRAME, time, position, np.round(attitude, 7))

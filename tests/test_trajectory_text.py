@@ -1,4 +1,4 @@
-"""Trajectories of text as other countries and programs write them: decimal commas, UTF-16."""
+"""Tests of reading text trajectories: decimal commas, quotes, UTF-16."""
 
 from pathlib import Path
 
@@ -32,7 +32,7 @@ def same(path: Path, records: np.ndarray) -> None:
 
 
 @pytest.mark.parametrize("separator", [";", "\t", " ", "  "])
-def test_decimal_commas(tmp_path: Path, separator: str) -> None:
+def test_decimal_commas_are_read(tmp_path: Path, separator: str) -> None:
     records = vessel(200)
     path = tmp_path / "a.txt"
     path.write_text(text_of(records, separator, ","), encoding="utf-8")
@@ -43,7 +43,7 @@ def test_decimal_commas(tmp_path: Path, separator: str) -> None:
 
 
 @pytest.mark.parametrize(("separator", "sign"), [(",", "."), (",", ","), (";", ","), ("\t", ".")])
-def test_quoted_fields(tmp_path: Path, separator: str, sign: str) -> None:
+def test_quoted_fields_are_read(tmp_path: Path, separator: str, sign: str) -> None:
     records = vessel(200)
     path = tmp_path / "a.csv"
     rows = text_of(records, "|", sign).splitlines()
@@ -53,18 +53,18 @@ def test_quoted_fields(tmp_path: Path, separator: str, sign: str) -> None:
     same(path, records)
 
 
-def test_a_quote_may_be_seconds_of_arc() -> None:
+def test_a_quote_can_mean_seconds_of_arc() -> None:
     assert split_fields('1.0,45 31 08.5",-73 32 20.1"') == ["1.0", '45 31 08.5"', '-73 32 20.1"']
 
 
-def test_commas_that_part_the_columns_still_do() -> None:
+def test_commas_between_columns_are_separators() -> None:
     assert split_fields("1,2,3") == ["1", "2", "3"]
     assert split_fields("1.5, 2.5, 3") == ["1.5", "2.5", "3"]
     assert split_fields("1, 2, 3") == ["1", "2", "3"]
     assert split_fields("1,5 -2,5 3") == ["1,5", "-2,5", "3"]
 
 
-def test_pospac_with_decimal_commas(tmp_path: Path) -> None:
+def test_pospac_text_with_decimal_commas_is_read(tmp_path: Path) -> None:
     records = vessel(100)
     path = write_pospac(tmp_path / "a.txt", records)
     head, body = path.read_text().split("position SD in Meters)\n\n")
@@ -75,7 +75,7 @@ def test_pospac_with_decimal_commas(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-16-be"])
 @pytest.mark.parametrize("count", [200, 8000])
-def test_utf_16(tmp_path: Path, encoding: str, count: int) -> None:
+def test_utf_16_is_read(tmp_path: Path, encoding: str, count: int) -> None:
     records = vessel(count)
     path = tmp_path / "a.csv"
     mark = "\ufeff" if encoding == "utf-16-be" else ""

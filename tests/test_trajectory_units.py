@@ -1,4 +1,4 @@
-"""Units of eastings, northings and heights in trajectories of text, and how wrong ones show."""
+"""Tests of units in text trajectories, and of the detection of wrong units."""
 
 from pathlib import Path
 
@@ -44,7 +44,7 @@ FEET, US_FEET = note("unit.feet"), note("unit.us_survey_feet")
 
 
 def name_of_unit(trajectory: Trajectory, column: str) -> object:
-    """The unit in which a column was read."""
+    """Return the unit in which a column was read."""
     return next(
         each.params["unit"] for each in trajectory.assumptions
         if each.params.get("column") == column
@@ -52,7 +52,7 @@ def name_of_unit(trajectory: Trajectory, column: str) -> object:
 
 
 def gridded(crs: str, unit: float) -> tuple[np.ndarray, np.ndarray]:
-    """Records, and rows of time, easting, northing, height, roll, pitch, heading; by PROJ."""
+    """Return records, and rows of time, easting, northing, height and attitude by PROJ."""
     records = vessel(1000)
     lon, lat = np.degrees(records[:, 2]), np.degrees(records[:, 1])
     east, north = pyproj.Proj(IN_METRES[crs])(lon, lat)
@@ -68,7 +68,7 @@ def write(path: Path, head: str, rows: np.ndarray, separator: str) -> Path:
 
 
 def off(trajectory: Trajectory, records: np.ndarray) -> float:
-    """Metres by which positions are off at the most."""
+    """Return the largest error of positions in metres."""
     north = (trajectory.latitude - records[:, 1]) * 6.4e6
     east = (trajectory.longitude - records[:, 2]) * 6.4e6 * np.cos(records[:, 1])
     return float(np.abs([north, east, trajectory.height - records[:, 3]]).max())
@@ -79,7 +79,7 @@ def off(trajectory: Trajectory, records: np.ndarray) -> float:
     ("word", "unit"),
     [("Meters", 1.0), ("US Survey Feet", SURVEY_FOOT), ("International Feet", FOOT)],
 )
-def test_pospac_positions_are_turned_into_the_unit_of_the_system(
+def test_pospac_positions_are_converted_to_the_unit_of_the_system(
     tmp_path: Path, word: str, unit: float, crs: str
 ) -> None:
     records, rows = gridded(crs, unit)
@@ -93,7 +93,9 @@ def test_pospac_positions_are_turned_into_the_unit_of_the_system(
 @pytest.mark.parametrize(
     ("crs", "unit"), [(NEW_JERSEY, SURVEY_FOOT), (MICHIGAN, FOOT), (UTM, FOOT)]
 )
-def test_plain_feet_are_those_of_the_system(tmp_path: Path, crs: str, unit: float) -> None:
+def test_feet_without_a_name_are_the_feet_of_the_system(
+    tmp_path: Path, crs: str, unit: float
+) -> None:
     records, rows = gridded(crs, unit)
     rows[:, 3] /= unit
     rows = np.insert(np.column_stack([rows, rows[:, :2]]), 1, 0.0, axis=1)
@@ -121,7 +123,7 @@ def test_plain_feet_are_those_of_the_system(tmp_path: Path, crs: str, unit: floa
         ("", SURVEY_FOOT, note("unit.as_in_system", unit=US_FEET)),
     ],
 )
-def test_generic_text_heeds_the_unit_in_the_names(
+def test_generic_text_uses_the_unit_in_the_names(
     tmp_path: Path, mark: str, unit: float, name: Message
 ) -> None:
     records, rows = gridded(NEW_JERSEY, unit)
@@ -133,7 +135,7 @@ def test_generic_text_heeds_the_unit_in_the_names(
     assert name_of_unit(trajectory, "easting") == name
 
 
-def test_a_given_unit_goes_before_that_of_the_names(tmp_path: Path) -> None:
+def test_a_given_unit_takes_precedence_over_the_names(tmp_path: Path) -> None:
     records, rows = gridded(NEW_JERSEY, FOOT)
     head = "Time,Easting[m],Northing[m],Height[m],Roll[deg],Pitch[deg],Heading[deg]\n"
     path = write(tmp_path / "a.csv", head, rows, ",")
@@ -177,12 +179,15 @@ def test_exail_text_may_be_in_a_projected_system(tmp_path: Path, word: str, unit
         ("[ift]", "int-ft"), ("Height(ft)", "ft"), ("feet", "ft"), ("Easting [m]", "m"),
     ],
 )  # fmt: skip
-def test_words_of_feet(words: str, unit: str) -> None:
+def test_names_of_feet_are_recognised(words: str, unit: str) -> None:
     assert parse_unit(words) == unit
 
 
 def velocity_warnings(path: Path, word: str, unit: float, factor: float) -> tuple[Message, ...]:
-    """Warnings about positions in a unit named ``word`` in the header, with true velocities."""
+    """Return the warnings about positions in a unit named ``word`` in the header.
+
+    The unit is `unit` metres long, and the velocities are scaled by `factor`.
+    """
     records, rows = gridded(NEW_JERSEY, unit)
     course = records[:, 9] - np.radians(2)
     speed = factor * np.stack([4 * np.sin(course), 4 * np.cos(course)], axis=1)
@@ -191,7 +196,7 @@ def velocity_warnings(path: Path, word: str, unit: float, factor: float) -> tupl
     return POSPAC.preview(path, {"crs": NEW_JERSEY}).file_warnings
 
 
-def test_velocities_of_the_file_show_a_wrong_unit(tmp_path: Path) -> None:
+def test_a_wrong_unit_is_detected_from_the_velocities(tmp_path: Path) -> None:
     path = tmp_path / "a.txt"
     right = codes(velocity_warnings(path, "Meters", 1.0, 1.0))
     assert not any("speed_differs" in code for code in right)
@@ -208,7 +213,7 @@ def test_velocities_of_the_file_show_a_wrong_unit(tmp_path: Path) -> None:
     assert knots.params["ratio"] == pytest.approx(0.514, abs=5e-4)
 
 
-def test_a_speed_that_no_vessel_has_gives_a_warning(tmp_path: Path) -> None:
+def test_an_implausible_speed_gives_a_warning(tmp_path: Path) -> None:
     for times, has_warning in ((1, False), (20, True)):
         records = vessel(1000)
         rows = np.column_stack([records[:, 0], np.degrees(records[:, [1, 2]]), records[:, 3]])
@@ -233,7 +238,7 @@ def test_a_jump_of_an_sbet_gives_a_warning(tmp_path: Path) -> None:
 def test_positions_outside_the_area_of_the_system_give_a_warning(
     tmp_path: Path, unit: float, said: bool
 ) -> None:
-    """Feet that nothing calls so, in a system in metres."""
+    """The positions are in feet without a statement, in a system in metres."""
     _, rows = gridded(UTM, unit)
     path = write(tmp_path / "a.csv", "time,easting,northing,height,roll,pitch,heading\n", rows, ",")
     found = [

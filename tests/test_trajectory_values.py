@@ -1,4 +1,4 @@
-"""Trajectories: values that are refused, and values that give a warning."""
+"""Tests of trajectory values that are refused or give a warning."""
 
 from pathlib import Path
 
@@ -20,21 +20,21 @@ from tests.trajectory_files import vessel, write_delph, write_pospac, write_reco
 ASCII, EXAIL, SBET = (format_of(key) for key in ("ascii-trajectory", "exail-text", "sbet"))
 
 
-def test_a_negative_standard_deviation_in_text(tmp_path: Path) -> None:
+def test_a_negative_standard_deviation_in_text_is_refused(tmp_path: Path) -> None:
     path = edited("exail-sigmas", tmp_path / "a.txt", field(3, 9, "-0.02"))
     row = len(path.read_text().splitlines()) - 2
     message = error_of("exail-sigmas", path).message
     assert message == error("trajectory.negative_sigma", file=str(path), row=row)
 
 
-def test_rows_with_a_date_are_in_no_time_of_the_week(tmp_path: Path) -> None:
+def test_rows_with_a_date_are_not_in_a_time_of_the_week(tmp_path: Path) -> None:
     path = good("exail-text", tmp_path / "a.txt")
     message = error_of("exail-text", path, {"time": "gps-week"}).message
     assert message == error("trajectory.dates", file=str(path), base="gps-week")
 
 
-def test_times_that_start_again_are_counted_on(tmp_path: Path) -> None:
-    """Seconds of the day over midnight, a row each half minute."""
+def test_times_are_continued_over_midnight(tmp_path: Path) -> None:
+    """Seconds of the day over midnight, one row every half minute."""
     seconds = 86_000.0 + 30 * np.arange(40)
     path = tmp_path / "a.txt"
     path.write_text("".join(f"{s % 86_400:.1f} 45.5 -73.5 10 0 0 90\n" for s in seconds))
@@ -51,7 +51,7 @@ def test_times_that_start_again_are_counted_on(tmp_path: Path) -> None:
         ("-123.5 45.5", "trajectory.exchanged_position"),
     ],
 )
-def test_places_that_are_not_on_earth(tmp_path: Path, place: str, code: str) -> None:
+def test_positions_that_are_not_on_earth_are_refused(tmp_path: Path, place: str, code: str) -> None:
     path = tmp_path / "a.txt"
     path.write_text("".join(f"{k} {place} 10 0 0 90\n" for k in range(1000, 1010)))
     latitude, longitude = (float(word) for word in place.split())
@@ -71,7 +71,7 @@ def test_places_that_are_not_on_earth(tmp_path: Path, place: str, code: str) -> 
         (500.0, "radians", "sbet.not_radians"),
     ],
 )
-def test_latitudes_of_an_sbet_that_cannot_be(
+def test_impossible_latitudes_of_an_sbet_are_refused(
     tmp_path: Path, latitude: float, unit: str, code: str
 ) -> None:
     records = vessel(200)
@@ -83,8 +83,8 @@ def test_latitudes_of_an_sbet_that_cannot_be(
     assert message.params["largest"] == pytest.approx(latitude)
 
 
-def test_a_heading_far_beyond_a_circle_has_to_have_got_there() -> None:
-    """By turning for more than a moment: one second tells nothing of how it went on."""
+def test_a_heading_of_many_turns_must_be_reached_by_turning() -> None:
+    """Ten seconds are enough for the same headings, one second is not."""
     heading = np.linspace(12.5, 12.6, 11)
     level = np.zeros(11)
     require_attitude(Path("a"), np.arange(11.0), (level, level, heading))
@@ -98,7 +98,7 @@ def test_a_heading_far_beyond_a_circle_has_to_have_got_there() -> None:
     }  # fmt: skip
 
 
-def test_times_against_the_base_that_is_given() -> None:
+def test_times_that_contradict_the_given_base_are_reported() -> None:
     time = 486_000 + np.arange(200) / 50
     assert time_warnings(time, "gps-week", "a") == ()
     (other,) = time_warnings(time, "utc-day", "a")
@@ -111,7 +111,7 @@ def test_times_against_the_base_that_is_given() -> None:
 
 
 def test_a_heading_across_the_course_gives_a_warning(tmp_path: Path) -> None:
-    """The bow of this vessel points two degrees to starboard of its course."""
+    """The heading of the valid file is two degrees to starboard of its course."""
     records = vessel()
     assert not SBET.preview(write_records(tmp_path / "a.sbet", records), {}).file_warnings
     records[:, 9] += np.radians(80)
@@ -130,7 +130,7 @@ def test_a_heading_across_the_course_gives_a_warning(tmp_path: Path) -> None:
         (200.0, 0.01, ["accuracy.large"]),
     ],
 )
-def test_implausible_standard_deviations_are_warned_about(
+def test_implausible_standard_deviations_give_warnings(
     position: float, attitude_deg: float, file_warnings: list[str]
 ) -> None:
     sigmas = np.full((5, 3), position), np.full((5, 3), np.radians(attitude_deg))
@@ -142,7 +142,7 @@ def test_implausible_standard_deviations_are_warned_about(
             assert each.params["attitude"] == pytest.approx(np.radians(attitude_deg))
 
 
-def test_comments_at_the_end_of_text_are_no_rows(
+def test_comments_at_the_end_of_text_are_skipped(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(trajectory_preview, "HEAD_ROWS", 50)
@@ -157,7 +157,7 @@ def test_comments_at_the_end_of_text_are_no_rows(
 
 
 def test_an_altitude_above_the_ellipsoid_is_a_height(tmp_path: Path) -> None:
-    """Both kinds are called altitude; only the description tells them apart."""
+    """Both kinds are named altitude; only the description distinguishes them."""
     records = vessel(200)
     path = write_delph(tmp_path / "a.txt", records)
     text = path.read_text().replace("ellipsoidHeight", "altitude")
@@ -183,8 +183,8 @@ def test_times_of_day_without_a_date_are_utc(tmp_path: Path) -> None:
     )
 
 
-def test_words_among_the_rows_of_pospac(tmp_path: Path) -> None:
-    """A line of the header that begins as the names do is not taken for them."""
+def test_text_among_the_rows_of_pospac(tmp_path: Path) -> None:
+    """A line of the header that begins like the names is not read as the names."""
     records = vessel(200)
     path = write_pospac(tmp_path / "a.txt", records)
     text = path.read_text()

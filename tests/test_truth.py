@@ -1,4 +1,4 @@
-"""What is left between the lines, beside what the true boresight leaves: before, after, truth."""
+"""Tests of distances between lines before and after calibration and with the true boresight."""
 
 from dataclasses import replace
 
@@ -13,14 +13,14 @@ from lispac.survey.trajectory import Poses
 from lispac.workflow.checking.validation import validate_with_truth
 from lispac.workflow.project.survey import Survey
 
-ENOUGH = 2000
-"""Points of a line whose mean tells how far it moves: between them the moves differ by little."""
+MAX_POINTS = 2000
+"""Points of a line used for its mean displacement, which varies little between points."""
 
 
 def moves(project: Project, survey: Survey, plane: Target, lines: tuple[str, str]) -> np.ndarray:
-    """How far the first line moves off the second by the angles (3,), metres per radian.
+    """Return derivatives (3,) of the offset between two lines by the angles, metres per radian.
 
-    In the middle of the part that both saw.
+    They are means over the part of the plane that both lines cover.
     """
     assert project.result is not None
     sightings = [plane.sighting(line) for line in lines]
@@ -34,7 +34,7 @@ def moves(project: Project, survey: Survey, plane: Target, lines: tuple[str, str
     found = []
     for sighting, where in zip(sightings, placed, strict=True):
         both = sighting.indices[((where >= low) & (where <= high)).all(axis=1)]
-        some = both[:: max(1, len(both) // ENOUGH)]
+        some = both[:: max(1, len(both) // MAX_POINTS)]
         points_lidar, time = survey.scans[sighting.line].take(some)
         poses = survey.trajectory.at(time)
         moved = sensitivity(
@@ -45,10 +45,10 @@ def moves(project: Project, survey: Survey, plane: Target, lines: tuple[str, str
     return np.asarray(found[0] - found[1])
 
 
-def test_an_answer_leaves_what_the_truth_leaves_but_for_its_sigmas(
+def test_offsets_differ_from_those_of_the_truth_within_their_sigmas(
     calibrated: tuple[Project, Survey], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """On the built-in survey; `test_reference_surveys` does it on one simulated by others."""
+    """`test_reference_surveys` does the same with a survey simulated by others."""
     with capsys.disabled():
         beside_truth(*calibrated)
 
@@ -56,9 +56,9 @@ def test_an_answer_leaves_what_the_truth_leaves_but_for_its_sigmas(
 def beside_truth(project: Project, survey: Survey) -> None:
     """Print the RMS between lines before, after and with the truth, and compare the last two.
 
-    The offsets between lines differ from those with the true boresight as the covariance says.
-    What is left in both is the POS error of each line. Two boards do not hold the angles so well
-    that every plane comes within five per cent of it: the part of the sigma is seen.
+    The offsets between lines differ from those with the true boresight in accordance with the
+    covariance; both contain the POS errors of the lines. Two boards do not determine the angles
+    well enough for all planes to agree within five per cent of the RMS.
     """
     true = validate_with_truth(project, survey)
     result, truth = project.result, np.radians(project.truth_deg)
@@ -81,13 +81,15 @@ def beside_truth(project: Project, survey: Survey) -> None:
     largest = float(np.abs(ratios).max())
     print(f"largest change of an offset between lines: {largest:.1f} of its sigmas")
     assert largest < 3.5
-    # The derivatives are those of the middle of a box, the offset that of the part both saw.
+    # The derivatives are means over a box, the offset that of the part both lines cover.
     changes, expected = np.transpose(pairs)
     assert np.median(np.abs(changes - expected)) < 0.5e-3, pairs
     assert np.corrcoef(changes, expected)[0, 1] > 0.98, pairs
 
 
-def test_only_a_simulated_survey_has_a_truth(calibrated: tuple[Project, Survey]) -> None:
+def test_truth_of_a_survey_that_is_not_simulated_is_refused(
+    calibrated: tuple[Project, Survey],
+) -> None:
     project, survey = calibrated
     with pytest.raises(ProjectError) as raised:
         validate_with_truth(replace(project, truth_deg=None), survey)

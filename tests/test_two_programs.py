@@ -1,4 +1,4 @@
-"""Two programs on one project: no accepted change is lost."""
+"""Tests of two programs on one project: no accepted change is lost."""
 
 import errno
 import multiprocessing
@@ -33,7 +33,7 @@ from tests.concurrent_commands import SerialRuns, commands, copy_of, pool, rando
 
 @pytest.fixture
 def folder(copy: Project) -> Path:
-    """The folder of a project with picked targets and a result."""
+    """The folder of a project with targets and a result."""
     return copy.folder
 
 
@@ -46,7 +46,7 @@ def processes() -> Iterator[ProcessPoolExecutor]:
 def require_serial(
     project: Path, tmp_path: Path, processes: ProcessPoolExecutor, pairs: list[tuple[str, str]]
 ) -> None:
-    """See that two commands at once do what they do one after the other, in either order."""
+    """Check that two simultaneous commands have the result of running them in some order."""
     words, serial = commands(), SerialRuns(project, tmp_path)
     for first, second in pairs:
         place = copy_of(project, tmp_path / "both")
@@ -60,7 +60,7 @@ def require_serial(
         read_project(place)
 
 
-def test_commands_at_the_same_time_lose_nothing(
+def test_simultaneous_commands_lose_no_change(
     folder: Path, tmp_path: Path, processes: ProcessPoolExecutor
 ) -> None:
     pairs = [("vessel", "site"), ("pick T1", "pick T2"), ("pick T1", "estimate")]
@@ -68,7 +68,7 @@ def test_commands_at_the_same_time_lose_nothing(
 
 
 @pytest.mark.long
-def test_random_pairs_of_commands_lose_nothing(
+def test_random_pairs_of_commands_lose_no_change(
     folder: Path, tmp_path: Path, processes: ProcessPoolExecutor
 ) -> None:
     require_serial(folder, tmp_path, processes, random_pairs(200))
@@ -88,12 +88,12 @@ def test_a_project_written_meanwhile_is_not_overwritten(folder: Path) -> None:
     assert read_project(folder).identity.site == "Again", "its own save is no news"
 
 
-def test_a_project_made_meanwhile_is_not_overwritten(folder: Path) -> None:
+def test_a_project_created_meanwhile_is_not_overwritten(folder: Path) -> None:
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.exists"):
         write_project(read_project(folder), expected="")
 
 
-def test_points_of_unsaved_work_stay_when_another_saves(folder: Path) -> None:
+def test_points_of_unsaved_work_are_kept_when_another_program_saves(folder: Path) -> None:
     project = read_project(folder)
     target = project.targets[0]
     fewer = replace(target, name="Fewer", sightings=target.sightings[:-1])
@@ -104,8 +104,8 @@ def test_points_of_unsaved_work_stay_when_another_saves(folder: Path) -> None:
     assert unsaved.target("Fewer").sightings[0].line == target.sightings[0].line
 
 
-def test_a_reader_gets_one_state_or_the_next(folder: Path) -> None:
-    """Each save removes the points that the state before refers to."""
+def test_a_reader_gets_a_consistent_state(folder: Path) -> None:
+    """Each save removes the points to which the previous state refers."""
     project = read_project(folder)
     targets = project.targets
     states = [
@@ -128,7 +128,7 @@ def test_a_reader_gets_one_state_or_the_next(folder: Path) -> None:
     writer.join()
 
 
-def test_a_project_that_another_changes_is_waited_for_or_refused(
+def test_a_project_locked_by_another_program_is_waited_for_or_refused(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     held, end = threading.Event(), threading.Event()
@@ -155,7 +155,7 @@ def test_a_project_that_another_changes_is_waited_for_or_refused(
     assert not (folder / LOCK_NAME).exists()
 
 
-def test_a_lock_is_taken_again_by_the_one_who_holds_it(folder: Path) -> None:
+def test_a_lock_is_reentrant(folder: Path) -> None:
     with project_lock(folder), project_lock(folder):
         write_project(read_project(folder))
         assert (folder / LOCK_NAME).exists()
@@ -169,7 +169,7 @@ def hold_for_ever(folder: Path, held: "multiprocessing.synchronize.Event") -> No
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
-def test_the_lock_of_a_killed_program_is_free(folder: Path) -> None:
+def test_the_lock_of_a_killed_program_is_released(folder: Path) -> None:
     context = multiprocessing.get_context("spawn")
     held = context.Event()
     holder = context.Process(target=hold_for_ever, args=(folder, held))
@@ -185,7 +185,7 @@ def test_the_lock_of_a_killed_program_is_free(folder: Path) -> None:
     assert not (folder / LOCK_NAME).exists(), "the next run removes what is left"
 
 
-def test_where_the_disk_has_no_locks_the_change_is_noticed(
+def test_changes_are_detected_on_disks_without_locks(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def unsupported(handle: int) -> None:
@@ -199,14 +199,14 @@ def test_where_the_disk_has_no_locks_the_change_is_noticed(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a right there")
-def test_a_lock_makes_no_file_behind_a_link(folder: Path, tmp_path: Path) -> None:
+def test_a_lock_does_not_follow_a_link(folder: Path, tmp_path: Path) -> None:
     (folder / LOCK_NAME).symlink_to(tmp_path / "elsewhere")
     with pytest.raises(lispac.LispacError):
         write_project(read_project(folder))
     assert not (tmp_path / "elsewhere").exists()
 
 
-def test_a_folder_that_cannot_be_written_is_refused_before_the_work(
+def test_a_read_only_folder_is_refused_before_the_computation(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     opened = os.open

@@ -1,4 +1,4 @@
-"""No module makes a text that is shown without the catalogues."""
+"""Test that all shown texts of the program are in the translation catalogues."""
 
 import re
 from itertools import chain
@@ -102,22 +102,22 @@ NOT_SHOWN: dict[str, set[str]] = {
 UNTRANSLATED = set(chain.from_iterable(NOT_SHOWN.values()))
 _WORD = re.compile(r"[^\W\d_]{2,}")
 _TAG = re.compile(r"<[^>]*>")
-_FEWEST_WORDS = 4
+_MIN_WORDS = 4
 """Words of a text; shorter strings may be keys."""
 
 
 def _literals(module: str) -> list[tuple[int, str]]:
-    """Line and text of the strings that may be shown: no style sheets, more than tags."""
+    """Return line and text of strings that may be shown, without style sheets and bare tags."""
     return [
         (line, text)
         for line, text in displayed_texts(ROOT / module, at_once=True)
         if not text.rstrip().endswith((";", "}"))
-        and len(_WORD.findall(_TAG.sub("", text))) >= _FEWEST_WORDS
+        and len(_WORD.findall(_TAG.sub("", text))) >= _MIN_WORDS
     ]
 
 
 @pytest.mark.parametrize("module", MODULES)
-def test_texts_that_are_shown_go_through_the_catalogues(module: str) -> None:
+def test_shown_texts_are_in_the_catalogues(module: str) -> None:
     assert [each for each in _literals(module) if each[1] not in UNTRANSLATED | {*FRENCH}] == []
 
 

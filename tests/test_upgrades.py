@@ -1,4 +1,4 @@
-"""Project files of every older version can be opened; one of each is kept in `tests/data`."""
+"""Tests of opening project files of every older version; `tests/data` has one of each."""
 
 import json
 import shutil
@@ -17,14 +17,16 @@ from lispac.workflow.project.projects import open_project
 from tests.message_codes import codes
 from tests.report_sample import sample_project
 
-OLDER = sorted(
+OLDER_PROJECTS = sorted(
     (Path(__file__).parent / "data").glob("project-*"),
     key=lambda folder: int(folder.name.removeprefix("project-")),
 )
 
 
-@pytest.mark.parametrize("folder", OLDER, ids=lambda folder: folder.name)
-def test_an_older_project_opens_and_is_saved_as_a_new_one(folder: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("folder", OLDER_PROJECTS, ids=lambda folder: folder.name)
+def test_an_older_project_opens_and_is_saved_in_the_new_version(
+    folder: Path, tmp_path: Path
+) -> None:
     copy = tmp_path / folder.name
     shutil.copytree(folder, copy)
     before = json.loads((copy / PROJECT_FILE_NAME).read_text())
@@ -39,7 +41,7 @@ def test_an_older_project_opens_and_is_saved_as_a_new_one(folder: Path, tmp_path
     assert read_project(copy).settings == project.settings
 
 
-def test_a_project_from_before_a_setting_has_its_usual_value(tmp_path: Path) -> None:
+def test_a_setting_missing_in_an_older_project_has_its_default(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     project = replace(project, settings=replace(project.settings, accept_single_orientation=True))
     write_project(project)
@@ -51,18 +53,20 @@ def test_a_project_from_before_a_setting_has_its_usual_value(tmp_path: Path) -> 
     assert not read_project(project.folder).settings.accept_single_orientation
 
 
-def test_a_check_of_before_says_what_it_does_not_know() -> None:
-    check = read_project(OLDER[5]).absolute
+def test_an_older_check_marks_its_unknown_values() -> None:
+    check = read_project(OLDER_PROJECTS[5]).absolute
     assert check is not None
     assert check.other_surfaces is None
     assert "absolute.former_version" in codes(absolute_check_messages(check))
 
 
 def test_every_version_has_its_fixture() -> None:
-    assert [folder.name for folder in OLDER] == [f"project-{k}" for k in range(1, SCHEMA_VERSION)]
+    assert [folder.name for folder in OLDER_PROJECTS] == [
+        f"project-{k}" for k in range(1, SCHEMA_VERSION)
+    ]
 
 
-def test_results_come_back_as_they_were(tmp_path: Path) -> None:
+def test_results_are_read_as_written(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     assert project.result is not None
     assert project.result.reliability
@@ -82,6 +86,6 @@ def test_a_result_with_a_foreign_key_is_refused(tmp_path: Path) -> None:
         decode_value(content, AdjustmentResult)
 
 
-def test_open_project_is_the_way_in(tmp_path: Path) -> None:
-    shutil.copytree(OLDER[0], tmp_path / "old")
+def test_open_project_opens_older_versions(tmp_path: Path) -> None:
+    shutil.copytree(OLDER_PROJECTS[0], tmp_path / "old")
     assert open_project(tmp_path / "old").result is None

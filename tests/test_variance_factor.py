@@ -1,4 +1,4 @@
-"""Where the stated sigmas are those of the simulator, the variance factor is 1."""
+"""Tests that the variance factor is 1 if the given sigmas are those of the simulator."""
 
 from dataclasses import replace
 
@@ -21,14 +21,14 @@ SURVEYS = 6
 
 
 def marine() -> SurveySetup:
-    """The two boards of the marine scene and nothing else."""
+    """The marine scene with its two boards only."""
     setup = read_simulation("marine").setup
     boards = [surface for surface in setup.scene.surfaces if surface.name in setup.targets]
     return replace(setup, scene=Scene.of(boards), validation=())
 
 
 def surveyed(setup: SurveySetup, seed: int) -> Observations:
-    """One survey with the labels of the truth and the sigmas of the simulator."""
+    """Simulate a survey; return observations with true labels and the sigmas of the simulator."""
     survey, pos, scanner = simulate_survey(setup, seed=seed), setup.pos, setup.scanner
     assert isinstance(pos, PosErrorModel)
     said = survey.trajectory
@@ -59,7 +59,7 @@ def surveyed(setup: SurveySetup, seed: int) -> Observations:
 
 
 def test_the_variance_factor_of_exact_sigmas_is_one() -> None:
-    """Over some surveys, averaged to 10 cm as by default; by chi-square at one in a thousand."""
+    """Several surveys averaged to 10 cm as by default; chi-square test at a level of 0.001."""
     setup, model = marine(), StochasticModel()
     prior = Mounting(setup.mounting.lever_arm, np.zeros(3))
     statistic, freedom = 0.0, 0
@@ -74,8 +74,8 @@ def test_the_variance_factor_of_exact_sigmas_is_one() -> None:
     assert lower < statistic / freedom < upper
 
 
-def test_a_mean_deviates_less_from_the_chord_than_its_points() -> None:
-    """Against the mean of the covariances of a Brownian bridge over all pairs of its points."""
+def test_mean_of_points_deviates_less_from_the_chord_than_the_points() -> None:
+    """Compare with the mean covariance of a Brownian bridge over all pairs of points."""
     generator = np.random.default_rng(5)
     model = StochasticModel()
     count, interval = 40, model.knot_interval

@@ -1,7 +1,7 @@
-"""Balls and plates of a real vessel survey, adjusted: do its two lines agree better afterwards?
+"""Tests of adjusting balls and plates of a real vessel survey of two lines.
 
-The lines run in opposite directions, with the balls 9 to 20 m off, so roll is seen well, and pitch
-and yaw mainly by how the lines are displaced against each other along their course.
+The lines run in opposite directions, with the balls at 9 to 20 m. Roll is determined well, pitch
+and yaw mainly by the displacement of the lines along their course.
 """
 
 from dataclasses import replace
@@ -25,10 +25,10 @@ def vessel(shared_data):
 
 
 def observations(vessel, names):
-    """The points of the objects, with the sigmas the files state.
+    """Return the points of the objects with the sigmas of the files.
 
-    Every object is counted from a place of its own near it, two kilometres off the origin of the
-    files. The conditions compare points of one object only and stay what they are.
+    Coordinates of each object are relative to an origin near it, since the origin of the files is 2
+    km away. The conditions compare points of one object only, so they are not affected.
     """
     rows, sightings = [], []
     for name in names:
@@ -54,7 +54,7 @@ def observations(vessel, names):
 
 
 def agreement(vessel, mounting):
-    """For each ball: how far apart the lines put its centre, and RMS about one ball for both."""
+    """Return, for each ball, the distance between its centres and the RMS about one ball."""
     clouds = vessel.clouds(mounting.boresight)
     apart, rms = [], []
     for name in BALLS:
@@ -70,7 +70,7 @@ def shown(values):
     return ", ".join(f"{1000.0 * value:.1f}" for value in values)
 
 
-def test_the_files_are_what_the_formula_makes_of_them(vessel):
+def test_the_files_agree_with_the_georeferencing_equation(vessel):
     clouds = vessel.clouds(VESSEL.boresight)
     for line, rows in vessel.rows.items():
         np.testing.assert_allclose(clouds[line], rows[:, :3], atol=1e-9)
@@ -92,12 +92,12 @@ def test_balls_agree_better_than_with_the_stored_boresight(vessel, names, model)
     assert (after[0] < 0.6 * before[0]).all()
     assert (after[1] < before[1]).all()
     assert np.sqrt(np.mean(after[1] ** 2)) < 0.6 * np.sqrt(np.mean(before[1] ** 2))
-    # A small mounting error, not a solution on the other side of the circle
+    # A small mounting error, not a solution with opposite angles
     assert np.abs(moved).max() < 2.0
 
 
 @pytest.mark.parametrize("left_out", BALLS)
-def test_a_ball_that_took_no_part_agrees_better_too(vessel, left_out):
+def test_a_ball_excluded_from_the_adjustment_agrees_better_too(vessel, left_out):
     names = [name for name in BALLS if name != left_out]
     result = adjust(observations(vessel, names), VESSEL, StochasticModel())
     k = BALLS.index(left_out)
@@ -110,7 +110,7 @@ def test_a_ball_that_took_no_part_agrees_better_too(vessel, left_out):
     assert after < 0.7 * before
 
 
-def test_an_object_may_be_counted_from_any_place_near_it(vessel):
+def test_the_local_origin_of_an_object_does_not_matter(vessel):
     own = observations(vessel, BALLS)
     elsewhere = replace(own, position=own.position + [3.0, -20.0, 8.0])
     one, other = (adjust(o, VESSEL, StochasticModel()) for o in (own, elsewhere))

@@ -1,7 +1,7 @@
-"""Balls and plates of a real vessel survey: fitted, found, and found again in the other line.
+"""Tests of fitting and finding balls and plates of a real vessel survey.
 
-Two lines, three balls of 0.1 m radius and five small plates, one file each. The scanner turns
-fifty times a second, so that a ball is crossed by four to seven profiles of ten to twenty points.
+Two lines see three balls of 0.1 m radius and five small plates, one file each. At fifty profiles
+per second a ball is crossed by four to seven profiles of ten to twenty points.
 """
 
 import numpy as np
@@ -15,13 +15,13 @@ from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sphere_finder import RadiusRange, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 
-ANY = RadiusRange()
+ANY_RADIUS = RadiusRange()
 VESSEL = Mounting(np.array([-0.185596, 0.037658, 2.419063]), np.radians([0.4395, -1.8681, 0.3992]))
-KNOWN = RadiusRange.of_known_radius(0.1)
+KNOWN_RADIUS = RadiusRange.of_known_radius(0.1)
 
 
 class Vessel:
-    """The rows and labels of each line, and its cloud for any boresight."""
+    """Rows and labels of each line, and its cloud for any boresight."""
 
     def __init__(self, folder):
         self.rows, self.labels = {}, {}
@@ -39,7 +39,7 @@ class Vessel:
         }
 
     def of(self, line, name):
-        """Coordinates as stored, and profile, of the points of one object."""
+        """Return the stored coordinates and the profile numbers of one object's points."""
         rows = self.rows[line][self.labels[line] == name]
         return rows[:, :3], np.round((rows[:, 3] - rows[:, 3].min()) / 0.02).astype(int)
 
@@ -52,8 +52,8 @@ def vessel(shared_data):
 BALLS = ("sphere1", "sphere2", "sphere3")
 
 
-def test_real_balls_as_stored(vessel):
-    """Radius known and free, and where the two lines put the centre."""
+def test_balls_with_stored_coordinates(vessel):
+    """Fit with known and free radius, and compare the centres of the two lines."""
     free = {}
     for name in BALLS:
         centres = []
@@ -74,7 +74,7 @@ def test_real_balls_as_stored(vessel):
             assert rms[0] < 12.0
         apart = centres[1] - centres[0]
         print(f"{name}: the lines lie {np.round(100 * apart, 1)} cm apart (north, west, up)")
-        # With the stored boresight: decimetres, mostly in height.
+        # With the stored boresight the centres differ by decimetres, mostly in height.
         assert np.linalg.norm(apart) < 0.25
     radii = np.array(list(free.values()))
     error = radii.std(ddof=1) / np.sqrt(len(radii))
@@ -83,11 +83,11 @@ def test_real_balls_as_stored(vessel):
 
 
 @pytest.mark.parametrize("name", BALLS)
-def test_real_balls_have_their_radius_once_the_drift_of_the_pos_is_taken_out(vessel, name):
-    """In the tenth of a second of a crossing the POS drifts by centimetres and stretches the ball.
+def test_radius_of_real_balls_is_right_with_an_estimated_drift(vessel, name):
+    """In the 0.1 s of a crossing the POS drifts by centimetres and stretches the ball.
 
-    With a steady drift estimated along with the ball the free radius is right to 6 mm; without, it
-    was up to 36 mm off. What is left inside single profiles is below 2 mm.
+    With a constant drift estimated together with the ball, the free radius is right to 6 mm;
+    without it, the error was up to 36 mm. The residuals within profiles are below 2 mm.
     """
     for line in vessel.rows:
         points, profile = vessel.of(line, name)
@@ -112,7 +112,9 @@ def test_real_balls_have_their_radius_once_the_drift_of_the_pos_is_taken_out(ves
         assert rms < 0.002
 
 
-@pytest.mark.parametrize(("searched", "threshold"), [(KNOWN, 0.03), (ANY, 0.01), (ANY, 0.03)])
+@pytest.mark.parametrize(
+    ("searched", "threshold"), [(KNOWN_RADIUS, 0.03), (ANY_RADIUS, 0.01), (ANY_RADIUS, 0.03)]
+)
 def test_real_balls_are_found_among_the_objects_of_a_line(vessel, searched, threshold):
     settings = FinderSettings(threshold=threshold)
     for line, labels in vessel.labels.items():
@@ -127,7 +129,7 @@ def test_real_balls_are_found_among_the_objects_of_a_line(vessel, searched, thre
                 assert np.linalg.norm(patch.centre - centre) < 0.05
 
 
-@pytest.mark.parametrize("searched", [KNOWN, ANY])
+@pytest.mark.parametrize("searched", [KNOWN_RADIUS, ANY_RADIUS])
 @pytest.mark.parametrize("threshold", [0.01, 0.03])
 def test_real_plates_are_not_taken_for_balls(vessel, searched, threshold):
     settings = FinderSettings(threshold=threshold)
@@ -141,9 +143,9 @@ def test_real_plates_are_not_taken_for_balls(vessel, searched, threshold):
 
 
 @pytest.mark.parametrize("boresight_deg", [(0.4395, -1.8681, 0.3992), (0.0, 0.0, 0.0)])
-@pytest.mark.parametrize("searched", [KNOWN, ANY])
+@pytest.mark.parametrize("searched", [KNOWN_RADIUS, ANY_RADIUS])
 def test_real_balls_are_found_in_the_other_line(vessel, boresight_deg, searched):
-    """Also with no boresight at all, where the two lines lie 0.35 to 0.46 m apart."""
+    """Also without a boresight, with the two lines 0.35 to 0.46 m apart."""
     clouds = vessel.clouds(np.radians(boresight_deg))
     settings = FinderSettings(threshold=0.03)
     for name in BALLS:

@@ -1,4 +1,4 @@
-"""The 3D viewport with real OpenGL: what is drawn, what a click finds, and that it goes away."""
+"""Tests of the 3D viewport with real OpenGL: drawing, picking and closing."""
 
 import gc
 import os
@@ -27,7 +27,7 @@ from lispac.gui.viewport.recording_viewport import RecordingViewport
 from tests.view_scenes import BLUE, GREEN, RED, YELLOW, array_of, count, picture, pixel, scene, wall
 
 CTRL = Qt.KeyboardModifier.ControlModifier
-PLAIN = Qt.KeyboardModifier.NoModifier
+NO_MODIFIER = Qt.KeyboardModifier.NoModifier
 LEFT = Qt.MouseButton.LeftButton
 
 
@@ -45,11 +45,11 @@ def test_ctrl_click_finds_the_line_and_the_point(viewport, qtbot, origin):
         assert isinstance(picked, PickedPoint)
         assert picked.line == line
         np.testing.assert_allclose(picked.position, point, rtol=0, atol=0.11)
-        # It is a point of the line itself, not a rounded one.
+        # The exact coordinates of a point of the line
         assert np.any(np.all(clouds[line] == picked.position, axis=1))
 
 
-def test_the_picture_and_the_mathematics_agree(viewport):
+def test_picture_agrees_with_the_projection(viewport):
     clouds = {"dot": np.array([[2.0, 20.0, 1.0]]), "far": np.array([[-6.0, 30.0, 9.0]])}
     viewport.show_clouds(clouds, {"dot": RED, "far": BLUE})
     viewport.fit(wall(25.0, (-9.0, 9.0), (-4.0, 14.0)))  # away from the axes and the scale bar
@@ -63,7 +63,7 @@ def test_the_picture_and_the_mathematics_agree(viewport):
         assert rows.mean() + 0.5 == pytest.approx(y, abs=1.0)
 
 
-def test_ctrl_click_in_empty_space_is_a_miss_and_a_ctrl_drag_is_nothing(viewport, qtbot):
+def test_ctrl_click_in_empty_space_is_a_miss_and_ctrl_drag_is_ignored(viewport, qtbot):
     viewport.show_clouds(*scene())
     told = []
     viewport.signals.seed_clicked.connect(told.append)
@@ -76,12 +76,12 @@ def test_ctrl_click_in_empty_space_is_a_miss_and_a_ctrl_drag_is_nothing(viewport
     QTest.mousePress(viewport.canvas, LEFT, CTRL, start)
     QTest.mouseMove(viewport.canvas, start + QPoint(40, 10))
     QTest.mouseRelease(viewport.canvas, LEFT, CTRL, start + QPoint(40, 10))
-    QTest.mouseClick(viewport.canvas, LEFT, PLAIN, start)
+    QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, start)
     assert told == []
     np.testing.assert_array_equal(viewport.camera.position, before.position)
 
 
-def test_a_hidden_line_is_neither_seen_nor_picked_and_stays_hidden(viewport, qtbot):
+def test_a_hidden_line_is_not_drawn_or_picked_and_stays_hidden(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
@@ -91,19 +91,19 @@ def test_a_hidden_line_is_neither_seen_nor_picked_and_stays_hidden(viewport, qtb
     with qtbot.waitSignal(viewport.signals.seed_clicked) as clicked:
         QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, (0.0, 15.0, 1.5)))
     assert clicked.args[0].line == "blue"
-    viewport.show_clouds(clouds, colours)  # before and after
+    viewport.show_clouds(clouds, colours)  # as when switching before and after
     assert count(picture(viewport), RED) == 0
     viewport.set_line_visible("red", True)
     assert count(picture(viewport), RED) > 500
 
 
-def test_what_has_not_changed_is_not_rendered_again(viewport, qtbot):
+def test_unchanged_scene_is_not_rendered_again(viewport, qtbot):
     viewport.show_clouds(*scene())
     viewport.view("front")
     viewport.set_point_size(5)
     before = viewport.picture()
     rendered = viewport.canvas.frames
-    cover = QWidget(viewport.widget)  # what a menu does
+    cover = QWidget(viewport.widget)  # as a menu does
     cover.resize(viewport.widget.size())
     cover.setAutoFillBackground(True)
     cover.show()
@@ -125,12 +125,12 @@ def test_what_has_not_changed_is_not_rendered_again(viewport, qtbot):
     assert viewport.canvas.frames > rendered
 
 
-def test_before_and_after_keep_the_camera(viewport):
+def test_camera_is_kept_between_before_and_after(viewport):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
-    QTest.mousePress(viewport.canvas, LEFT, PLAIN, QPoint(400, 300))
+    QTest.mousePress(viewport.canvas, LEFT, NO_MODIFIER, QPoint(400, 300))
     QTest.mouseMove(viewport.canvas, QPoint(460, 320))
-    QTest.mouseRelease(viewport.canvas, LEFT, PLAIN, QPoint(460, 320))
+    QTest.mouseRelease(viewport.canvas, LEFT, NO_MODIFIER, QPoint(460, 320))
     camera = viewport.camera
     viewport.show_clouds({line: points + 0.3 for line, points in clouds.items()}, colours)
     assert viewport.camera is camera
@@ -142,16 +142,16 @@ def test_drag_rotates_about_the_point_under_the_cursor_and_up_stays_up(viewport)
     viewport.view("front")
     point = clouds["red"][600]
     start = pixel(viewport, point)
-    QTest.mousePress(viewport.canvas, LEFT, PLAIN, start)
+    QTest.mousePress(viewport.canvas, LEFT, NO_MODIFIER, start)
     QTest.mouseMove(viewport.canvas, start + QPoint(80, 0))
-    QTest.mouseRelease(viewport.canvas, LEFT, PLAIN, start + QPoint(80, 0))
+    QTest.mouseRelease(viewport.canvas, LEFT, NO_MODIFIER, start + QPoint(80, 0))
     x, y = viewport.to_pixels(point[None])[0]
     assert np.hypot(x - start.x(), y - start.y()) < 4.0
     assert viewport.camera.axes[0, 2] == 0.0
     assert viewport.camera.azimuth != pytest.approx(1.5 * np.pi)
 
 
-def test_highlights_lie_over_their_line_and_selection_distinguishes_them(viewport):
+def test_highlights_are_drawn_over_their_line_and_show_the_selection(viewport):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
@@ -179,7 +179,7 @@ def test_highlights_lie_over_their_line_and_selection_distinguishes_them(viewpor
     assert count(picture(viewport), YELLOW) == 0
 
 
-def test_shaded_points_have_their_own_colours_and_a_legend_says_what_they_mean(viewport):
+def test_points_coloured_by_value_have_a_legend(viewport):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
@@ -208,7 +208,7 @@ def test_markers_show_even_behind_a_wall(viewport):
     assert count(shown, YELLOW) > count(without, YELLOW) + 20
 
 
-def test_over_budget_the_moving_picture_is_coarse_and_the_resting_one_whole_again(shown):
+def test_large_clouds_are_reduced_to_the_point_budget(shown):
     view = shown(Budget(resting=4000, moving=500))
     cloud = wall(25.0, (-9.0, 9.0), (0.0, 9.0))
     view.show_clouds({"blue": cloud}, {"blue": BLUE})
@@ -217,11 +217,11 @@ def test_over_budget_the_moving_picture_is_coarse_and_the_resting_one_whole_agai
     view.fit(part)
     near = picture(view)
     assert 2000 < far <= 4 * 4000
-    # Close up all points of the part are drawn, though only a quarter of the cloud is allowed.
+    # All points of a small part are drawn, although the budget is a quarter of the cloud.
     assert count(near, BLUE) > 0.95 * 4 * len(part)
 
 
-def test_where_frames_take_long_fewer_points_move_and_never_more_than_the_budget(shown):
+def test_slow_frames_reduce_the_points_drawn_while_moving(shown):
     view = shown(Budget(resting=4000, moving=2000))
     view.show_clouds({"blue": wall(25.0, (-9.0, 9.0), (0.0, 9.0))}, {"blue": BLUE})
 
@@ -240,7 +240,7 @@ def test_where_frames_take_long_fewer_points_move_and_never_more_than_the_budget
 
     assert move() == 2000
     view._view_detail.compute_now(view._refinement_steps(view._times.rest_points))
-    assert drawn() == 2 * 4000  # with their rims
+    assert drawn() == 2 * 4000  # each point has a rim
     view._times.slice = 1
     view._detail_render_s = 1.0
     assert move() == 250
@@ -248,7 +248,7 @@ def test_where_frames_take_long_fewer_points_move_and_never_more_than_the_budget
     assert drawn() == 2 * 4000
 
 
-def test_empty_view_says_what_to_do_and_comes_back_after_clear(viewport):
+def test_empty_view_shows_instructions_again_after_clear(viewport):
     empty = picture(viewport)
     ink = int((empty.max(axis=2) < 120).sum())
     assert ink > 50
@@ -259,7 +259,7 @@ def test_empty_view_says_what_to_do_and_comes_back_after_clear(viewport):
     np.testing.assert_array_equal(cleared, empty)
 
 
-def test_resizing_keeps_everything_in_view(viewport, qtbot):
+def test_resizing_keeps_all_points_in_view(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.widget.resize(420, 700)
@@ -281,7 +281,7 @@ def test_a_cross_shows_where_a_seed_would_be_set(viewport):
     assert viewport.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
 
 
-def test_close_twice_leaves_nothing_behind(qtbot):
+def test_closing_twice_releases_all_objects(qtbot):
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
     from lispac.gui.viewport.vtk_viewport import VtkViewport
@@ -305,7 +305,7 @@ def test_close_twice_leaves_nothing_behind(qtbot):
     assert renderer() is None
 
 
-APART = """
+SEPARATE_PROGRAM = """
 import sys
 import numpy as np
 from PySide6.QtCore import QPoint, Qt
@@ -338,13 +338,13 @@ if "close" in sys.argv:
 
 
 @pytest.mark.parametrize("ending", ["close", "leave"])
-def test_high_resolution_screen_and_a_clean_end_of_the_program(qapp, ending):
+def test_high_resolution_screen_and_clean_exit(qapp, ending):
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
     root = Path(__file__).resolve().parents[1]
     environment = {**os.environ, "QT_SCALE_FACTOR": "2", "PYTHONPATH": str(root)}
     done = subprocess.run(
-        [sys.executable, "-c", APART, ending],
+        [sys.executable, "-c", SEPARATE_PROGRAM, ending],
         env=environment, capture_output=True, text=True, timeout=120, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
@@ -353,10 +353,10 @@ def test_high_resolution_screen_and_a_clean_end_of_the_program(qapp, ending):
     assert "ERR" not in done.stderr
 
 
-# The fake
+# The recording viewport
 
 
-def test_recording_viewport_remembers_and_clicks(qtbot):
+def test_recording_viewport_records_calls_and_clicks(qtbot):
     view = RecordingViewport()
     qtbot.addWidget(view.widget)
     clouds, colours = scene()
@@ -374,7 +374,7 @@ def test_recording_viewport_remembers_and_clicks(qtbot):
     assert [name for name, _ in view.calls] == ["show_clouds", "set_line_visible", "clear", "close"]
 
 
-def test_both_viewports_offer_what_the_protocol_asks():
+def test_both_viewports_implement_the_protocol():
     from lispac.gui.viewport.base import Viewport
     from lispac.gui.viewport.vtk_viewport import VtkViewport
 

@@ -1,4 +1,4 @@
-"""A viewport that is made when it is needed is, once made, as if it had been there always."""
+"""Tests of a viewport that is created on demand and then has the state requested before."""
 
 import inspect
 
@@ -17,8 +17,8 @@ CLOUDS = {"A": np.zeros((3, 3)), "B": np.ones((2, 3))}
 COLOURS = {"A": (255, 0, 0), "B": (0, 0, 255)}
 
 
-class Made:
-    """Makes recording viewports and keeps them."""
+class ViewportFactory:
+    """Factory of recording viewports that keeps them."""
 
     def __init__(self) -> None:
         self.all: list[RecordingViewport] = []
@@ -29,18 +29,20 @@ class Made:
 
 
 @pytest.fixture
-def made() -> Made:
-    return Made()
+def made() -> ViewportFactory:
+    return ViewportFactory()
 
 
 @pytest.fixture
-def late(made: Made, qtbot: QtBot) -> LazyViewport:
+def late(made: ViewportFactory, qtbot: QtBot) -> LazyViewport:
     view = LazyViewport(made)
     qtbot.addWidget(view.widget)
     return view
 
 
-def test_nothing_is_made_before_there_is_something_to_see(late: LazyViewport, made: Made) -> None:
+def test_no_viewport_is_created_for_an_empty_view(
+    late: LazyViewport, made: ViewportFactory
+) -> None:
     late.set_point_size(3)
     late.show_clouds({}, {})
     late.show_markers([])
@@ -49,7 +51,7 @@ def test_nothing_is_made_before_there_is_something_to_see(late: LazyViewport, ma
     assert made.all == []
 
 
-def test_what_was_asked_before_holds(late: LazyViewport, made: Made) -> None:
+def test_earlier_calls_are_applied_on_creation(late: LazyViewport, made: ViewportFactory) -> None:
     late.set_point_size(3)
     late.set_line_visible("A", False)
     late.set_line_visible("B", False)
@@ -68,7 +70,9 @@ def test_what_was_asked_before_holds(late: LazyViewport, made: Made) -> None:
     assert set(view.clouds) == set(CLOUDS)
 
 
-def test_it_is_made_when_it_is_seen(late: LazyViewport, made: Made, qtbot: QtBot) -> None:
+def test_viewport_is_created_when_shown(
+    late: LazyViewport, made: ViewportFactory, qtbot: QtBot
+) -> None:
     late.set_station((1.0, 2.0, 3.0))
     late.widget.resize(300, 200)
     late.widget.show()
@@ -79,7 +83,7 @@ def test_it_is_made_when_it_is_seen(late: LazyViewport, made: Made, qtbot: QtBot
     assert view.calls == [("set_station", ((1.0, 2.0, 3.0),))]
 
 
-def test_it_is_made_for_an_answer(late: LazyViewport, made: Made) -> None:
+def test_viewport_is_created_for_a_return_value(late: LazyViewport, made: ViewportFactory) -> None:
     late.set_line_visible("A", False)
     assert late.is_line_hidden("A")
     assert len(made.all) == 1
@@ -87,8 +91,8 @@ def test_it_is_made_for_an_answer(late: LazyViewport, made: Made) -> None:
     assert made.all[0].calls[-1] == ("close", ())
 
 
-def test_the_window_stays_the_same_and_in_front(qtbot: QtBot, shown: object) -> None:
-    """A window that gets its first OpenGL when it is shown already is made anew by Qt."""
+def test_the_window_is_not_recreated_and_stays_in_front(qtbot: QtBot, shown: object) -> None:
+    """Qt recreates a visible window that gets its first OpenGL widget."""
     from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     window = QMainWindow()
@@ -109,7 +113,7 @@ def test_the_window_stays_the_same_and_in_front(qtbot: QtBot, shown: object) -> 
     views.pop().close()
 
 
-def test_every_signal_is_passed_on(late: LazyViewport, made: Made) -> None:
+def test_every_signal_is_forwarded(late: LazyViewport, made: ViewportFactory) -> None:
     heard = []
     names = [name for name, each in vars(ViewportSignals).items() if isinstance(each, Signal)]
     assert len(names) == 7
@@ -123,7 +127,7 @@ def test_every_signal_is_passed_on(late: LazyViewport, made: Made) -> None:
     assert heard == names
 
 
-def test_every_question_has_an_answer() -> None:
+def test_every_query_returns_a_value() -> None:
     asked = {
         name
         for name, each in vars(Viewport).items()

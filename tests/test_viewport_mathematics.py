@@ -1,4 +1,4 @@
-"""Camera, point budget and picking of the 3D viewport, without a window."""
+"""Tests of camera, point budget and picking of the 3D viewport, without a window."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ def random_camera(seed, *, parallel=False):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_camera_axes_are_a_right_handed_frame_and_points_return(seed):
+def test_camera_axes_are_right_handed_and_projection_is_invertible(seed):
     camera = random_camera(seed)
     right, up, forward = camera.axes
     np.testing.assert_allclose(camera.axes @ camera.axes.T, np.eye(3), atol=1e-14)
@@ -34,7 +34,7 @@ def test_camera_axes_are_a_right_handed_frame_and_points_return(seed):
     np.testing.assert_allclose(camera.project(camera.focal, SIZE)[0], [400.0, 300.0, 30.0])
 
 
-def test_looking_north_shows_east_on_the_right_and_top_view_shows_north_up():
+def test_orientation_of_north_and_top_views():
     north = Camera(np.zeros(3), 0.0, 0.0, 10.0)
     east = north.project(np.array([0.0, -1.0, 0.0]), SIZE)[0]
     assert east[0] > 400.0
@@ -44,7 +44,7 @@ def test_looking_north_shows_east_on_the_right_and_top_view_shows_north_up():
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_orbit_and_zoom_keep_their_point_at_its_pixel(seed):
+def test_orbit_and_zoom_keep_the_pixel_of_their_point(seed):
     camera = random_camera(seed)
     point = camera.point_at(200.0, 150.0, 20.0, SIZE)
     np.testing.assert_allclose(
@@ -57,7 +57,7 @@ def test_orbit_and_zoom_keep_their_point_at_its_pixel(seed):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_parallel_projection_draws_equal_lengths_alike_and_keeps_what_is_pointed_at(seed):
+def test_parallel_projection_keeps_lengths_and_the_picked_point(seed):
     camera = random_camera(seed, parallel=True)
     perspective = camera.with_projection(parallel=False)
     # At the focal point both projections have the same scale.
@@ -66,7 +66,7 @@ def test_parallel_projection_draws_equal_lengths_alike_and_keeps_what_is_pointed
         np.testing.assert_allclose(
             each.project(beside, SIZE)[0, :2], [400.0 + 2.0 / each.metres_per_pixel(SIZE), 300.0]
         )
-    behind = camera.focal - 400.0 * camera.axes[2]  # where perspective has its back
+    behind = camera.focal - 400.0 * camera.axes[2]  # behind the eye of the perspective camera
     ends = camera.project(np.array([behind, behind + 2.0 * camera.axes[0]]), SIZE)
     assert ends[1, 0] - ends[0, 0] == pytest.approx(2.0 / camera.metres_per_pixel(SIZE))
     assert ends[0, 2] > 0.0
@@ -103,14 +103,14 @@ def test_a_camera_looks_along_any_direction():
     assert down.azimuth == camera.azimuth
 
 
-def test_elevation_stops_overhead():
+def test_elevation_is_limited_to_the_vertical():
     camera = random_camera(0).orbited(0.0, 1e5, np.zeros(3))
     assert camera.elevation == pytest.approx(0.5 * np.pi)
 
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("size", [SIZE, ViewportSize(300, 900)])
-def test_fit_brings_all_points_into_view_without_waste(seed, size):
+def test_fit_shows_all_points_and_fills_the_view(seed, size):
     points = np.random.default_rng(seed).normal(size=(500, 3)) * [30.0, 10.0, 5.0] + 100.0
     pixels = random_camera(seed).fitted(points, size).project(points, size)
     spread = np.ptp(pixels[:, :2], axis=0) / [size.width, size.height]
@@ -122,7 +122,7 @@ def test_fit_brings_all_points_into_view_without_waste(seed, size):
     )
 
 
-def test_shares_follow_the_sizes_and_small_lines_still_show():
+def test_line_budgets_are_proportional_with_a_minimum_of_one():
     assert line_budgets({"a": 10, "b": 20}, 100) == {"a": 10, "b": 20}
     shared = line_budgets({"a": 900_000, "b": 100_000, "c": 3}, 1000)
     assert shared["a"] == pytest.approx(900, abs=1)
@@ -131,7 +131,7 @@ def test_shares_follow_the_sizes_and_small_lines_still_show():
     assert line_budgets({"a": 0, "b": 500}, 10)["a"] == 0
 
 
-def test_sample_is_the_same_each_time_and_even():
+def test_sample_is_reproducible_and_even():
     places = random_ranks(100_000)
     np.testing.assert_array_equal(places, random_ranks(100_000))
     chosen = lowest_ranked(places, 10_000)
@@ -153,14 +153,14 @@ def test_robust_sample_rejects_outliers_only():
     assert len(kept) > 0.99 * len(points)
 
 
-def test_pick_takes_the_surface_in_front_and_what_is_exactly_under_the_cursor():
+def test_pick_prefers_the_front_surface_under_the_cursor():
     clouds, _ = scene()
     camera = Camera(np.array([0.0, 15.0, 1.5]), -0.5 * np.pi, 0.0, 15.0)
     hit = pick_point(clouds, camera, 400.0, 300.0, SIZE)
     assert hit is not None
     assert hit.line == "red"
     assert hit.depth == pytest.approx(15.0)
-    # A point of the blue wall 5 pixels beside the edge of the red one is not stolen by that edge.
+    # Five pixels beside the edge of the red wall, the point of the blue wall is picked.
     edge = camera.project(clouds["red"], SIZE)[:, 0].max()
     beside = pick_point(clouds, camera, edge + 5.0, 300.0, SIZE)
     assert beside is not None
@@ -185,7 +185,7 @@ def test_scale_bar_has_a_round_length(scale, text):
 
 
 @pytest.mark.parametrize("parallel", [False, True])
-def test_what_is_fitted_touches_the_edges_of_the_picture(parallel):
+def test_fitted_points_touch_the_edges_of_the_picture(parallel):
     points = np.random.default_rng(3).normal(size=(5000, 3)) * [20.0, 5.0, 2.0]
     camera = random_camera(2, parallel=parallel).fitted(points, SIZE, margin=1.0)
     pixels = camera.project(points, SIZE)[:, :2]
@@ -194,6 +194,6 @@ def test_what_is_fitted_touches_the_edges_of_the_picture(parallel):
     assert (low > -1.0).all()
     assert (high < whole + 1.0).all()
     assert np.minimum(low, whole - high).min() < 1.0
-    # Where it touches, it does so on both sides.
+    # The points touch both opposite edges.
     tight = int(np.argmin(np.minimum(low, whole - high)))
     assert low[tight] == pytest.approx(whole[tight] - high[tight], abs=1.0)

@@ -1,4 +1,4 @@
-"""How many points a frame holds, by how long frames take."""
+"""Tests of the number of points per frame as a function of the frame time."""
 
 import pytest
 
@@ -15,7 +15,7 @@ BUDGET = Budget()
 
 
 def drive(pace: FrameTimes, rate: float, overhead: float = 0.0, frames: int = 20) -> float:
-    """Move on a computer that draws so many points a second; the last frame's seconds."""
+    """Move on a computer of this drawing rate; return the seconds of the last frame."""
     took = 0.0
     for _ in range(frames):
         points = int(SLICE_FRACTIONS[pace.slice] * BUDGET.moving)
@@ -24,7 +24,7 @@ def drive(pace: FrameTimes, rate: float, overhead: float = 0.0, frames: int = 20
     return took
 
 
-def test_a_quick_computer_draws_the_whole_budget() -> None:
+def test_a_fast_computer_draws_the_whole_budget() -> None:
     pace = FrameTimes(BUDGET)
     assert pace.rest_points == BUDGET.resting
     assert drive(pace, 1e9) < TARGET_FRAME_S["moving"]
@@ -32,7 +32,7 @@ def test_a_quick_computer_draws_the_whole_budget() -> None:
     assert pace.rest_points == BUDGET.resting
 
 
-def test_a_slow_one_draws_as_many_as_there_is_time_for() -> None:
+def test_a_slow_computer_draws_as_many_points_as_the_time_allows() -> None:
     for rate in (3e5, 1e6, 2e6):
         pace = FrameTimes(BUDGET)
         took = drive(pace, rate, overhead=0.01)
@@ -44,12 +44,12 @@ def test_a_slow_one_draws_as_many_as_there_is_time_for() -> None:
             pace.rest_points == MIN_POINTS["resting"]
         )
         assert MIN_POINTS["resting"] <= pace.rest_points <= BUDGET.resting
-        # A picture is drawn once: it takes its time
+        # A still picture is drawn once and may take longer.
         wanted = max(MIN_POINTS["resting"], min(BUDGET.resting, MAX_PICTURE_S * rate / 2))
         assert pace.picture_points == pytest.approx(wanted, rel=1e-5)
 
 
-def test_a_single_slow_frame_changes_nothing_and_lasting_ones_do() -> None:
+def test_only_repeated_slow_frames_change_the_budget() -> None:
     pace = FrameTimes(BUDGET)
     drive(pace, 1e7)
     whole = pace.slice
@@ -61,7 +61,7 @@ def test_a_single_slow_frame_changes_nothing_and_lasting_ones_do() -> None:
     assert pace.slice == whole
 
 
-def test_a_slice_does_not_come_and_go() -> None:
+def test_a_reduced_budget_is_stable() -> None:
     pace = FrameTimes(BUDGET)
     drive(pace, 0.99 * 0.5 * BUDGET.moving / TARGET_FRAME_S["moving"])
     thin = pace.slice
@@ -70,7 +70,7 @@ def test_a_slice_does_not_come_and_go() -> None:
         assert pace.slice == thin
 
 
-def test_small_budgets_are_left_alone() -> None:
+def test_small_budgets_are_not_reduced() -> None:
     pace = FrameTimes(Budget(resting=4000, moving=500))
     pace.record("moving", 500, 9.0, 500)
     pace.record("resting", 4000, 9.0)

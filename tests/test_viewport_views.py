@@ -1,4 +1,4 @@
-"""Ways to look at the lines with real OpenGL: projections, views, what is drawn over them."""
+"""Tests of projections, views and overlays of the viewport with real OpenGL."""
 
 import numpy as np
 import pytest
@@ -10,12 +10,12 @@ from lispac.gui.viewport.clipping import Box
 from tests.view_scenes import BLUE, RED, YELLOW, count, picture, pixel, scene, wall
 
 CTRL = Qt.KeyboardModifier.ControlModifier
-PLAIN = Qt.KeyboardModifier.NoModifier
+NO_MODIFIER = Qt.KeyboardModifier.NoModifier
 LEFT = Qt.MouseButton.LeftButton
-INKED = (250, 10, 200)
+OVERLAY_COLOUR = (250, 10, 200)
 
 
-def test_the_orthographic_picture_and_the_mathematics_agree(viewport, qtbot):
+def test_orthographic_picture_agrees_with_the_projection(viewport, qtbot):
     clouds, colours = scene()
     dots = {"near": np.array([[2.0, 15.0, 1.0]]), "far": np.array([[-6.0, 30.0, 9.0]])}
     viewport.show_clouds(dots, {"near": RED, "far": BLUE})
@@ -45,7 +45,7 @@ def test_the_orthographic_picture_and_the_mathematics_agree(viewport, qtbot):
     assert widths[0] > 1.2 * widths[1]
 
 
-def test_views_from_all_sides_and_along_a_normal(viewport):
+def test_standard_views_and_views_along_a_normal(viewport):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     ahead = {"front": (0, 1), "back": (0, -1), "left": (1, 0), "right": (-1, 0)}
@@ -58,26 +58,26 @@ def test_views_from_all_sides_and_along_a_normal(viewport):
 
 
 def drag(viewport, start, *ways):
-    """Press at a pixel, go along, let go."""
-    QTest.mousePress(viewport.canvas, LEFT, PLAIN, start)
+    """Press at a pixel, move by each vector and release."""
+    QTest.mousePress(viewport.canvas, LEFT, NO_MODIFIER, start)
     for way in ways:
         start = start + way
         QTest.mouseMove(viewport.canvas, start)
-    QTest.mouseRelease(viewport.canvas, LEFT, PLAIN, start)
+    QTest.mouseRelease(viewport.canvas, LEFT, NO_MODIFIER, start)
 
 
-def test_while_pointing_a_click_points_and_a_drag_still_rotates(viewport, qtbot):
+def test_in_point_mode_a_click_picks_and_a_drag_rotates(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
     told = []
     viewport.signals.pointed.connect(told.append)
     spot = pixel(viewport, clouds["red"][600])
-    QTest.mouseClick(viewport.canvas, LEFT, PLAIN, spot)
+    QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, spot)
     assert told == []
     viewport.set_mouse("point", "Click")
     assert viewport.canvas.cursor().shape() == Qt.CursorShape.CrossCursor
-    QTest.mouseClick(viewport.canvas, LEFT, PLAIN, spot)
+    QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, spot)
     (point,) = told
     assert point.line == "red"
     np.testing.assert_allclose(point.position, clouds["red"][600], atol=0.11)
@@ -85,23 +85,23 @@ def test_while_pointing_a_click_points_and_a_drag_still_rotates(viewport, qtbot)
     drag(viewport, spot, QPoint(40, 0), QPoint(20, 0))
     assert len(told) == 1
     assert viewport.camera is not before
-    QTest.mouseClick(viewport.canvas, LEFT, PLAIN, QPoint(2, 2))
+    QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, QPoint(2, 2))
     assert told[1] is None
     viewport.set_mouse("navigate")
-    QTest.mouseClick(viewport.canvas, LEFT, PLAIN, spot)
+    QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, spot)
     assert len(told) == 2
 
 
-def test_sketches_lie_where_their_points_are_and_go_away(viewport):
+def test_sketches_are_drawn_at_their_points_and_removed(viewport):
     viewport.show_clouds(*scene())
     viewport.view("front")
     without = picture(viewport)
     ends = ((-4.0, 15.0, 1.0), (4.0, 15.0, 1.0))
     viewport.show_sketch(
-        "a", Sketch(ends, ((0, 1),), INKED, dots=True, label="8 m", label_point=ends[0])
+        "a", Sketch(ends, ((0, 1),), OVERLAY_COLOUR, dots=True, label="8 m", label_point=ends[0])
     )
     drawn = picture(viewport)
-    rows, columns = np.nonzero(np.abs(drawn.astype(int) - INKED).max(axis=2) <= 2)
+    rows, columns = np.nonzero(np.abs(drawn.astype(int) - OVERLAY_COLOUR).max(axis=2) <= 2)
     spots = viewport.to_pixels(np.array(ends))
     assert len(rows) > 100
     assert rows.min() + 5 >= spots[:, 1].min() - 5
@@ -109,13 +109,13 @@ def test_sketches_lie_where_their_points_are_and_go_away(viewport):
     assert columns.max() == pytest.approx(spots[:, 0].max(), abs=6)
     viewport.show_sketch("a", None)
     np.testing.assert_array_equal(picture(viewport), without)
-    behind = Sketch(((0.0, -50.0, 0.0), (0.0, 15.0, 1.0)), ((0, 1),), INKED)
+    behind = Sketch(((0.0, -50.0, 0.0), (0.0, 15.0, 1.0)), ((0, 1),), OVERLAY_COLOUR)
     viewport.show_sketch("b", behind)  # half of it is behind the eye: nothing to draw
     np.testing.assert_array_equal(picture(viewport), without)
 
 
 @pytest.mark.parametrize("parallel", [False, True])
-def test_a_handle_follows_the_mouse_along_its_axis(viewport, parallel):
+def test_a_handle_is_dragged_along_its_axis(viewport, parallel):
     viewport.show_clouds(*scene())
     viewport.set_parallel(parallel)
     viewport.view("isometric")
@@ -124,7 +124,7 @@ def test_a_handle_follows_the_mouse_along_its_axis(viewport, parallel):
     viewport.signals.handle_moved.connect(lambda *told: moved.append(told))
     viewport.signals.handle_released.connect(ended.append)
     viewport.show_sketch(
-        "box", Sketch((), (), INKED, handles=(DragHandle(tuple(place), tuple(axis)),))
+        "box", Sketch((), (), OVERLAY_COLOUR, handles=(DragHandle(tuple(place), tuple(axis)),))
     )
     camera = viewport.camera
     start = pixel(viewport, place)
@@ -132,7 +132,7 @@ def test_a_handle_follows_the_mouse_along_its_axis(viewport, parallel):
     drag(viewport, start, way / 2, way - way / 2)
     assert viewport.camera is camera, "the view stays"
     assert {told[:2] for told in moved} == {("box", 0)}
-    # Pixels are whole.
+    # Pixel coordinates are integers.
     assert sum(told[2] for told in moved) == pytest.approx(0.8, abs=0.03)
     assert ended == ["box"]
     drag(viewport, start + QPoint(25, 25), QPoint(30, 0))
@@ -148,11 +148,11 @@ def test_an_outline_is_drawn_with_the_left_button(viewport):
     drag(viewport, QPoint(300, 300), QPoint(60, 0), QPoint(0, 60), QPoint(-60, 0))
     np.testing.assert_array_equal(told[0], [[300, 300], [360, 300], [360, 360], [300, 360]])
     assert viewport.camera is camera
-    QTest.mouseClick(viewport.canvas, LEFT, PLAIN, QPoint(300, 300))
+    QTest.mouseClick(viewport.canvas, LEFT, NO_MODIFIER, QPoint(300, 300))
     assert len(told) == 1
 
 
-def test_what_is_under_the_resting_mouse_is_shown_while_hovering(viewport, qtbot):
+def test_point_under_the_resting_mouse_is_shown(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
@@ -171,7 +171,7 @@ def test_what_is_under_the_resting_mouse_is_shown_while_hovering(viewport, qtbot
     assert told[1:] == [None]
 
 
-def test_only_what_lies_in_the_box_is_drawn_and_picked(viewport, qtbot):
+def test_only_points_in_the_box_are_drawn_and_picked(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")
@@ -184,14 +184,16 @@ def test_only_what_lies_in_the_box_is_drawn_and_picked(viewport, qtbot):
     assert count(image, BLUE) == 0
     assert 0.4 * whole[RED] < count(image, RED) < 0.6 * whole[RED]
     assert 0.4 * whole[YELLOW] < count(image, YELLOW) < 0.6 * whole[YELLOW]
-    shades = {line: np.full((len(points), 3), INKED, np.uint8) for line, points in clouds.items()}
+    shades = {
+        line: np.full((len(points), 3), OVERLAY_COLOUR, np.uint8) for line, points in clouds.items()
+    }
     half = clouds["red"][:, 2] < 0.7
     shades["red"][half] = (0, 90, 20)
     scale = np.zeros((2, 3), np.uint8)
     viewport.show_highlights([])
     viewport.show_clouds(clouds, colours, PointColouring(shades, "", "", "", scale))
-    image = picture(viewport)  # each point keeps its own colour
-    assert count(image, (0, 90, 20)) == pytest.approx(count(image, INKED), rel=0.25)
+    image = picture(viewport)  # each point keeps its colour
+    assert count(image, (0, 90, 20)) == pytest.approx(count(image, OVERLAY_COLOUR), rel=0.25)
     with qtbot.waitSignal(viewport.signals.missed, timeout=2000):
         QTest.mouseClick(viewport.canvas, LEFT, CTRL, pixel(viewport, (5.0, 25.0, 5.0)))
     viewport.clip(None)
@@ -201,7 +203,7 @@ def test_only_what_lies_in_the_box_is_drawn_and_picked(viewport, qtbot):
 
 @pytest.mark.parametrize("parallel", [False, True])
 @pytest.mark.parametrize("origin", [(0.0, 0.0, 0.0), (5_040_000.0, -612_000.0, 0.0)])
-def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(viewport, parallel, origin):
+def test_the_divider_between_before_and_after_is_dragged(viewport, parallel, origin):
     here = wall(25.0, (-9.0, 9.0), (0.0, 9.0), origin=origin)
     viewport.set_station(origin)
     viewport.show_clouds({"blue": here}, {"blue": BLUE})
@@ -228,7 +230,7 @@ def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(viewport, para
     assert blue[:280].sum() == 0
 
 
-def test_a_box_is_changed_side_by_side_and_never_turns_inside_out():
+def test_sides_of_a_box_move_separately_and_never_pass_each_other():
     rng = np.random.default_rng(3)
     points = rng.normal(size=(40_000, 3)) * [3.0, 0.5, 1.0] + 50.0
     box = Box.around(points, np.array([0.6, -0.8, 0.1]), 1e-6)

@@ -1,4 +1,4 @@
-"""Visibility criteria of the thesis: what it states, and formulas that know no simulation."""
+"""Tests of the visibility criteria of the thesis, against its text and closed formulas."""
 
 import csv
 from dataclasses import replace
@@ -38,8 +38,8 @@ from lispac.survey.georeferencing import place_points, to_lidar
 from lispac.survey.trajectory import Poses
 from tests.test_cli import answer, run
 
-E = float(np.radians(2.0))
-UPRIGHT = MARINE_SITE.board(0.0)
+ERROR = float(np.radians(2.0))
+UPRIGHT_BOARD = MARINE_SITE.board(0.0)
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +53,7 @@ def marine() -> VisibilityStudy:
 
 
 def cloud(error: str, heading: int, inclination_deg: float = 0.0, share: float = 1.0) -> np.ndarray:
-    """The board of the marine site on one line."""
+    """Return the points of the board of the marine site on one line."""
     course = LINES[HEADINGS_DEG.index(heading)]
     return simulate_board(
         MARINE_SITE, course, np.radians(inclination_deg), mounting_with_error(error, share)
@@ -61,9 +61,9 @@ def cloud(error: str, heading: int, inclination_deg: float = 0.0, share: float =
 
 
 def apart(error: str, headings: tuple[int, int], share: float = 1.0) -> tuple[float, float]:
-    """How far two lines see the upright board from each other: metres, and degrees between them."""
+    """Return offset (metres) and angle (degrees) between two lines on the upright board."""
     one, other = (points_shape(cloud(error, heading, share=share)) for heading in headings)
-    reference = board_plane(UPRIGHT)
+    reference = board_plane(UPRIGHT_BOARD)
     shift = orthogonal_distance(one, reference) - orthogonal_distance(other, reference)
     return abs(shift), float(np.degrees(one.plane.tilt_to(other.plane)))
 
@@ -71,7 +71,7 @@ def apart(error: str, headings: tuple[int, int], share: float = 1.0) -> tuple[fl
 # --- the criteria themselves
 
 
-def test_a_square_board_is_planar_and_a_stick_or_a_ball_is_not() -> None:
+def test_a_board_is_planar_but_a_stick_or_a_ball_is_not() -> None:
     rng = np.random.default_rng(1)
     grid = np.array([(u, v, 0.0) for u in range(21) for v in range(21)])
     assert points_shape(grid).planarity == pytest.approx(1.0)
@@ -87,8 +87,8 @@ def test_distances_are_normalised_as_in_equation_3_4() -> None:
     assert found == pytest.approx([1.0, 0.25, 0.0, 0.0])
 
 
-def test_a_plane_turned_and_shifted_shows_by_how_much() -> None:
-    """Whichever side its normal looks to, and far from the origin (figure 3.10 leaves out d)."""
+def test_deviations_of_a_rotated_and_shifted_plane() -> None:
+    """For both directions of the normal, and far from the origin (figure 3.10 omits d)."""
     turned = Plane(np.array([0.0, -np.cos(0.1), np.sin(0.1)]), 0.0)
     reference = plane_through(np.array([0.0, 15.0, 5.0]), np.array([0.0, -1.0, 0.0]))
     centroid = np.array([3.0, 14.8, 7.0])
@@ -99,8 +99,8 @@ def test_a_plane_turned_and_shifted_shows_by_how_much() -> None:
     assert centroidal_distance(shape, np.array([3.0, 15.0, 5.0])) == pytest.approx(np.sqrt(4.04))
 
 
-def test_a_point_is_on_the_board_where_four_triangles_make_up_its_area() -> None:
-    """Section 3.4.3, with the areas it speaks of."""
+def test_point_on_board_matches_the_area_test_of_the_thesis() -> None:
+    """Section 3.4.3: the four triangles to the corners have the area of the board."""
     rng = np.random.default_rng(2)
     board = TERRESTRIAL_SITE.board(np.radians(-40.0))
     normal, centre = np.array(board.normal), np.array(board.centre)
@@ -117,26 +117,26 @@ def test_a_point_is_on_the_board_where_four_triangles_make_up_its_area() -> None
 # --- the simulated points
 
 
-def test_a_roll_error_turns_an_upright_board_about_the_line() -> None:
-    """Points (y, z) become (y, z) turned back by e: y cos e - z sin e = r is where they lie.
+def test_a_roll_error_rotates_an_upright_board_about_the_line() -> None:
+    """Points (y, z) are on the line y cos e - z sin e = r, where e is the roll error.
 
-    A positive roll error raises beams to the left, so the board is hit too high for the angle read
-    and placed too low, as if turned about the scanner: by e, whatever the distance.
+    A positive roll error raises beams to the left. The board is hit higher than the recorded angle,
+    so its points appear too low: the board appears rotated about the scanner by e at any range.
     """
-    reference = board_plane(UPRIGHT)
+    reference = board_plane(UPRIGHT_BOARD)
     points = cloud("roll", 0)
-    assert points[:, 1] * np.cos(E) - points[:, 2] * np.sin(E) == pytest.approx(
+    assert points[:, 1] * np.cos(ERROR) - points[:, 2] * np.sin(ERROR) == pytest.approx(
         np.full(len(points), 15.0), abs=1e-9
     )
     shape = points_shape(points)
-    assert angular_deviation(shape, reference) == pytest.approx(E, abs=1e-9)
-    shift = 15.0 - (15.0 + shape.centroid[2] * np.sin(E)) / np.cos(E)
+    assert angular_deviation(shape, reference) == pytest.approx(ERROR, abs=1e-9)
+    shift = 15.0 - (15.0 + shape.centroid[2] * np.sin(ERROR)) / np.cos(ERROR)
     assert orthogonal_distance(shape, reference) == pytest.approx(shift, abs=1e-9)
-    assert shift == pytest.approx(-5.5 * E, rel=0.1), "to first order height times angle"
+    assert shift == pytest.approx(-5.5 * ERROR, rel=0.1), "to first order height times angle"
 
 
 @pytest.mark.parametrize("heading", HEADINGS_DEG)
-def test_a_lever_arm_error_shifts_the_board_by_its_part_along_the_normal(heading: int) -> None:
+def test_a_lever_arm_error_shifts_the_board_along_its_normal(heading: int) -> None:
     turn = np.radians(heading)
     for error, axis in {
         "lever_x": (np.cos(turn), -np.sin(turn), 0.0),
@@ -148,15 +148,15 @@ def test_a_lever_arm_error_shifts_the_board_by_its_part_along_the_normal(heading
             MARINE_SITE.board(np.radians(30.0)),
         )
         reference = board_plane(board)
-        # Placed without it, points lie where they are less the lever arm.
+        # Points computed without the error are shifted by minus the error.
         expected = -0.1 * np.dot(axis, board.normal)
         assert orthogonal_distance(shape, reference) == pytest.approx(expected, abs=1e-9)
         assert angular_deviation(shape, reference) == pytest.approx(0.0, abs=1e-7)
 
 
 def truly(points: np.ndarray, course: Course, error: str) -> np.ndarray:
-    """Where points were that someone without the error placed."""
-    # The profile stands across the line, so the scanner was abeam of where a point is placed.
+    """Return the true positions of points that were georeferenced without the error."""
+    # Profiles are normal to the line, so the scanner was abeam of the computed point.
     attitude = np.tile([0.0, 0.0, course.heading], (len(points), 1))
     poses = Poses((points @ course.direction)[:, None] * course.direction, attitude)
     return place_points(
@@ -165,8 +165,7 @@ def truly(points: np.ndarray, course: Course, error: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize("error", ERROR_SIZES)
-def test_beams_with_the_error_stop_at_the_board(error: str) -> None:
-    """Read back as someone without the error placed them, and placed with it: on the board."""
+def test_true_points_are_on_the_board(error: str) -> None:
     course, board = LINES[2], TERRESTRIAL_SITE.board(0.3)
     points = simulate_board(TERRESTRIAL_SITE, course, 0.3, mounting_with_error(error), "struck")
     assert len(points) > 100
@@ -176,7 +175,7 @@ def test_beams_with_the_error_stop_at_the_board(error: str) -> None:
     assert np.abs(board_plane(board).distances(points)).max() > 1e-3, "but not as placed"
 
 
-def test_without_an_error_nothing_is_seen() -> None:
+def test_deviations_are_zero_without_an_error() -> None:
     for course in LINES:
         points = simulate_board(TERRESTRIAL_SITE, course, -0.5, mounting_with_error("roll", 0.0))
         shape, board = points_shape(points), TERRESTRIAL_SITE.board(-0.5)
@@ -198,31 +197,31 @@ def test_without_an_error_nothing_is_seen() -> None:
         ((315, 225), ["yaw"], ["pitch"]),
     ],
 )
-def test_pairs_of_lines_show_and_hide_angles(
+def test_pairs_of_lines_reveal_or_conceal_errors_of_angles(
     headings: tuple[int, int], shown: list[str], hidden: list[str]
 ) -> None:
     for error in shown:
         shift, turn = apart(error, headings)
         assert shift > (0.5 if error == "yaw" else 0.25), (error, shift)
-        # Both lines turn the board by a yaw error about the vertical, and to the same side.
+        # A yaw error rotates the board about the vertical in the same direction on both lines.
         assert turn < 0.1 if error == "yaw" else turn > 2.8, (error, turn)
     for error in hidden:
         assert apart(error, headings) == pytest.approx((0.0, 0.0), abs=1e-6), error
 
 
-def test_no_line_shows_the_z_lever_arm(terrestrial: VisibilityStudy) -> None:
+def test_no_pair_of_lines_reveals_the_z_lever_arm(terrestrial: VisibilityStudy) -> None:
     shift, turn = terrestrial.visibility_spread("lever_z")
     seen = np.isfinite(shift)
     assert seen.sum() == 14
     assert shift[seen] == pytest.approx(np.zeros(14), abs=1e-9)
     assert np.degrees(turn[seen]) == pytest.approx(np.zeros(14), abs=1e-5)
-    # It is there all the same: each line is off by it, and all alike.
+    # The error shifts all lines equally.
     off = terrestrial.orthogonal_distance[TERRESTRIAL_SITE.errors.index("lever_z"), 0]
     assert np.nanmax(np.abs(off)) == pytest.approx(0.1, abs=1e-9)
 
 
-def test_a_scan_angle_offset_is_a_roll(terrestrial: VisibilityStudy) -> None:
-    """Section 3.5.2: both turn the points alike."""
+def test_a_scan_angle_offset_acts_like_roll(terrestrial: VisibilityStudy) -> None:
+    """Section 3.5.2: both rotate the points in the same way."""
     roll, scan = (TERRESTRIAL_SITE.errors.index(name) for name in ("roll", "scan_angle_offset"))
     for values in (terrestrial.orthogonal_distance, terrestrial.angular_deviation):
         assert values[roll] == pytest.approx(values[scan], abs=1e-9, nan_ok=True)
@@ -232,7 +231,7 @@ def test_a_scan_angle_offset_is_a_roll(terrestrial: VisibilityStudy) -> None:
 
 
 def test_type_one_is_strong_at_minus_60_and_weak_at_60(terrestrial: VisibilityStudy) -> None:
-    """Figure 3.9; and 3.4.4.1: points are farthest off where the board runs along the beams."""
+    """Figure 3.9 and section 3.4.4.1: deviations are largest where the board is along the beams."""
     at = {round(np.degrees(each)): j for j, each in enumerate(TERRESTRIAL_SITE.inclinations)}
     roll = TERRESTRIAL_SITE.errors.index("roll")
     assert terrestrial.type_one[roll, :, at[-60]].min() > TYPE_ONE_THRESHOLD
@@ -241,14 +240,14 @@ def test_type_one_is_strong_at_minus_60_and_weak_at_60(terrestrial: VisibilitySt
     assert np.degrees(TERRESTRIAL_SITE.inclinations[farthest]) == pytest.approx(40.0)
 
 
-def test_on_a_real_board_no_point_moves_farther_than_its_range_times_the_error() -> None:
-    """Why the beams are those aimed at the board: else nothing flies off where they graze it."""
+def test_points_on_a_real_board_move_at_most_by_range_times_error() -> None:
+    """Beams aimed at the nominal board deviate more at grazing incidence."""
     course, mounting = LINES[3], mounting_with_error("roll")
     for degrees in (-60, 0, 30, 40):
         points = simulate_board(TERRESTRIAL_SITE, course, np.radians(degrees), mounting, "struck")
         moved = np.linalg.norm(points - truly(points, course, "roll"), axis=1)
         assert len(points) > 20
-        assert moved.max() < 6.0 * E
+        assert moved.max() < 6.0 * ERROR
     aimed = simulate_board(TERRESTRIAL_SITE, course, np.radians(40), mounting)
     centre = np.array(TERRESTRIAL_SITE.board(np.radians(40)).centre)
     assert centroidal_distance(points_shape(aimed), centre) > 1.0
@@ -265,8 +264,8 @@ def test_pitch_has_the_possible_configurations_of_table_3_1(terrestrial: Visibil
     assert np.degrees([best.kept[0], best.kept[-1]]) == pytest.approx([-90.0, 20.0])
 
 
-def test_best_configurations_beside_table_3_2(terrestrial: VisibilityStudy) -> None:
-    """The lines agree for all eight errors, the inclination for five: as found, not as wished."""
+def test_best_configurations_compared_with_table_3_2(terrestrial: VisibilityStudy) -> None:
+    """As computed, the lines agree for all eight errors and the inclination for five."""
     print(*comparison_table(terrestrial, TERRESTRIAL_SITE.errors).rows, sep="\n")
     rows = {each.best.error: each for each in compare_with_thesis(terrestrial)}
     assert all(each.lines_agree for each in rows.values())
@@ -277,8 +276,8 @@ def test_best_configurations_beside_table_3_2(terrestrial: VisibilityStudy) -> N
 
 
 @pytest.mark.parametrize("distance", [4.0, 8.0])
-def test_the_comparison_does_not_depend_on_what_the_thesis_leaves_open(distance: float) -> None:
-    """Its terrestrial site has no stated distance; other distances and beams change no verdict."""
+def test_the_comparison_does_not_depend_on_values_missing_in_the_thesis(distance: float) -> None:
+    """The thesis gives no distance for its terrestrial site; other values give the same results."""
     site = replace(
         TERRESTRIAL_SITE, distance=distance, angle_step=float(np.radians(0.4)), profile_spacing=0.07
     )
@@ -291,23 +290,23 @@ def test_the_comparison_does_not_depend_on_what_the_thesis_leaves_open(distance:
     assert do_fewest_lines_agree(found)
 
 
-def test_lines_for_all_errors_are_those_of_table_3_3(terrestrial: VisibilityStudy) -> None:
+def test_lines_for_all_errors_equal_those_of_table_3_3(terrestrial: VisibilityStudy) -> None:
     assert do_fewest_lines_agree(terrestrial)
     assert "the same as the 4" in all_errors_text(terrestrial)
 
 
-def test_the_marine_site_beside_section_3_9(marine: VisibilityStudy) -> None:
+def test_the_marine_site_compared_with_section_3_9(marine: VisibilityStudy) -> None:
     print(*comparison_table(marine, MARINE_SITE.errors).rows, sep="\n")
     rows = {each.best.error: each for each in compare_with_thesis(marine)}
     assert all(each.lines_agree for each in rows.values())
     assert {error for error, each in rows.items() if not each.inclination_agrees} == {"roll"}
-    # Of the inclinations the thesis considers the upright one is best for all three.
+    # Among the inclinations of the thesis, the upright one is best for all three.
     for error in MARINE_SITE.errors:
         assert marine.best_configuration(error, (0.0, np.pi / 2)).inclination == pytest.approx(0.0)
 
 
-def test_the_reason_for_roll_holds(terrestrial: VisibilityStudy) -> None:
-    """Near the board that faces the beams the lines hardly differ; the thesis's is one of them."""
+def test_the_given_reason_for_roll_is_true(terrestrial: VisibilityStudy) -> None:
+    """Lines hardly differ for boards normal to the beams; the thesis uses one of these."""
     shift = dict(
         zip(
             np.degrees(TERRESTRIAL_SITE.inclinations).round(),
@@ -324,7 +323,7 @@ def test_the_reason_for_roll_holds(terrestrial: VisibilityStudy) -> None:
 # --- files
 
 
-def test_the_command_writes_what_it_shows(
+def test_the_command_writes_the_tables_it_prints(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     found = answer(capsys, "visibility", "marine", "--output", tmp_path, "--error", "yaw")
@@ -338,12 +337,12 @@ def test_the_command_writes_what_it_shows(
     (row,) = (r for r in rows if r["Line (deg)"] == "45" and r["Inclination (deg)"] == "0")
     shape = points_shape(cloud("yaw", 45))
     assert float(row["Signed orthogonal distance (m)"]) == pytest.approx(
-        orthogonal_distance(shape, board_plane(UPRIGHT)), abs=1e-6
+        orthogonal_distance(shape, board_plane(UPRIGHT_BOARD)), abs=1e-6
     )
     assert {r["Type I criterion (0 to 1)"] for r in rows if r["Points"] == "0"} == {"0.0000"}
 
 
-def test_a_real_board_is_not_held_against_the_thesis(
+def test_a_real_board_is_not_compared_with_the_thesis(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     found = answer(
@@ -355,16 +354,16 @@ def test_a_real_board_is_not_held_against_the_thesis(
     assert "marine-best.csv" not in {Path(each).name for each in found["files"]}
 
 
-def test_the_angular_deviation_knows_no_direction() -> None:
-    """Two lines turned by 2 deg each to opposite sides: 4 deg apart, and the same to Type II."""
+def test_the_angular_deviation_has_no_sign() -> None:
+    """Lines rotated by 2 deg in opposite directions have equal deviations but differ by 4 deg."""
     one, other = (points_shape(cloud("roll", heading)) for heading in (0, 180))
-    reference = board_plane(UPRIGHT)
-    assert angular_deviation(one, reference) == pytest.approx(E, abs=1e-9)
-    assert angular_deviation(other, reference) == pytest.approx(E, abs=1e-9)
-    assert one.plane.tilt_to(other.plane) == pytest.approx(2 * E, abs=1e-9)
+    reference = board_plane(UPRIGHT_BOARD)
+    assert angular_deviation(one, reference) == pytest.approx(ERROR, abs=1e-9)
+    assert angular_deviation(other, reference) == pytest.approx(ERROR, abs=1e-9)
+    assert one.plane.tilt_to(other.plane) == pytest.approx(2 * ERROR, abs=1e-9)
 
 
-def test_an_error_the_site_does_not_study_is_refused(
+def test_an_error_not_studied_for_the_site_is_refused(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     code, _, err = run(capsys, "visibility", "marine", "--output", tmp_path, "--error", "lever-x")
@@ -374,7 +373,7 @@ def test_an_error_the_site_does_not_study_is_refused(
 
 
 @pytest.mark.parametrize("criterion", CRITERIA)
-def test_figures_hold_all_lines_and_can_be_drawn_again(
+def test_figures_have_all_lines_and_can_be_drawn_again(
     terrestrial: VisibilityStudy, criterion: str
 ) -> None:
     figure = visibility_figure(terrestrial, "lever_z", criterion)
@@ -386,7 +385,7 @@ def test_figures_hold_all_lines_and_can_be_drawn_again(
         assert np.array_equal(line.get_ydata(), expected, equal_nan=True)
 
 
-def test_what_no_inclination_keeps_is_reported_by_the_thesis_alone(
+def test_errors_without_a_suitable_inclination_show_the_thesis_only(
     terrestrial: VisibilityStudy,
 ) -> None:
     blind = replace(terrestrial, type_one=0 * terrestrial.type_one)

@@ -1,4 +1,4 @@
-"""The list of everything to be warned of: what is in it, and where its causes lie."""
+"""Tests of the list of all warnings of a project and their causes."""
 
 import json
 from dataclasses import replace
@@ -26,12 +26,12 @@ from tests.report_sample import sample_content, sample_project
 
 
 def coded(project: Project, **named) -> dict[str, Message]:
-    """The last message of each code."""
+    """Return the last message of each code."""
     return {each.code: each for each in warnings_of(project, None, **named)}
 
 
 def with_all_warnings(tmp_path: Path) -> Project:
-    """A target left out, one on a single line, a failed test, no validation, a truth."""
+    """A project with an excluded target, one on a single line, a failed test and no validation."""
     project = sample_project(tmp_path)
     assert project.result is not None
     one, two, *others = project.targets
@@ -46,8 +46,8 @@ def with_all_warnings(tmp_path: Path) -> Project:
     )
 
 
-def test_it_holds_the_messages_of_the_report(tmp_path: Path) -> None:
-    """All of them, but for sums of what is in it one by one."""
+def test_the_list_has_the_messages_of_the_report(tmp_path: Path) -> None:
+    """Only summaries of its own items are excluded."""
     project = with_all_warnings(tmp_path)
     found = warnings_of(project, None)
     codes = set()
@@ -62,7 +62,7 @@ def test_it_holds_the_messages_of_the_report(tmp_path: Path) -> None:
     assert expected <= codes
 
 
-def test_every_warning_about_a_result_is_in_it_with_its_cause(tmp_path: Path) -> None:
+def test_every_warning_about_a_result_has_its_cause(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     assert project.result is not None
     result = replace(project.result, model=replace(project.result.model, pos_errors="independent"))
@@ -111,7 +111,7 @@ def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> N
     )  # fmt: skip
 
 
-def test_the_same_points_twice_lead_to_where_they_are(tmp_path: Path) -> None:
+def test_duplicate_points_have_the_place_as_cause(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     numbers = np.arange(500)
     duplicates = [
@@ -128,17 +128,17 @@ def test_the_same_points_twice_lead_to_where_they_are(tmp_path: Path) -> None:
     assert found.subject == Cause.of_sighting("A", project.lines[1].name)
 
 
-def test_what_is_known_of_the_keeping_comes_first_as_serious(tmp_path: Path) -> None:
+def test_warnings_about_saving_come_first(tmp_path: Path) -> None:
     words = "The project could not be saved: the disk is full."
     first = warnings_of(sample_project(tmp_path), None, storage=words)[0]
     assert first == warning("project.storage", reason=words, subject=Cause.of_step("Data"))
 
 
 @pytest.mark.parametrize(("stale", "estimated"), [(True, False), (False, False), (True, True)])
-def test_an_answer_that_an_edit_has_dropped_is_missed(
+def test_a_result_dropped_by_an_edit_is_reported(
     tmp_path: Path, stale: bool, estimated: bool
 ) -> None:
-    """Until there is another one, and not before there was any."""
+    """Only after there was a result, and until there is another."""
     project = sample_project(tmp_path)
     project = project if estimated else replace(project, result=None, validation=())
     found = coded(project, outdated=stale).get("project.out_of_date")
@@ -167,7 +167,7 @@ def test_planes_that_could_not_be_compared_are_reported_with_the_reason(
         assert expected in found
 
 
-def test_gaps_of_the_trajectory_are_reported_where_they_are_not_bridged() -> None:
+def test_gaps_of_the_trajectory_that_are_not_bridged_are_reported() -> None:
     project, survey = picked()
     time = survey.trajectory.time.copy()
     time[len(time) // 2 :] += 7.0
@@ -181,7 +181,7 @@ def test_gaps_of_the_trajectory_are_reported_where_they_are_not_bridged() -> Non
     assert code not in [each.code for each in warnings_of(patient, torn)]
 
 
-def test_a_sighting_that_is_not_good_is_reported_where_it_is() -> None:
+def test_a_sighting_that_is_not_good_has_its_place_as_cause() -> None:
     project, survey = picked()
     found = dict(sighting_qualities(project, survey))
     where = ("T2", "L3")
@@ -236,8 +236,8 @@ def test_the_command_prints_the_list(
     assert main(["warnings", str(demo_project.folder / "nowhere")]) == 1
 
 
-def test_a_report_in_json_holds_code_severity_text_and_parameters(tmp_path: Path) -> None:
-    """In English whatever the language; its schema knows no cause."""
+def test_json_report_has_code_severity_text_and_parameters(tmp_path: Path) -> None:
+    """Texts are always in English, and the schema has no causes."""
     content = sample_content(with_all_warnings(tmp_path))
     with in_language("fr"):
         told = json.loads(json_text(content))["warnings"]

@@ -1,4 +1,4 @@
-"""The steps from picks to validation on the built-in survey, whose truth is known."""
+"""Tests of the steps from picking to validation on the built-in survey with its known truth."""
 
 import json
 from dataclasses import replace
@@ -29,8 +29,8 @@ from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.survey import Survey, load_survey
 
 
-def test_noise_free_survey_gives_the_boresight_back() -> None:
-    """Two degrees on each axis, found within 1e-6 deg from the points the simulator labels."""
+def test_noise_free_survey_determines_the_boresight() -> None:
+    """Two degrees per axis are found to 1e-6 deg from the labelled points of the simulator."""
     survey = port_survey(boresight_deg=(2.0, 2.0, 2.0), noise=False, pos_errors=False)
     path = survey.trajectory
     attitude = np.stack([path.roll, path.pitch, path.heading], axis=1)
@@ -70,8 +70,8 @@ def test_every_line_yields_both_targets(calibrated: tuple[Project, Survey]) -> N
         assert {s.line for s in project.target(name).sightings} == set(survey.lines)
 
 
-def test_truth_lies_in_the_given_interval(calibrated: tuple[Project, Survey]) -> None:
-    """The built-in survey is one draw: three sigma hold it with near certainty."""
+def test_truth_is_in_the_confidence_interval(calibrated: tuple[Project, Survey]) -> None:
+    """The built-in survey is one sample, so the interval is three sigma."""
     project, _ = calibrated
     assert project.result is not None
     assert project.truth_deg is not None
@@ -106,7 +106,7 @@ def test_saved_project_opens_the_same(calibrated: tuple[Project, Survey], copy: 
     np.testing.assert_array_equal(again.result.boresight, project.result.boresight)
 
 
-def test_edits_drop_what_no_longer_follows(calibrated: tuple[Project, Survey]) -> None:
+def test_edits_discard_dependent_results(calibrated: tuple[Project, Survey]) -> None:
     project, _ = calibrated
     assert project.without_target("V1").result is project.result
     assert project.without_target("V1").validation == ()
@@ -118,7 +118,7 @@ def test_edits_drop_what_no_longer_follows(calibrated: tuple[Project, Survey]) -
 
 
 @pytest.mark.parametrize("pos_errors", POS_ERROR_MODELS)
-def test_the_count_is_what_the_adjustment_takes(
+def test_the_count_equals_the_points_of_the_adjustment(
     calibrated: tuple[Project, Survey], pos_errors: PosErrors
 ) -> None:
     project, survey = calibrated
@@ -131,8 +131,10 @@ def test_the_count_is_what_the_adjustment_takes(
     assert count == result.points
 
 
-def test_selecting_again_leaves_clean_boards_alone(calibrated: tuple[Project, Survey]) -> None:
-    """The boards are crossed too fast for the prior to smear them, so little can change."""
+def test_repeated_selection_does_not_change_clean_boards(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    """The boards are passed too fast for the prior to smear their points."""
     project, survey = calibrated
     assert project.result is not None
     picks = calibration.estimate(project, survey, reselections=0).result
@@ -141,7 +143,7 @@ def test_selecting_again_leaves_clean_boards_alone(calibrated: tuple[Project, Su
     assert (moved < 0.3).all(), moved
 
 
-def test_estimating_twice_gives_the_same(calibrated: tuple[Project, Survey]) -> None:
+def test_estimating_twice_gives_the_same_result(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     again = calibration.estimate(project, survey)
     assert again.targets is project.targets
@@ -150,7 +152,7 @@ def test_estimating_twice_gives_the_same(calibrated: tuple[Project, Survey]) -> 
     np.testing.assert_array_equal(again.result.boresight, project.result.boresight)
 
 
-def test_one_line_can_have_a_seed_of_its_own(calibrated: tuple[Project, Survey]) -> None:
+def test_a_line_can_have_its_own_seed(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     line = survey.lines[2]
     target = project.target("T1")
@@ -186,7 +188,7 @@ def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
     assert said == [reason]
 
 
-def test_georeferenced_lines_are_where_the_project_puts_them(
+def test_georeferenced_files_have_the_positions_of_the_project(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     project, survey = calibrated
@@ -197,8 +199,8 @@ def test_georeferenced_lines_are_where_the_project_puts_them(
         np.testing.assert_allclose(laspy.read(done.path).xyz, placed[line].sample, atol=0.00051)
 
 
-@pytest.mark.long  # `test_cli` writes them in the whole way
-def test_reports_are_written_in_all_forms(
+@pytest.mark.long  # `test_cli` covers the command line
+def test_reports_are_written_in_all_formats(
     calibrated: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     project, survey = calibrated
@@ -216,7 +218,7 @@ def test_reports_are_written_in_all_forms(
     ]  # fmt: skip
 
 
-def test_names_are_the_first_free_ones(calibrated: tuple[Project, Survey]) -> None:
+def test_default_names_are_the_first_free_ones(calibrated: tuple[Project, Survey]) -> None:
     project, _ = calibrated
     assert picking.next_name(project, "target") == "T3"
     assert picking.next_name(project.without_target("V2"), "validation") == "V2"
